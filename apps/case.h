@@ -1,0 +1,110 @@
+#pragma once
+
+#include <dem/breakage/criterion.h>
+#include <dem/contact/material.h>
+#include <fem/membrane.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace spall
+{
+enum class CaseKind
+{
+  dynamic_triaxial
+};
+
+enum class Lateral
+{
+  membrane, ///< deal.II membrane, tied to the plates
+  rigid     ///< four servo-controlled planes
+};
+
+enum class StepRule
+{
+  fixed, ///< Time/fixed_step
+  stable ///< Time/safety times the critical step of the scene
+};
+
+enum class SurfaceFrames
+{
+  none,
+  ends, ///< before the first and after the last cycle
+  all   ///< with every frame
+};
+
+struct SpecimenParameters
+{
+  double side = 0.1;           ///< of the cube after compaction, about [m]
+  double solid_fraction = 0.6; ///< with side: sets the volume of stones [-]
+  std::string gradation;       ///< CSV: diameter_m, passing_1
+  std::string shapes;          ///< folder of shape files; empty: spheres
+  int seed = 1;
+  double initial_solid_fraction = 0.25; ///< of the random cloud [-]
+};
+
+struct PreparationParameters
+{
+  double pressure = 30e3;         ///< isotropic target [Pa]
+  double friction = 0.2;          ///< stone on stone while compacting [-]
+  double wall_speed = 0.5;        ///< largest speed of a servo wall [m/s]
+  double local_damping = 0.5;     ///< D_a [-]
+  double stress_tolerance = 0.02; ///< of each axis against the target [-]
+  double unbalanced_ratio = 1e-3; ///< largest unbalanced force ratio [-]
+  double max_time = 1.;           ///< gives up after this [s]
+};
+
+struct BoundaryParameters
+{
+  Lateral lateral = Lateral::membrane;
+  int elements_per_side = 12; ///< membrane quads along each edge [-]
+  double servo_gain = 0.5;    ///< alpha of the rigid servo [-]
+  double plate_mass = 5.;     ///< top plate [kg]
+};
+
+struct LoadingParameters
+{
+  double confining_pressure = 30e3; ///< follower pressure and on the plate [Pa]
+  double amplitude = 100e3;         ///< of the haversine, peak [Pa]
+  double frequency = 20.;           ///< [Hz]
+  int cycles = 10;
+  double consolidation_time = 0.02; ///< rest on the membrane before [s]
+};
+
+struct TimeParameters
+{
+  StepRule step = StepRule::fixed;
+  double fixed_step = 1e-6;   ///< [s]
+  double safety = 0.8;        ///< of the critical step, rule stable [-]
+  double local_damping = 0.5; ///< D_a while loading (article, Table 2) [-]
+};
+
+struct OutputParameters
+{
+  int samples_per_cycle = 50; ///< rows of history.csv
+  int frames_per_cycle = 2;   ///< vtu frames
+  int checkpoint_every = 1;   ///< cycles; 0: only at the end
+  SurfaceFrames surfaces = SurfaceFrames::ends;
+};
+
+struct Case
+{
+  CaseKind kind = CaseKind::dynamic_triaxial;
+  std::string title = "dynamic triaxial test";
+  SpecimenParameters specimen;
+  PreparationParameters preparation;
+  dem::StoneMaterial stone;
+  dem::WallMaterial wall;             ///< plates and rigid sides
+  dem::WallMaterial membrane_contact; ///< stones on the membrane
+  dem::GeometryParameters contact;
+  dem::BreakageParameters breakage;
+  fem::MembraneParameters membrane;
+  BoundaryParameters boundary;
+  LoadingParameters loading;
+  TimeParameters time;
+  OutputParameters output;
+  int threads = 0;  ///< 0: all cores
+  std::string file; ///< the case file as given, for messages and paths
+};
+} // namespace spall

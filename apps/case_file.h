@@ -1,0 +1,34 @@
+#pragma once
+
+#include "case.h"
+
+#include <span>
+#include <string>
+
+namespace spall
+{
+/// Section/Key=value from the command line.
+struct Override
+{
+  std::string section, key, value;
+};
+
+/// Reads and validates a .prm (or .json) case. Throws InputError.
+Case read_case(const std::string &file, std::span<const Override> overrides);
+
+/// Every parameter with its value, unit and sentence, as a .prm that read_case
+/// takes and that gives the same case (paths made absolute).
+std::string resolved_case(const Case &parameters);
+
+/// A commented case of this kind with the defaults. Throws InputError.
+std::string template_case(const std::string &kind);
+
+/// docs/parameters/: one table per section in Markdown.
+std::string parameter_tables();
+
+/// A path of a case: absolute, or relative to the folder of the case file, or
+/// to the data folder of Spall, whichever exists. Throws InputError naming
+/// section and key if none does.
+std::string find_path(const Case &parameters, const std::string &section,
+                      const std::string &key, const std::string &path);
+} // namespace spall

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace spall
+{
+/// Each command gets the words after its own name, throws InputError or
+/// RunFailure, and returns the exit status otherwise.
+using Words = std::span<const std::string>;
+
+int template_command(Words words);
+int check_command(Words words);
+int run_command(Words words);
+int report_command(Words words);
+int shape_command(Words words);
+} // namespace spall

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+namespace coupling
+{
+/// Stability of the explicit exchange of motion and load at a light node.
+struct ExchangeGain
+{
+  double gain = 0.;  ///< k dt^2 / (4 m) of the lightest node [-]
+  double limit = 1.; ///< largest stable value with the damping in use [-]
+  bool is_stable() const { return gain < limit; }
+};
+
+struct ExchangeContact
+{
+  double stiffness = 0.;     ///< k of one contact [N/m]
+  double damping_ratio = 0.; ///< beta of its dashpot [-]
+};
+
+/// gain = (omega_m^2 + k / m) dt^2 / 4 with omega_m = 2 / `membrane_step` of
+/// the membrane alone, limit = (sqrt(1 + beta^2) - beta)^2: central
+/// differences with a lagged dashpot c = 2 beta sqrt(k m). `nodal_mass` of the
+/// nodes that move freely [kg].
+ExchangeGain exchange_gain(const ExchangeContact &contact,
+                           std::span<const double> nodal_mass,
+                           double membrane_step, double time_step);
+} // namespace coupling

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <dem/vector.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace dem
+{
+/// A triangulated boundary that is moved from outside and returns loads.
+/// Triangles are counter-clockwise seen from the outside; stones are inside.
+struct FacetSurface
+{
+  std::vector<std::array<std::int32_t, 3>> triangles; ///< vertex numbers
+  std::vector<Vec3> position;                         ///< of vertices [m]
+  std::vector<Vec3> velocity;                         ///< of vertices [m/s]
+  /// Effective mass of vertices for the dashpot; infinite if prescribed [kg].
+  std::vector<double> mass;
+  std::vector<Vec3> load; ///< force of the stones on vertices, out [N]
+};
+
+enum class Feature : std::uint8_t
+{
+  face,
+  edge,
+  vertex
+};
+
+/// Nearest point of one triangle.
+struct NearestPoint
+{
+  std::int32_t triangle = -1;
+  Feature feature = Feature::face;
+  /// Number of the edge (0: 0-1, 1: 1-2, 2: 2-0) or corner, in the triangle.
+  std::int32_t which = 0;
+  std::array<double, 3> weight{}; ///< barycentric, sum 1 [-]
+  Vec3 point = Vec3::Zero();      ///< [m]
+};
+
+/// Nearest point of the triangle to x, with its feature.
+NearestPoint nearest_point(const Vec3 &x, const std::array<Vec3, 3> &corner);
+
+/// Who shares an edge or a corner: made once per surface.
+struct FacetTopology
+{
+  explicit FacetTopology(const FacetSurface &surface);
+
+  /// Triangle on the other side of each edge; -1 at a rim.
+  std::vector<std::array<std::int32_t, 3>> neighbour;
+  /// Triangles round each vertex, in rows.
+  std::vector<std::int32_t> row_start, row_triangle;
+};
+
+/// One contact of a stone with one smooth patch of the surface.
+struct FacetTouch
+{
+  NearestPoint nearest;
+  Vec3 direction = Vec3::UnitZ(); ///< unit, from the stone's centre [-]
+  double distance = 0.;           ///< centre to nearest point [m]
+};
+
+/// Local minima of the distance from x to the surface, one per smooth patch:
+/// a point on an edge or a vertex counts only if no triangle that shares the
+/// feature comes nearer (face before edge before vertex), and of several
+/// minima whose directions are within 45 degrees only the nearest is kept.
+/// Only triangles of `candidates` nearer than `reach` are looked at. Appends
+/// to `touches`, which the caller clears; order: by distance, then triangle.
+void find_touches(const FacetSurface &surface, const FacetTopology &topology,
+                  std::span<const std::int32_t> candidates, const Vec3 &x,
+                  double reach, std::vector<FacetTouch> &touches);
+} // namespace dem

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <dem/breakage/criterion.h>
+#include <dem/shape/body.h>
+#include <dem/shape/quadrature.h>
+
+namespace dem
+{
+/// What one event removes and where.
+struct Spall
+{
+  Vec3 direction = Vec3::UnitZ(); ///< u_i, unit, body frame [-]
+  double volume = 0.;             ///< V_i to remove [m^3]
+  double overlap = 0.;            ///< delta [m]
+  double gaussian_curvature = 0.; ///< K_G of the stone there, floored [1/m^2]
+};
+
+/// The stone after the event, with what was done.
+struct SpallResult
+{
+  Body body;
+  double width = 0.;          ///< lambda [rad]
+  double depth = 0.;          ///< theta [m]
+  double removed_volume = 0.; ///< before minus after, by quadrature [m^3]
+  bool is_accepted = false;   ///< false: the shape would lose r > 0; unchanged
+};
+
+/// Angular width of the Gaussian kernel: max(lambda_patch, c_lambda / N_s),
+/// lambda_patch = sqrt(delta / sqrt(K_G)) / r_c, at most pi / 4 [rad]
+/// (MODEL 8.4).
+double kernel_width(const Spall &spall, double contact_radius, int order,
+                    double kernel_floor);
+
+/// k_n = 2 pi int exp(-gamma^2 / 2 lambda^2) P_n(cos gamma) sin gamma d gamma,
+/// n = 0 .. order: the exact projection of the zonal kernel (Funk-Hecke) [-].
+std::vector<double> kernel_spectrum(double width, int order);
+
+/// Subtract theta K from r so that the volume drops by exactly V_i: theta by
+/// Newton on the quadrature nodes (MODEL 8.3). The series becomes the stone's
+/// own.
+SpallResult apply_spall(const Body &body, const Spall &spall,
+                        double kernel_floor);
+} // namespace dem

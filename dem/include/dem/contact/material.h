@@ -1,0 +1,41 @@
+#pragma once
+
+namespace dem
+{
+/// Stone against stone: rolling-resistant Hertz (article, Table 2).
+struct StoneMaterial
+{
+  double density = 2750.;        ///< rho [kg/m^3]
+  double shear_modulus = 5e8;    ///< G [Pa]
+  double poisson_ratio = 0.25;   ///< nu [-]
+  double friction = 0.5;         ///< f [-]
+  double rolling_friction = 0.2; ///< f_r [-]
+  double normal_damping = 0.27;  ///< beta_n [-]
+  double shear_damping = 0.27;   ///< beta_s [-]
+};
+
+/// Stone against boundary: linear springs (article, Table 2).
+struct WallMaterial
+{
+  double normal_stiffness = 1e8;   ///< k_n [N/m]
+  double shear_stiffness = 0.85e8; ///< k_s [N/m]
+  double friction = 0.21;          ///< f_w [-]
+  double rolling_friction = 0.;    ///< f_r of the wall [-]
+  double normal_damping = 0.62;    ///< beta_nw [-]
+  double shear_damping = 0.62;     ///< beta_sw [-]
+};
+
+enum class ContactGeometry
+{
+  ball,  ///< overlap of the ball carriers
+  radial ///< overlap of the local radii along the branch (the article)
+};
+
+struct GeometryParameters
+{
+  ContactGeometry geometry = ContactGeometry::radial;
+  /// The expansion of a side is renewed when the contact direction has moved
+  /// this far in the body frame; 0: every step [rad].
+  double refresh_tolerance = 5e-3;
+};
+} // namespace dem

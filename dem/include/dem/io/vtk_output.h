@@ -1,0 +1,67 @@
+#pragma once
+
+#include <dem/shape/body.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dem
+{
+/// Columns of the particles at one instant; entry k of each is one particle.
+struct ParticleColumns
+{
+  std::span<const std::int64_t> id;
+  std::span<const Vec3> position;          ///< [m]
+  std::span<const Vec3> velocity;          ///< [m/s]
+  std::span<const Vec3> spin;              ///< world frame [rad/s]
+  std::span<const Quaternion> orientation; ///< body to world
+  std::span<const Body> body;
+  std::span<const double> radius; ///< of the ball [m]
+  std::span<const double> mass;   ///< [kg]
+  std::span<const double> loss;   ///< mass lost / initial mass [-]
+};
+
+enum class ContactKind : std::int32_t
+{
+  stone_stone,
+  stone_plane,
+  stone_facet
+};
+
+/// One touching contact as a line.
+struct ContactLine
+{
+  Vec3 from = Vec3::Zero(),
+       to = Vec3::Zero();   ///< centre to centre or to wall [m]
+  double normal_force = 0.; ///< [N]
+  double shear_force = 0.;  ///< [N]
+  double overlap = 0.;      ///< [m]
+  ContactKind kind = ContactKind::stone_stone;
+};
+
+/// One file of the collection.
+struct FrameEntry
+{
+  double time = 0.; ///< [s]
+  int part = 0;     ///< 0 particles, 1 contacts, 2 membrane, 3 surfaces
+  std::string file; ///< relative to the .pvd
+};
+
+/// Particles as points with all fields (vtu). Throws std::runtime_error if the
+/// file cannot be written, as do the other writers.
+void write_particles(const std::string &path, const ParticleColumns &particles);
+
+/// True surfaces of the stones (vtu): each the image of one triangulated
+/// sphere (about 1300 triangles a stone), with id and loss per cell.
+void write_surfaces(const std::string &path, const ParticleColumns &particles);
+
+/// Contacts as lines with their forces (vtu).
+void write_contacts(const std::string &path,
+                    std::span<const ContactLine> contacts);
+
+/// ParaView collection (pvd) over all frames so far.
+void write_collection(const std::string &path,
+                      std::span<const FrameEntry> entries);
+} // namespace dem

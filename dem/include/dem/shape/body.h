@@ -1,0 +1,39 @@
+#pragma once
+
+#include <dem/shape/spherical_harmonics.h>
+
+#include <memory>
+#include <vector>
+
+namespace dem
+{
+using Coefficients = std::vector<double>;
+
+/// The shape of one stone, r = scale * sum a_j Y_j. Stones of one shape share
+/// one row of coefficients until they break (copy on first break, scale 1).
+struct Body
+{
+  std::shared_ptr<const Coefficients> series; ///< a_j; null: a sphere
+  double scale = 1.;  ///< [m] if the series is dimensionless, else [-]
+  double volume = 0.; ///< [m^3]
+  double inscribed_radius = 0.;     ///< min of r over the quadrature nodes [m]
+  double circumscribed_radius = 0.; ///< max of r [m]
+  double max_slope = 0.;            ///< max of |grad_S r| [m]
+};
+
+/// A sphere of this radius [m].
+Body make_sphere(double radius);
+
+/// A stone of this shape whose ball radius a_00 / sqrt(4 pi) is `radius` [m].
+/// The series is shared, not copied.
+Body make_body(std::shared_ptr<const Coefficients> series, double radius);
+
+/// A stone of this shape with exactly these coefficients (after an event).
+Body own_body(Coefficients coefficients);
+
+/// a_00 / sqrt(4 pi) of the stone [m]; for a sphere its radius.
+double mean_radius(const Body &body);
+
+/// Coefficients of the stone itself, scale applied [m].
+Coefficients scaled_coefficients(const Body &body);
+} // namespace dem

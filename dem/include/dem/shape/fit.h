@@ -1,0 +1,42 @@
+#pragma once
+
+#include <dem/vector.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+struct TriangleMesh
+{
+  std::vector<Vec3> points;                           ///< [m]
+  std::vector<std::array<std::int32_t, 3>> triangles; ///< point numbers
+};
+
+/// What a fit says about itself.
+struct ShapeFit
+{
+  std::vector<double> coefficients; ///< about the mesh's centroid [m]
+  Vec3 centroid = Vec3::Zero();     ///< of the mesh, in its own frame [m]
+  double mesh_volume = 0.;          ///< [m^3]
+  double mesh_area = 0.;            ///< [m^2]
+  double residual_rms = 0.;         ///< of r over the rays / mean radius [-]
+  double residual_max = 0.;         ///< [-]
+  double overhang_fraction = 0.; ///< share of directions hit more than once [-]
+  double overhang_loss =
+      0.; ///< volume lost by taking one hit / mesh volume [-]
+};
+
+/// Merges coincident points (STL) and drops degenerate triangles.
+TriangleMesh weld(const TriangleMesh &mesh);
+
+/// Least squares by quadrature: rays from the volume centroid through the
+/// nodes of the standard rule, the outermost hit counts. The mesh is welded
+/// first and turned outward. Throws std::invalid_argument with one clear line
+/// if the mesh is open (number of open edges), empty, has more than one body,
+/// does not contain its centroid, or is not star-shaped beyond
+/// `max_overhang` (says the share of directions and the volume lost).
+ShapeFit fit_shape(const TriangleMesh &mesh, int order,
+                   double max_overhang = 0.02);
+} // namespace dem

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <dem/vector.h>
+
+#include <span>
+#include <vector>
+
+namespace dem
+{
+/// Product rule on the unit sphere: Gauss-Legendre in cos(theta), uniform in
+/// phi. Exact for spherical polynomials of degree 2 n_polar - 1 if
+/// n_azimuth >= 2 n_polar. Node k = i_polar * n_azimuth + i_azimuth.
+struct SphereQuadrature
+{
+  int n_polar = 0;             ///< rings [-]
+  int n_azimuth = 0;           ///< nodes per ring [-]
+  std::vector<Vec3> direction; ///< unit vectors [-]
+  std::vector<double> weight;  ///< solid angle, sum 4 pi [sr]
+};
+
+/// Throws std::invalid_argument unless both numbers are positive.
+SphereQuadrature make_quadrature(int n_polar, int n_azimuth);
+
+/// The 40 x 80 rule of the model (made once).
+const SphereQuadrature &standard_quadrature();
+
+/// r at every node of the rule [m], ring by ring (cost ~ n_polar * order *
+/// (order + 2 n_azimuth)).
+std::vector<double> node_radii(std::span<const double> coefficients,
+                               const SphereQuadrature &rule);
+} // namespace dem
