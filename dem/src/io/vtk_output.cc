@@ -1,0 +1,276 @@
+#include "icosphere.h"
+
+#include <dem/assert.h>
+#include <dem/io/vtk_output.h>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace dem
+{
+namespace
+{
+/// 1280 triangles.
+constexpr int n_surface_divisions = 3;
+
+/// One tuple per entry; `value(k)` gives a vector with n_components entries.
+template <typename Value>
+void add_vectors(vtkDataSetAttributes *data, const char *name, std::size_t n,
+                 int n_components, const Value &value)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(n_components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const auto entry = value(k);
+    for (int i = 0; i < n_components; ++i)
+      array->SetComponent(static_cast<vtkIdType>(k), i, entry[i]);
+  }
+  data->AddArray(array);
+}
+
+template <typename Array = vtkFloatArray, typename Value>
+void add_scalars(vtkDataSetAttributes *data, const char *name, std::size_t n,
+                 const Value &value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+  for (std::size_t k = 0; k < n; ++k)
+    array->SetValue(static_cast<vtkIdType>(k), value(k));
+  data->AddArray(array);
+}
+
+void write_grid(const std::string &path, vtkUnstructuredGrid *grid)
+{
+  // VTK prints to the screen instead of throwing: try the path first.
+  if (!std::ofstream(path, std::ios::app))
+    throw std::runtime_error("cannot write '" + path + "'");
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(grid);
+  writer->SetDataModeToAppended();
+  writer->SetCompressorTypeToZLib();
+  writer->SetIdTypeToInt32();
+  if (writer->Write() != 1 || writer->GetErrorCode() != 0)
+    throw std::runtime_error("writing '" + path + "' failed (disk full?)");
+}
+
+void add_particle_fields(vtkPointData *data, const ParticleColumns &in)
+{
+  const std::size_t n = in.id.size();
+  add_scalars<vtkTypeInt64Array>(data, "id", n,
+                                 [&](std::size_t k) { return in.id[k]; });
+  const auto scalar = [&](const char *name, std::span<const double> column)
+  { add_scalars(data, name, n, [&](std::size_t k) { return column[k]; }); };
+  scalar("radius_m", in.radius);
+  scalar("mass_kg", in.mass);
+  scalar("loss_1", in.loss);
+  add_scalars(data, "volume_m3", n,
+              [&](std::size_t k) { return in.body[k].volume; });
+  add_scalars(data, "inscribed_radius_m", n,
+              [&](std::size_t k) { return in.body[k].inscribed_radius; });
+  add_vectors(data, "velocity_m_per_s", n, 3,
+              [&](std::size_t k) { return in.velocity[k]; });
+  add_vectors(data, "spin_rad_per_s", n, 3,
+              [&](std::size_t k) { return in.spin[k]; });
+  // The order that the glyphs of ParaView take for a quaternion.
+  add_vectors(data, "orientation_wxyz", n, 4,
+              [&](std::size_t k)
+              {
+                const Quaternion &q = in.orientation[k];
+                return Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
+              });
+}
+
+/// Radii of stones at the directions of one sphere. The harmonics are
+/// evaluated once per order: a stone then costs one matrix product.
+class SurfaceRadii
+{
+public:
+  explicit SurfaceRadii(const std::vector<Vec3> &sphere) : directions(sphere) {}
+
+  /// [m]; `ball_radius` is that of a stone without a series.
+  Eigen::VectorXd of(const Body &body, double ball_radius)
+  {
+    const auto n = static_cast<Eigen::Index>(directions.size());
+    if (!body.series)
+      return Eigen::VectorXd::Constant(n, ball_radius);
+    const Coefficients &series = *body.series;
+    const Eigen::Map<const Eigen::VectorXd> a(
+        series.data(), static_cast<Eigen::Index>(series.size()));
+    return body.scale * (harmonics(order_of(series.size())).transpose() * a);
+  }
+
+private:
+  /// Column k: the harmonics of direction k [-].
+  const Eigen::MatrixXd &harmonics(int order)
+  {
+    Eigen::MatrixXd &table = tables[order];
+    if (table.size() == 0)
+    {
+      const auto n = static_cast<std::size_t>(n_coefficients(order));
+      table.resize(n_coefficients(order),
+                   static_cast<Eigen::Index>(directions.size()));
+      for (Eigen::Index k = 0; k < table.cols(); ++k)
+        evaluate_harmonics(order, directions[static_cast<std::size_t>(k)],
+                           {table.col(k).data(), n});
+    }
+    return table;
+  }
+
+  const std::vector<Vec3> &directions;
+  std::map<int, Eigen::MatrixXd> tables; ///< by order
+};
+
+vtkNew<vtkPoints> make_points(std::size_t n)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(n));
+  return points;
+}
+
+vtkNew<vtkPoints> surface_points(const ParticleColumns &in,
+                                 const Icosphere &sphere)
+{
+  const std::size_t n_points = sphere.directions.size();
+  vtkNew<vtkPoints> points = make_points(in.id.size() * n_points);
+  SurfaceRadii radii(sphere.directions);
+  vtkIdType next = 0;
+  for (std::size_t k = 0; k < in.id.size(); ++k)
+  {
+    const Eigen::VectorXd r = radii.of(in.body[k], in.radius[k]);
+    const Mat3 rotation = in.orientation[k].toRotationMatrix();
+    for (std::size_t i = 0; i < n_points; ++i)
+    {
+      const Vec3 arm =
+          r[static_cast<Eigen::Index>(i)] * (rotation * sphere.directions[i]);
+      const Vec3 point = in.position[k] + arm;
+      points->SetPoint(next++, point.data());
+    }
+  }
+  return points;
+}
+
+vtkNew<vtkCellArray> surface_cells(std::size_t n_stones,
+                                   const Icosphere &sphere)
+{
+  vtkNew<vtkCellArray> cells;
+  const auto n_points = static_cast<vtkIdType>(sphere.directions.size());
+  for (std::size_t k = 0; k < n_stones; ++k)
+  {
+    const vtkIdType first = static_cast<vtkIdType>(k) * n_points;
+    for (const auto &[a, b, c] : sphere.triangles)
+      cells->InsertNextCell({first + a, first + b, first + c});
+  }
+  return cells;
+}
+
+void add_contact_fields(vtkUnstructuredGrid *grid,
+                        std::span<const ContactLine> in)
+{
+  vtkCellData *data = grid->GetCellData();
+  const std::size_t n = in.size();
+  add_scalars(data, "normal_force_N", n,
+              [&](std::size_t k) { return in[k].normal_force; });
+  add_scalars(data, "shear_force_N", n,
+              [&](std::size_t k) { return in[k].shear_force; });
+  add_scalars(data, "overlap_m", n,
+              [&](std::size_t k) { return in[k].overlap; });
+  add_scalars<vtkIntArray>(data, "kind", n,
+                           [&](std::size_t k)
+                           { return static_cast<int>(in[k].kind); });
+  // Also on the points, where a tube filter looks for its radius.
+  add_scalars(grid->GetPointData(), "normal_force_N", 2 * n,
+              [&](std::size_t k) { return in[k / 2].normal_force; });
+}
+} // namespace
+
+void write_particles(const std::string &path, const ParticleColumns &particles)
+{
+  const std::size_t n = particles.id.size();
+  DEM_ASSERT(particles.position.size() == n && particles.body.size() == n);
+  vtkNew<vtkPoints> points = make_points(n);
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const auto point = static_cast<vtkIdType>(k);
+    points->SetPoint(point, particles.position[k].data());
+    cells->InsertNextCell({point});
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  grid->SetCells(VTK_VERTEX, cells);
+  add_particle_fields(grid->GetPointData(), particles);
+  write_grid(path, grid);
+}
+
+void write_surfaces(const std::string &path, const ParticleColumns &particles)
+{
+  const std::size_t n = particles.id.size();
+  DEM_ASSERT(particles.orientation.size() == n && particles.loss.size() == n);
+  const Icosphere sphere = make_icosphere(n_surface_divisions);
+  const std::size_t per_stone = sphere.triangles.size();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(surface_points(particles, sphere));
+  grid->SetCells(VTK_TRIANGLE, surface_cells(n, sphere));
+  add_scalars<vtkTypeInt64Array>(grid->GetCellData(), "id", n * per_stone,
+                                 [&](std::size_t k)
+                                 { return particles.id[k / per_stone]; });
+  add_scalars(grid->GetCellData(), "loss_1", n * per_stone,
+              [&](std::size_t k) { return particles.loss[k / per_stone]; });
+  write_grid(path, grid);
+}
+
+void write_contacts(const std::string &path,
+                    std::span<const ContactLine> contacts)
+{
+  vtkNew<vtkPoints> points = make_points(2 * contacts.size());
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+  {
+    const auto first = static_cast<vtkIdType>(2 * k);
+    points->SetPoint(first, contacts[k].from.data());
+    points->SetPoint(first + 1, contacts[k].to.data());
+    cells->InsertNextCell({first, first + 1});
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  grid->SetCells(VTK_LINE, cells);
+  add_contact_fields(grid, contacts);
+  write_grid(path, grid);
+}
+
+void write_collection(const std::string &path,
+                      std::span<const FrameEntry> entries)
+{
+  std::ofstream out(path);
+  out << std::setprecision(std::numeric_limits<double>::max_digits10)
+      << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  for (const FrameEntry &entry : entries)
+    out << "<DataSet timestep=\"" << entry.time << "\" part=\"" << entry.part
+        << "\" file=\"" << entry.file << "\"/>\n";
+  out << "</Collection>\n</VTKFile>\n";
+  out.close();
+  if (!out)
+    throw std::runtime_error("cannot write '" + path + "'");
+}
+} // namespace dem

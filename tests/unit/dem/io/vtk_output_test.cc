@@ -1,0 +1,210 @@
+#include <dem/io/vtk_output.h>
+
+#include <gtest/gtest.h>
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+namespace
+{
+using dem::Vec3;
+
+/// Files are single precision.
+constexpr double rounding = 1e-6;
+
+std::string scratch(const std::string &name)
+{
+  const auto folder = std::filesystem::path(testing::TempDir()) / "spall_vtk";
+  std::filesystem::create_directories(folder);
+  return (folder / name).string();
+}
+
+vtkNew<vtkXMLUnstructuredGridReader> read(const std::string &path)
+{
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader;
+}
+
+/// A sphere and a stone r = a_00 Y_00 + a_1,1 Y_1,1, turned by 90 degrees
+/// about z: its longest radius points to +y.
+class TwoStones : public testing::Test
+{
+protected:
+  TwoStones()
+  {
+    bodies[0].scale = 0.01;
+    bodies[1].series =
+        std::make_shared<dem::Coefficients>(std::initializer_list<double>{
+            2. * std::sqrt(std::numbers::pi), 0., 0., tilt});
+    bodies[1].scale = 0.02;
+    bodies[1].volume = 3e-5;
+    bodies[1].inscribed_radius = 0.015;
+  }
+
+  dem::ParticleColumns columns() const
+  {
+    return {.id = ids,
+            .position = positions,
+            .velocity = velocities,
+            .spin = spins,
+            .orientation = orientations,
+            .body = bodies,
+            .radius = radii,
+            .mass = masses,
+            .loss = losses};
+  }
+
+  static constexpr double tilt = 0.2; ///< a_1,1 [-]
+  std::vector<std::int64_t> ids{7, 11};
+  std::vector<Vec3> positions{{0., 0., 0.}, {0.1, 0.2, 0.3}},
+      velocities{{1., 2., 3.}, {4., 5., 6.}},
+      spins{{0.1, 0., 0.}, {0., 0., 0.7}};
+  std::vector<dem::Quaternion> orientations{
+      dem::Quaternion::Identity(),
+      dem::Quaternion(Eigen::AngleAxisd(std::numbers::pi / 2., Vec3::UnitZ()))};
+  std::vector<dem::Body> bodies{2};
+  std::vector<double> radii{0.01, 0.02}, masses{0.011, 0.09}, losses{0., 0.003};
+};
+
+TEST_F(TwoStones, ParticlesComeBackWithEveryField)
+{
+  const std::string path = scratch("particles.vtu");
+  dem::write_particles(path, columns());
+  const auto reader = read(path);
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  ASSERT_EQ(grid->GetNumberOfPoints(), 2);
+  ASSERT_EQ(grid->GetNumberOfCells(), 2);
+  EXPECT_NEAR(grid->GetPoint(1)[2], 0.3, rounding);
+  vtkPointData *data = grid->GetPointData();
+  const auto value = [&](const char *name, int component = 0)
+  {
+    vtkDataArray *array = data->GetArray(name);
+    return array ? array->GetComponent(1, component) : std::nan(name);
+  };
+  EXPECT_EQ(value("id"), 11.);
+  EXPECT_NEAR(value("radius_m"), 0.02, rounding);
+  EXPECT_NEAR(value("mass_kg"), 0.09, rounding);
+  EXPECT_NEAR(value("loss_1"), 0.003, rounding);
+  EXPECT_NEAR(value("volume_m3"), 3e-5, rounding * 3e-5);
+  EXPECT_NEAR(value("inscribed_radius_m"), 0.015, rounding);
+  EXPECT_NEAR(value("velocity_m_per_s", 1), 5., rounding);
+  EXPECT_NEAR(value("spin_rad_per_s", 2), 0.7, rounding);
+  EXPECT_NEAR(value("orientation_wxyz", 0), std::sqrt(0.5), rounding);
+  EXPECT_NEAR(value("orientation_wxyz", 3), std::sqrt(0.5), rounding);
+}
+
+TEST_F(TwoStones, SurfacesAreTheSeriesRotatedAndPlaced)
+{
+  const std::string path = scratch("surfaces.vtu");
+  dem::write_surfaces(path, columns());
+  const auto reader = read(path);
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  ASSERT_EQ(grid->GetNumberOfCells(), 2 * 1280);
+  const vtkIdType n = grid->GetNumberOfPoints() / 2;
+  for (vtkIdType k = 0; k < n; ++k)
+  {
+    EXPECT_NEAR(Vec3(grid->GetPoint(k)).norm(), 0.01, rounding);
+    const Vec3 arm = Vec3(grid->GetPoint(n + k)) - positions[1];
+    // Y_1,1 = sqrt(3 / 4 pi) x of the body, which is y of the world.
+    const double y_11 =
+        std::sqrt(3. / (4. * std::numbers::pi)) * arm.normalized().y();
+    EXPECT_NEAR(arm.norm(), 0.02 * (1. + tilt * y_11), rounding);
+  }
+}
+
+TEST_F(TwoStones, SurfacesCarryIdAndLossPerTriangleAndFaceOutward)
+{
+  const std::string path = scratch("surfaces_data.vtu");
+  dem::write_surfaces(path, columns());
+  const auto reader = read(path);
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  vtkDataArray *ids_read = grid->GetCellData()->GetArray("id");
+  vtkDataArray *losses_read = grid->GetCellData()->GetArray("loss_1");
+  ASSERT_TRUE(ids_read && losses_read);
+  double volume = 0.;
+  for (vtkIdType k = 0; k < grid->GetNumberOfCells(); ++k)
+  {
+    const std::size_t stone = k < 1280 ? 0 : 1;
+    EXPECT_EQ(ids_read->GetTuple1(k), static_cast<double>(ids[stone]));
+    EXPECT_NEAR(losses_read->GetTuple1(k), losses[stone], rounding);
+    vtkPoints *corners = grid->GetCell(k)->GetPoints();
+    if (stone == 0)
+      volume += Vec3(corners->GetPoint(0))
+                    .dot(Vec3(corners->GetPoint(1))
+                             .cross(Vec3(corners->GetPoint(2)))) /
+                6.;
+  }
+  // The flat triangles lie inside the sphere: 1280 of them lose 1 %.
+  const double sphere = 4. / 3. * std::numbers::pi * 1e-6;
+  EXPECT_NEAR(volume, sphere, 0.015 * sphere);
+}
+
+TEST(VtkOutput, ContactsAreLinesWithForces)
+{
+  const std::vector<dem::ContactLine> contacts{
+      {.from = Vec3::Zero(), .to = Vec3::UnitX(), .normal_force = 5.},
+      {.from = Vec3::UnitY(),
+       .to = Vec3::UnitZ(),
+       .normal_force = 12.,
+       .shear_force = 3.,
+       .overlap = 1e-5,
+       .kind = dem::ContactKind::stone_facet}};
+  const std::string path = scratch("contacts.vtu");
+  dem::write_contacts(path, contacts);
+  const auto reader = read(path);
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  ASSERT_EQ(grid->GetNumberOfCells(), 2);
+  EXPECT_EQ(grid->GetPoint(3)[2], 1.);
+  vtkCellData *data = grid->GetCellData();
+  EXPECT_EQ(data->GetArray("normal_force_N")->GetTuple1(1), 12.);
+  EXPECT_EQ(data->GetArray("shear_force_N")->GetTuple1(1), 3.);
+  EXPECT_NEAR(data->GetArray("overlap_m")->GetTuple1(1), 1e-5, 1e-11);
+  EXPECT_EQ(data->GetArray("kind")->GetTuple1(1), 2.);
+  vtkDataArray *at_ends = grid->GetPointData()->GetArray("normal_force_N");
+  EXPECT_EQ(at_ends->GetTuple1(1), 5.);
+  EXPECT_EQ(at_ends->GetTuple1(2), 12.);
+}
+
+TEST(VtkOutput, NoParticlesAndNoContactsAreFiles)
+{
+  dem::write_particles(scratch("no_particles.vtu"), {});
+  dem::write_surfaces(scratch("no_surfaces.vtu"), {});
+  dem::write_contacts(scratch("no_contacts.vtu"), {});
+  for (const char *name :
+       {"no_particles.vtu", "no_surfaces.vtu", "no_contacts.vtu"})
+    EXPECT_EQ(read(scratch(name))->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(VtkOutput, CollectionListsEveryFrame)
+{
+  const std::string path = scratch("run.pvd");
+  const std::vector<dem::FrameEntry> entries{
+      {.time = 0.1, .part = 0, .file = "frames/particles_00000.vtu"},
+      {.time = 0.1, .part = 2, .file = "frames/membrane_00000.vtu"}};
+  dem::write_collection(path, entries);
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  EXPECT_NE(text.str().find("part=\"2\" file=\"frames/membrane_00000.vtu\""),
+            std::string::npos);
+  EXPECT_NE(text.str().find("timestep=\"0.1"), std::string::npos);
+}
+
+TEST(VtkOutput, UnwritablePathThrows)
+{
+  const std::string path = scratch("missing_folder/particles.vtu");
+  EXPECT_THROW(dem::write_particles(path, {}), std::runtime_error);
+  EXPECT_THROW(dem::write_collection(path, {}), std::runtime_error);
+}
+} // namespace
