@@ -39,6 +39,8 @@ struct GapCoefficients
   double b = 0.; ///< B [1/m]
 };
 
+/// A + B from the sum of the curvatures, A B without cancellation; a line
+/// contact (A -> 0) is kept at A = 1e-12 B.
 GapCoefficients gap_coefficients(const PairCurvatures &curvatures);
 
 /// Prefactors of one elliptic contact: F = normal delta^(3/2),
@@ -66,9 +68,13 @@ struct EllipticContact
 EllipticContact solve_elliptic(const PairElasticity &pair,
                                const GapCoefficients &gap);
 
-/// The same prefactors from Chebyshev fits in ln(B/A) made once from
-/// solve_elliptic: relative error below 1e-9 for 1 <= B/A <= 1e4 (beyond: the
-/// end value). No elliptic integral and no root at run time.
+/// The same prefactors from Chebyshev fits in ln(B/A) made once from the exact
+/// solver: relative error below 1e-9 for 1 <= B/A <= 1e4; a longer ellipse is
+/// taken as one with A = B / 1e4. No elliptic integral and no root at run time.
+/// With R_g = 1 / (2 sqrt(A B)), f = f_F and q = B_c / K (MODEL 5.2):
+///   C_H = 4/3 E* sqrt(R_g) f,
+///   k_s / sqrt(delta) = 2 sqrt(R_g) f [1 / (s - q t) + 1 / (s - (1 - q) t)],
+/// s = sum 1 / G_i, t = sum nu_i / G_i, since 2 pi a / K = 4 f sqrt(R_g delta).
 class EllipticTable
 {
 public:
@@ -77,8 +83,8 @@ public:
                              const GapCoefficients &gap) const;
 
 private:
-  /// ln f_F, ln(a b / (R_g delta)), K - E and E - (1 - e^2) K terms.
-  std::vector<double> force, area, isotropic, directional;
+  /// Coefficients of f_F and of B_c / K, of the same number [-].
+  std::vector<double> force, directional;
 };
 
 /// The table (made once, shared).
