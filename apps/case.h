@@ -38,8 +38,10 @@ struct SpecimenParameters
 {
   double side = 0.1;           ///< of the cube after compaction, about [m]
   double solid_fraction = 0.6; ///< with side: sets the volume of stones [-]
-  std::string gradation;       ///< CSV: diameter_m, passing_1
-  std::string shapes;          ///< folder of shape files; empty: spheres
+  /// CSV: diameter_m, passing_1
+  std::string gradation = "gradations/quick_7_22mm.csv";
+  /// folder of shape files; empty: spheres
+  std::string shapes = "shapes/limestone";
   int seed = 1;
   double initial_solid_fraction = 0.25; ///< of the random cloud [-]
 };
@@ -94,9 +96,17 @@ struct Case
   std::string title = "dynamic triaxial test";
   SpecimenParameters specimen;
   PreparationParameters preparation;
+  std::string material; ///< file with the next three and breakage; may be empty
   dem::StoneMaterial stone;
-  dem::WallMaterial wall;             ///< plates and rigid sides
-  dem::WallMaterial membrane_contact; ///< stones on the membrane
+  dem::WallMaterial wall; ///< plates and rigid sides
+  /// stones on the membrane: a hundredth of the plates, so that a light node
+  /// stays stable at the step of the stones
+  dem::WallMaterial membrane_contact{.normal_stiffness = 1e6,
+                                     .shear_stiffness = 0.85e6,
+                                     .friction = 0.21,
+                                     .rolling_friction = 0.,
+                                     .normal_damping = 0.62,
+                                     .shear_damping = 0.62};
   dem::GeometryParameters contact;
   dem::BreakageParameters breakage;
   fem::MembraneParameters membrane;

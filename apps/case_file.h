@@ -13,7 +13,11 @@ struct Override
   std::string section, key, value;
 };
 
-/// Reads and validates a .prm (or .json) case. Throws InputError.
+/// "Section/Key=value", what follows --set. Throws InputError.
+Override parse_override(const std::string &text);
+
+/// Reads and validates a .prm (or .json) case: defaults, then the material
+/// file, then the case, then the overrides. Throws InputError.
 Case read_case(const std::string &file, std::span<const Override> overrides);
 
 /// Every parameter with its value, unit and sentence, as a .prm that read_case

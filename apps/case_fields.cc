@@ -1,0 +1,296 @@
+#include "case_fields.h"
+
+#include <algorithm>
+
+namespace spall
+{
+namespace
+{
+/// What a line of the list says besides its field and range.
+struct Text
+{
+  std::string key, unit, sentence, reason = "";
+};
+
+/// Collects the lines of one section after the other.
+class List
+{
+public:
+  void in(const std::string &name) { section = name; }
+  void add(const Text &text, double &field, const Range &range)
+  {
+    put(text, &field, range);
+  }
+  void add(const Text &text, int &field, const Range &range)
+  {
+    put(text, &field, range);
+  }
+  void add(const Text &text, bool &field) { put(text, &field, {}); }
+  void add(const Text &text, std::string &field) { put(text, &field, {}); }
+  /// `names` in the order of the enumeration.
+  template <class Enum>
+  void add(const Text &text, Enum &field, const std::vector<std::string> &names)
+  {
+    Choice choice{names, [&field] { return static_cast<std::size_t>(field); },
+                  [&field](std::size_t k) { field = static_cast<Enum>(k); }};
+    put(text, std::move(choice), {});
+  }
+
+  std::vector<Parameter> parameters;
+
+private:
+  void put(const Text &text, decltype(Parameter::value) value,
+           const Range &range)
+  {
+    parameters.push_back({section, text.key, text.unit, text.sentence,
+                          std::move(value), range, text.reason});
+  }
+
+  std::string section;
+};
+
+void add_specimen(List &list, SpecimenParameters &s)
+{
+  list.in("Specimen");
+  list.add({"side", "m", "Edge of the cube after compaction, about."}, s.side,
+           between(1e-3, 100.));
+  list.add({"solid_fraction", "-",
+            "With side: the volume of stones, solid_fraction side^3.",
+            "random packings stay below 0.75"},
+           s.solid_fraction, Range{0., 0.75, true, true});
+  list.add({"gradation", "-",
+            "CSV file diameter_m,passing_1: share of the mass that passes."},
+           s.gradation);
+  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, s.shapes);
+  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, s.seed,
+           between(0, 2147483647));
+  list.add({"initial_solid_fraction", "-",
+            "Of the random cloud that is then compacted.",
+            "random insertion jams above"},
+           s.initial_solid_fraction, above(0., 0.35));
+}
+
+void add_preparation(List &list, PreparationParameters &p)
+{
+  list.in("Preparation");
+  list.add({"pressure", "Pa", "Isotropic target of the compaction."},
+           p.pressure, above(0., 1e8));
+  list.add({"friction", "-", "Stone on stone while compacting; low is dense."},
+           p.friction, between(0., 10.));
+  list.add({"wall_speed", "m/s", "Largest speed of a servo wall."},
+           p.wall_speed, above(0., 100.));
+  list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while compacting."},
+           p.local_damping, below(0., 1.));
+  list.add({"stress_tolerance", "-",
+            "Stress of each axis may differ from the target by this share."},
+           p.stress_tolerance, above(0., 0.5));
+  list.add({"unbalanced_ratio", "-",
+            "Largest unbalanced force ratio of a specimen at rest."},
+           p.unbalanced_ratio, above(0., 0.1));
+  list.add(
+      {"max_time", "s", "The compaction fails if it is not at rest by then."},
+      p.max_time, above(0., 1e4));
+}
+
+void add_stone(List &list, dem::StoneMaterial &s)
+{
+  list.in("Stone");
+  list.add({"density", "kg/m^3", "Of the solid, rho."}, s.density,
+           above(0., 3e4));
+  list.add({"shear_modulus", "Pa", "G of the Hertz contact."}, s.shear_modulus,
+           above(0., 1e13));
+  list.add({"poisson_ratio", "-", "nu of the Hertz contact."}, s.poisson_ratio,
+           below(0., 0.5));
+  list.add({"friction", "-", "Coulomb, stone on stone, f."}, s.friction,
+           between(0., 10.));
+  list.add(
+      {"rolling_friction", "-", "Rolling resistance, stone on stone, f_r."},
+      s.rolling_friction, between(0., 10.));
+  list.add({"normal_damping", "-", "Share of critical damping, beta_n."},
+           s.normal_damping, between(0., 5.));
+  list.add({"shear_damping", "-", "Share of critical damping, beta_s."},
+           s.shear_damping, between(0., 5.));
+}
+
+/// `rolling` is the range of rolling_friction.
+void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
+              const std::string &reason)
+{
+  list.add({"normal_stiffness", "N/m", "Linear spring, k_n."},
+           w.normal_stiffness, above(0., 1e15));
+  list.add({"shear_stiffness", "N/m", "Linear spring, k_s."}, w.shear_stiffness,
+           between(0., 1e15));
+  list.add({"friction", "-", "Coulomb, stone on boundary, f_w."}, w.friction,
+           between(0., 10.));
+  list.add({"rolling_friction", "-", "Rolling resistance, stone on boundary.",
+            reason},
+           w.rolling_friction, rolling);
+  list.add({"normal_damping", "-", "Share of critical damping, beta_nw."},
+           w.normal_damping, between(0., 5.));
+  list.add({"shear_damping", "-", "Share of critical damping, beta_sw."},
+           w.shear_damping, between(0., 5.));
+}
+
+void add_contact(List &list, dem::GeometryParameters &c)
+{
+  list.in("Contact");
+  list.add({"geometry", "-",
+            "ball: overlap of the ball carriers; radial: of the local radii."},
+           c.geometry, {"ball", "radial"});
+  list.add(
+      {"refresh_tolerance", "rad",
+       "The expansion of a shape is renewed when the contact direction has "
+       "moved this far in the body; 0: every step."},
+      c.refresh_tolerance, between(0., 0.1));
+}
+
+void add_breakage(List &list, dem::BreakageParameters &b)
+{
+  list.in("Breakage");
+  list.add({"is_active", "-", "Stones may break at all."}, b.is_active);
+  list.add({"fracture_energy", "J/m^2", "Breakage energy per area, G_c."},
+           b.fracture_energy, above(0., 1e12));
+  list.add(
+      {"min_ball_radius", "m", "A stone does not break further below this."},
+      b.min_ball_radius, between(0., 10.));
+  list.add({"min_diameter", "m", "Stones below this initial size never break."},
+           b.min_diameter, between(0., 10.));
+  list.add({"curvature_floor_ratio", "-",
+            "beta: curvatures are at least 1 / (beta r_ins)."},
+           b.curvature_floor_ratio, between(1., 1e6));
+  list.add(
+      {"kernel_floor", "-",
+       "c: the kernel is at least c / order wide, what the series carries."},
+      b.kernel_floor, between(1., 10.));
+}
+
+void add_membrane(List &list, fem::MembraneParameters &m)
+{
+  list.in("Membrane");
+  list.add({"youngs_modulus", "Pa", "E."}, m.youngs_modulus, above(0., 1e13));
+  list.add({"poisson_ratio", "-", "nu."}, m.poisson_ratio, below(0., 0.5));
+  list.add({"thickness", "m", "Undeformed."}, m.thickness, above(0., 0.1));
+  list.add({"density", "kg/m^3", "Undeformed."}, m.density, above(0., 3e4));
+  list.add({"mass_damping", "1/s", "alpha: force -alpha m v on each node."},
+           m.mass_damping, between(0., 1e5));
+}
+
+void add_boundary(List &list, BoundaryParameters &b)
+{
+  list.in("Boundary");
+  list.add({"lateral", "-",
+            "membrane: deal.II membrane; rigid: four servo-controlled planes."},
+           b.lateral, {"membrane", "rigid"});
+  list.add({"elements_per_side", "-", "Membrane quads along each edge."},
+           b.elements_per_side, between(2, 200));
+  list.add({"servo_gain", "-", "alpha of the rigid servo.", "stable up to 1"},
+           b.servo_gain, above(0., 1.));
+  list.add({"plate_mass", "kg", "Of the top plate."}, b.plate_mass,
+           above(0., 1e6));
+}
+
+void add_loading(List &list, LoadingParameters &l)
+{
+  list.in("Loading");
+  list.add(
+      {"confining_pressure", "Pa", "On the lateral sides and on the plate."},
+      l.confining_pressure, above(0., 1e8));
+  list.add({"amplitude", "Pa", "Peak of the haversine above the confinement."},
+           l.amplitude, between(0., 1e9));
+  list.add({"frequency", "Hz", "Of the haversine."}, l.frequency,
+           above(0., 1e4));
+  list.add({"cycles", "-", "Number of load cycles."}, l.cycles,
+           between(1, 1e7));
+  list.add(
+      {"consolidation_time", "s", "Rest at the confinement before cycle 1."},
+      l.consolidation_time, between(0., 1e3));
+}
+
+void add_time(List &list, TimeParameters &t)
+{
+  list.in("Time");
+  list.add({"step", "-",
+            "fixed: fixed_step; stable: safety times the critical step."},
+           t.step, {"fixed", "stable"});
+  list.add({"fixed_step", "s", "Time step of the rule fixed."}, t.fixed_step,
+           above(0., 1e-2));
+  list.add({"safety", "-", "Share of the critical step, rule stable."},
+           t.safety, above(0., 1.));
+  list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while loading."},
+           t.local_damping, below(0., 1.));
+}
+
+void add_output(List &list, OutputParameters &o)
+{
+  list.in("Output");
+  list.add({"samples_per_cycle", "-", "Rows of history.csv.",
+            "fewer miss the peak of a cycle"},
+           o.samples_per_cycle, between(10, 1e6));
+  list.add({"frames_per_cycle", "-", "Frames for ParaView; 0: first and last."},
+           o.frames_per_cycle, between(0, 1e4));
+  list.add({"checkpoint_every", "-", "Cycles; 0: only at the end."},
+           o.checkpoint_every, between(0, 1e7));
+  list.add({"surfaces", "-", "True surfaces of the stones: in which frames."},
+           o.surfaces, {"none", "ends", "all"});
+}
+} // namespace
+
+const std::vector<Section> &sections()
+{
+  static const std::vector<Section> list = {
+      {"Case", "What is run."},
+      {"Specimen", "The stones and the room they fill."},
+      {"Preparation", "Compaction of the random cloud by servo walls."},
+      {"Material", "Values of Stone, Wall, MembraneContact and Breakage."},
+      {"Stone", "Stone against stone: rolling-resistant Hertz."},
+      {"Wall", "Stone against plates and rigid sides: linear springs."},
+      {"MembraneContact", "Stone against membrane: linear springs."},
+      {"Contact", "What counts as overlap."},
+      {"Breakage", "Energy criterion of micro-breakage."},
+      {"Membrane", "The finite-element membrane round the specimen."},
+      {"Boundary", "What holds the specimen."},
+      {"Loading", "Confinement and haversine on the top plate."},
+      {"Time", "Time integration."},
+      {"Output", "What is written, and how often."},
+      {"Run", "The machine."}};
+  return list;
+}
+
+std::vector<Parameter> parameters_of(Case &of)
+{
+  List list;
+  list.in("Case");
+  list.add({"kind", "-", "Kind of test."}, of.kind, {"dynamic_triaxial"});
+  list.add({"title", "-", "Heading of the report."}, of.title);
+  add_specimen(list, of.specimen);
+  add_preparation(list, of.preparation);
+  list.in("Material");
+  list.add({"file", "-",
+            "File with these four sections; what the case itself sets wins. "
+            "Empty: none."},
+           of.material);
+  add_stone(list, of.stone);
+  list.in("Wall");
+  add_wall(list, of.wall, between(0., 10.), "");
+  list.in("MembraneContact");
+  add_wall(list, of.membrane_contact, between(0., 0.),
+           "the membrane has no rotational unknowns to take the moment");
+  add_contact(list, of.contact);
+  add_breakage(list, of.breakage);
+  add_membrane(list, of.membrane);
+  add_boundary(list, of.boundary);
+  add_loading(list, of.loading);
+  add_time(list, of.time);
+  add_output(list, of.output);
+  list.in("Run");
+  list.add({"threads", "-", "OpenMP threads; 0: all cores."}, of.threads,
+           between(0, 1024));
+  return std::move(list.parameters);
+}
+
+bool is_material_section(const std::string &section)
+{
+  return section == "Stone" || section == "Wall" ||
+         section == "MembraneContact" || section == "Breakage";
+}
+} // namespace spall

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// One `set key = value` of a case, with the place that says it.
+struct Assignment
+{
+  std::string section, key, value;
+  std::string place; ///< "case.prm:12", "case.json" or "--set"
+};
+
+/// Reads the structure of a .prm or .json file, so that every fault is named
+/// with its line before ParameterHandler sees the file. Throws InputError:
+/// missing file, unreadable line, section left open, a key set twice.
+std::vector<Assignment> read_assignments(const std::string &file);
+} // namespace spall

@@ -1,0 +1,150 @@
+#include "commands.h"
+#include "errors.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <dlfcn.h>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace spall;
+
+struct Command
+{
+  const char *name, *arguments, *sentence;
+  int (*run)(Words);
+  bool needs_mpi;
+};
+
+constexpr std::array<Command, 5> commands = {
+    {{"template", "KIND", "print a commented case (kind: dynamic_triaxial)",
+      template_command, false},
+     {"check", "CASE.prm [--set Section/key=value ...]",
+      "validate; print particles, stable step, gain, memory, time",
+      check_command, true},
+     {"run",
+      "CASE.prm [--out DIR] [--threads N] [--resume] [--set Section/key=value "
+      "...]",
+      "run the case", run_command, true},
+     {"report", "DIR [DIR ...]", "write a self-contained report.html",
+      report_command, false},
+     {"shape", "fit MESH --order N --out S.json | info S.json|MESH",
+      "fit and measure stone shapes", shape_command, false}}};
+
+std::string usage()
+{
+  std::string text = "usage: spall COMMAND ...   (spall --version, --help)\n";
+  for (const Command &command : commands)
+    text += std::string("  spall ") + command.name + " " + command.arguments +
+            "\n      " + command.sentence + "\n";
+  return text;
+}
+
+/// OpenBLAS would start one thread per core for matrices of a few rows. It
+/// reads its environment before main, so it is told by its own function.
+void use_one_blas_thread()
+{
+  using Setter = void (*)(int);
+  if (const auto set = reinterpret_cast<Setter>(
+          dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set(1);
+}
+
+int run_with_mpi(const Command &command, Words words)
+{
+  // PETSc would read our words as its own options.
+  int argc = 1;
+  std::string name = "spall";
+  std::array<char *, 2> arguments = {name.data(), nullptr};
+  char **argv = arguments.data();
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (const auto n = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      n > 1)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cerr << "spall: " << command.name << ": started on " << n
+                << " MPI ranks: must be 1 for now, use --threads\n";
+    return 1;
+  }
+  return command.run(words);
+}
+
+int dispatch(const Command &command, Words words)
+{
+  if (std::ranges::any_of(words, [](const std::string &word)
+                          { return word == "--help" || word == "-h"; }))
+  {
+    std::cout << "usage: spall " << command.name << " " << command.arguments
+              << "\n  " << command.sentence << "\n";
+    return 0;
+  }
+  return command.needs_mpi ? run_with_mpi(command, words) : command.run(words);
+}
+
+int run_program(const std::vector<std::string> &words)
+{
+  if (words.empty())
+  {
+    std::cerr << usage();
+    return 1;
+  }
+  if (words[0] == "--help" || words[0] == "-h" || words[0] == "help")
+  {
+    std::cout << usage();
+    return 0;
+  }
+  if (words[0] == "--version")
+  {
+    std::cout << "spall " SPALL_VERSION "\n";
+    return 0;
+  }
+  for (const Command &command : commands)
+    if (words[0] == command.name)
+      return dispatch(command, Words(words).subspan(1));
+  throw InputError(words[0] + ": no such command: must be one of template, "
+                              "check, run, report, shape");
+}
+
+/// A message as the one line that a user gets.
+int fail(const std::string &what, int status)
+{
+  std::string line;
+  for (const char c : what)
+    if (c != '\n')
+      line += c;
+    else if (!line.empty() && line.back() != ' ')
+      line += ' ';
+  std::cerr << "spall: " << line << std::endl;
+  return status;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  use_one_blas_thread();
+  try
+  {
+    return run_program(std::vector<std::string>(argv + 1, argv + argc));
+  }
+  catch (const InputError &error)
+  {
+    return fail(error.what(), 1);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    return fail(error.what(), 1);
+  }
+  catch (const std::exception &error)
+  {
+    return fail(error.what(), 2);
+  }
+  catch (...)
+  {
+    return fail("unknown failure", 2);
+  }
+}

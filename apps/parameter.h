@@ -1,0 +1,77 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace spall
+{
+/// What a number may be.
+struct Range
+{
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool is_lower_open = false; ///< lower itself is not allowed
+  bool is_upper_open = false; ///< upper itself is not allowed
+
+  bool contains(double value) const;
+};
+
+constexpr Range between(double lower, double upper)
+{
+  return {lower, upper, false, false};
+}
+
+/// lower < value <= upper.
+constexpr Range above(double lower, double upper)
+{
+  return {lower, upper, true, false};
+}
+
+/// lower <= value < upper.
+constexpr Range below(double lower, double upper)
+{
+  return {lower, upper, false, true};
+}
+
+/// An enumeration by name; the place in the list is the value.
+struct Choice
+{
+  std::vector<std::string> names;
+  std::function<std::size_t()> get;
+  std::function<void(std::size_t)> set;
+};
+
+/// One entry of a case: where its value lives and what is said about it.
+struct Parameter
+{
+  std::string section, key;
+  std::string unit;     ///< SI, "-" if none
+  std::string sentence; ///< what it is
+  std::variant<double *, int *, bool *, std::string *, Choice> value;
+  Range range;        ///< of numbers
+  std::string reason; ///< why this range, if it needs one
+};
+
+/// "a number above 0 and below 0.5", "one of membrane, rigid", ...
+std::string allowed(const Parameter &parameter);
+
+/// The value as text that assign takes back without loss.
+std::string value_text(const Parameter &parameter);
+
+/// Throws std::invalid_argument that says what is allowed.
+void assign(const Parameter &parameter, const std::string &text);
+
+/// Shortest text that reads back as the same number.
+std::string number_text(double value);
+
+/// The whole text as a finite number; throws std::invalid_argument.
+double to_number(const std::string &text);
+
+/// Of the known words the one nearest to `word` by edits; empty if none is
+/// near.
+std::string nearest(const std::string &word,
+                    const std::vector<std::string> &known);
+} // namespace spall

@@ -1,0 +1,18 @@
+#include "case_file.h"
+#include "commands.h"
+#include "errors.h"
+
+#include <iostream>
+
+namespace spall
+{
+int template_command(Words words)
+{
+  if (words.size() != 1)
+    throw InputError("template: needs one word, dynamic_triaxial (a commented "
+                     "case) or parameters (tables in Markdown)");
+  std::cout << (words[0] == "parameters" ? parameter_tables()
+                                         : template_case(words[0]));
+  return 0;
+}
+} // namespace spall
