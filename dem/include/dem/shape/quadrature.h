@@ -12,10 +12,13 @@ namespace dem
 /// n_azimuth >= 2 n_polar. Node k = i_polar * n_azimuth + i_azimuth.
 struct SphereQuadrature
 {
-  int n_polar = 0;             ///< rings [-]
-  int n_azimuth = 0;           ///< nodes per ring [-]
-  std::vector<Vec3> direction; ///< unit vectors [-]
-  std::vector<double> weight;  ///< solid angle, sum 4 pi [sr]
+  int n_polar = 0;                    ///< rings [-]
+  int n_azimuth = 0;                  ///< nodes per ring [-]
+  std::vector<Vec3> direction;        ///< unit vectors [-]
+  std::vector<double> weight;         ///< solid angle, sum 4 pi [sr]
+  std::vector<double> ring_cosine;    ///< cos(theta) of each ring [-]
+  std::vector<double> azimuth_cosine; ///< cos(m phi_k), row m of n_azimuth [-]
+  std::vector<double> azimuth_sine;   ///< sin(m phi_k), m = 0 .. max_order [-]
 };
 
 /// Throws std::invalid_argument unless both numbers are positive.

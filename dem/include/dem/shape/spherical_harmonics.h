@@ -2,6 +2,7 @@
 
 #include <dem/vector.h>
 
+#include <numbers>
 #include <span>
 
 namespace dem
@@ -14,6 +15,10 @@ constexpr int n_coefficients(int order)
 {
   return (order + 1) * (order + 1);
 }
+
+/// Mean radius over a_00: Y_00 = 1 / sqrt(4 pi) [-].
+inline constexpr double ball_radius_factor =
+    0.5 * std::numbers::inv_sqrtpi_v<double>;
 
 /// Place of the harmonic of degree n and order m, -n <= m <= n, in a row of
 /// coefficients [-].
@@ -45,7 +50,7 @@ void evaluate_harmonics(int order, const Vec3 &s, std::span<double> values);
 /// r(s) = sum_j a_j Y_j(s) [m]. `s` is a unit vector in the body frame.
 double radius(std::span<const double> coefficients, const Vec3 &s);
 
-/// r and its first two derivatives on the sphere from the recurrences of the
-/// solid harmonics, which have no trouble at the poles.
+/// r and its first two derivatives on the sphere from a polynomial in x, y, z
+/// that equals r on it, which has no trouble at the poles.
 RadialExpansion expand(std::span<const double> coefficients, const Vec3 &s);
 } // namespace dem

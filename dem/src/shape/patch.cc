@@ -1,0 +1,67 @@
+#include <dem/shape/patch.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem
+{
+namespace
+{
+struct Frame
+{
+  Vec3 first, second;
+};
+
+/// Two unit tangents of the unit sphere; the axis least along s has no
+/// trouble anywhere.
+Frame tangent_frame(const Vec3 &s)
+{
+  Eigen::Index axis = 0;
+  s.cwiseAbs().minCoeff(&axis);
+  const Vec3 first = s.cross(Vec3::Unit(axis)).normalized();
+  return {first, s.cross(first)};
+}
+
+/// Unit vector in the plane along the principal direction of the larger
+/// eigenvalue of [[a, b], [b, c]]; half the double angle.
+Eigen::Vector2d larger_direction(double a, double b, double c)
+{
+  const double angle = 0.5 * std::atan2(2. * b, a - c);
+  return {std::cos(angle), std::sin(angle)};
+}
+} // namespace
+
+// I = r^2 1 + p p^T with p = grad r in the frame. In the basis along p and
+// across it I is diagonal, (W^2, r^2), so that I^(-1/2) II I^(-1/2) is
+// symmetric and written down at once.
+PrincipalCurvatures principal_curvatures(const RadialExpansion &expansion)
+{
+  const Vec3 &s = expansion.direction, &g = expansion.gradient;
+  const double r = expansion.radius, slope = g.norm();
+  const double w = std::hypot(r, slope);
+  Frame frame = tangent_frame(s);
+  if (slope > 1e-12 * std::abs(r)) // else any frame is principal of I
+    frame = {g / slope, s.cross(g) / slope};
+
+  const Mat3 &h = expansion.hessian;
+  const double h11 = frame.first.dot(h * frame.first);
+  const double h12 = frame.first.dot(h * frame.second);
+  const double h22 = frame.second.dot(h * frame.second);
+  const double a = (r * r + 2. * slope * slope - r * h11) / (w * w * w);
+  const double b = -h12 / (w * w);
+  const double c = (r * r - r * h22) / (w * r * r);
+
+  const double mean = 0.5 * (a + c), half_gap = std::hypot(0.5 * (a - c), b);
+  const Eigen::Vector2d v = larger_direction(a, b, c);
+  // back through I^(-1/2), then onto the surface: x_1 = slope s + r t_1
+  const double along = v[0] / w, across = v[1] / r;
+  PrincipalCurvatures result;
+  result.maximum = mean + half_gap;
+  result.minimum = mean - half_gap;
+  result.max_direction =
+      (along * (slope * s + r * frame.first) + across * r * frame.second)
+          .normalized();
+  result.normal = (r * s - g) / w;
+  return result;
+}
+} // namespace dem
