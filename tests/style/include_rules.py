@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""Keeps the include table of the architecture.
+
+    include_rules.py ROOT     checks dem, fem, coupling and apps below ROOT
+    include_rules.py --self   checks that broken includes are caught
+
+Every include line is put into a group (std, eigen, vtk, dem, ...). Each room
+lists the groups that it may use; a header that fits no group is an error too,
+so that a new package enters here before it enters the code.
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+ROOMS = ("dem", "fem", "coupling", "apps")
+
+# The first pattern that fits names the group.
+GROUPS = [
+    ("dem", r"dem/"),
+    ("fem", r"fem/"),
+    ("coupling", r"coupling/"),
+    ("apps", r"apps/"),
+    ("dealii", r"deal\.II/"),
+    ("trilinos", r"(Epetra|Teuchos|Amesos|AztecOO|Ifpack|ml_|Belos|Tpetra)"),
+    ("vtk", r"vtk"),
+    ("eigen", r"Eigen/"),
+    ("openmp", r"omp\.h$"),
+    ("mpi", r"(mpi\.h$|zoltan)"),
+    ("json", r"nlohmann/"),
+    ("window", r"(EGL/|GL/)"),
+    ("system", r"(dlfcn|unistd|fcntl|sys/[a-z]+)(\.h)?$"),
+    ("std", r"[a-z_0-9]+$"),
+]
+
+ALLOWED = {
+    "dem": {"std", "eigen", "openmp", "dem"},
+    "fem": {"std", "eigen", "openmp", "mpi", "dealii", "trilinos", "vtk",
+            "fem"},
+    "coupling": {"std", "eigen", "openmp", "mpi", "dealii", "trilinos", "vtk",
+                 "dem", "fem", "coupling"},
+    "apps": {"std", "eigen", "openmp", "mpi", "dealii", "trilinos", "vtk",
+             "dem", "fem", "coupling", "json", "window", "system"},
+}
+# What single folders of dem may use besides.
+EXTRA = {"io": {"vtk"}, "parallel": {"mpi"}}
+# Compiling these costs seconds and binds every user: sources only.
+NOT_IN_PUBLIC_HEADERS = {"dealii", "trilinos", "vtk", "mpi"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def group_of(header):
+    for name, pattern in GROUPS:
+        if re.match(pattern, header):
+            return name
+    return None
+
+
+def allowed_in(relative):
+    """Groups that the file at this path below the root may include."""
+    parts = relative.parts
+    groups = set(ALLOWED[parts[0]])
+    if parts[0] == "dem":
+        for folder, extra in EXTRA.items():
+            if folder in parts[:-1]:
+                groups |= extra
+    if "include" in parts and parts[0] in ("dem", "fem", "coupling"):
+        groups -= NOT_IN_PUBLIC_HEADERS
+    return groups
+
+
+def fault_of(root, path, kind, header):
+    """What is wrong with this include line, or None."""
+    relative = path.relative_to(root)
+    if kind == '"':
+        target = (path.parent / header).resolve()
+        home = (root / relative.parts[0]).resolve()
+        if not target.is_relative_to(home):
+            return f'"{header}" leaves {relative.parts[0]}/'
+        if not target.exists():
+            return f'"{header}" is not beside the file'
+        return None
+    group = group_of(header)
+    if group is None:
+        return f"<{header}> is in no group of the include table"
+    if group not in allowed_in(relative):
+        return f"<{header}> is {group}, not allowed here"
+    return None
+
+
+def faults(root):
+    found = []
+    for room in ROOMS:
+        for path in sorted((root / room).rglob("*")):
+            if path.suffix not in (".h", ".cc"):
+                continue
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                match = INCLUDE.match(line)
+                fault = match and fault_of(root, path, *match.groups())
+                if fault:
+                    place = path.relative_to(root)
+                    found.append(f"{place}:{number}: {fault}")
+    return found
+
+
+BROKEN = {
+    "dem/src/a.cc": "#include <deal.II/base/point.h>",
+    "dem/src/b.cc": "#include <fem/membrane.h>",
+    "dem/src/shape/c.cc": "#include <vtkPolyData.h>",
+    "dem/src/d.cc": "#include <mpi.h>",
+    "dem/src/e.cc": "#include <nlohmann/json.hpp>",
+    "dem/src/f.cc": '#include "../../fem/src/x.h"',
+    "dem/include/dem/io/g.h": "#include <vtkPolyData.h>",
+    "fem/src/a.cc": "#include <dem/vector.h>",
+    "fem/src/b.cc": "#include <coupling/gain.h>",
+    "fem/include/fem/c.h": "#  include <deal.II/base/point.h>",
+    "coupling/src/a.cc": '#include "../../apps/case.h"',
+    "coupling/src/b.cc": "#include <apps/case.h>",
+    "apps/a.cc": "#include <boost/any.hpp>",
+    "apps/b.cc": '#include "missing.h"',
+}
+SOUND = {
+    "dem/src/a.cc": "#include <Eigen/Dense>\n#include <dem/vector.h>",
+    "dem/src/io/b.cc": "#include <vtkPolyData.h>",
+    "dem/src/parallel/c.cc": "#include <mpi.h>",
+    "fem/src/a.cc": "#include <deal.II/base/point.h>\n#include <vector>",
+    "coupling/src/a.cc": "#include <dem/x.h>\n#include <fem/y.h>",
+    "apps/a.cc": '#include "a.h"\n#include <nlohmann/json.hpp>',
+    "apps/a.h": "#include <string>",
+}
+
+
+def faults_of_tree(files):
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, text in files.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text + "\n")
+        return faults(root)
+
+
+def self_test():
+    if faults_of_tree(SOUND):
+        return ["a sound tree is refused: " + ", ".join(faults_of_tree(SOUND))]
+    return [f"{name}: {text}: not caught" for name, text in BROKEN.items()
+            if len(faults_of_tree({name: text})) != 1]
+
+
+def main():
+    found = (self_test() if sys.argv[1] == "--self"
+             else faults(pathlib.Path(sys.argv[1]).resolve()))
+    for line in found:
+        print(line)
+    print(f"include rules: {len(found)} faults")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
