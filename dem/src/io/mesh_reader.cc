@@ -1,0 +1,109 @@
+#include <dem/io/mesh_reader.h>
+
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkObject.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkTriangleFilter.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace dem
+{
+namespace
+{
+[[noreturn]] void fail(const std::string &path, const std::string &what)
+{
+  throw std::invalid_argument(path + ": " + what);
+}
+
+std::string ending_of(const std::string &path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return ending;
+}
+
+void require_readable(const std::string &path)
+{
+  if (!std::filesystem::exists(path))
+    fail(path, "no such file");
+  if (!std::filesystem::is_regular_file(path) || !std::ifstream(path))
+    fail(path, "cannot be read");
+}
+
+/// VTK prints several lines of its own for a bad file; we say one.
+class QuietVtk
+{
+public:
+  QuietVtk() : before(vtkObject::GetGlobalWarningDisplay())
+  {
+    vtkObject::GlobalWarningDisplayOff();
+  }
+  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before); }
+  QuietVtk(const QuietVtk &) = delete;
+  QuietVtk &operator=(const QuietVtk &) = delete;
+
+private:
+  const int before;
+};
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> read_with(const std::string &path)
+{
+  const QuietVtk quiet;
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->Update();
+  return triangles->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> read_surface(const std::string &path)
+{
+  const std::string ending = ending_of(path);
+  if (ending == ".stl")
+    return read_with<vtkSTLReader>(path);
+  if (ending == ".ply")
+    return read_with<vtkPLYReader>(path);
+  if (ending == ".obj")
+    return read_with<vtkOBJReader>(path);
+  fail(path, "unknown ending \"" + ending + "\", must be .stl, .ply or .obj");
+}
+} // namespace
+
+TriangleMesh read_mesh(const std::string &path)
+{
+  require_readable(path);
+  const vtkSmartPointer<vtkPolyData> surface = read_surface(path);
+  if (!surface || surface->GetNumberOfPoints() == 0 ||
+      surface->GetPolys()->GetNumberOfCells() == 0)
+    fail(path, "no triangles could be read");
+  TriangleMesh mesh;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    mesh.points.emplace_back(p[0], p[1], p[2]);
+  }
+  vtkNew<vtkIdList> corners;
+  vtkCellArray *cells = surface->GetPolys();
+  for (cells->InitTraversal(); cells->GetNextCell(corners);)
+    mesh.triangles.push_back({std::int32_t(corners->GetId(0)),
+                              std::int32_t(corners->GetId(1)),
+                              std::int32_t(corners->GetId(2))});
+  return mesh;
+}
+} // namespace dem
