@@ -1,0 +1,18 @@
+#pragma once
+
+#include <dem/vector.h>
+
+namespace dem
+{
+/// A rigid plane that moves without turning; stones are on the side of the
+/// normal.
+struct Plane
+{
+  Vec3 point = Vec3::Zero();    ///< any point of it [m]
+  Vec3 normal = Vec3::UnitZ();  ///< unit, into the stones [-]
+  Vec3 velocity = Vec3::Zero(); ///< [m/s]
+  Vec3 force = Vec3::Zero();    ///< of the stones on the plane, out [N]
+  double work = 0.;             ///< done by the plane on the stones, out [J]
+  bool is_active = true;        ///< false: stones do not see it
+};
+} // namespace dem

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <dem/contact/forces.h>
+
+#include <optional>
+#include <vector>
+
+namespace dem
+{
+/// One breakage event, as booked.
+struct BreakageEvent
+{
+  double time = 0.;        ///< [s]
+  std::int64_t stone = -1; ///< id of the stone that broke
+  std::int64_t other = -1; ///< id of the other stone, plane, or -1
+  int kind = 0;            ///< 0 stone, 1 plane, 2 facet surface
+  BreakageMode mode = BreakageMode::none;
+  double force_before = 0.;    ///< elastic normal [N]
+  double force_after = 0.;     ///< [N]
+  double overlap = 0.;         ///< before [m]
+  double elastic_energy = 0.;  ///< E_e of the contact before [J]
+  double fracture_energy = 0.; ///< G_c A_i [J]
+  double released_energy = 0.; ///< by all contacts of the stone [J]
+  double kinetic_energy = 0.;  ///< of the mass that left [J]
+  double removed_volume = 0.;  ///< V_i [m^3]
+  double width = 0.;           ///< lambda [rad]
+  double depth = 0.;           ///< theta [m]
+  double ball_radius = 0.;     ///< after [m]
+};
+
+/// All contacts of a scene, by kind, as breakage sees them.
+struct ContactSet
+{
+  ContactBatch &pairs;
+  ContactBatch &on_planes;
+  ContactBatch &on_facets;
+  const std::vector<Plane> &planes;
+  const FacetSurface &surface;
+  FacetCandidates &facets;
+};
+
+/// Carries out what the force loops asked for (ContactBatch::event), by stone,
+/// then by contact: of the two sides of a contact the one with the larger
+/// E_e / E_b breaks. A side that no longer meets the criterion after earlier
+/// events of the step is left alone. Stones change shape, mass and inertia;
+/// their contacts are evaluated anew. Events are appended to `events`; returns
+/// the number of events refused because the shape would have lost r > 0.
+int break_stones(const ForceContext &context, Particles &particles,
+                 ContactSet &contacts, double time,
+                 std::vector<BreakageEvent> &events);
+} // namespace dem

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <dem/breakage/events.h>
+#include <dem/integrate/time_step.h>
+#include <dem/measure/assembly.h>
+
+#include <iosfwd>
+#include <memory>
+
+namespace dem
+{
+/// Energy of the stones now, and what has passed since construction [J].
+struct EngineEnergy
+{
+  double kinetic = 0.;    ///< now
+  double elastic = 0.;    ///< now, all springs of all contacts
+  double friction = 0.;   ///< dissipated
+  double rolling = 0.;    ///< dissipated
+  double damping = 0.;    ///< dissipated by dashpots and local damping
+  double breakage = 0.;   ///< released by events, lost kinetic energy included
+  double shape_work = 0.; ///< springs gained (negative) by turning, MODEL 6.4
+  double fracture = 0.;   ///< sum of G_c A_i over the events
+  double plane_work = 0.; ///< done by the planes on the stones
+  double surface_work = 0.; ///< done by the facet surface on the stones
+  double gravity_work = 0.;
+};
+
+/// Wall-clock spent in the phases of a step since construction [s].
+struct EngineClock
+{
+  double contacts = 0., search = 0., breakage = 0., motion = 0.;
+};
+
+/// The stones, their contacts and boundaries, and how they move: the one class
+/// of dem with state.
+class Engine
+{
+public:
+  explicit Engine(const EngineParameters &parameters);
+
+  /// Stones are added before the first step.
+  void add_stone(const Body &body, const Vec3 &position,
+                 const Quaternion &orientation);
+  /// Returns the number of the plane.
+  std::size_t add_plane(const Vec3 &point, const Vec3 &normal);
+  /// The facet surface of the scene (one); lists are rebuilt.
+  void attach_surface(FacetSurface surface);
+
+  /// One velocity Verlet step [s]. Velocities of planes and the motion of the
+  /// facet surface (already at the end of the step) are set before.
+  void advance(double time_step);
+
+  const EngineParameters &parameters() const { return settings; }
+  void set_friction(double friction);
+  void set_local_damping(double damping);
+  /// Stops all stones (after preparation).
+  void come_to_rest();
+
+  const Particles &particles() const { return stones; }
+  Particles &particles() { return stones; }
+  const ContactBatch &pairs() const { return pair_batch; }
+  const ContactBatch &on_planes() const { return plane_batch; }
+  const ContactBatch &on_facets() const { return facet_batch; }
+  std::vector<Plane> &planes() { return walls; }
+  const std::vector<Plane> &planes() const { return walls; }
+  void deactivate_plane(std::size_t plane);
+  FacetSurface &surface() { return facet_surface; }
+  const FacetSurface &surface() const { return facet_surface; }
+  bool has_surface() const { return topology != nullptr; }
+  const FacetCandidates &facets() const { return facet_candidates; }
+
+  double time() const { return now; } ///< [s]
+  std::int64_t n_steps() const { return step_count; }
+  std::int64_t n_rebuilds() const { return rebuild_count; }
+  EngineEnergy energy() const;
+  EngineClock clock() const { return spent; }
+  /// Events since the last call.
+  std::vector<BreakageEvent> take_events();
+  std::int64_t n_events() const { return event_count; }
+  int n_refused_events() const { return refused_count; }
+
+  /// Full state, bit for bit, into a stream; restore() on an engine with the
+  /// same parameters and the same shared shapes (`library`, in order).
+  void
+  save(std::ostream &out,
+       const std::vector<std::shared_ptr<const Coefficients>> &library) const;
+  /// Throws std::runtime_error if the stream does not fit.
+  void restore(std::istream &in,
+               const std::vector<std::shared_ptr<const Coefficients>> &library);
+
+private:
+  void half_kick(double time_step);
+  void move_planes(double time_step);
+  void keep_lists(double travelled, double time_step);
+  void rebuild_lists();
+  bool evaluate_contacts(double time_step);
+  void break_corners(double time_step);
+  void sum_loads();
+  void load_planes(double time_step);
+  void book_surface_work(double time_step);
+
+  EngineParameters settings;
+  PairElasticity elasticity;
+  Particles stones;
+  std::vector<Plane> walls;
+  FacetSurface facet_surface;
+  std::unique_ptr<FacetTopology> topology;
+  ContactBatch pair_batch, plane_batch, facet_batch;
+  FacetCandidates facet_candidates;
+
+  /// Contacts of each stone in rows: number of the contact, negative (-1 - k)
+  /// where the stone is side B.
+  std::vector<std::int32_t> pair_row, pair_entry;
+
+  bool lists_are_stale = true;
+  double margin_left = 0.; ///< [m]
+  double steepest = 0.;    ///< steepness of the stones [-]
+  double now = 0.;
+  std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;
+  int refused_count = 0;
+  Dissipation retired;
+  std::vector<double> damped, lifted;
+  double released = 0., fractured = 0., pushed = 0.;
+  std::vector<Vec3> surface_load_before;
+  std::vector<BreakageEvent> events;
+  EngineClock spent;
+};
+} // namespace dem

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <dem/parameters.h>
+#include <dem/particles.h>
+
+#include <string>
+
+namespace dem
+{
+/// A step and what sets it.
+struct StepLimit
+{
+  double step = 0.;   ///< [s]
+  std::string reason; ///< for the log
+};
+
+/// Longest stable step of the scene as it is set up: the smallest of
+/// 2 sqrt(m / k) (sqrt(1 + beta^2) - beta) over the linear walls in use with
+/// the lightest stone (lagged dashpot), and the Rayleigh step
+/// pi r sqrt(rho / G) / (0.1631 nu + 0.8766) of the smallest stone.
+StepLimit critical_step(const EngineParameters &parameters,
+                        const Particles &particles);
+} // namespace dem

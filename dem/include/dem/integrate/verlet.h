@@ -1,0 +1,24 @@
+#pragma once
+
+#include <dem/particles.h>
+
+namespace dem
+{
+/// What the kicks need to know.
+struct KickParameters
+{
+  Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
+  double local_damping = 0.;   ///< D_a of F <- F - D_a |F| sgn(v) [-]
+};
+
+/// v += F dt, omega += M dt for every stone, `time_step` being half a step [s];
+/// local damping per component. Its dissipation is added to `damped`, the work
+/// of gravity to `lifted` (one entry per stone [J]).
+void kick(Particles &particles, const KickParameters &parameters,
+          double time_step, std::vector<double> &damped,
+          std::vector<double> &lifted);
+
+/// x += v dt, q <- exp(omega dt) q; rotation matrices follow. Returns the
+/// largest closing_speed of a stone [m/s].
+double drift(Particles &particles, double steepness, double time_step);
+} // namespace dem

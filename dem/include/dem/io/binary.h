@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace dem
+{
+/// Plain memory to and from a stream, bit for bit, on one kind of machine.
+/// Only for types without pointers (Eigen's fixed-size ones included).
+template <class T>
+void write_value(std::ostream &out, const T &value)
+{
+  static_assert(std::is_standard_layout_v<T>);
+  out.write(reinterpret_cast<const char *>(&value), sizeof(T));
+}
+
+/// Throws std::runtime_error at the end of the stream.
+template <class T>
+void read_value(std::istream &in, T &value)
+{
+  static_assert(std::is_standard_layout_v<T>);
+  if (!in.read(reinterpret_cast<char *>(&value), sizeof(T)))
+    throw std::runtime_error("checkpoint ends too early");
+}
+
+template <class T>
+void write_column(std::ostream &out, const std::vector<T> &column)
+{
+  static_assert(std::is_standard_layout_v<T>);
+  write_value(out, static_cast<std::uint64_t>(column.size()));
+  out.write(reinterpret_cast<const char *>(column.data()),
+            static_cast<std::streamsize>(column.size() * sizeof(T)));
+}
+
+template <class T>
+void read_column(std::istream &in, std::vector<T> &column)
+{
+  static_assert(std::is_standard_layout_v<T>);
+  std::uint64_t n = 0;
+  read_value(in, n);
+  if (n > (std::uint64_t{1} << 40) / sizeof(T))
+    throw std::runtime_error("checkpoint is damaged");
+  column.resize(n);
+  if (n > 0 && !in.read(reinterpret_cast<char *>(column.data()),
+                        static_cast<std::streamsize>(n * sizeof(T))))
+    throw std::runtime_error("checkpoint ends too early");
+}
+} // namespace dem

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <dem/contact/batch.h>
+#include <dem/particles.h>
+
+namespace dem
+{
+/// Indicators of the contact network (MODEL 9); walls are left out.
+struct ContactNetwork
+{
+  std::int64_t n_contacts = 0; ///< C, touching pairs of stones
+  double coordination_number =
+      0.;                 ///< (2 C - N_1) / (N - N_1 - N_0), Eq. 31 [-]
+  double mean_force = 0.; ///< sum |F| / C, Eq. 32 [N]
+};
+
+ContactNetwork contact_network(const ContactBatch &pairs, std::size_t n_stones);
+
+/// LAA = mass lost / initial mass, Eq. 29 [-].
+double abrasion(const Particles &particles);
+
+/// Mean |resultant force| on a stone / mean |contact force| [-]; 0 without
+/// contacts.
+double unbalanced_force_ratio(const Particles &particles,
+                              const ContactBatch &pairs);
+
+/// Share of the stones in the stiffness of the packing along x, y, z by an
+/// affine estimate, sum over contacts of (k_n n_i^2 + k_s (1 - n_i^2)) n_i^2
+/// l^2: divided by the volume it is an upper bound of the modulus [N m].
+Vec3 affine_stiffness(const Particles &particles, const ContactBatch &pairs);
+
+/// Mean roundness R_g of the breakable stones, volume-weighted (Eq. 30) [-].
+double mean_roundness(const Particles &particles);
+} // namespace dem

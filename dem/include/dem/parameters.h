@@ -1,0 +1,21 @@
+#pragma once
+
+#include <dem/breakage/criterion.h>
+#include <dem/contact/material.h>
+#include <dem/vector.h>
+
+namespace dem
+{
+/// All that the engine must know besides the stones and boundaries.
+struct EngineParameters
+{
+  StoneMaterial stone;
+  WallMaterial wall;    ///< stones on planes
+  WallMaterial surface; ///< stones on the facet surface
+  GeometryParameters geometry;
+  BreakageParameters breakage;
+  Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
+  double local_damping = 0.;   ///< D_a [-]
+  double search_margin = 1e-3; ///< of candidate pairs, gap left over [m]
+};
+} // namespace dem

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <dem/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dem
+{
+/// Points sorted into cubic cells. Members of a cell stand in the order of
+/// their numbers.
+class CellGrid
+{
+public:
+  /// Cells of this size over the bounding box of the points (coarser where
+  /// there would be more than eight cells per point) [m].
+  CellGrid(std::span<const Vec3> points, double cell_size);
+
+  /// Calls visit(j) for every point of the cells that the box touches.
+  template <class Visit>
+  void visit_box(const Vec3 &lower, const Vec3 &upper, Visit &&visit) const;
+
+private:
+  std::array<std::int64_t, 3> cell_of(const Vec3 &x) const;
+
+  Vec3 origin = Vec3::Zero();
+  double size = 1.;
+  std::array<std::int64_t, 3> n = {1, 1, 1};
+  std::vector<std::int32_t> start, member;
+};
+
+inline std::array<std::int64_t, 3> CellGrid::cell_of(const Vec3 &x) const
+{
+  std::array<std::int64_t, 3> cell;
+  for (int d = 0; d < 3; ++d)
+    cell[d] = std::clamp<std::int64_t>(
+        static_cast<std::int64_t>(std::floor((x[d] - origin[d]) / size)), 0,
+        n[d] - 1);
+  return cell;
+}
+
+template <class Visit>
+void CellGrid::visit_box(const Vec3 &lower, const Vec3 &upper,
+                         Visit &&visit) const
+{
+  const auto from = cell_of(lower), to = cell_of(upper);
+  for (std::int64_t z = from[2]; z <= to[2]; ++z)
+    for (std::int64_t y = from[1]; y <= to[1]; ++y)
+      for (std::int64_t x = from[0]; x <= to[0]; ++x)
+      {
+        const auto cell = static_cast<std::size_t>((z * n[1] + y) * n[0] + x);
+        for (std::int32_t m = start[cell]; m < start[cell + 1]; ++m)
+          visit(member[static_cast<std::size_t>(m)]);
+      }
+}
+} // namespace dem

@@ -1,0 +1,151 @@
+#include <dem/packing/insertion.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace dem
+{
+namespace
+{
+/// Reach of a placed stone towards a world direction, its ball included [m].
+double reach(const Body &body, const Placement &place, const Vec3 &direction)
+{
+  const double ball = mean_radius(body);
+  if (!body.series)
+    return ball;
+  const Vec3 u = place.orientation.conjugate() * direction;
+  return std::max(ball, body.scale * radius(*body.series, u.normalized()));
+}
+
+/// Stones placed so far, filed by cell.
+class Cells
+{
+public:
+  Cells(const Vec3 &lower, const Vec3 &upper, double cell_size)
+      : origin(lower), size(cell_size)
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+      n[d] = std::max(1, static_cast<int>((upper[static_cast<int>(d)] -
+                                           lower[static_cast<int>(d)]) /
+                                          size));
+    size = 0.;
+    for (std::size_t d = 0; d < 3; ++d)
+      size = std::max(
+          size,
+          (upper[static_cast<int>(d)] - lower[static_cast<int>(d)]) / n[d]);
+    members.resize(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
+  }
+
+  void add(const Vec3 &x, std::size_t stone)
+  {
+    members[index(cell(x))].push_back(stone);
+  }
+
+  /// True if `is_free` holds for every stone of the 27 cells round x.
+  template <class Test>
+  bool all_near(const Vec3 &x, const Test &is_free) const
+  {
+    const auto c = cell(x);
+    for (int dz = -1; dz <= 1; ++dz)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+        {
+          const std::array<int, 3> near = {c[0] + dx, c[1] + dy, c[2] + dz};
+          if (!is_inside(near))
+            continue;
+          for (const std::size_t stone : members[index(near)])
+            if (!is_free(stone))
+              return false;
+        }
+    return true;
+  }
+
+private:
+  std::array<int, 3> cell(const Vec3 &x) const
+  {
+    std::array<int, 3> c;
+    for (std::size_t d = 0; d < 3; ++d)
+      c[d] = std::clamp(
+          static_cast<int>(
+              (x[static_cast<int>(d)] - origin[static_cast<int>(d)]) / size),
+          0, n[d] - 1);
+    return c;
+  }
+  bool is_inside(const std::array<int, 3> &c) const
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+      if (c[d] < 0 || c[d] >= n[d])
+        return false;
+    return true;
+  }
+  std::size_t index(const std::array<int, 3> &c) const
+  {
+    return (static_cast<std::size_t>(c[2]) * n[1] + c[1]) * n[0] + c[0];
+  }
+
+  Vec3 origin;
+  double size;
+  std::array<int, 3> n{};
+  std::vector<std::vector<std::size_t>> members;
+};
+
+bool fits_box(const Body &body, const Placement &place, const Vec3 &lower,
+              const Vec3 &upper)
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    const Vec3 axis = Vec3::Unit(d);
+    if (place.position[d] - lower[d] < reach(body, place, -axis) ||
+        upper[d] - place.position[d] < reach(body, place, axis))
+      return false;
+  }
+  return true;
+}
+} // namespace
+
+std::vector<Placement> insert_stones(std::span<const Body> stones,
+                                     const Vec3 &lower, const Vec3 &upper,
+                                     Random &random)
+{
+  constexpr int n_tries = 20000;
+  double largest = 0.;
+  for (const Body &body : stones)
+    largest = std::max(largest, body.circumscribed_radius);
+  Cells cells(lower, upper, 2. * largest);
+  std::vector<Placement> places;
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    Placement place;
+    const auto is_free = [&](std::size_t j)
+    {
+      const Vec3 branch = places[j].position - place.position;
+      const double distance = branch.norm();
+      if (distance >
+          stones[i].circumscribed_radius + stones[j].circumscribed_radius)
+        return true;
+      const Vec3 u = branch / distance;
+      return distance >
+             reach(stones[i], place, u) + reach(stones[j], places[j], -u);
+    };
+    int tries = 0;
+    do
+    {
+      if (++tries > n_tries)
+        throw std::runtime_error(
+            "no place for stone " + std::to_string(i + 1) + " of " +
+            std::to_string(stones.size()) +
+            " in the box: lower Specimen/initial_solid_fraction");
+      for (int d = 0; d < 3; ++d)
+        place.position[d] = std::lerp(lower[d], upper[d], random.uniform());
+      place.orientation = random.rotation();
+    } while (!fits_box(stones[i], place, lower, upper) ||
+             !cells.all_near(place.position, is_free));
+    places.push_back(place);
+    cells.add(place.position, i);
+  }
+  return places;
+}
+} // namespace dem
