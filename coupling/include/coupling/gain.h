@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 
 namespace coupling
@@ -7,7 +8,7 @@ namespace coupling
 /// Stability of the explicit exchange of motion and load at a light node.
 struct ExchangeGain
 {
-  double gain = 0.;  ///< k dt^2 / (4 m) of the lightest node [-]
+  double gain = 0.;  ///< k dt^2 / (4 m*) at the lightest node [-]
   double limit = 1.; ///< largest stable value with the damping in use [-]
   bool is_stable() const { return gain < limit; }
 };
@@ -16,12 +17,16 @@ struct ExchangeContact
 {
   double stiffness = 0.;     ///< k of one contact [N/m]
   double damping_ratio = 0.; ///< beta of its dashpot [-]
+  /// Of the lightest stone; infinite: its motion does not matter [kg].
+  double stone_mass = std::numeric_limits<double>::infinity();
 };
 
-/// gain = (omega_m^2 + k / m) dt^2 / 4 with omega_m = 2 / `membrane_step` of
-/// the membrane alone, limit = (sqrt(1 + beta^2) - beta)^2: central
-/// differences with a lagged dashpot c = 2 beta sqrt(k m). `nodal_mass` of the
-/// nodes that move freely [kg].
+/// gain = (omega_m^2 + k / m*) dt^2 / 4 with omega_m = 2 / `membrane_step` of
+/// the membrane alone and 1 / m* = 1 / m + 1 / `stone_mass`, m the lightest of
+/// `nodal_mass`, the nodes that move freely [kg]; limit = (sqrt(1 + beta^2) -
+/// beta)^2: central differences with a lagged dashpot c = 2 beta sqrt(k m*).
+/// Exact for one node and one stone without membrane; with it on the safe side,
+/// as long as one contact loads the node. Throws std::invalid_argument.
 ExchangeGain exchange_gain(const ExchangeContact &contact,
                            std::span<const double> nodal_mass,
                            double membrane_step, double time_step);

@@ -15,10 +15,12 @@ struct MembraneParameters
   double poisson_ratio = 0.45;   ///< nu [-]
   double thickness = 1e-3;       ///< undeformed [m]
   double density = 1100.;        ///< undeformed [kg/m^3]
-  double mass_damping = 0.;      ///< alpha: force -alpha m v on each node [1/s]
+  double mass_damping = 0.;      ///< alpha: -alpha m v on free nodes [1/s]
 };
 
-/// Energies and dissipation since construction [J].
+/// Energies and dissipation since construction or set_positions [J]. The
+/// balance strain + kinetic - pressure_work - contact_work + damping - tie_work
+/// stays constant up to an error of second order in the time step.
 struct MembraneEnergy
 {
   double strain = 0.;        ///< stored now
@@ -26,7 +28,9 @@ struct MembraneEnergy
   double pressure_work = 0.; ///< done by the follower pressure
   double contact_work = 0.;  ///< done by the loads of end_step
   double damping = 0.;       ///< dissipated by mass damping
-  double tie_work = 0.;      ///< done by the reactions at the tied nodes
+  /// Done on the membrane by whatever moves the tied nodes: against the force
+  /// of reaction(), and to accelerate their mass.
+  double tie_work = 0.;
 };
 
 /// Membrane of codimension one without bending stiffness: total Lagrangian,
@@ -49,41 +53,50 @@ public:
   /// Pressure on the outer face, pushing against the outward normal [Pa].
   void set_pressure(double pressure);
 
-  /// Start from rest at these positions (nodes in mesh order) [m].
+  /// Start from rest at these positions (nodes in mesh order) [m], without
+  /// loads; works and dissipation start at zero again.
   void set_positions(std::span<const Eigen::Vector3d> positions);
 
-  /// Half kick with the forces of the last end_step, then drift by dt [s].
-  /// Tied nodes drift with their velocity.
+  /// Half kick with the forces of the last end_step (at first: of the start
+  /// positions), then drift by dt [s]. Tied nodes drift with their velocity.
   void begin_step(double time_step);
 
   /// Forces at the present positions: internal, pressure, damping and `load`
   /// (one vector per node [N], from outside); then the second half kick.
+  /// Damping is explicit in the first half and implicit in the second, stable
+  /// for any alpha. Throws std::runtime_error when the energy is not finite.
   void end_step(std::span<const Eigen::Vector3d> load, double time_step);
 
   /// Longest stable step of the membrane alone, 2 / omega_max by power
-  /// iteration on the tangent at the present state [s].
+  /// iteration with the exact tangent (material, tension and pressure) of the
+  /// free nodes at the present state [s]; infinite if none is free.
   double stable_time_step() const;
 
   std::size_t n_nodes() const;
   std::span<const Eigen::Vector3d> positions() const;  ///< [m]
   std::span<const Eigen::Vector3d> velocities() const; ///< [m/s]
   std::span<const double> nodal_mass() const;          ///< lumped [kg]
+  bool is_tied(std::int32_t node) const;
   const SurfaceMesh &mesh() const;
 
-  /// Force that the tied node puts on whatever holds it, contact load on that
-  /// node included [N].
+  /// Force that the tied node puts on whatever holds it: internal, pressure
+  /// and contact load [N]. The inertia of the node is left out: whoever holds
+  /// it adds its nodal_mass to the own mass.
   Eigen::Vector3d reaction(std::int32_t node) const;
 
-  /// Largest |force| on a free node over the mean internal nodal force [-].
+  /// Largest |force| on a free node, damping left out, over the mean force of
+  /// an element on one of its nodes [-].
   double unbalanced_force_ratio() const;
 
   MembraneEnergy energy() const;
 
   /// Volume enclosed by the tube and flat lids through its two rims [m^3]:
-  /// divergence theorem over the quads, lids over the rim polygons.
+  /// divergence theorem over the bilinear quads, each lid a fan of triangles
+  /// from the mean of its rim.
   double enclosed_volume() const;
 
-  void write_vtu(const std::string &path) const; ///< deformed, with fields
+  /// Deformed: displacement, velocity, load; area ratio, tension, energy.
+  void write_vtu(const std::string &path) const;
 
   void save(std::ostream &out) const; ///< full state, bit for bit
   void load(std::istream &in); ///< throws std::runtime_error if it does not fit

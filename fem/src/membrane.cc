@@ -1,0 +1,332 @@
+#include "enclosed_volume.h"
+#include "membrane_motion.h"
+#include "membrane_space.h"
+#include "mesh_checks.h"
+#include "stable_step.h"
+
+#include <fem/membrane.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace fem
+{
+namespace
+{
+using Vector = Eigen::Vector3d;
+
+void require(bool condition, const std::string &what, double value,
+             const std::string &allowed)
+{
+  if (!condition)
+    throw std::invalid_argument("membrane: " + what + " = " +
+                                std::to_string(value) + ", " + allowed);
+}
+
+void check_parameters(const MembraneParameters &p)
+{
+  const auto positive = [](const char *what, double value)
+  {
+    require(std::isfinite(value) && value > 0., what, value,
+            "must be positive");
+  };
+  positive("youngs_modulus", p.youngs_modulus);
+  positive("thickness", p.thickness);
+  positive("density", p.density);
+  require(p.poisson_ratio > -1. && p.poisson_ratio <= 0.5, "poisson_ratio",
+          p.poisson_ratio, "must be above -1 and at most 0.5");
+  require(std::isfinite(p.mass_damping) && p.mass_damping >= 0., "mass_damping",
+          p.mass_damping, "must not be negative");
+}
+
+/// Passes the mesh on, so that it is checked before deal.II sees it.
+const SurfaceMesh &checked(const SurfaceMesh &mesh)
+{
+  check_mesh(mesh);
+  return mesh;
+}
+
+SheetMaterial make_material(const MembraneParameters &p)
+{
+  check_parameters(p);
+  return {p.youngs_modulus * p.thickness /
+              (1. - p.poisson_ratio * p.poisson_ratio),
+          p.poisson_ratio};
+}
+
+void check_time_step(double time_step)
+{
+  require(std::isfinite(time_step) && time_step > 0., "time step", time_step,
+          "must be positive");
+}
+
+void check_size(const char *what, std::size_t given, std::size_t n_nodes)
+{
+  if (given != n_nodes)
+    throw std::invalid_argument("membrane: " + std::to_string(given) + " " +
+                                what + " for " + std::to_string(n_nodes) +
+                                " nodes");
+}
+} // namespace
+
+struct Membrane::State
+{
+  State(const MembraneParameters &p, const SurfaceMesh &reference);
+
+  std::size_t checked_node(std::int32_t node) const;
+  std::size_t tied_node(std::int32_t node) const;
+  Vector force(std::size_t k) const;
+  void set_velocity(std::size_t k, const Vector &velocity);
+  void book_half_step(std::size_t k);
+  void start_from(std::span<const Vector> positions);
+
+  const MembraneParameters parameters;
+  const SurfaceMesh mesh;
+  const MembraneSpace space;
+  const std::vector<std::vector<std::int32_t>> rims;
+  const std::uint64_t identity;
+  Sheet sheet;
+  std::vector<double> mass; ///< [kg]
+  MembraneMotion now;
+};
+
+Membrane::State::State(const MembraneParameters &p,
+                       const SurfaceMesh &reference)
+    : parameters(p), mesh(checked(reference)), space(mesh),
+      rims(find_rims(mesh)), identity(fingerprint(p, mesh)),
+      sheet(space.make_sheet()), mass(space.nodal_area())
+{
+  sheet.material = make_material(p);
+  for (double &m : mass)
+    m *= p.density * p.thickness;
+  now.is_tied.assign(mesh.nodes.size(), 0);
+  start_from(mesh.nodes);
+}
+
+std::size_t Membrane::State::checked_node(std::int32_t node) const
+{
+  require(node >= 0 && static_cast<std::size_t>(node) < mass.size(), "node",
+          node, "must be below " + std::to_string(mass.size()));
+  return static_cast<std::size_t>(node);
+}
+
+std::size_t Membrane::State::tied_node(std::int32_t node) const
+{
+  const std::size_t k = checked_node(node);
+  require(now.is_tied[k], "node", node, "is not tied");
+  return k;
+}
+
+/// All but mass damping.
+Vector Membrane::State::force(std::size_t k) const
+{
+  return now.forces.internal[k] - now.pressure * now.forces.area[k] +
+         now.load[k];
+}
+
+/// Whoever sets the velocity of a node does the work that its mass takes.
+void Membrane::State::set_velocity(std::size_t k, const Vector &velocity)
+{
+  now.done.tie_work +=
+      0.5 * mass[k] * (velocity.squaredNorm() - now.velocity[k].squaredNorm());
+  now.velocity[k] = velocity;
+}
+
+/// Half the work of the present forces over the motion of the step. Both halves
+/// together are the trapezoidal rule: with it velocity Verlet keeps
+/// the balance but for dt^2 (|f_end|^2 - |f_begin|^2) / (8 m), which does not
+/// add up, and the cubic error of the strain energy in one step.
+void Membrane::State::book_half_step(std::size_t k)
+{
+  const Vector half = 0.5 * now.moved[k];
+  now.done.pressure_work -= now.pressure * half.dot(now.forces.area[k]);
+  now.done.contact_work += half.dot(now.load[k]);
+  if (now.is_tied[k])
+    now.done.tie_work -= half.dot(force(k));
+  else
+    now.done.damping +=
+        parameters.mass_damping * mass[k] * half.dot(now.velocity[k]);
+}
+
+void Membrane::State::start_from(std::span<const Vector> positions)
+{
+  const std::vector<Vector> zeros(positions.size(), Vector::Zero());
+  now.position.assign(positions.begin(), positions.end());
+  now.velocity = now.moved = now.load = zeros;
+  now.done = MembraneEnergy();
+  evaluate_forces(sheet, now.position, now.forces);
+}
+
+Membrane::Membrane(const MembraneParameters &parameters,
+                   const SurfaceMesh &reference)
+    : state(std::make_unique<State>(parameters, reference))
+{
+}
+Membrane::~Membrane() = default;
+Membrane::Membrane(Membrane &&) noexcept = default;
+
+void Membrane::tie(const std::vector<std::int32_t> &nodes)
+{
+  for (const std::int32_t node : nodes)
+  {
+    const std::size_t k = state->checked_node(node);
+    if (state->now.is_tied[k])
+      continue;
+    state->now.is_tied[k] = 1;
+    state->set_velocity(k, Vector::Zero());
+  }
+}
+
+void Membrane::set_tied_velocity(std::int32_t node, const Vector &velocity)
+{
+  state->set_velocity(state->tied_node(node), velocity);
+}
+
+void Membrane::set_pressure(double pressure)
+{
+  require(std::isfinite(pressure), "pressure", pressure, "must be finite");
+  state->now.pressure = pressure;
+}
+
+void Membrane::set_positions(std::span<const Vector> positions)
+{
+  check_size("positions", positions.size(), n_nodes());
+  for (const Vector &position : positions)
+    if (!position.allFinite())
+      throw std::invalid_argument("membrane: a position is not finite");
+  state->start_from(positions);
+}
+
+void Membrane::begin_step(double time_step)
+{
+  check_time_step(time_step);
+  MembraneMotion &now = state->now;
+  for (std::size_t k = 0; k < n_nodes(); ++k)
+  {
+    const Vector start = now.velocity[k];
+    Vector half = start;
+    if (!now.is_tied[k])
+      half += 0.5 * time_step *
+              (state->force(k) / state->mass[k] -
+               state->parameters.mass_damping * start);
+    now.moved[k] = time_step * half;
+    state->book_half_step(k);
+    now.velocity[k] = half;
+    now.position[k] += now.moved[k];
+  }
+}
+
+void Membrane::end_step(std::span<const Vector> load, double time_step)
+{
+  check_time_step(time_step);
+  check_size("loads", load.size(), n_nodes());
+  MembraneMotion &now = state->now;
+  std::copy(load.begin(), load.end(), now.load.begin());
+  evaluate_forces(state->sheet, now.position, now.forces);
+  if (!std::isfinite(now.forces.strain_energy))
+    throw std::runtime_error("membrane: its strain energy is no longer "
+                             "finite; is the time step above the stable one?");
+
+  // Explicit damping in the first half, implicit in the second: the factor
+  // (1 - alpha dt / 2) / (1 + alpha dt / 2) per step stays below one.
+  const double slow =
+      1. / (1. + 0.5 * time_step * state->parameters.mass_damping);
+  for (std::size_t k = 0; k < n_nodes(); ++k)
+  {
+    if (!now.is_tied[k])
+      now.velocity[k] =
+          slow * (now.velocity[k] +
+                  0.5 * time_step / state->mass[k] * state->force(k));
+    state->book_half_step(k);
+  }
+}
+
+double Membrane::stable_time_step() const
+{
+  const double frequency =
+      largest_frequency(state->sheet, {state->mass, state->now.is_tied},
+                        state->now.position, state->now.pressure);
+  return frequency > 0. ? 2. / frequency
+                        : std::numeric_limits<double>::infinity();
+}
+
+std::size_t Membrane::n_nodes() const
+{
+  return state->mass.size();
+}
+
+std::span<const Vector> Membrane::positions() const
+{
+  return state->now.position;
+}
+
+std::span<const Vector> Membrane::velocities() const
+{
+  return state->now.velocity;
+}
+
+std::span<const double> Membrane::nodal_mass() const
+{
+  return state->mass;
+}
+
+bool Membrane::is_tied(std::int32_t node) const
+{
+  return state->now.is_tied[state->checked_node(node)] != 0;
+}
+
+const SurfaceMesh &Membrane::mesh() const
+{
+  return state->mesh;
+}
+
+Vector Membrane::reaction(std::int32_t node) const
+{
+  return state->force(state->tied_node(node));
+}
+
+double Membrane::unbalanced_force_ratio() const
+{
+  double largest = 0.;
+  for (std::size_t k = 0; k < n_nodes(); ++k)
+    if (!state->now.is_tied[k])
+      largest = std::max(largest, state->force(k).norm());
+  if (largest == 0.)
+    return 0.;
+  return largest / mean_element_force(state->sheet, state->now.position);
+}
+
+MembraneEnergy Membrane::energy() const
+{
+  MembraneEnergy energy = state->now.done;
+  energy.strain = state->now.forces.strain_energy;
+  energy.kinetic = 0.;
+  for (std::size_t k = 0; k < n_nodes(); ++k)
+    energy.kinetic +=
+        0.5 * state->mass[k] * state->now.velocity[k].squaredNorm();
+  return energy;
+}
+
+double Membrane::enclosed_volume() const
+{
+  return fem::enclosed_volume(state->mesh, state->rims, state->now.position);
+}
+
+void Membrane::write_vtu(const std::string &path) const
+{
+  const MembraneMotion &now = state->now;
+  state->space.write_vtu(path, state->sheet,
+                         {now.position, now.velocity, now.load});
+}
+
+void Membrane::save(std::ostream &out) const
+{
+  save_motion(out, state->identity, state->now);
+}
+
+void Membrane::load(std::istream &in)
+{
+  state->now = load_motion(in, state->identity, n_nodes());
+}
+} // namespace fem

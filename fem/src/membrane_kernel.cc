@@ -1,0 +1,194 @@
+#include "membrane_kernel.h"
+
+#include <algorithm>
+
+namespace fem
+{
+namespace
+{
+using Vector = Eigen::Vector3d;
+
+/// The two tangents, or their change, at one point.
+struct Tangents
+{
+  Vector first, second;
+};
+
+/// Components 11, 22 and 12 of a symmetric surface tensor.
+struct Symmetric
+{
+  double xx, yy, xy;
+};
+
+std::array<Vector, 4> gather(const SheetElement &element,
+                             std::span<const Vector> field)
+{
+  std::array<Vector, 4> local;
+  for (std::size_t v = 0; v < 4; ++v)
+    local[v] = field[static_cast<std::size_t>(element.node[v])];
+  return local;
+}
+
+Tangents tangents(const SheetPoint &point, const std::array<Vector, 4> &x)
+{
+  Tangents f{Vector::Zero(), Vector::Zero()};
+  for (std::size_t v = 0; v < 4; ++v)
+  {
+    f.first += point.gradient[v][0] * x[v];
+    f.second += point.gradient[v][1] * x[v];
+  }
+  return f;
+}
+
+Symmetric strain(const Tangents &f)
+{
+  return {0.5 * (f.first.squaredNorm() - 1.),
+          0.5 * (f.second.squaredNorm() - 1.), 0.5 * f.first.dot(f.second)};
+}
+
+Symmetric stress(const SheetMaterial &m, const Symmetric &e)
+{
+  return {m.stiffness * (e.xx + m.poisson_ratio * e.yy),
+          m.stiffness * (e.yy + m.poisson_ratio * e.xx),
+          m.stiffness * (1. - m.poisson_ratio) * e.xy};
+}
+
+double contract(const Symmetric &a, const Symmetric &b)
+{
+  return a.xx * b.xx + a.yy * b.yy + 2. * a.xy * b.xy;
+}
+
+/// S_ab F_a for b = 1, 2.
+Tangents flux(const Symmetric &s, const Tangents &f)
+{
+  return {s.xx * f.first + s.xy * f.second, s.xy * f.first + s.yy * f.second};
+}
+
+/// local_v += factor weight flux_b dN_v/dX_b
+void add_divergence(const SheetPoint &point, const Tangents &p, double factor,
+                    std::array<Vector, 4> &local)
+{
+  const Vector first = factor * point.weight * p.first;
+  const Vector second = factor * point.weight * p.second;
+  for (std::size_t v = 0; v < 4; ++v)
+    local[v] += point.gradient[v][0] * first + point.gradient[v][1] * second;
+}
+
+void add_load(const std::array<double, 4> &value, const Vector &load,
+              std::array<Vector, 4> &local)
+{
+  for (std::size_t v = 0; v < 4; ++v)
+    local[v] += value[v] * load;
+}
+
+void scatter(const SheetElement &element, const std::array<Vector, 4> &local,
+             std::span<Vector> field)
+{
+  for (std::size_t v = 0; v < 4; ++v)
+    field[static_cast<std::size_t>(element.node[v])] += local[v];
+}
+
+std::array<Vector, 4> zeros()
+{
+  return {Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
+}
+
+/// Adds the internal forces on the nodes of one element; returns its energy.
+double add_internal(const Sheet &sheet, const SheetPoint &point,
+                    const Tangents &f, std::array<Vector, 4> &local)
+{
+  const Symmetric e = strain(f);
+  const Symmetric s = stress(sheet.material, e);
+  add_divergence(point, flux(s, f), -1., local);
+  return 0.5 * point.weight * contract(s, e);
+}
+} // namespace
+
+void evaluate_forces(const Sheet &sheet, std::span<const Vector> positions,
+                     SheetForces &forces)
+{
+  forces.internal.assign(positions.size(), Vector::Zero());
+  forces.area.assign(positions.size(), Vector::Zero());
+  forces.strain_energy = 0.;
+  for (const SheetElement &element : sheet.elements)
+  {
+    const std::array<Vector, 4> x = gather(element, positions);
+    std::array<Vector, 4> internal = zeros(), area = zeros();
+    for (std::size_t q = 0; q < 4; ++q)
+    {
+      const SheetPoint &point = element.point[q];
+      const Tangents f = tangents(point, x);
+      forces.strain_energy += add_internal(sheet, point, f, internal);
+      add_load(sheet.value[q], point.weight * f.first.cross(f.second), area);
+    }
+    scatter(element, internal, forces.internal);
+    scatter(element, area, forces.area);
+  }
+}
+
+void apply_tangent(const Sheet &sheet, std::span<const Vector> positions,
+                   double pressure, std::span<const Vector> direction,
+                   std::span<Vector> out)
+{
+  std::fill(out.begin(), out.end(), Vector::Zero());
+  for (const SheetElement &element : sheet.elements)
+  {
+    const std::array<Vector, 4> x = gather(element, positions);
+    const std::array<Vector, 4> d = gather(element, direction);
+    std::array<Vector, 4> local = zeros();
+    for (std::size_t q = 0; q < 4; ++q)
+    {
+      const SheetPoint &point = element.point[q];
+      const Tangents f = tangents(point, x), df = tangents(point, d);
+      const Symmetric s = stress(sheet.material, strain(f));
+      const Symmetric de{f.first.dot(df.first), f.second.dot(df.second),
+                         0.5 *
+                             (f.first.dot(df.second) + f.second.dot(df.first))};
+      add_divergence(point, flux(stress(sheet.material, de), f), 1., local);
+      add_divergence(point, flux(s, df), 1., local);
+      add_load(sheet.value[q],
+               pressure * point.weight *
+                   (df.first.cross(f.second) + f.first.cross(df.second)),
+               local);
+    }
+    scatter(element, local, out);
+  }
+}
+
+double mean_element_force(const Sheet &sheet, std::span<const Vector> positions)
+{
+  double sum = 0.;
+  for (const SheetElement &element : sheet.elements)
+  {
+    const std::array<Vector, 4> x = gather(element, positions);
+    std::array<Vector, 4> internal = zeros();
+    for (const SheetPoint &point : element.point)
+      add_internal(sheet, point, tangents(point, x), internal);
+    for (const Vector &force : internal)
+      sum += force.norm();
+  }
+  return sum / (4. * static_cast<double>(sheet.elements.size()));
+}
+
+SheetState element_state(const Sheet &sheet, std::size_t element,
+                         std::span<const Vector> positions)
+{
+  const SheetElement &quad = sheet.elements[element];
+  const std::array<Vector, 4> x = gather(quad, positions);
+  double reference = 0., present = 0., trace = 0., energy = 0.;
+  for (const SheetPoint &point : quad.point)
+  {
+    const Tangents f = tangents(point, x);
+    const Symmetric e = strain(f);
+    const Symmetric s = stress(sheet.material, e);
+    const Symmetric c{2. * e.xx + 1., 2. * e.yy + 1., 2. * e.xy};
+    reference += point.weight;
+    present += point.weight * f.first.cross(f.second).norm();
+    trace += point.weight * contract(s, c);
+    energy += 0.5 * point.weight * contract(s, e);
+  }
+  // tr(sigma) h da = S:C dA; a collapsed quad carries no tension.
+  return {present / reference, present > 0. ? 0.5 * trace / present : 0.,
+          energy / reference};
+}
+} // namespace fem

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "membrane_kernel.h"
+
+#include <fem/membrane.h>
+
+namespace fem
+{
+/// All that changes with time: what a checkpoint holds. Columns over nodes.
+struct MembraneMotion
+{
+  std::vector<Eigen::Vector3d> position; ///< [m]
+  std::vector<Eigen::Vector3d> velocity; ///< [m/s]
+  std::vector<Eigen::Vector3d> moved;    ///< in the step that is open [m]
+  std::vector<Eigen::Vector3d> load;     ///< from outside, of last end_step [N]
+  std::vector<std::uint8_t> is_tied;
+  SheetForces forces;   ///< at the positions of the last end_step
+  double pressure = 0.; ///< on the outer face [Pa]
+  MembraneEnergy done;  ///< works and dissipation; strain, kinetic unused
+};
+
+/// Binary, native byte order. `fingerprint` ties the file to one membrane.
+void save_motion(std::ostream &out, std::uint64_t fingerprint,
+                 const MembraneMotion &motion);
+
+/// Throws std::runtime_error unless the stream holds a whole membrane with
+/// this fingerprint and number of nodes.
+MembraneMotion load_motion(std::istream &in, std::uint64_t fingerprint,
+                           std::size_t n_nodes);
+
+/// Hash of parameters and reference mesh (FNV-1a).
+std::uint64_t fingerprint(const MembraneParameters &parameters,
+                          const SurfaceMesh &mesh);
+} // namespace fem

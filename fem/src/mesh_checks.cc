@@ -1,0 +1,83 @@
+#include "mesh_checks.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace fem
+{
+namespace
+{
+[[noreturn]] void refuse(const std::string &what)
+{
+  throw std::invalid_argument("membrane mesh: " + what);
+}
+
+void check_nodes(const SurfaceMesh &mesh)
+{
+  if (mesh.quads.empty())
+    refuse("no quads");
+  for (const Eigen::Vector3d &node : mesh.nodes)
+    if (!node.allFinite())
+      refuse("a node has a coordinate that is not a number");
+
+  std::vector<bool> used(mesh.nodes.size(), false);
+  for (const auto &quad : mesh.quads)
+    for (const std::int32_t node : quad)
+    {
+      if (node < 0 || static_cast<std::size_t>(node) >= mesh.nodes.size())
+        refuse("node number " + std::to_string(node) + ", there are " +
+               std::to_string(mesh.nodes.size()) + " nodes");
+      used[static_cast<std::size_t>(node)] = true;
+    }
+  const auto unused = std::find(used.begin(), used.end(), false);
+  if (unused != used.end())
+    refuse("node " + std::to_string(unused - used.begin()) +
+           " belongs to no quad");
+}
+
+/// The cross products at the four corners must point to one side.
+void check_shapes(const SurfaceMesh &mesh)
+{
+  for (std::size_t k = 0; k < mesh.quads.size(); ++k)
+  {
+    std::array<Eigen::Vector3d, 4> x, corner;
+    for (std::size_t v = 0; v < 4; ++v)
+      x[v] = mesh.nodes[static_cast<std::size_t>(mesh.quads[k][v])];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t v = 0; v < 4; ++v)
+    {
+      corner[v] = (x[(v + 1) % 4] - x[v]).cross(x[(v + 3) % 4] - x[v]);
+      sum += corner[v];
+    }
+    for (std::size_t v = 0; v < 4; ++v)
+      if (!(corner[v].dot(sum) > 1e-9 * sum.squaredNorm()))
+        refuse("quad " + std::to_string(k) +
+               " is degenerate or has a re-entrant corner");
+  }
+}
+
+void check_edges(const SurfaceMesh &mesh)
+{
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+  for (const auto &quad : mesh.quads)
+    for (std::size_t v = 0; v < 4; ++v)
+      edges.emplace_back(quad[v], quad[(v + 1) % 4]);
+  std::sort(edges.begin(), edges.end());
+  const auto twice = std::adjacent_find(edges.begin(), edges.end());
+  if (twice != edges.end())
+    refuse("edge " + std::to_string(twice->first) + "-" +
+           std::to_string(twice->second) +
+           " is run through twice in the same direction: the quads round it "
+           "are turned differently or more than two");
+}
+} // namespace
+
+void check_mesh(const SurfaceMesh &mesh)
+{
+  check_nodes(mesh);
+  check_shapes(mesh);
+  check_edges(mesh);
+}
+} // namespace fem
