@@ -7,7 +7,8 @@
 
 namespace spall
 {
-/// A shape file: JSON {order, convention, coefficients, unit, source, licence}.
+/// A shape file: JSON {name, order, convention, unit, source, licence,
+/// coefficients}.
 struct ShapeFile
 {
   int order = 0;
@@ -15,8 +16,13 @@ struct ShapeFile
   std::string name, source, licence;
 };
 
+/// Length of a unit, m, mm or um [m]. Throws InputError.
+double metres(const std::string &unit);
+
 /// Throws InputError with one clear line: file, key, what is allowed.
 ShapeFile read_shape(const std::string &path);
+
+/// In metres. Throws InputError if the file cannot be written.
 void write_shape(const std::string &path, const ShapeFile &shape);
 
 /// Every *.json of a folder, sorted by name. Throws InputError if none.
