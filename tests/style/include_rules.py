@@ -74,12 +74,12 @@ def fault_of(root, path, kind, header):
     """What is wrong with this include line, or None."""
     relative = path.relative_to(root)
     if kind == '"':
-        target = (path.parent / header).resolve()
         home = (root / relative.parts[0]).resolve()
-        if not target.is_relative_to(home):
+        if not (path.parent / header).resolve().is_relative_to(home):
             return f'"{header}" leaves {relative.parts[0]}/'
-        if not target.exists():
-            return f'"{header}" is not beside the file'
+        bases = (path.parent, home, home / "src")
+        if not any((base / header).exists() for base in bases):
+            return f'"{header}" is not in {relative.parts[0]}/'
         return None
     group = group_of(header)
     if group is None:

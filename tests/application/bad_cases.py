@@ -1,0 +1,238 @@
+"""The broken inputs of bad_input.py and what must be said about each."""
+import dataclasses
+import json
+
+from test_meshes import (box_triangles, mushroom_triangles, stl,
+                         torus_triangles)
+
+# Small and quick should a case be accepted by mistake.
+SOUND = {
+    "Specimen": {"side": 0.05, "gradation": "g.csv", "shapes": "",
+                 "solid_fraction": 0.4},
+    "Loading": {"cycles": 1, "consolidation_time": 0},
+    "Time": {"fixed_step": "1e-6"},
+    "Breakage": {"is_active": "false"},
+}
+
+
+@dataclasses.dataclass
+class Bad:
+    """One broken input."""
+    name: str
+    words: list
+    message: list  # each must be in the line
+    case: dict = dataclasses.field(default_factory=dict)  # over SOUND
+    files: dict = dataclasses.field(default_factory=dict)
+
+
+def prm(sections):
+    """A case as a .prm."""
+    text = ""
+    for section, entries in sections.items():
+        text += f"subsection {section}\n"
+        for key, value in entries.items():
+            text += f"  set {key} = {value}\n"
+        text += "end\n"
+    return text
+
+
+def merged(changes):
+    result = {section: dict(entries) for section, entries in SOUND.items()}
+    for section, entries in changes.items():
+        result.setdefault(section, {}).update(entries)
+    return result
+
+
+CASE = ["check", "{case}"]
+GRADATION = "# test\ndiameter_m,passing_1\n0.008,0\n0.016,1\n"
+ROUND = {"order": 0, "convention": "real orthonormal, no Condon-Shortley",
+         "coefficients": [0.0354], "unit": "m", "source": "test",
+         "licence": "CC0"}
+
+
+def value(section, key, text, *message):
+    """A case with one bad value; the message names it."""
+    return Bad(f"{section}_{key}_{text}".replace("/", "_"), CASE,
+               [f"{section}/{key} = {text}: ", *message],
+               {section: {key: text}})
+
+
+VALUES = [
+    value("Stone", "shear_modulus", "-5e8", "above 0"),
+    value("Stone", "poisson_ratio", "0.5", "below 0.5"),
+    value("Stone", "density", "heavy", "a number above 0"),
+    value("Stone", "friction", "nan", "a number"),
+    value("Stone", "friction", "-0.1", "at least 0"),
+    value("Membrane", "youngs_modulus", "-1.4e6", "above 0"),
+    value("Membrane", "thickness", "0", "above 0"),
+    value("MembraneContact", "rolling_friction", "0.1", "no rotational"),
+    value("Boundary", "lateral", "balloon", "one of membrane, rigid"),
+    value("Contact", "geometry", "surface_of_doom", "one of ball, radial"),
+    value("Breakage", "is_active", "maybe", "true or false"),
+    value("Breakage", "min_ball_radius", "0.02", "Breakage/min_diameter"),
+    value("Case", "kind", "los_angles", "dynamic_triaxial"),
+    value("Loading", "cycles", "0", "at least 1"),
+    value("Loading", "cycles", "2.5", "whole number"),
+    value("Loading", "frequency", "0", "above 0"),
+    value("Loading", "confining_pressure", "-3e4", "above 0"),
+    value("Output", "samples_per_cycle", "5", "at least 10"),
+    value("Output", "frames_per_cycle", "100", "samples_per_cycle"),
+    value("Preparation", "pressure", "1e-3 kPa", "a number"),
+    value("Run", "threads", "-1", "at least 0"),
+    value("Specimen", "solid_fraction", "0.75", "below 0.75"),
+    value("Specimen", "initial_solid_fraction", "0.5", "at most 0.35"),
+    value("Specimen", "side", "0.02", "twice the largest stone"),
+    value("Specimen", "gradation", "none.csv", "no such file"),
+    value("Specimen", "gradation", "", "CSV"),
+    value("Specimen", "shapes", "no_such_folder", "no such file or folder"),
+    value("Specimen", "shapes", "g.csv", "folder"),
+    value("Time", "fixed_step", "0.002", "history.csv"),
+    value("Time", "step", "adaptive", "one of fixed, stable"),
+    value("Material", "file", "granite.prm", "no such file"),
+]
+
+# Found once the stones and the membrane are known.
+SCENE = [
+    # The smallest stones, 8 mm, on a wall of 1e8 N/m: 2 sqrt(m / k) = 5e-6 s.
+    Bad("unstable_step", CASE, ["Time/fixed_step", "stable"],
+        {"Time": {"fixed_step": "1e-4"}}),
+    # The gain of a stone on a light node is k dt^2 / (4 m).
+    Bad("gain", CASE, ["MembraneContact/normal_stiffness", "gain"],
+        {"MembraneContact": {"normal_stiffness": "1e12"}}),
+]
+
+WORDS = [
+    Bad("no_command", [], []),  # prints the usage, see below
+    Bad("unknown_command", ["ran", "{case}"], ["ran", "template"]),
+    Bad("unknown_kind", ["template", "triaxial"], ["dynamic_triaxial"]),
+    Bad("template_without_kind", ["template"], ["dynamic_triaxial"]),
+    Bad("check_without_case", ["check"], ["CASE.prm"]),
+    Bad("run_without_case", ["run"], ["CASE.prm"]),
+    Bad("two_cases", ["check", "{case}", "{case}"], ["check"]),
+    Bad("unknown_option", ["run", "{case}", "--fast"], ["--fast"]),
+    Bad("option_without_value", ["run", "{case}", "--out"], ["--out"]),
+    Bad("threads_text", ["run", "{case}", "--threads", "all"], ["all"]),
+    Bad("threads_zero", ["run", "{case}", "--threads", "-2"], ["-2"]),
+    Bad("set_form", [*CASE, "--set", "cycles=3"], ["Section/key=value"]),
+    Bad("set_section", [*CASE, "--set", "Loding/cycles=3"], ["Loading?"]),
+    Bad("set_key", [*CASE, "--set", "Loading/cycle=3"], ["cycles?"]),
+    Bad("set_value", [*CASE, "--set", "Loading/cycles=x"],
+        ["--set", "Loading/cycles = x", "whole number"]),
+    Bad("missing_case", ["run", "nowhere.prm"], ["nowhere.prm", "no such"]),
+    Bad("case_is_folder", ["run", "."], ["folder"]),
+    Bad("case_ending", ["run", "g.csv"], [".prm or .json"]),
+    Bad("out_is_file", ["run", "{case}", "--out", "g.csv"], ["g.csv"]),
+    Bad("resume_nothing", ["run", "{case}", "--resume", "--out", "empty"],
+        ["checkpoint"], files={"empty/note": "x"}),
+    Bad("report_nothing", ["report"], ["DIR"]),
+    Bad("report_missing", ["report", "nowhere"], ["nowhere"]),
+    Bad("report_no_run", ["report", "empty"], ["empty"],
+        files={"empty/note": "x"}),
+    Bad("report_half_a_run", ["report", "half"], ["half"],
+        files={"half/summary.json": "{}"}),
+]
+
+
+def case_file(name, text, *message):
+    """A case file with this text."""
+    ending = ".json" if text.startswith("{") else ".prm"
+    return Bad(name, ["check", "bad" + ending], list(message),
+               files={"bad" + ending: text})
+
+
+FILES = [
+    case_file("unknown_section", prm({"Stones": {"friction": 0.5}}),
+              "bad.prm:2: Stones/friction = 0.5", "did you mean Stone?"),
+    case_file("unknown_key", prm({"Stone": {"frction": 0.5}}),
+              "Stone/frction = 0.5", "did you mean friction?"),
+    case_file("unreadable_line", "subsection Stone\n friction 0.5\nend\n",
+              "bad.prm:2", "friction 0.5"),
+    case_file("no_end", "subsection Stone\n set friction = 0.5\n", "end"),
+    case_file("nested", "subsection Stone\n subsection Wall\n end\nend\n",
+              "bad.prm:2", "nested"),
+    case_file("end_too_many", "end\n", "bad.prm:1"),
+    case_file("outside", "set friction = 0.5\n", "bad.prm:1", "outside"),
+    case_file("set_twice", "subsection Stone\n set friction = 0.5\n"
+              " set friction = 0.4\nend\n", "bad.prm:3", "twice"),
+    case_file("json_syntax", '{"Stone": {"friction": 0.5}', "JSON", "line"),
+    case_file("json_form", '{"Stone": 3}', "Stone", "Section"),
+    case_file("json_twice", '{"Stone": {"friction": 1, "friction": 2}}',
+              "friction", "twice"),
+    case_file("json_value", '{"Stone": {"friction": "rough"}}',
+              "Stone/friction = rough", "number"),
+    case_file("json_binary", "{\x01\x02", "JSON"),
+    Bad("material_key", CASE, ["m.prm:2", "Stone/hardness"],
+        {"Material": {"file": "m.prm"}},
+        {"m.prm": prm({"Stone": {"hardness": 3}})}),
+    Bad("material_section", CASE, ["m.prm:2", "Loading/cycles"],
+        {"Material": {"file": "m.prm"}},
+        {"m.prm": prm({"Loading": {"cycles": 3}})}),
+    Bad("material_value", CASE, ["m.prm:2", "Stone/density = 0", "above 0"],
+        {"Material": {"file": "m.prm"}},
+        {"m.prm": prm({"Stone": {"density": 0}})}),
+]
+
+
+def gradation(name, text, *message):
+    return Bad("gradation_" + name, CASE, ["bad.csv", *message],
+               {"Specimen": {"gradation": "bad.csv"}}, {"bad.csv": text})
+
+
+HEADER = "diameter_m,passing_1\n"
+GRADATIONS = [
+    gradation("header", "d,p\n0.008,0\n0.016,1\n", "bad.csv:1", "header"),
+    gradation("text", HEADER + "0.008,0\nbig,1\n", "bad.csv:3", "two numbers"),
+    gradation("order", HEADER + "0.016,0\n0.008,1\n", "increase"),
+    gradation("falling", HEADER + "0.008,0\n0.01,0.6\n0.012,0.5\n0.016,1\n",
+              "decrease"),
+    gradation("share", HEADER + "0.008,0\n0.016,1.5\n", "between 0 and 1"),
+    gradation("end", HEADER + "0.008,0\n0.016,0.9\n", "end with 1"),
+    gradation("negative", HEADER + "-0.008,0\n0.016,1\n", "above 0"),
+    gradation("short", HEADER + "0.008,0\n", "two rows"),
+    gradation("empty", "", "two rows"),
+]
+
+
+def shape(name, text, *message):
+    """A folder with one broken shape file, used by a case."""
+    return Bad("shape_" + name, CASE, ["bad.json", *message],
+               {"Specimen": {"shapes": "shapes"}}, {"shapes/bad.json": text})
+
+
+SHAPES = [
+    Bad("shapes_empty", CASE, ["shapes"], {"Specimen": {"shapes": "shapes"}},
+        {"shapes/readme": "x"}),
+    shape("syntax", "{"),
+    shape("key_missing", json.dumps({"order": 0}), "co"),
+    shape("count", json.dumps({**ROUND, "order": 3}), "coefficients"),
+    shape("order", json.dumps({**ROUND, "order": 99}), "order"),
+    shape("unit", json.dumps({**ROUND, "unit": "mile"}), "unit"),
+    shape("text", json.dumps({**ROUND, "coefficients": ["a"]}),
+          "coefficients"),
+]
+
+
+def fit(name, file, text, *message, order="8"):
+    return Bad("fit_" + name, ["shape", "fit", file, "--order", order,
+                               "--out", "s.json"], list(message),
+               files={file: text} if text is not None else {})
+
+
+MESHES = [
+    fit("open", "m.stl", stl(box_triangles(2)), "open"),
+    fit("torus", "m.stl", stl(torus_triangles()), "centroid"),
+    fit("overhang", "m.stl", stl(mushroom_triangles()), "star"),
+    fit("unreadable", "m.stl", "this is no mesh\n", "m.stl"),
+    fit("no_triangles", "m.stl", stl([]), "m.stl"),
+    fit("ending", "m.xyz", "0 0 0\n", ".xyz"),
+    fit("missing", "nowhere.stl", None, "nowhere.stl"),
+    fit("order_high", "m.stl", stl(box_triangles()), "31", order="31"),
+    fit("order_negative", "m.stl", stl(box_triangles()), "-1", order="-1"),
+    fit("order_text", "m.stl", stl(box_triangles()), "many", order="many"),
+    Bad("fit_without_out", ["shape", "fit", "m.stl", "--order", "8"],
+        ["--out"], files={"m.stl": stl(box_triangles())}),
+    Bad("shape_unknown", ["shape", "polish", "m.stl"], ["polish"]),
+    Bad("info_missing", ["shape", "info", "nowhere.json"], ["nowhere.json"]),
+]
+
+CASES = VALUES + SCENE + WORDS + FILES + GRADATIONS + SHAPES + MESHES

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Bad input: one clear line on stderr, exit status 1, nothing written.
+
+    bad_input.py SPALL [NAME ...]
+
+Every case of bad_cases.py runs in a folder of its own with what it needs.
+A case is the words after `spall` and the words that its message must have, in
+which {case} stands for a sound case of spheres.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+from bad_cases import CASES, GRADATION, merged, prm
+
+
+def listing(folder):
+    return {str(path.relative_to(folder)): path.stat().st_size
+            for path in folder.rglob("*")}
+
+
+def faults_of(spall, bad):
+    """What is wrong with the answer to this input."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        files = {"g.csv": GRADATION, "case.prm": prm(merged(bad.case)),
+                 **bad.files}
+        for path, text in files.items():
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_text(text)
+        before = listing(folder)
+        words = [word.replace("{case}", "case.prm") for word in bad.words]
+        try:
+            ended = subprocess.run(
+                [spall, *words], cwd=folder, capture_output=True, text=True,
+                timeout=100, check=False,
+                env={**os.environ, "OMP_NUM_THREADS": "1"})
+        except subprocess.TimeoutExpired:
+            return ["does not end"]
+        after = listing(folder)
+    return answer_faults(bad, ended) + (
+        [] if before == after else
+        [f"written: {sorted(set(after.items()) ^ set(before.items()))}"])
+
+
+def answer_faults(bad, ended):
+    faults = []
+    lines = ended.stderr.splitlines()
+    if ended.returncode != 1:
+        faults.append(f"status {ended.returncode}, expected 1")
+    if bad.name == "no_command":
+        return faults + ([] if lines and lines[0].startswith("usage: spall")
+                         else ["no usage"])
+    if len(lines) != 1:
+        faults.append(f"{len(lines)} lines on stderr, expected 1")
+    if not ended.stderr.startswith("spall: "):
+        faults.append("does not start with spall:")
+    missing = [part for part in bad.message if part not in ended.stderr]
+    if missing:
+        faults.append(f"does not say {missing}")
+    if faults:
+        faults.append(f"stderr was: {ended.stderr.strip()[:500]}")
+    return faults
+
+
+def main():
+    spall, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:]
+    cases = [bad for bad in CASES if not names or bad.name in names]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = list(pool.map(lambda bad: faults_of(spall, bad), cases))
+    n_failed = 0
+    for bad, faults in zip(cases, results):
+        if faults:
+            n_failed += 1
+            print(f"{bad.name}: {'; '.join(faults)}")
+    print(f"bad input: {len(cases) - n_failed} of {len(cases)} refused well")
+    return 1 if n_failed or not cases else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,60 @@
+"""Meshes that the tests of bad input make for themselves."""
+import math
+
+
+def stl(triangles):
+    """ASCII STL; the reader makes its own normals."""
+    text = "solid test\n"
+    for corners in triangles:
+        text += "facet normal 0 0 0\nouter loop\n"
+        for x, y, z in corners:
+            text += f"vertex {x:.9g} {y:.9g} {z:.9g}\n"
+        text += "endloop\nendfacet\n"
+    return text + "endsolid test\n"
+
+
+def box_triangles(n_missing=0):
+    """Twelve triangles of a cube, less the last ones."""
+    p = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3),
+             (0, 4, 6, 2), (1, 3, 7, 5)]
+    triangles = []
+    for a, b, c, d in quads:
+        triangles += [(p[a], p[b], p[c]), (p[a], p[c], p[d])]
+    return triangles[:len(triangles) - n_missing]
+
+
+def torus_triangles():
+    """Closed, but its centroid is outside: not star-shaped."""
+    def at(i, j):
+        u, v = 2 * math.pi * i / 24, 2 * math.pi * j / 12
+        r = 2 + 0.7 * math.cos(v)
+        return (r * math.cos(u), r * math.sin(u), 0.7 * math.sin(v))
+    triangles = []
+    for i in range(24):
+        for j in range(12):
+            a, b = at(i, j), at(i + 1, j)
+            c, d = at(i + 1, j + 1), at(i, j + 1)
+            triangles += [(a, b, c), (a, c, d)]
+    return triangles
+
+
+def mushroom_triangles():
+    """A closed body of revolution whose cap hangs over its stem: the centroid
+    is inside, yet rays to the rim meet the surface three times."""
+    profile = [(0., 0.), (0.5, 0.), (0.5, 2.), (1.9, 0.6), (2.1, 0.8),
+               (1.2, 2.4), (0., 2.8)]
+    def at(k, i):
+        r, z = profile[k]
+        u = 2 * math.pi * (i % 32) / 32
+        return (r * math.cos(u), r * math.sin(u), z)
+    triangles = []
+    for k in range(len(profile) - 1):
+        for i in range(32):
+            a, b = at(k, i), at(k, i + 1)
+            c, d = at(k + 1, i + 1), at(k + 1, i)
+            if profile[k][0] > 0.:
+                triangles.append((a, b, c))
+            if profile[k + 1][0] > 0.:
+                triangles.append((a, c, d))
+    return triangles

@@ -1,0 +1,186 @@
+#include "case_fields.h"
+#include "case_file.h"
+#include "errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace
+{
+using namespace spall;
+namespace fs = std::filesystem;
+
+/// A folder with a gradation, for cases of spheres.
+class CaseFile : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    folder = fs::path(testing::TempDir()) /
+             testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::create_directories(folder / "shapes");
+    write("g.csv", "diameter_m,passing_1\n0.008,0\n0.016,1\n");
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string write(const std::string &name, const std::string &text)
+  {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  }
+
+  /// A sound case with more sections.
+  std::string write_case(const std::string &more)
+  {
+    return write("case.prm", "subsection Specimen\n  set gradation = g.csv\n"
+                             "  set shapes =\nend\n" +
+                                 more);
+  }
+
+  fs::path folder;
+};
+
+std::string message_of(const std::string &file)
+{
+  try
+  {
+    read_case(file, {});
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(CaseFile, KeepsDefaultsAndTakesValues)
+{
+  const Case c = read_case(
+      write_case("subsection Loading\n  set cycles = 3 # few\nend\n"
+                 "subsection Boundary\n  set lateral = rigid\nend\n"
+                 "subsection Breakage\n  set is_active = false\nend\n"),
+      {});
+  EXPECT_EQ(c.loading.cycles, 3);
+  EXPECT_EQ(c.boundary.lateral, Lateral::rigid);
+  EXPECT_FALSE(c.breakage.is_active);
+  EXPECT_EQ(c.loading.frequency, LoadingParameters().frequency);
+  EXPECT_EQ(c.specimen.shapes, "");
+}
+
+TEST_F(CaseFile, CommandLineWinsOverCaseOverMaterial)
+{
+  write("m.prm", "subsection Stone\n  set density = 2000\n"
+                 "  set friction = 0.3\n  set shear_damping = 0.1\nend\n");
+  const std::string file =
+      write_case("subsection Material\n  set file = m.prm\nend\n"
+                 "subsection Stone\n  set friction = 0.4\n"
+                 "  set shear_damping = 0.2\nend\n");
+  const std::vector<Override> overrides = {
+      parse_override("Stone/shear_damping=0.3")};
+  const Case c = read_case(file, overrides);
+  EXPECT_EQ(c.stone.density, 2000.);
+  EXPECT_EQ(c.stone.friction, 0.4);
+  EXPECT_EQ(c.stone.shear_damping, 0.3);
+  EXPECT_EQ(c.stone.shear_modulus, dem::StoneMaterial().shear_modulus);
+}
+
+TEST_F(CaseFile, JsonGivesTheSameCase)
+{
+  const std::string json =
+      write("case.json", R"({"Specimen": {"gradation": "g.csv", "shapes": "",
+                                    "solid_fraction": 0.5},
+                       "Breakage": {"is_active": false}})");
+  const std::string prm =
+      write("case.prm", "subsection Specimen\n  set gradation = g.csv\n"
+                        "  set shapes =\n  set solid_fraction = 0.5\nend\n"
+                        "subsection Breakage\n  set is_active = false\nend\n");
+  Case a = read_case(json, {}), b = read_case(prm, {});
+  a.file = b.file;
+  EXPECT_EQ(resolved_case(a), resolved_case(b));
+}
+
+// Every value, changed from its default, must survive printing and reading.
+TEST_F(CaseFile, ResolvedCaseReadsBackTheSame)
+{
+  Case c = read_case(write_case(""), {});
+  for (const Parameter &p : parameters_of(c))
+    if (auto *number = std::get_if<double *>(&p.value))
+    {
+      const double other = **number * (1. - 1. / 3.);
+      if (p.range.contains(other))
+        **number = other;
+    }
+    else if (const auto *choice = std::get_if<Choice>(&p.value))
+      choice->set(choice->names.size() - 1);
+  c.breakage.min_ball_radius = 1e-3 / 3.;
+  c.specimen.shapes = "shapes";
+  const std::string printed = resolved_case(c);
+  Case again = read_case(write("resolved.prm", printed), {});
+  EXPECT_EQ(again.specimen.shapes, (folder / "shapes").string());
+  again.file = c.file;
+  EXPECT_EQ(resolved_case(again), printed);
+  EXPECT_EQ(again.specimen.side, c.specimen.side); // bit for bit
+}
+
+TEST_F(CaseFile, TemplateIsASoundCase)
+{
+  setenv("SPALL_DATA_DIR", folder.c_str(), 1);
+  fs::create_directories(folder / "gradations");
+  fs::copy(folder / "g.csv", folder / "gradations/quick_7_22mm.csv");
+  fs::create_directories(folder / "shapes/limestone");
+  const std::string file =
+      write("template.prm", template_case("dynamic_triaxial"));
+  EXPECT_EQ(message_of(file), "");
+  unsetenv("SPALL_DATA_DIR");
+}
+
+TEST_F(CaseFile, EveryParameterIsDescribedOnce)
+{
+  Case c;
+  std::set<std::string> seen, known;
+  for (const Section &section : sections())
+    known.insert(section.name);
+  for (const Parameter &p : parameters_of(c))
+  {
+    const std::string name = p.section + "/" + p.key;
+    EXPECT_TRUE(seen.insert(name).second) << name;
+    EXPECT_TRUE(known.contains(p.section)) << name;
+    EXPECT_FALSE(p.unit.empty()) << name;
+    EXPECT_TRUE(p.sentence.ends_with('.')) << name;
+    EXPECT_NO_THROW(assign(p, value_text(p))) << name; // the default
+  }
+}
+
+TEST_F(CaseFile, FaultsNameTheirPlace)
+{
+  const std::string file =
+      write_case("subsection Stone\n  set friction = -1\nend\n");
+  EXPECT_EQ(message_of(file),
+            file + ":6: Stone/friction = -1: must be a number of at least 0 "
+                   "and at most 10");
+}
+
+TEST_F(CaseFile, PathsAreSoughtBesideTheCaseFirst)
+{
+  const Case c = read_case(write_case(""), {});
+  EXPECT_EQ(find_path(c, "Specimen", "gradation", "g.csv"),
+            (folder / "g.csv").string());
+  EXPECT_EQ(find_path(c, "Specimen", "gradation", c.file), c.file);
+  EXPECT_THROW(find_path(c, "Specimen", "gradation", "none.csv"), InputError);
+}
+
+TEST(ParseOverride, SplitsAtTheFirstSigns)
+{
+  const Override o = parse_override("Specimen/gradation=a/b=c.csv");
+  EXPECT_EQ(o.section, "Specimen");
+  EXPECT_EQ(o.key, "gradation");
+  EXPECT_EQ(o.value, "a/b=c.csv");
+  EXPECT_THROW(parse_override("side=3"), InputError);
+  EXPECT_THROW(parse_override("Specimen/side"), InputError);
+  EXPECT_THROW(parse_override("/side=3"), InputError);
+}
+} // namespace
