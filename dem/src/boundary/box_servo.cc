@@ -67,20 +67,24 @@ void BoxServo::release(Engine &engine, int d)
     engine.planes()[plane].velocity = Vec3::Zero();
 }
 
-void BoxServo::update(Engine &engine)
+void BoxServo::update(Engine &engine, double time_step)
 {
   if (engine.n_steps() % 20 == 0)
     stiffness = affine_stiffness(engine.particles(), engine.pairs());
-  const Vec3 stress = box_stress(engine, planes),
-             size = box_size(engine, planes);
+  const Vec3 size = box_size(engine, planes);
+  const double share = std::min(1., 5. * time_step / parameters.response_time);
+  average += share * (box_stress(engine, planes) - average);
   for (int d = 0; d < 3; ++d)
   {
     if (!is_on[static_cast<std::size_t>(d)])
       continue;
-    const double missing = (target[d] - stress[d]) * face_area(size, d);
-    const double per_length = stiffness[d] / (size[d] * size[d]);
+    const double area = face_area(size, d);
+    const double per_length =
+        std::max(stiffness[d] / (size[d] * size[d]),
+                 50. * std::abs(target[d]) * area / size[d]);
     const double wanted =
-        0.5 * missing / std::max(per_length * parameters.response_time, 1e-12);
+        0.5 * (target[d] - average[d]) * area /
+        std::max(per_length * parameters.response_time, 1e-12);
     const double speed =
         std::clamp(wanted, -parameters.max_speed, parameters.max_speed);
     const auto &[lower, upper] = planes[static_cast<std::size_t>(d)];
@@ -93,6 +97,7 @@ void BoxServo::save(std::ostream &out) const
 {
   write_value(out, is_on);
   write_value(out, target);
+  write_value(out, average);
   write_value(out, stiffness);
 }
 
@@ -100,6 +105,7 @@ void BoxServo::restore(std::istream &in)
 {
   read_value(in, is_on);
   read_value(in, target);
+  read_value(in, average);
   read_value(in, stiffness);
 }
 } // namespace dem

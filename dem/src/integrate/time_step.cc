@@ -8,11 +8,24 @@ namespace dem
 {
 namespace
 {
+/// Step of one oscillator with a dashpot that lags by half a step.
+double lagged_step(double stiffness, double mass, double damping_ratio)
+{
+  return 2. * std::sqrt(mass / stiffness) *
+         (std::sqrt(1. + damping_ratio * damping_ratio) - damping_ratio);
+}
+
+/// The spring along the wall also turns the ball, 1/m + r^2/I = 3.5/m: its
+/// dashpot 2 beta sqrt(m k_s) is sqrt(3.5) times as strong for that mode.
 double wall_step(const WallMaterial &wall, double mass)
 {
-  const double beta = wall.normal_damping;
-  return 2. * std::sqrt(mass / wall.normal_stiffness) *
-         (std::sqrt(1. + beta * beta) - beta);
+  constexpr double turning = 3.5;
+  const double normal =
+      lagged_step(wall.normal_stiffness, mass, wall.normal_damping);
+  if (wall.shear_stiffness <= 0.)
+    return normal;
+  return std::min(normal, lagged_step(wall.shear_stiffness, mass / turning,
+                                      wall.shear_damping * std::sqrt(turning)));
 }
 } // namespace
 

@@ -26,9 +26,12 @@ struct ServoParameters
 };
 
 /// Moves the planes of chosen axes so that their stress follows a target:
-/// speed = error / (stiffness response_time), both planes of an axis opposite
+/// speed = error / (2 stiffness response_time), both planes of an axis opposite
 /// to each other. The stiffness is the affine estimate of the packing from its
-/// present contacts, an upper bound, so the servo does not overshoot.
+/// present contacts, an upper bound, so the servo does not overshoot (at least
+/// 50 times the target per strain, so that a loose packing is not rammed). The
+/// stress is averaged over a fifth of the response time: without it the stiff
+/// contacts at the wall would make the loop jump.
 class BoxServo
 {
 public:
@@ -40,7 +43,7 @@ public:
   void release(Engine &engine, int d);
   /// Sets the speeds of the planes for the next step; the stiffness is taken
   /// anew every 20 steps.
-  void update(Engine &engine);
+  void update(Engine &engine, double time_step);
 
   void save(std::ostream &out) const; ///< bit for bit
   void restore(std::istream &in);     ///< throws std::runtime_error
@@ -50,6 +53,7 @@ private:
   ServoParameters parameters;
   std::array<bool, 3> is_on = {false, false, false};
   Vec3 target = Vec3::Zero();    ///< [Pa]
+  Vec3 average = Vec3::Zero();   ///< stress, running [Pa]
   Vec3 stiffness = Vec3::Zero(); ///< affine_stiffness, last taken [N m]
 };
 } // namespace dem
