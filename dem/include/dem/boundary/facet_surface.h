@@ -40,10 +40,13 @@ struct NearestPoint
   Vec3 point = Vec3::Zero();      ///< [m]
 };
 
-/// Nearest point of the triangle to x, with its feature.
+/// Nearest point of the triangle to x, with its feature: region test, always
+/// finite; a triangle thinner than 1e-6 of its size is its three sides.
 NearestPoint nearest_point(const Vec3 &x, const std::array<Vec3, 3> &corner);
 
-/// Who shares an edge or a corner: made once per surface.
+/// Who shares an edge or a corner: made once per surface. Throws
+/// std::invalid_argument on a facet with an unknown or repeated vertex or
+/// without area, an edge of three facets, facets of opposite orientation.
 struct FacetTopology
 {
   explicit FacetTopology(const FacetSurface &surface);
@@ -68,6 +71,8 @@ struct FacetTouch
 /// minima whose directions are within 45 degrees only the nearest is kept.
 /// Only triangles of `candidates` nearer than `reach` are looked at. Appends
 /// to `touches`, which the caller clears; order: by distance, then triangle.
+/// The mesh is conforming (neighbours share vertex numbers). At distance zero
+/// the direction is the outward normal. Allocates nothing else.
 void find_touches(const FacetSurface &surface, const FacetTopology &topology,
                   std::span<const std::int32_t> candidates, const Vec3 &x,
                   double reach, std::vector<FacetTouch> &touches);
