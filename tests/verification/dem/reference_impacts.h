@@ -1,0 +1,239 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+/// Closed forms of impacts and of rolling, and one plain integrator, written
+/// without any code of the engine: what its kernels are compared with.
+namespace reference
+{
+/// Head-on impact of two elastic spheres: m* x'' = -4/3 E* sqrt(R*) x^(3/2).
+struct HertzImpact
+{
+  double modulus = 0.; ///< E* [Pa]
+  double radius = 0.;  ///< R* = R1 R2 / (R1 + R2) [m]
+  double mass = 0.;    ///< m* = m1 m2 / (m1 + m2) [kg]
+  double speed = 0.;   ///< of approach, > 0 [m/s]
+
+  /// C_H of F = C_H x^(3/2) [N/m^(3/2)].
+  double prefactor() const { return 4. / 3. * modulus * std::sqrt(radius); }
+
+  /// Energy: 1/2 m* v^2 = 2/5 C_H x^(5/2) [m].
+  double peak_overlap() const
+  {
+    return std::pow(1.25 * mass * speed * speed / prefactor(), 0.4);
+  }
+
+  double peak_force() const ///< [N]
+  {
+    return prefactor() * std::pow(peak_overlap(), 1.5);
+  }
+
+  /// 2 / v int_0^x_max dx / sqrt(1 - (x / x_max)^(5/2))
+  /// = 4 sqrt(pi) Gamma(2/5) / (5 Gamma(9/10)) x_max / v [s].
+  double duration() const
+  {
+    return 0.8 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) /
+           std::tgamma(0.9) * peak_overlap() / speed;
+  }
+};
+
+struct SphereMaterial
+{
+  double density = 0.;         ///< rho [kg/m^3]
+  double young_modulus = 0.;   ///< E [Pa]
+  double poisson_ratio = 0.;   ///< nu [-]
+  double shear_modulus() const ///< G [Pa]
+  {
+    return young_modulus / (2. * (1. + poisson_ratio));
+  }
+};
+
+inline double sphere_mass(double density, double radius) ///< [kg]
+{
+  return 4. / 3. * std::numbers::pi * density * radius * radius * radius;
+}
+
+/// Two equal spheres that approach each other at `closing_speed` together.
+inline HertzImpact equal_spheres(const SphereMaterial &material, double radius,
+                                 double closing_speed)
+{
+  const double nu = material.poisson_ratio;
+  return {.modulus = 0.5 * material.young_modulus / (1. - nu * nu),
+          .radius = 0.5 * radius,
+          .mass = 0.5 * sphere_mass(material.density, radius),
+          .speed = closing_speed};
+}
+
+/// A sphere that falls on a rigid plane.
+inline HertzImpact sphere_on_rigid_plane(const SphereMaterial &material,
+                                         double radius, double speed)
+{
+  const double nu = material.poisson_ratio;
+  return {.modulus = material.young_modulus / (1. - nu * nu),
+          .radius = radius,
+          .mass = sphere_mass(material.density, radius),
+          .speed = speed};
+}
+
+/// Rebound speed over impact speed of x'' + 2 zeta x' + x = 0, x(0) = 0, left
+/// when the total force passes zero (no tension), 0 <= zeta < 1 [-].
+inline double oscillator_restitution(double zeta)
+{
+  const double damped = std::sqrt(1. - zeta * zeta);
+  const double phase = std::atan2(2. * zeta * damped, 2. * zeta * zeta - 1.);
+  return std::exp(-zeta / damped * phase);
+}
+
+/// The same with a force that may pull until the overlap is zero [-].
+inline double oscillator_restitution_with_tension(double zeta)
+{
+  return std::exp(-std::numbers::pi * zeta / std::sqrt(1. - zeta * zeta));
+}
+
+/// Damping ratio of the oscillator that a Hertz impact with the dashpot
+/// 2 beta sqrt(m* k_n) becomes in x^(5/4), k_n = dF/dx [-].
+inline double hertz_damping_ratio(double beta)
+{
+  return beta * std::sqrt(6. / 5.);
+}
+
+/// Hertz contact, dashpot by the tangent stiffness, no tension [-].
+inline double hertz_restitution(double beta)
+{
+  return oscillator_restitution(hertz_damping_ratio(beta));
+}
+
+/// Linear contact, dashpot 2 beta sqrt(m k), no tension [-].
+inline double linear_restitution(double beta)
+{
+  return oscillator_restitution(beta);
+}
+
+/// F = max(0, C x^n + 2 beta sqrt(m k_n) x'), k_n = n C x^(n - 1): n = 3/2 is
+/// Hertz with the tangent stiffness in the dashpot, n = 1 the linear wall.
+struct NormalLaw
+{
+  double prefactor = 0.; ///< C [N/m^n]
+  double exponent = 1.5; ///< n [-]
+  double damping = 0.;   ///< beta [-]
+  double mass = 0.;      ///< m* [kg]
+
+  double force(double overlap, double closing_rate) const ///< [N]
+  {
+    if (!(overlap > 0.))
+      return 0.;
+    const double elastic = prefactor * std::pow(overlap, exponent);
+    const double stiffness = exponent * elastic / overlap;
+    const double viscous =
+        2. * damping * std::sqrt(mass * stiffness) * closing_rate;
+    return std::max(0., elastic + viscous);
+  }
+};
+
+struct ImpactHistory
+{
+  double peak_overlap = 0.;  ///< [m]
+  double peak_force = 0.;    ///< [N]
+  double duration = 0.;      ///< until the overlap is zero again [s]
+  double rebound_speed = 0.; ///< > 0 [m/s]
+};
+
+/// Central impact by the classical Runge-Kutta method, from touch at `speed`
+/// to separation; the last step is cut at zero overlap.
+inline ImpactHistory integrate_impact(const NormalLaw &law, double speed,
+                                      double time_step)
+{
+  const auto acceleration = [&law](double x, double v)
+  { return -law.force(x, v) / law.mass; };
+  ImpactHistory history;
+  double x = 0., v = speed, time = 0.;
+  do
+  {
+    const double h = time_step;
+    const double a1 = acceleration(x, v), v1 = v;
+    const double v2 = v + 0.5 * h * a1;
+    const double a2 = acceleration(x + 0.5 * h * v1, v2);
+    const double v3 = v + 0.5 * h * a2;
+    const double a3 = acceleration(x + 0.5 * h * v2, v3);
+    const double v4 = v + h * a3;
+    const double a4 = acceleration(x + h * v3, v4);
+    const double old_x = x;
+    x += h / 6. * (v1 + 2. * v2 + 2. * v3 + v4);
+    v += h / 6. * (a1 + 2. * a2 + 2. * a3 + a4);
+    time += x > 0. ? h : h * old_x / (old_x - x);
+    history.peak_overlap = std::max(history.peak_overlap, x);
+    history.peak_force = std::max(history.peak_force, law.force(x, v));
+  } while (x > 0.);
+  history.duration = time;
+  history.rebound_speed = -v;
+  return history;
+}
+
+/// Oblique impact of a solid sphere on a plane while it slides all through:
+/// changes of tangential speed and of spin.
+struct GrossSliding
+{
+  double friction = 0.;     ///< mu [-]
+  double restitution = 1.;  ///< e [-]
+  double normal_speed = 0.; ///< of approach, > 0 [m/s]
+  double radius = 0.;       ///< R [m]
+
+  double tangential_loss() const ///< mu (1 + e) v_n [m/s]
+  {
+    return friction * (1. + restitution) * normal_speed;
+  }
+
+  /// 5/2 mu (1 + e) v_n / R [rad/s].
+  double spin() const { return 2.5 * tangential_loss() / radius; }
+
+  /// The contact point slides to the end if v_t >= 7/2 mu (1 + e) v_n [m/s].
+  double least_tangential_speed() const { return 3.5 * tangential_loss(); }
+};
+
+/// A solid sphere that rolls without slip, with rolling resistance mu_r.
+struct RollingSphere
+{
+  double rolling_friction = 0.; ///< mu_r [-]
+  double gravity = 9.81;        ///< g [m/s^2]
+
+  /// On a level plane: 5/7 mu_r g [m/s^2].
+  double deceleration() const { return 5. / 7. * rolling_friction * gravity; }
+
+  /// Way until rest from v_0: v_0^2 / (2 deceleration) [m].
+  double stop_distance(double speed) const
+  {
+    return 0.5 * speed * speed / deceleration();
+  }
+
+  /// Least friction for rolling without slip on a level plane [-].
+  double needed_friction() const { return 5. / 7. * rolling_friction; }
+
+  /// Down a plane of this angle: 5/7 g cos (tan - mu_r), 0 at rest [m/s^2].
+  double incline_acceleration(double angle) const
+  {
+    return 5. / 7. * gravity * std::cos(angle) *
+           std::max(0., std::tan(angle) - rolling_friction);
+  }
+
+  /// Least friction for rolling down a plane of this angle [-].
+  double needed_incline_friction(double angle) const
+  {
+    return 2. / 7. * std::tan(angle) + 5. / 7. * rolling_friction;
+  }
+};
+
+/// Angular frequencies of the rocking of a sphere on a plane after its stop,
+/// k_r = k_s R^2: lambda^2 - 6 lambda + 5/2 = 0, omega^2 = lambda k_s / m.
+struct RockingModes
+{
+  double slow = 0., fast = 0.; ///< [rad/s]
+};
+
+inline RockingModes rocking_modes(double shear_stiffness, double mass)
+{
+  const double unit = shear_stiffness / mass, root = std::sqrt(6.5);
+  return {std::sqrt((3. - root) * unit), std::sqrt((3. + root) * unit)};
+}
+} // namespace reference
