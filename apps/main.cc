@@ -33,7 +33,9 @@ constexpr std::array<Command, 5> commands = {
       "run the case", run_command, true},
      {"report", "DIR [DIR ...]", "write a self-contained report.html",
       report_command, false},
-     {"shape", "fit MESH --order N --out S.json | info S.json|MESH",
+     {"shape",
+      "fit MESH --order N --out S.json [--max-overhang F] [--unit m|mm|um] "
+      "[--source TEXT] [--licence TEXT] | info S.json|MESH [--unit m|mm|um]",
       "fit and measure stone shapes", shape_command, false}}};
 
 std::string usage()
