@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace fem
 {
@@ -16,12 +17,6 @@ double dot(const Field &a, const Field &b)
   for (std::size_t k = 0; k < a.size(); ++k)
     sum += a[k].dot(b[k]);
   return sum;
-}
-
-void scale(Field &field, std::span<const double> factor)
-{
-  for (std::size_t k = 0; k < field.size(); ++k)
-    field[k] *= factor[k];
 }
 
 /// M^(-1/2), zero where a node is tied.
@@ -46,6 +41,52 @@ Field start_vector(std::size_t n)
       entry(c) = number();
   return field;
 }
+/// Entries of the tridiagonal matrix of the Lanczos iteration so far.
+struct Tridiagonal
+{
+  std::vector<double> diagonal, beside;
+
+  double largest_eigenvalue() const
+  {
+    const auto n = static_cast<Eigen::Index>(diagonal.size());
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(
+        Eigen::Map<const Eigen::VectorXd>(diagonal.data(), n),
+        Eigen::Map<const Eigen::VectorXd>(beside.data(), n - 1),
+        Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().maxCoeff();
+  }
+};
+
+/// Largest eigenvalue of the symmetric operator by Lanczos iteration without
+/// orthogonalisation: copies of an eigenvalue do no harm to the largest one.
+template <typename Operator>
+double largest_eigenvalue(const Operator &apply, Field direction)
+{
+  Tridiagonal matrix;
+  Field before(direction.size(), Eigen::Vector3d::Zero());
+  double length = std::sqrt(dot(direction, direction)), eigenvalue = 0.;
+  int n_still = 0;
+  for (int step = 0; step < 300 && n_still < 5 && length > 0.; ++step)
+  {
+    const double coupling = step == 0 ? 0. : length;
+    if (step > 0)
+      matrix.beside.push_back(coupling);
+    for (Eigen::Vector3d &entry : direction)
+      entry /= length;
+    Field image = apply(direction);
+    matrix.diagonal.push_back(dot(direction, image));
+    for (std::size_t k = 0; k < image.size(); ++k)
+      image[k] -= matrix.diagonal.back() * direction[k] + coupling * before[k];
+    before = std::exchange(direction, std::move(image));
+    length = std::sqrt(dot(direction, direction));
+
+    const double last = std::exchange(eigenvalue, matrix.largest_eigenvalue());
+    const bool is_still = std::abs(eigenvalue - last) <= 1e-6 * eigenvalue;
+    n_still = is_still ? n_still + 1 : 0;
+  }
+  return eigenvalue;
+}
 } // namespace
 
 double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
@@ -53,26 +94,21 @@ double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
                          double pressure)
 {
   const std::vector<double> root = inverse_root(inertia);
-  if (std::all_of(root.begin(), root.end(), [](double r) { return r == 0.; }))
-    return 0.;
-  Field direction = start_vector(positions.size()), scaled;
-  Field image(positions.size());
-  double eigenvalue = 0.;
-  int n_still = 0;
-  for (int step = 0; step < 2000 && n_still < 5; ++step)
+  const auto scale = [&root](Field &field)
   {
-    scaled = direction;
-    scale(scaled, root);
-    apply_tangent(sheet, positions, pressure, scaled, image);
-    scale(image, root);
-    const double last = eigenvalue;
-    eigenvalue = dot(direction, image) / dot(direction, direction);
-    n_still =
-        std::abs(eigenvalue - last) <= 1e-6 * eigenvalue ? n_still + 1 : 0;
-    const double length = std::sqrt(dot(image, image));
-    for (std::size_t k = 0; k < direction.size(); ++k)
-      direction[k] = image[k] / length;
-  }
-  return std::sqrt(std::max(0., eigenvalue));
+    for (std::size_t k = 0; k < field.size(); ++k)
+      field[k] *= root[k];
+  };
+  const auto apply = [&](Field direction)
+  {
+    Field image(direction.size());
+    scale(direction);
+    apply_tangent(sheet, positions, pressure, direction, image);
+    scale(image);
+    return image;
+  };
+  Field start = start_vector(positions.size());
+  scale(start); // nothing on tied nodes
+  return std::sqrt(std::max(0., largest_eigenvalue(apply, start)));
 }
 } // namespace fem

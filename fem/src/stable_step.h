@@ -10,10 +10,10 @@ struct SheetInertia
   std::span<const std::uint8_t> is_tied; ///< these do not move freely
 };
 
-/// Largest eigenfrequency of the tangent with lumped masses [rad/s], by power
-/// iteration on M^(-1/2) K M^(-1/2) with the exact tangent, tension and
-/// pressure included, on the free nodes; 0 if none is free. The Rayleigh
-/// quotient comes from below; it is iterated until it stands still to 1e-6.
+/// Largest eigenfrequency of the tangent with lumped masses [rad/s], by the
+/// Lanczos iteration on M^(-1/2) K M^(-1/2) with the exact tangent, tension and
+/// pressure included, on the free nodes; 0 if none is free. The value comes
+/// from below; it is iterated until it stands still to 1e-6.
 double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
                          std::span<const Eigen::Vector3d> positions,
                          double pressure);

@@ -67,7 +67,7 @@ public:
   /// for any alpha. Throws std::runtime_error when the energy is not finite.
   void end_step(std::span<const Eigen::Vector3d> load, double time_step);
 
-  /// Longest stable step of the membrane alone, 2 / omega_max by power
+  /// Longest stable step of the membrane alone, 2 / omega_max by Lanczos
   /// iteration with the exact tangent (material, tension and pressure) of the
   /// free nodes at the present state [s]; infinite if none is free.
   double stable_time_step() const;
