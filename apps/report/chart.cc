@@ -1,0 +1,342 @@
+#include "report/chart.h"
+
+#include "report/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace spall
+{
+namespace
+{
+// Sizes in px of the view box; text 12 px is 9 pt at a width of 90 mm.
+constexpr double width = 480., plot_height = 250., right = 16., bottom = 46.;
+constexpr double text_width = 6.4, legend_row = 19., legend_key = 26.;
+constexpr const char *font =
+    "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
+    "font-size=\"12\"";
+
+std::string px(double value)
+{
+  std::string text = format_fixed(value, 1);
+  // Paths want a plain minus.
+  if (const auto place = text.find("\u2212"); place != std::string::npos)
+    text.replace(place, std::string("\u2212").size(), "-");
+  return text;
+}
+
+/// Characters, not bytes.
+double width_of(const std::string &text)
+{
+  const auto n = std::count_if(text.begin(), text.end(),
+                               [](char c) { return (c & 0xC0) != 0x80; });
+  return text_width * static_cast<double>(n);
+}
+
+std::string label(double x, double y, const std::string &text,
+                  const std::string &more)
+{
+  return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" " + more + ">" +
+         escape(text) + "</text>\n";
+}
+
+std::string line(double x1, double y1, double x2, double y2,
+                 const std::string &more)
+{
+  return "<path d=\"M" + px(x1) + " " + px(y1) + "L" + px(x2) + " " + px(y2) +
+         "\" " + more + "/>\n";
+}
+
+std::string rectangle(double x, double y, double w, const std::string &colour)
+{
+  return "<rect x=\"" + px(x) + "\" y=\"" + px(y) + "\" width=\"" + px(w) +
+         "\" height=\"22\" fill=\"" + colour + "\"/>\n";
+}
+
+std::string open_svg(double height, const std::string &spoken)
+{
+  return "<svg viewBox=\"0 0 " + px(width) + " " + px(height) +
+         "\" role=\"img\" aria-label=\"" + escape(spoken) + "\" " + font +
+         " fill=\"#222\">\n";
+}
+
+struct Range
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value)
+  {
+    if (!std::isfinite(value))
+      return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+std::vector<std::string> tick_texts(const Axis &axis)
+{
+  // One rounding for the whole axis: 0.1 + 0.2 must not show.
+  const int n_decimals =
+      std::max(0, -static_cast<int>(std::floor(std::log10(axis.step) + 1e-9)));
+  const auto n = std::lround((axis.high - axis.low) / axis.step);
+  std::vector<std::string> texts;
+  for (long k = 0; k <= n; ++k)
+  {
+    const double value = axis.low + static_cast<double>(k) * axis.step;
+    texts.push_back(n_decimals <= 6 && std::abs(axis.high) < 1e7
+                        ? format_fixed(value, n_decimals)
+                        : format(value, 3));
+  }
+  return texts;
+}
+
+/// Where the data go on the page.
+class Frame
+{
+public:
+  explicit Frame(const Chart &chart)
+  {
+    Range x_range, y_range;
+    for (const Curve &curve : chart.curves)
+    {
+      std::for_each(curve.x.begin(), curve.x.end(),
+                    [&](double value) { x_range.add(value); });
+      std::for_each(curve.y.begin(), curve.y.end(),
+                    [&](double value) { y_range.add(value); });
+    }
+    x_axis = nice_axis(x_range.low, x_range.high, 6);
+    y_axis = nice_axis(y_range.low, y_range.high, 5);
+    double widest = 0.;
+    for (const std::string &text : tick_texts(y_axis))
+      widest = std::max(widest, width_of(text));
+    left = widest + 42.;
+  }
+
+  double x(double value) const
+  {
+    return left + (value - x_axis.low) / (x_axis.high - x_axis.low) *
+                      (width - right - left);
+  }
+  double y(double value) const
+  {
+    return top +
+           plot_height * (y_axis.high - value) / (y_axis.high - y_axis.low);
+  }
+  double floor() const { return top + plot_height; }
+
+  Axis x_axis, y_axis;
+  double left = 60., top = 10.;
+};
+
+std::string draw_axes(const Chart &chart, const Frame &frame)
+{
+  std::string out;
+  const std::vector<std::string> x_texts = tick_texts(frame.x_axis),
+                                 y_texts = tick_texts(frame.y_axis);
+  const std::string grid = "stroke=\"#e4e4e4\" stroke-width=\"0.8\"",
+                    ink = "stroke=\"#444\" stroke-width=\"1\" fill=\"none\"";
+  for (std::size_t k = 0; k < y_texts.size(); ++k)
+  {
+    const double y =
+        frame.y(frame.y_axis.low + static_cast<double>(k) * frame.y_axis.step);
+    out += line(frame.left, y, width - right, y, grid);
+    out += label(frame.left - 7., y + 4., y_texts[k], "text-anchor=\"end\"");
+  }
+  for (std::size_t k = 0; k < x_texts.size(); ++k)
+  {
+    const double x =
+        frame.x(frame.x_axis.low + static_cast<double>(k) * frame.x_axis.step);
+    out += line(x, frame.floor(), x, frame.floor() + 4., ink);
+    out += label(x, frame.floor() + 17., x_texts[k], "text-anchor=\"middle\"");
+  }
+  out += line(frame.left, frame.top, frame.left, frame.floor(), ink);
+  out += line(frame.left, frame.floor(), width - right, frame.floor(), ink);
+  const double x_middle = (frame.left + width - right) / 2.,
+               y_middle = frame.top + plot_height / 2.;
+  out += label(x_middle, frame.floor() + 37., chart.x_label,
+               "text-anchor=\"middle\"");
+  out += label(14., y_middle, chart.y_label,
+               "text-anchor=\"middle\" transform=\"rotate(-90 14.0 " +
+                   px(y_middle) + ")\"");
+  return out;
+}
+
+std::string stroke(const Curve &curve)
+{
+  std::string out = "fill=\"none\" stroke=\"" + curve.colour +
+                    "\" stroke-width=\"" + px(curve.line_width) +
+                    "\" stroke-linejoin=\"round\"";
+  if (!curve.dash.empty())
+    out += " stroke-dasharray=\"" + curve.dash + "\"";
+  return out;
+}
+
+/// Points closer than a third of a pixel to the last one are left out.
+std::string draw_line(const Curve &curve, const Frame &frame)
+{
+  std::string path;
+  bool is_pen_down = false;
+  double last_x = 0., last_y = 0.;
+  for (std::size_t k = 0; k < curve.x.size(); ++k)
+  {
+    const double x = frame.x(curve.x[k]), y = frame.y(curve.y[k]);
+    if (!std::isfinite(x) || !std::isfinite(y))
+    {
+      is_pen_down = false;
+      continue;
+    }
+    const bool is_last = k + 1 == curve.x.size();
+    if (is_pen_down && !is_last && std::hypot(x - last_x, y - last_y) < 0.35)
+      continue;
+    path += (is_pen_down ? "L" : "M") + px(x) + " " + px(y);
+    is_pen_down = true;
+    last_x = x;
+    last_y = y;
+  }
+  return path.empty() ? ""
+                      : "<path d=\"" + path + "\" " + stroke(curve) + "/>\n";
+}
+
+std::string draw_marker(double x, double y, const Curve &curve)
+{
+  const std::string place = "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) +
+                            "\" r=\"" + px(curve.marker_size);
+  if (curve.marker == Marker::ring)
+    return place + "\" fill=\"#fff\" stroke=\"" + curve.colour +
+           "\" stroke-width=\"0.9\"/>\n";
+  return place + "\" fill=\"" + curve.colour + "\"/>\n";
+}
+
+std::string draw_curve(const Curve &curve, const Frame &frame)
+{
+  std::string out;
+  if (curve.line_width > 0.)
+    out += draw_line(curve, frame);
+  if (curve.marker == Marker::none)
+    return out;
+  for (std::size_t k = 0; k < curve.x.size(); ++k)
+    if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]))
+      out += draw_marker(frame.x(curve.x[k]), frame.y(curve.y[k]), curve);
+  return out;
+}
+
+/// Places the entries row by row from `left`; moves the top of the plot down.
+std::string draw_legend(const Chart &chart, Frame &frame)
+{
+  const auto n_named =
+      std::count_if(chart.curves.begin(), chart.curves.end(),
+                    [](const Curve &c) { return !c.name.empty(); });
+  if (n_named < 2)
+    return "";
+  std::string out;
+  double x = frame.left, y = 12.;
+  for (const Curve &curve : chart.curves)
+  {
+    if (curve.name.empty())
+      continue;
+    const double entry = legend_key + width_of(curve.name) + 16.;
+    if (x > frame.left && x + entry - 16. > width - right)
+    {
+      x = frame.left;
+      y += legend_row;
+    }
+    if (curve.line_width > 0.)
+      out += line(x, y, x + legend_key - 6., y, stroke(curve));
+    if (curve.marker != Marker::none)
+      out += draw_marker(x + (legend_key - 6.) / 2., y, curve);
+    out += label(x + legend_key, y + 4., curve.name, "");
+    x += entry;
+  }
+  frame.top = y + 16.;
+  return out;
+}
+} // namespace
+
+Axis nice_axis(double low, double high, int n)
+{
+  if (!(low <= high))
+    return {};
+  // Round-off of a constant is no variation.
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (high - low <= 1e-9 * size || high == low)
+  {
+    const double margin = size > 0. ? 0.1 * size : 1.;
+    low -= margin;
+    high += margin;
+  }
+  if (low > 0. && low < 0.4 * high)
+    low = 0.;
+  if (high < 0. && high > 0.4 * low)
+    high = 0.;
+  const double rough = (high - low) / n;
+  const double decade = std::pow(10., std::floor(std::log10(rough)));
+  const double digit = rough / decade;
+  const double step = decade * (digit <= 1.1   ? 1.
+                                : digit <= 2.2 ? 2.
+                                : digit <= 5.5 ? 5.
+                                               : 10.);
+  return {std::floor(low / step + 1e-6) * step,
+          std::ceil(high / step - 1e-6) * step, step};
+}
+
+std::string palette_colour(std::size_t k)
+{
+  static const std::array<std::string, 8> colours{
+      "#0072B2", "#D55E00", "#009E73", "#CC79A7",
+      "#E69F00", "#56B4E9", "#222222", "#8C6D31"};
+  return colours[k % colours.size()];
+}
+
+std::string palette_dash(std::size_t k)
+{
+  static const std::array<std::string, 4> dashes{"", "7 3", "2 2.5", "8 3 2 3"};
+  return dashes[k % dashes.size()];
+}
+
+std::string draw(const Chart &chart)
+{
+  Frame frame(chart);
+  const std::string legend = draw_legend(chart, frame);
+  std::string out = open_svg(frame.floor() + bottom, chart.caption);
+  out += draw_axes(chart, frame);
+  for (const Curve &curve : chart.curves)
+    out += draw_curve(curve, frame);
+  return out + legend + "</svg>\n";
+}
+
+std::string draw(const ShareBar &bar)
+{
+  const bool has_names = bar.rows.size() > 1;
+  const double row_height = has_names ? 46. : 30.;
+  std::string out = open_svg(static_cast<double>(bar.rows.size()) * row_height,
+                             "Shares of the wall-clock time");
+  for (std::size_t row = 0; row < bar.rows.size(); ++row)
+  {
+    double total = 0., x = 0.;
+    for (const double value : bar.values[row])
+      total += std::isfinite(value) ? value : 0.;
+    double y = static_cast<double>(row) * row_height + 4.;
+    if (has_names)
+      out += label(0., y + 10., bar.rows[row], "");
+    y += has_names ? 16. : 0.;
+    for (std::size_t k = 0; k < bar.values[row].size() && total > 0.; ++k)
+    {
+      const double value = bar.values[row][k];
+      if (!std::isfinite(value) || value <= 0.)
+        continue;
+      out += rectangle(x, y, width * value / total, palette_colour(k));
+      x += width * value / total;
+    }
+  }
+  return out + "</svg>\n";
+}
+
+std::string svg_file(const std::string &element)
+{
+  // Only a file needs the name space; a page must not name any address.
+  const std::string root = "<svg ";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + root +
+         "xmlns=\"http://www.w3.org/2000/svg\" " + element.substr(root.size());
+}
+} // namespace spall

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+enum class Marker
+{
+  none,
+  dot,
+  ring
+};
+
+/// Points of a chart in the units of its axes; a NaN interrupts the line.
+struct Curve
+{
+  std::string name; ///< in the legend; empty: not there
+  std::vector<double> x, y;
+  std::string colour = "#0072B2";
+  std::string dash = "";   ///< SVG stroke-dasharray; empty: solid
+  double line_width = 1.6; ///< 0: no line [px]
+  Marker marker = Marker::none;
+  double marker_size = 2.7; ///< radius [px]
+};
+
+/// One figure: axes, curves, a legend above if there is more than one name.
+struct Chart
+{
+  std::string id;      ///< file name without ending
+  std::string caption; ///< full sentences
+  std::string x_label = "", y_label = "";
+  std::vector<Curve> curves = {};
+  std::vector<std::string> notes = {}; ///< why something is not drawn
+};
+
+/// Ticks of one axis: low, low + step, ..., high.
+struct Axis
+{
+  double low = 0., high = 1., step = 0.2;
+};
+
+/// The smallest axis with about n steps of 1, 2 or 5 times a power of ten
+/// that covers the range. Zero is included where that costs little.
+Axis nice_axis(double low, double high, int n);
+
+/// Colour-blind safe (Okabe and Ito), told apart by the dashes in print.
+std::string palette_colour(std::size_t k);
+std::string palette_dash(std::size_t k);
+
+/// An <svg> element for use inside a page; real text, no references.
+std::string draw(const Chart &chart);
+
+/// A horizontal bar of the shares of a whole, one row per name.
+struct ShareBar
+{
+  std::vector<std::string> rows;
+  std::vector<std::string> parts;
+  std::vector<std::vector<double>> values; ///< [row][part], any unit
+};
+std::string draw(const ShareBar &bar);
+
+/// The same element as a file of its own.
+std::string svg_file(const std::string &element);
+} // namespace spall
