@@ -38,14 +38,17 @@ bool comes_nearer(const FacetSurface &surface, std::int32_t triangle,
                   const Vec3 &point, const Vec3 &x)
 {
   const Vec3 to_centre = x - point;
-  const double distance = to_centre.norm(), size = point.norm();
   for (const Vec3 &corner : corners(surface, triangle))
   {
     const Vec3 arm = corner - point;
-    const double length = arm.norm();
-    const double limit = right_angle * distance * length +
-                         round_off * (size + length) * (distance + length);
-    if (arm.dot(to_centre) > limit)
+    const double rise = arm.dot(to_centre);
+    if (rise <= 0.) // most of them: no root needed
+      continue;
+    const double distance = to_centre.norm(), length = arm.norm();
+    const double limit =
+        right_angle * distance * length +
+        round_off * (point.norm() + length) * (distance + length);
+    if (rise > limit)
       return true;
   }
   return false;
