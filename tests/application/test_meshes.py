@@ -27,7 +27,7 @@ def box_triangles(n_missing=0):
 def torus_triangles():
     """Closed, but its centroid is outside: not star-shaped."""
     def at(i, j):
-        u, v = 2 * math.pi * i / 24, 2 * math.pi * j / 12
+        u, v = 2 * math.pi * (i % 24) / 24, 2 * math.pi * (j % 12) / 12
         r = 2 + 0.7 * math.cos(v)
         return (r * math.cos(u), r * math.sin(u), 0.7 * math.sin(v))
     triangles = []
