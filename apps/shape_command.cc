@@ -19,9 +19,14 @@ namespace spall
 namespace
 {
 constexpr const char *usage =
-    "shape: needs fit MESH --order N --out S.json [--max-overhang F] "
+    "needs fit MESH --order N --out S.json [--max-overhang F] "
     "[--unit m|mm|um] [--source TEXT] [--licence TEXT], or info S.json|MESH "
     "[--unit m|mm|um]";
+
+[[noreturn]] void fail_usage(const std::string &what = "")
+{
+  throw InputError("shape: " + what + usage);
+}
 
 struct ShapeWords
 {
@@ -108,7 +113,7 @@ ShapeWords parse(Words words)
                        "\" is one word too many: one file at a time");
   }
   if (parsed.file.empty())
-    throw InputError(usage);
+    fail_usage();
   return parsed;
 }
 
@@ -176,7 +181,7 @@ void print_fit(const dem::ShapeFit &fit)
 int fit_command(const ShapeWords &words)
 {
   if (words.out.empty() || !words.has_order)
-    throw InputError(usage);
+    fail_usage();
   const dem::ShapeFit fit = fit_file(words, words.max_overhang);
   ShapeFile shape;
   shape.order = words.order;
@@ -196,7 +201,7 @@ int fit_command(const ShapeWords &words)
 int info_command(const ShapeWords &words)
 {
   if (!words.out.empty())
-    throw InputError(usage);
+    fail_usage();
   if (std::filesystem::path(words.file).extension() == ".json")
   {
     if (words.has_unit || words.has_order)
@@ -219,7 +224,7 @@ int info_command(const ShapeWords &words)
 int shape_command(Words words)
 {
   if (words.empty() || (words[0] != "fit" && words[0] != "info"))
-    throw InputError(usage);
+    fail_usage(words.empty() ? "" : words[0] + " is unknown, ");
   const ShapeWords parsed = parse(words.subspan(1));
   return words[0] == "fit" ? fit_command(parsed) : info_command(parsed);
 }

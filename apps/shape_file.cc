@@ -18,8 +18,7 @@ namespace
 {
 using Json = nlohmann::json;
 
-constexpr const char *convention =
-    "real orthonormal, no Condon-Shortley phase, j = n (n + 1) + m";
+constexpr const char *convention = "real orthonormal, no Condon-Shortley";
 
 [[noreturn]] void fail(const std::string &path, const std::string &what)
 {
@@ -73,9 +72,9 @@ std::string optional_text(const std::string &path, const Json &json,
 int read_order(const std::string &path, const Json &json)
 {
   const Json &value = entry(path, json, "order");
-  if (!value.is_number_integer() || value.get<std::int64_t>() < 1 ||
+  if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
       value.get<std::int64_t>() > dem::max_order)
-    fail(path, "order is " + value.dump() + ", must be a whole number 1 .. " +
+    fail(path, "order is " + value.dump() + ", must be a whole number 0 .. " +
                    std::to_string(dem::max_order));
   return value.get<int>();
 }
@@ -83,9 +82,9 @@ int read_order(const std::string &path, const Json &json)
 void require_convention(const std::string &path, const Json &json)
 {
   const std::string given = text(path, json, "convention");
-  if (given != convention)
-    fail(path,
-         "convention is \"" + given + "\", must be \"" + convention + "\"");
+  if (!given.starts_with(convention))
+    fail(path, "convention is \"" + given + "\", must begin with \"" +
+                   convention + "\"");
 }
 
 dem::Coefficients read_coefficients(const std::string &path, const Json &json,
@@ -172,8 +171,8 @@ void write_shape(const std::string &path, const ShapeFile &shape)
 {
   std::ofstream out(path);
   out << "{\n  \"name\": " << Json(shape.name).dump()
-      << ",\n  \"order\": " << shape.order
-      << ",\n  \"convention\": " << Json(convention).dump()
+      << ",\n  \"order\": " << shape.order << ",\n  \"convention\": "
+      << Json(std::string(convention) + " phase, j = n (n + 1) + m").dump()
       << ",\n  \"unit\": \"m\",\n  \"source\": " << Json(shape.source).dump()
       << ",\n  \"licence\": " << Json(shape.licence).dump()
       << ",\n  \"coefficients\": [\n"
