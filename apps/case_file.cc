@@ -66,7 +66,7 @@ std::string get(dealii::ParameterHandler &handler, const std::string &section,
                 const std::string &key)
 {
   handler.enter_subsection(section);
-  const std::string value = handler.get(key);
+  std::string value = handler.get(key);
   handler.leave_subsection();
   return value;
 }
