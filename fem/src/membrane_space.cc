@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace fem
@@ -251,8 +252,11 @@ void MembraneSpace::write_vtu(const std::string &path, const Sheet &sheet,
   dealii::DataOutBase::VtkFlags flags;
   flags.print_date_and_time = false; // equal runs write equal files
   output.set_flags(flags);
-  std::ofstream file(path);
-  output.write_vtu(file);
+  // deal.II answers a bad stream with a page of text, so it gets a good one.
+  std::ostringstream text;
+  output.write_vtu(text);
+  std::ofstream file(path, std::ios::binary);
+  file << text.view();
   file.close();
   if (!file)
     throw std::runtime_error("cannot write " + path);

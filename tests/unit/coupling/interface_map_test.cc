@@ -1,0 +1,150 @@
+#include "flat_mesh.h"
+
+#include <coupling/interface_map.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace
+{
+using Vector = Eigen::Vector3d;
+
+fem::SurfaceMesh small_box()
+{
+  return fem::box_sides({0., 0., 0.}, {0.1, 0.08, 0.12}, {3, 2, 4});
+}
+
+/// Each quad starts at another corner, all nodes have other numbers.
+fem::SurfaceMesh renumbered(const fem::SurfaceMesh &mesh, unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  std::vector<std::int32_t> number(mesh.nodes.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::shuffle(number.begin(), number.end(), generator);
+  fem::SurfaceMesh out = mesh;
+  for (std::size_t k = 0; k < number.size(); ++k)
+    out.nodes[static_cast<std::size_t>(number[k])] = mesh.nodes[k];
+  for (auto &quad : out.quads)
+  {
+    for (std::int32_t &node : quad)
+      node = number[static_cast<std::size_t>(node)];
+    std::rotate(quad.begin(), quad.begin() + generator() % 4, quad.end());
+  }
+  std::shuffle(out.quads.begin(), out.quads.end(), generator);
+  return out;
+}
+
+/// A membrane in the midst of some motion.
+void shake(fem::Membrane &membrane, unsigned int seed)
+{
+  membrane.set_positions(support::shaken(membrane.mesh().nodes, 0.005, seed));
+  const auto kick = support::random_vectors(membrane.n_nodes(), 1., seed + 1);
+  for (int step = 0; step < 3; ++step)
+  {
+    membrane.begin_step(1e-5);
+    membrane.end_step(kick, 1e-5);
+  }
+}
+
+// T^t f on one side, T x and T v on the other: equal up to the round-off of
+// some 70 terms, for any motion, load and numbering.
+TEST(InterfaceMap, ForceMomentAndPowerBalance)
+{
+  for (unsigned int seed = 0; seed < 8; ++seed)
+  {
+    const fem::SurfaceMesh mesh =
+        seed == 0 ? small_box() : renumbered(small_box(), seed);
+    fem::Membrane membrane(fem::MembraneParameters(), mesh);
+    const coupling::InterfaceMap map(membrane);
+    dem::FacetSurface surface = map.make_surface(membrane);
+    shake(membrane, 10 * seed);
+    map.send_motion(membrane, surface);
+    surface.load =
+        support::random_vectors(surface.position.size(), 1e4, seed + 50);
+    std::vector<Vector> nodal_load(3, Vector::Ones()); // to be overwritten
+    map.collect_load(surface, nodal_load);
+    const coupling::InterfaceBalance balance =
+        coupling::check_balance(surface, membrane, nodal_load);
+    EXPECT_LT(balance.force_error, 1e-15);
+    EXPECT_LT(balance.moment_error, 1e-15);
+    EXPECT_LT(balance.power_error, 1e-15);
+  }
+}
+
+TEST(InterfaceMap, BalanceSeesAWrongLoad)
+{
+  fem::Membrane membrane(fem::MembraneParameters(), small_box());
+  const coupling::InterfaceMap map(membrane);
+  dem::FacetSurface surface = map.make_surface(membrane);
+  shake(membrane, 4);
+  map.send_motion(membrane, surface);
+  surface.load = support::random_vectors(surface.position.size(), 1., 7);
+  std::vector<Vector> load;
+  map.collect_load(surface, load);
+  std::swap(load[11], load[12]); // the sum of forces stays
+  const coupling::InterfaceBalance balance =
+      coupling::check_balance(surface, membrane, load);
+  EXPECT_LT(balance.force_error, 1e-15);
+  EXPECT_GT(balance.moment_error, 1e-4);
+  EXPECT_GT(balance.power_error, 1e-4);
+  load[3] *= 1.01;
+  EXPECT_GT(coupling::check_balance(surface, membrane, load).force_error, 1e-5);
+  load.pop_back();
+  EXPECT_THROW(coupling::check_balance(surface, membrane, load),
+               std::invalid_argument);
+}
+
+TEST(InterfaceMap, NoLoadIsNoError)
+{
+  const fem::Membrane membrane(fem::MembraneParameters(), small_box());
+  const coupling::InterfaceMap map(membrane);
+  const dem::FacetSurface surface = map.make_surface(membrane);
+  std::vector<Vector> load;
+  map.collect_load(surface, load);
+  EXPECT_EQ(coupling::check_balance(surface, membrane, load).moment_error, 0.);
+  load[0].x() = 1.;
+  EXPECT_TRUE(
+      std::isinf(coupling::check_balance(surface, membrane, load).force_error));
+}
+
+TEST(InterfaceMap, SurfaceCoversTheQuadsAndFacesOutwards)
+{
+  const fem::Membrane membrane(fem::MembraneParameters(), small_box());
+  const dem::FacetSurface surface =
+      coupling::InterfaceMap(membrane).make_surface(membrane);
+  const Vector middle(0.05, 0.04, 0.06);
+  ASSERT_EQ(surface.triangles.size(), 4 * membrane.mesh().quads.size());
+  double area = 0.;
+  for (const auto &triangle : surface.triangles)
+  {
+    const auto x = [&](std::size_t v)
+    { return surface.position[static_cast<std::size_t>(triangle[v])]; };
+    const Vector twice = (x(1) - x(0)).cross(x(2) - x(0));
+    EXPECT_GT(twice.dot(x(0) - middle), 0.);
+    area += 0.5 * twice.norm();
+  }
+  EXPECT_NEAR(area, 2. * (0.1 + 0.08) * 0.12, 1e-15);
+  EXPECT_EQ(surface.load.size(), surface.position.size());
+  EXPECT_EQ(surface.velocity.size(), surface.position.size());
+}
+
+// 1 / M = sum w^2 / m: four nodes of weight 1/4 and mass m weigh 4 m.
+TEST(InterfaceMap, MassesForTheDashpot)
+{
+  fem::Membrane membrane(fem::MembraneParameters(),
+                         support::flat_square(0.1, 4));
+  membrane.tie(support::square_rim(4));
+  const dem::FacetSurface surface =
+      coupling::InterfaceMap(membrane).make_surface(membrane);
+  const double m = 1100. * 1e-3 * 0.025 * 0.025;
+  ASSERT_EQ(surface.mass.size(), 25u + 16u);
+  EXPECT_TRUE(std::isinf(surface.mass[0]));
+  EXPECT_NEAR(surface.mass[12], m, 1e-12 * m);
+  EXPECT_NEAR(surface.mass[25], 16. * m, 1e-12 * m) << "one free corner";
+  EXPECT_NEAR(surface.mass[26], 8. * m, 1e-12 * m) << "two free corners";
+  EXPECT_NEAR(surface.mass[30], 4. * m, 1e-12 * m) << "four free corners";
+}
+} // namespace

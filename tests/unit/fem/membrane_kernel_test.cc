@@ -1,0 +1,247 @@
+#include "enclosed_volume.h"
+#include "flat_mesh.h"
+#include "membrane_kernel.h"
+#include "membrane_space.h"
+#include "stable_step.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using Vector = Eigen::Vector3d;
+using Field = std::vector<Vector>;
+
+constexpr double modulus = 1.4e6, poisson = 0.45, thickness = 1e-3;
+
+fem::Sheet make_sheet(const fem::SurfaceMesh &mesh)
+{
+  fem::Sheet sheet = fem::MembraneSpace(mesh).make_sheet();
+  sheet.material = {modulus * thickness / (1. - poisson * poisson), poisson};
+  return sheet;
+}
+
+fem::SheetForces forces(const fem::Sheet &sheet, const Field &positions)
+{
+  fem::SheetForces out;
+  fem::evaluate_forces(sheet, positions, out);
+  return out;
+}
+
+double dot(const Field &a, const Field &b)
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    sum += a[k].dot(b[k]);
+  return sum;
+}
+
+Field along(const Field &x, double step, const Field &direction)
+{
+  Field out = x;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    out[k] += step * direction[k];
+  return out;
+}
+
+Eigen::Matrix3d some_rotation()
+{
+  return Eigen::AngleAxisd(1.1, Vector(1., -2., 0.5).normalized())
+      .toRotationMatrix();
+}
+
+/// A square of side 1 m with its inner nodes shaken in the plane.
+struct Patch
+{
+  static constexpr int n = 5;
+  fem::SurfaceMesh mesh = support::flat_square(1., n);
+
+  Patch()
+  {
+    const Field shaken = support::shaken(mesh.nodes, 0.05, 3);
+    for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
+      if (!is_on_rim(k))
+        mesh.nodes[k].head<2>() = shaken[k].head<2>();
+  }
+  static bool is_on_rim(std::size_t k)
+  {
+    const std::size_t i = k % (n + 1), j = k / (n + 1);
+    return i == 0 || j == 0 || i == n || j == n;
+  }
+};
+
+// Uniform stretches l1, l2 in a plane turned in space: P11 = l1 S11 with
+// S11 = E h / (1 - nu^2) (E11 + nu E22), E11 = (l1^2 - 1) / 2. Bilinear quads
+// reproduce it whatever their shape, so only round-off is allowed.
+TEST(MembraneKernel, PatchTest)
+{
+  const Patch patch;
+  const fem::Sheet sheet = make_sheet(patch.mesh);
+  const double l1 = 1.3, l2 = 0.95;
+  const Eigen::Matrix3d rotation = some_rotation();
+  Field x;
+  for (const Vector &node : patch.mesh.nodes)
+    x.push_back(rotation * Vector(l1 * node.x(), l2 * node.y(), 0.) +
+                Vector(3., 4., 5.));
+  const fem::SheetForces f = forces(sheet, x);
+
+  const double e1 = 0.5 * (l1 * l1 - 1.), e2 = 0.5 * (l2 * l2 - 1.);
+  const double c = modulus * thickness / (1. - poisson * poisson);
+  const double s1 = c * (e1 + poisson * e2), s2 = c * (e2 + poisson * e1);
+  Vector pull = Vector::Zero();
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    if (!Patch::is_on_rim(k))
+    {
+      EXPECT_LT(f.internal[k].norm(), 1e-12 * c);
+    }
+    if (k % (Patch::n + 1) == Patch::n)
+      pull += f.internal[k];
+  }
+  EXPECT_LT((pull + rotation * Vector(l1 * s1, 0., 0.)).norm(), 1e-12 * c);
+  const double energy = 0.5 * (s1 * e1 + s2 * e2);
+  EXPECT_NEAR(f.strain_energy, energy, 1e-12 * energy);
+  for (std::size_t k = 0; k < sheet.elements.size(); ++k)
+  {
+    const fem::SheetState state = fem::element_state(sheet, k, x);
+    EXPECT_NEAR(state.area_ratio, l1 * l2, 1e-12);
+    EXPECT_NEAR(state.energy_density, energy, 1e-12 * energy);
+    EXPECT_NEAR(state.tension, 0.5 * (l1 / l2 * s1 + l2 / l1 * s2), 1e-12 * c);
+  }
+}
+
+// Shear x = X + g Y: E12 = g / 2, E22 = g^2 / 2; S12 = E h / (1 + nu) E12.
+TEST(MembraneKernel, SimpleShear)
+{
+  const Patch patch;
+  const fem::Sheet sheet = make_sheet(patch.mesh);
+  const double g = 0.2;
+  Field x = patch.mesh.nodes;
+  for (Vector &node : x)
+    node.x() += g * node.y();
+  const double s12 = modulus * thickness / (1. + poisson) * 0.5 * g;
+  const double s22 =
+      modulus * thickness / (1. - poisson * poisson) * 0.5 * g * g;
+  const double energy = s12 * 0.5 * g + 0.5 * s22 * 0.5 * g * g;
+  EXPECT_NEAR(forces(sheet, x).strain_energy, energy, 1e-12 * energy);
+}
+
+TEST(MembraneKernel, RigidMotionGivesNoForce)
+{
+  const fem::SurfaceMesh mesh = fem::cylinder_side(0.1, 0.2, 16, 6);
+  const fem::Sheet sheet = make_sheet(mesh);
+  Field x;
+  for (const Vector &node : mesh.nodes)
+    x.push_back(some_rotation() * node + Vector(1., -2., 3.));
+  const fem::SheetForces f = forces(sheet, x);
+  // Round-off of F is 1e-16 of the coordinates (3 m) over the quads (3 cm).
+  for (const Vector &force : f.internal)
+    EXPECT_LT(force.norm(), 1e-12 * modulus * thickness * 0.03);
+  EXPECT_LT(f.strain_energy, 1e-20);
+}
+
+class DeformedTube : public testing::Test
+{
+protected:
+  const fem::SurfaceMesh mesh = fem::cylinder_side(0.1, 0.2, 14, 5);
+  const fem::Sheet sheet = make_sheet(mesh);
+  const Field x = support::shaken(mesh.nodes, 0.01, 5);
+  const Field d = support::random_vectors(mesh.nodes.size(), 1., 6);
+  /// The energy is a polynomial of degree four: over a step of 1e-5 m, 2e-4 of
+  /// a quad, central differences err by the square of that.
+  static constexpr double step = 1e-5, tolerance = 1e-6;
+};
+
+TEST_F(DeformedTube, ForceIsDerivativeOfEnergy)
+{
+  const double slope = (forces(sheet, along(x, step, d)).strain_energy -
+                        forces(sheet, along(x, -step, d)).strain_energy) /
+                       (2. * step);
+  EXPECT_NEAR(-dot(forces(sheet, x).internal, d), slope,
+              tolerance * std::abs(slope));
+}
+
+TEST_F(DeformedTube, AreaIsDerivativeOfVolume)
+{
+  // With the rims at rest the lids do not change.
+  Field inner = d;
+  for (const double z : {0., 0.2})
+    for (const std::int32_t node : fem::nodes_at_height(mesh, z, 1e-9))
+      inner[static_cast<std::size_t>(node)].setZero();
+  const auto rims = fem::find_rims(mesh);
+  EXPECT_EQ(rims.size(), 2u);
+  const double slope =
+      (fem::enclosed_volume(mesh, rims, along(x, step, inner)) -
+       fem::enclosed_volume(mesh, rims, along(x, -step, inner))) /
+      (2. * step);
+  EXPECT_NEAR(dot(forces(sheet, x).area, inner), slope,
+              tolerance * std::abs(slope));
+}
+
+TEST_F(DeformedTube, TangentIsDerivativeOfForce)
+{
+  const double pressure = 3e4;
+  Field tangent(x.size());
+  fem::apply_tangent(sheet, x, pressure, d, tangent);
+  const fem::SheetForces after = forces(sheet, along(x, step, d));
+  const fem::SheetForces before = forces(sheet, along(x, -step, d));
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    const Vector change = (after.internal[k] - before.internal[k]) -
+                          pressure * (after.area[k] - before.area[k]);
+    EXPECT_LT((tangent[k] + change / (2. * step)).norm(),
+              tolerance * modulus * thickness);
+  }
+}
+
+TEST_F(DeformedTube, ForcesHaveNoResultantAndNoMoment)
+{
+  Vector force = Vector::Zero(), moment = Vector::Zero();
+  double scale = 0.;
+  const fem::SheetForces f = forces(sheet, x);
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    force += f.internal[k];
+    moment += x[k].cross(f.internal[k]);
+    scale += f.internal[k].norm();
+  }
+  EXPECT_LT(force.norm(), 1e-14 * scale);
+  EXPECT_LT(moment.norm(), 1e-14 * scale);
+}
+
+TEST_F(DeformedTube, LargestFrequencyMatchesDenseEigenvalues)
+{
+  // Tied rims: then the load stiffness is symmetric, as Lanczos wants it.
+  std::vector<double> mass = fem::MembraneSpace(mesh).nodal_area();
+  for (double &m : mass)
+    m *= 1100. * thickness;
+  std::vector<std::uint8_t> is_tied(x.size(), 0);
+  for (const double z : {0., 0.2})
+    for (const std::int32_t node : fem::nodes_at_height(mesh, z, 1e-9))
+      is_tied[static_cast<std::size_t>(node)] = 1;
+
+  const double pressure = 1e4;
+  const auto n = static_cast<Eigen::Index>(3 * x.size());
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
+  Field column(x.size());
+  for (Eigen::Index j = 0; j < n; ++j)
+  {
+    const auto to = static_cast<std::size_t>(j / 3);
+    if (is_tied[to])
+      continue;
+    Field unit(x.size(), Vector::Zero());
+    unit[to](j % 3) = 1. / std::sqrt(mass[to]);
+    fem::apply_tangent(sheet, x, pressure, unit, column);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (!is_tied[k])
+        dense.block<3, 1>(static_cast<Eigen::Index>(3 * k), j) =
+            column[k] / std::sqrt(mass[k]);
+  }
+  EXPECT_LT((dense - dense.transpose()).norm(), 1e-12 * dense.norm());
+  const double exact =
+      std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense)
+                    .eigenvalues()
+                    .maxCoeff());
+  EXPECT_NEAR(fem::largest_frequency(sheet, {mass, is_tied}, x, pressure),
+              exact, 1e-4 * exact);
+}
+} // namespace
