@@ -31,8 +31,8 @@ constexpr std::array<Command, 5> commands = {
       "CASE.prm [--out DIR] [--threads N] [--resume] [--set Section/key=value "
       "...]",
       "run the case", run_command, true},
-     {"report", "DIR [DIR ...]", "write a self-contained report.html",
-      report_command, false},
+     {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
+      "write a self-contained report.html", report_command, false},
      {"shape",
       "fit MESH --order N --out S.json [--max-overhang F] [--unit m|mm|um] "
       "[--source TEXT] [--licence TEXT] | info S.json|MESH [--unit m|mm|um]",

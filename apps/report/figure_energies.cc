@@ -46,7 +46,7 @@ double largest_energy(const RunData &run)
   double size = 0.;
   for (const EnergyTerm &term : energy_terms)
     if (const Column *energy = run.loading.find(term.column))
-      size = std::max(size, largest(*energy));
+      size = std::max(size, largest(since_start(*energy)));
   return size;
 }
 
@@ -61,9 +61,12 @@ void add_energies(const RunData &run, double above, double up_to, Chart &chart)
   for (std::size_t k = 0; k < std::size(energy_terms); ++k)
   {
     const Column *energy = run.loading.find(energy_terms[k].column);
-    if (!energy || largest(*energy) <= above || largest(*energy) > up_to)
+    if (!energy)
       continue;
-    Curve curve{energy_terms[k].name, *cycle, scaled(*energy, unit.factor)};
+    const Column change = since_start(*energy);
+    if (largest(change) <= above || largest(change) > up_to)
+      continue;
+    Curve curve{energy_terms[k].name, *cycle, scaled(change, unit.factor)};
     curve.colour = k == 0 ? "#222222" : palette_colour(k - 1);
     curve.dash = k > 6 ? palette_dash(1) : "";
     curve.line_width = k == 0 ? 2. : 1.5;
@@ -82,10 +85,10 @@ std::vector<Chart> energy_charts(std::span<const RunData> runs)
         runs, k,
         {"energies",
          "Energies and work as booked by the ledger: the large terms."});
-    Chart small = chart_of_run(
-        runs, k,
-        {"small_energies",
-         "Energies and work as booked by the ledger: the small terms."});
+    Chart small =
+        chart_of_run(runs, k,
+                     {"small_energies", "Work and changes of energy since the "
+                                        "start of loading: the small terms."});
     add_energies(runs[k], small_share * size, size, large);
     add_energies(runs[k], 0., small_share * size, small);
     if (large.curves.empty())
@@ -99,7 +102,7 @@ Chart residual_chart(std::span<const RunData> runs)
 {
   Chart chart{"energy_residual",
               "Residual of the energy ledger over the largest external work "
-              "so far.",
+              "so far, both since the start of loading.",
               cycle_label,
               "Energy residual (%)",
               {},
@@ -108,21 +111,23 @@ Chart residual_chart(std::span<const RunData> runs)
   {
     const Table &loading = runs[k].loading;
     const Column *cycle = find_or_note(loading, "cycle_1", runs[k], chart);
-    const Column *work =
+    const Column *external =
         find_or_note(loading, "external_work_J", runs[k], chart);
-    const Column *residual =
+    const Column *booked =
         find_or_note(loading, "energy_residual_J", runs[k], chart);
-    if (!cycle || !work || !residual)
+    if (!cycle || !external || !booked)
       continue;
+    const Column work = since_start(*external), residual = since_start(*booked);
     Curve curve = run_curve(runs, k);
     curve.x = *cycle;
+    // The first rows divide nothing by nothing.
+    const double smallest = 0.02 * largest(work);
     double size = 0.;
-    for (std::size_t row = 0; row < work->size(); ++row)
+    for (std::size_t row = 0; row < work.size(); ++row)
     {
-      size = std::max(size, std::abs((*work)[row]));
-      // The first rows divide nothing by nothing.
-      curve.y.push_back(size > 0.02 * largest(*work)
-                            ? 100. * (*residual)[row] / size
+      size = std::max(size, std::abs(work[row]));
+      curve.y.push_back(size > smallest
+                            ? 100. * residual[row] / size
                             : std::numeric_limits<double>::quiet_NaN());
     }
     chart.curves.push_back(curve);

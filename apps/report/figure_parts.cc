@@ -21,6 +21,14 @@ Column picked(const Column &values, const std::vector<std::size_t> &rows)
   return out;
 }
 
+Column since_start(const Column &values)
+{
+  Column out(values);
+  for (double &value : out)
+    value -= values.front();
+  return out;
+}
+
 double largest(const Column &values)
 {
   double out = 0.;

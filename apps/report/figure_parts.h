@@ -22,6 +22,9 @@ std::vector<Chart> event_charts(std::span<const RunData> runs);
 Column scaled(const Column &values, double factor);
 Column picked(const Column &values, const std::vector<std::size_t> &rows);
 
+/// Differences to the first value, which is the start of loading.
+Column since_start(const Column &values);
+
 /// Largest absolute value; NaN is left out.
 double largest(const Column &values);
 
