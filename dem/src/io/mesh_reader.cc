@@ -1,3 +1,5 @@
+#include "ply_reader.h"
+
 #include <dem/io/mesh_reader.h>
 
 #include <vtkCellArray.h>
@@ -5,7 +7,6 @@
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkObject.h>
-#include <vtkPLYReader.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
@@ -71,39 +72,52 @@ vtkSmartPointer<vtkPolyData> read_with(const std::string &path)
   return triangles->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> read_surface(const std::string &path)
+TriangleMesh mesh_of(vtkPolyData &surface)
+{
+  TriangleMesh mesh;
+  for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface.GetPoint(i, p);
+    mesh.points.emplace_back(p[0], p[1], p[2]);
+  }
+  vtkNew<vtkIdList> corners;
+  vtkCellArray *cells = surface.GetPolys();
+  for (cells->InitTraversal(); cells->GetNextCell(corners);)
+    mesh.triangles.push_back({std::int32_t(corners->GetId(0)),
+                              std::int32_t(corners->GetId(1)),
+                              std::int32_t(corners->GetId(2))});
+  return mesh;
+}
+
+TriangleMesh read_by_ending(const std::string &path)
 {
   const std::string ending = ending_of(path);
   if (ending == ".stl")
-    return read_with<vtkSTLReader>(path);
+    return mesh_of(*read_with<vtkSTLReader>(path));
   if (ending == ".ply")
-    return read_with<vtkPLYReader>(path);
+    return detail::read_ply(path);
   if (ending == ".obj")
-    return read_with<vtkOBJReader>(path);
-  fail(path, "unknown ending \"" + ending + "\", must be .stl, .ply or .obj");
+    return mesh_of(*read_with<vtkOBJReader>(path));
+  throw std::invalid_argument("unknown ending \"" + ending +
+                              "\", must be .stl, .ply or .obj");
 }
 } // namespace
 
 TriangleMesh read_mesh(const std::string &path)
 {
   require_readable(path);
-  const vtkSmartPointer<vtkPolyData> surface = read_surface(path);
-  if (!surface || surface->GetNumberOfPoints() == 0 ||
-      surface->GetPolys()->GetNumberOfCells() == 0)
-    fail(path, "no triangles could be read");
   TriangleMesh mesh;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  try
   {
-    double p[3];
-    surface->GetPoint(i, p);
-    mesh.points.emplace_back(p[0], p[1], p[2]);
+    mesh = read_by_ending(path);
   }
-  vtkNew<vtkIdList> corners;
-  vtkCellArray *cells = surface->GetPolys();
-  for (cells->InitTraversal(); cells->GetNextCell(corners);)
-    mesh.triangles.push_back({std::int32_t(corners->GetId(0)),
-                              std::int32_t(corners->GetId(1)),
-                              std::int32_t(corners->GetId(2))});
+  catch (const std::invalid_argument &error)
+  {
+    fail(path, error.what());
+  }
+  if (mesh.triangles.empty())
+    fail(path, "no triangles could be read");
   return mesh;
 }
 } // namespace dem

@@ -1,0 +1,66 @@
+#include "test_shapes.h"
+
+#include <dem/shape/body.h>
+#include <dem/shape/measures.h>
+
+#include <gtest/gtest.h>
+
+using namespace dem;
+using namespace dem::test;
+
+TEST(Body, SphereHasNoSeries)
+{
+  const Body body = make_sphere(0.01);
+  EXPECT_EQ(body.series, nullptr);
+  EXPECT_DOUBLE_EQ(mean_radius(body), 0.01);
+  EXPECT_NEAR(body.volume, 4. / 3. * std::numbers::pi * 1e-6, 1e-20);
+  EXPECT_EQ(body.inscribed_radius, 0.01);
+  EXPECT_EQ(body.circumscribed_radius, 0.01);
+  EXPECT_EQ(body.max_slope, 0.);
+  EXPECT_NEAR(radius(scaled_coefficients(body), Vec3::UnitX()), 0.01, 1e-16);
+}
+
+TEST(Body, SharesItsSeriesAndScales)
+{
+  const auto series = std::make_shared<const Coefficients>(random_stone(20, 1));
+  const Body body = make_body(series, 0.005);
+  EXPECT_EQ(body.series, series);
+  EXPECT_NEAR(mean_radius(body), 0.005, 1e-16);
+  const ShapeMeasures of =
+      measure_shape(scaled_coefficients(body), standard_quadrature());
+  EXPECT_NEAR(body.volume, of.volume, 1e-12 * of.volume);
+  EXPECT_NEAR(body.inscribed_radius, of.inscribed_radius, 1e-15);
+  EXPECT_GT(body.circumscribed_radius, of.circumscribed_radius);
+  EXPECT_GT(body.max_slope, of.max_slope);
+}
+
+TEST(Body, ResizedIsWhatMakeBodyGives)
+{
+  const auto series = std::make_shared<const Coefficients>(random_stone(20, 2));
+  const Body small = resized(make_body(series, 0.02), 0.005);
+  const Body made = make_body(series, 0.005);
+  EXPECT_EQ(small.series, series);
+  EXPECT_NEAR(small.scale, made.scale, 1e-15 * made.scale);
+  EXPECT_NEAR(small.volume, made.volume, 1e-14 * made.volume);
+  EXPECT_NEAR(small.max_slope, made.max_slope, 1e-14 * made.max_slope);
+}
+
+TEST(Body, RefusesACountThatIsNoSquare)
+{
+  EXPECT_THROW(own_body(Coefficients(5, 1.)), std::invalid_argument);
+}
+
+// The bounds hold on a grid a hundred times finer than the nodes.
+TEST(Body, BoundsHoldBetweenTheNodes)
+{
+  for (const unsigned seed : {3u, 4u, 5u})
+  {
+    const Body body = own_body(random_stone(20, seed));
+    for (const Vec3 &s : random_directions(20000, seed))
+    {
+      const RadialExpansion at = expand(*body.series, s);
+      EXPECT_LE(at.radius, body.circumscribed_radius);
+      EXPECT_LE(at.gradient.norm(), body.max_slope);
+    }
+  }
+}

@@ -1,0 +1,193 @@
+#include "test_shapes.h"
+
+#include <dem/shape/measures.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace dem;
+using namespace dem::test;
+
+namespace
+{
+const Vec3 axes(0.012, 0.010, 0.009);
+
+double ellipsoid(const Vec3 &s)
+{
+  return ellipsoid_radius(axes, s);
+}
+
+std::string message_of(const TriangleMesh &mesh, int order = 8,
+                       double max_overhang = 0.02)
+{
+  try
+  {
+    fit_shape(mesh, order, max_overhang);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TriangleMesh cube()
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.points.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
+  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto &q : quads)
+  {
+    mesh.triangles.push_back({q[0], q[1], q[2]});
+    mesh.triangles.push_back({q[0], q[2], q[3]});
+  }
+  return mesh;
+}
+
+TriangleMesh moved(TriangleMesh mesh, const Vec3 &by)
+{
+  for (Vec3 &point : mesh.points)
+    point += by;
+  return mesh;
+}
+
+TriangleMesh together(const TriangleMesh &a, const TriangleMesh &b)
+{
+  TriangleMesh mesh = a;
+  const auto shift = int(a.points.size());
+  mesh.points.insert(mesh.points.end(), b.points.begin(), b.points.end());
+  for (const auto &t : b.triangles)
+    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  return mesh;
+}
+
+/// A sphere with a groove around its equator.
+double spool(const Vec3 &s)
+{
+  return 1. - 0.5 * std::exp(-std::pow(s.z() / 0.15, 2));
+}
+} // namespace
+
+TEST(Weld, MergesEqualPointsAndDropsWhatCollapses)
+{
+  TriangleMesh soup;
+  const TriangleMesh whole = cube();
+  for (const auto &t : whole.triangles)
+  {
+    const auto first = int(soup.points.size());
+    for (const int point : t)
+      soup.points.push_back(whole.points[std::size_t(point)]);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  soup.points.push_back(whole.points[0]);
+  soup.triangles.push_back({0, int(soup.points.size()) - 1, 1});
+  const TriangleMesh welded = weld(soup);
+  EXPECT_EQ(welded.points.size(), 8u);
+  EXPECT_EQ(welded.triangles.size(), 12u);
+}
+
+// The facets of 120 x 240 are inside by at most (pi / 120)^2 / 8 = 9e-5 of
+// the radius of curvature; the ellipsoid of order 20 itself has 1e-7.
+TEST(Fit, RecoversAnEllipsoidFromItsMesh)
+{
+  const Vec3 away(0.3, -0.2, 0.1);
+  const ShapeFit fit = fit_shape(moved(radial_mesh(120, ellipsoid), away), 20);
+  EXPECT_NEAR((fit.centroid - away).norm(), 0., 1e-9);
+  const double volume = 4. / 3. * std::numbers::pi * axes.prod();
+  EXPECT_NEAR(fit.mesh_volume, volume, 1e-3 * volume);
+  EXPECT_LT(fit.mesh_volume, volume);
+  for (const Vec3 &s : random_directions(200, 1))
+    EXPECT_NEAR(radius(fit.coefficients, s), ellipsoid(s), 2e-4 * axes.x());
+  EXPECT_EQ(fit.overhang_fraction, 0.);
+  EXPECT_NEAR(fit.overhang_loss, 0., 1e-12);
+  EXPECT_LT(fit.residual_max, 1e-3);
+}
+
+// Corners on the axes and edges along the meridians of the rule: many rays
+// meet edges and corners to round-off and none may be lost.
+TEST(Fit, LosesNoRayAtEdgesAndCorners)
+{
+  const ShapeFit fit =
+      fit_shape(radial_mesh(20, [](const Vec3 &) { return 1.; }), 20);
+  // inside by at most the sagitta of a facet, (pi / 20)^2 / 4
+  for (const Vec3 &s : standard_quadrature().direction)
+    EXPECT_NEAR(radius(fit.coefficients, s), 1., 0.01);
+  EXPECT_EQ(fit.overhang_fraction, 0.);
+  const ShapeFit box = fit_shape(cube(), 20);
+  EXPECT_NEAR(box.mesh_volume, 1., 1e-14);
+  EXPECT_NEAR(box.mesh_area, 6., 1e-14);
+  EXPECT_NEAR((box.centroid - Vec3(0.5, 0.5, 0.5)).norm(), 0., 1e-14);
+  // the rays themselves give the volume but for the rule at the edges
+  EXPECT_NEAR(measure_shape(box.coefficients, standard_quadrature()).volume, 1.,
+              0.003);
+  EXPECT_EQ(box.overhang_fraction, 0.);
+}
+
+TEST(Fit, TurnsTrianglesOutward)
+{
+  TriangleMesh mixed = radial_mesh(20, ellipsoid);
+  for (std::size_t t = 0; t < mixed.triangles.size(); t += 3)
+    std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
+  const ShapeFit straight = fit_shape(radial_mesh(20, ellipsoid), 8);
+  const ShapeFit turned = fit_shape(mixed, 8);
+  EXPECT_NEAR(turned.mesh_volume, straight.mesh_volume,
+              1e-12 * straight.mesh_volume);
+  EXPECT_NEAR(turned.coefficients[4], straight.coefficients[4], 1e-12);
+}
+
+TEST(Fit, SaysHowManyEdgesAreOpen)
+{
+  TriangleMesh open = cube();
+  open.triangles.pop_back();
+  EXPECT_NE(message_of(open).find("open: 3 edges"), std::string::npos)
+      << message_of(open);
+  EXPECT_NE(message_of({}).find("no triangles"), std::string::npos);
+}
+
+TEST(Fit, RefusesWhatIsNoSingleStone)
+{
+  const TriangleMesh two = together(cube(), moved(cube(), Vec3(3, 0, 0)));
+  EXPECT_NE(message_of(two).find("centroid"), std::string::npos)
+      << message_of(two);
+  TriangleMesh hollow = cube();
+  for (Vec3 &point : hollow.points)
+    point = 0.2 * (point - Vec3(0.5, 0.5, 0.5)) + Vec3(0.5, 0.5, 0.5);
+  const std::string message = message_of(together(cube(), hollow));
+  EXPECT_NE(message.find("2 separate bodies"), std::string::npos) << message;
+
+  TriangleMesh sheet = cube();
+  for (Vec3 &point : sheet.points)
+    point.z() = 0.;
+  EXPECT_NE(message_of(sheet), "");
+
+  TriangleMesh bad = cube();
+  bad.points[3].x() = std::nan("");
+  EXPECT_NE(message_of(bad).find("point 3 is not finite"), std::string::npos);
+}
+
+TEST(Fit, RefusesOrdersOutOfRange)
+{
+  EXPECT_NE(message_of(cube(), 0).find("must be 1 .. 30"), std::string::npos);
+  EXPECT_NE(message_of(cube(), 31).find("must be 1 .. 30"), std::string::npos);
+  EXPECT_EQ(message_of(cube(), 30), "");
+}
+
+// Bent upward in proportion to the distance from the axis, the lower wall of
+// the groove hangs over.
+TEST(Fit, SaysWhatAnOverhangCosts)
+{
+  TriangleMesh mesh = radial_mesh(60, spool);
+  EXPECT_EQ(message_of(mesh), "");
+  for (Vec3 &point : mesh.points)
+    point.z() += 1.5 * (point.x() * point.x() + point.y() * point.y());
+  const std::string message = message_of(mesh);
+  EXPECT_NE(message.find("not star-shaped"), std::string::npos) << message;
+  EXPECT_NE(message.find("% of the directions"), std::string::npos) << message;
+  const ShapeFit fit = fit_shape(mesh, 8, 1.);
+  EXPECT_GT(fit.overhang_fraction, 0.02);
+  EXPECT_GT(fit.overhang_loss, 0.);
+  EXPECT_LT(fit.overhang_loss, fit.overhang_fraction);
+}
