@@ -61,8 +61,9 @@ struct BoundaryParameters
 {
   Lateral lateral = Lateral::membrane;
   int elements_per_side = 12; ///< membrane quads along each edge [-]
-  double servo_gain = 0.5;    ///< alpha of the rigid servo [-]
-  double plate_mass = 5.;     ///< top plate [kg]
+  /// of the servo of rigid sides: an error falls to 1/e in it [s]
+  double servo_response_time = 5e-4;
+  double plate_mass = 5.; ///< top plate [kg]
 };
 
 struct LoadingParameters

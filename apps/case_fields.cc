@@ -183,8 +183,9 @@ void add_boundary(List &list, BoundaryParameters &b)
            b.lateral, {"membrane", "rigid"});
   list.add({"elements_per_side", "-", "Membrane quads along each edge."},
            b.elements_per_side, between(2, 200));
-  list.add({"servo_gain", "-", "alpha of the rigid servo.", "stable up to 1"},
-           b.servo_gain, above(0., 1.));
+  list.add({"servo_response_time", "s",
+            "Of servo planes: a stress error falls to 1/e in it."},
+           b.servo_response_time, above(0., 1.));
   list.add({"plate_mass", "kg", "Of the top plate."}, b.plate_mass,
            above(0., 1e6));
 }

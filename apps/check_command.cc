@@ -1,0 +1,138 @@
+#include "case_file.h"
+#include "commands.h"
+#include "errors.h"
+#include "triaxial.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+namespace spall
+{
+namespace
+{
+/// Resident memory of the program [MiB].
+double memory_in_use()
+{
+  std::ifstream status("/proc/self/statm");
+  double pages = 0., resident = 0.;
+  status >> pages >> resident;
+  return resident * 4096. / (1024. * 1024.);
+}
+
+/// Wall-clock of one step of the stones when they are packed [s]: the cloud is
+/// drawn together to the expected solid fraction and evaluated in place.
+double packed_step_cost(const Case &parameters)
+{
+  Case quiet = parameters;
+  quiet.breakage.is_active = false;
+  Specimen specimen = make_specimen(quiet);
+  dem::Engine &engine = *specimen.engine;
+  const double shrink = std::cbrt(parameters.specimen.initial_solid_fraction /
+                                  parameters.specimen.solid_fraction);
+  for (dem::Vec3 &x : engine.particles().position)
+    x *= shrink;
+  for (const auto &[lower, upper] : specimen.box)
+    engine.planes()[upper].point *= shrink;
+  constexpr double frozen = 1e-15; // [s]: nothing moves
+  engine.advance(frozen);
+  constexpr int n_steps = 200;
+  const auto start = std::chrono::steady_clock::now();
+  for (int step = 0; step < n_steps; ++step)
+    engine.advance(frozen);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+             .count() /
+         n_steps;
+}
+
+/// Wall-clock of one step of the membrane alone [s].
+double membrane_step_cost(const Case &parameters)
+{
+  const int n = parameters.boundary.elements_per_side;
+  fem::Membrane membrane(
+      parameters.membrane,
+      fem::box_sides(dem::Vec3::Zero(),
+                     dem::Vec3::Constant(parameters.specimen.side), {n, n, n}));
+  const std::vector<Eigen::Vector3d> load(membrane.n_nodes(),
+                                          Eigen::Vector3d::Zero());
+  constexpr int n_steps = 200;
+  const auto start = std::chrono::steady_clock::now();
+  for (int step = 0; step < n_steps; ++step)
+  {
+    membrane.begin_step(1e-15);
+    membrane.end_step(load, 1e-15);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+             .count() /
+         n_steps;
+}
+
+void print_stones(const Triaxial &test)
+{
+  const dem::Particles &stones = test.engine().particles();
+  double smallest = stones.radius[0], largest = smallest, mass = 0.;
+  std::size_t n_breakable = 0;
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    smallest = std::min(smallest, stones.radius[i]);
+    largest = std::max(largest, stones.radius[i]);
+    mass += stones.mass[i];
+    n_breakable += stones.is_breakable[i];
+  }
+  std::printf("stones           %zu, %zu breakable, diameter %.4g to %.4g m, "
+              "%.4g kg\n",
+              stones.size(), n_breakable, 2. * smallest, 2. * largest, mass);
+}
+
+void print_step(const Triaxial &test)
+{
+  const dem::StepLimit limit =
+      dem::critical_step(test.engine().parameters(), test.engine().particles());
+  std::printf("time step        %.4g s, stable up to %.4g s (%s)\n",
+              test.time_step(), limit.step, limit.reason.c_str());
+  if (test.gain())
+    std::printf("exchange gain    %.4g, stable below %.4g\n", test.gain()->gain,
+                test.gain()->limit);
+}
+
+void print_cost(const Case &parameters, const Triaxial &test)
+{
+  double cost = packed_step_cost(parameters);
+  if (test.gain())
+    cost += membrane_step_cost(parameters);
+  const double steps =
+      static_cast<double>(test.steps_per_cycle()) * parameters.loading.cycles +
+      parameters.loading.consolidation_time / test.time_step();
+  std::printf("memory           %.0f MiB\n", memory_in_use());
+  std::printf("predicted time   %.3g s for %.4g steps after the preparation "
+              "(%.3g ms each)\n",
+              cost * steps, steps, 1e3 * cost);
+}
+} // namespace
+
+int check_command(Words words)
+{
+  std::string file;
+  std::vector<Override> overrides;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    if (words[k] == "--set" && k + 1 < words.size())
+      overrides.push_back(parse_override(words[++k]));
+    else if (words[k].starts_with("--") || !file.empty())
+      throw InputError("check: " + words[k] +
+                       ": must be one case file and --set "
+                       "Section/key=value");
+    else
+      file = words[k];
+  if (file.empty())
+    throw InputError("check: a case file must be given");
+  const Case parameters = read_case(file, overrides);
+  const Triaxial test(parameters);
+  std::printf("case             %s: %s\n", file.c_str(),
+              parameters.title.c_str());
+  print_stones(test);
+  print_step(test);
+  print_cost(parameters, test);
+  return 0;
+}
+} // namespace spall

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "triaxial.h"
+
+#include <dem/io/vtk_output.h>
+
+#include <filesystem>
+#include <map>
+
+namespace spall
+{
+/// What the files of a run had come to at a checkpoint.
+struct Progressed
+{
+  std::uint64_t history_size = 0, events_size = 0, ledger_size = 0; ///< bytes
+  int n_frames = 0;
+  std::vector<dem::FrameEntry> frames;
+  double roundness = 0.;
+  double worst_balance = 0.;
+  Sample loading_start;
+  std::map<std::string, double> spent; ///< wall-clock by phase [s]
+};
+
+/// Writes the whole state, or leaves the last checkpoint as it was. Throws
+/// RunFailure.
+void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
+                      const Triaxial &test, const Progressed &done);
+
+/// Brings test and files back. Throws InputError if there is no checkpoint, it
+/// is damaged, or it belongs to a case with other parameters (number of cycles,
+/// output and threads may differ).
+void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
+                     Triaxial &test, Progressed &done);
+} // namespace spall

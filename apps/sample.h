@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+namespace spall
+{
+/// One row of history.csv; energies since the start of the run.
+struct Sample
+{
+  double time = 0., stage = 0., cycle = 0.;
+  double axial_stress = 0., lateral_stress = 0.;
+  double axial_strain = 0., volumetric_strain = 0.;
+  double laa = 0., coordination_number = 0., mean_contact_force = 0.;
+  double roundness = 0., n_contacts = 0., n_events = 0.;
+  double unbalanced_force_ratio = 0.;
+  double external_work = 0., kinetic_energy = 0., elastic_energy = 0.;
+  double friction = 0., rolling = 0., damping = 0., breakage = 0.;
+  double shape_work = 0., membrane_strain_energy = 0., energy_residual = 0.;
+};
+
+/// A column of history.csv.
+struct SampleColumn
+{
+  const char *name; ///< name_unit
+  double Sample::*value;
+};
+
+inline constexpr std::array<SampleColumn, 24> sample_columns = {
+    {{"time_s", &Sample::time},
+     {"stage_1", &Sample::stage},
+     {"cycle_1", &Sample::cycle},
+     {"axial_stress_Pa", &Sample::axial_stress},
+     {"lateral_stress_Pa", &Sample::lateral_stress},
+     {"axial_strain_1", &Sample::axial_strain},
+     {"volumetric_strain_1", &Sample::volumetric_strain},
+     {"laa_percent", &Sample::laa},
+     {"coordination_number_1", &Sample::coordination_number},
+     {"mean_contact_force_N", &Sample::mean_contact_force},
+     {"roundness_1", &Sample::roundness},
+     {"n_contacts_1", &Sample::n_contacts},
+     {"n_events_1", &Sample::n_events},
+     {"unbalanced_force_ratio_1", &Sample::unbalanced_force_ratio},
+     {"external_work_J", &Sample::external_work},
+     {"kinetic_energy_J", &Sample::kinetic_energy},
+     {"elastic_energy_J", &Sample::elastic_energy},
+     {"friction_dissipation_J", &Sample::friction},
+     {"rolling_dissipation_J", &Sample::rolling},
+     {"damping_dissipation_J", &Sample::damping},
+     {"breakage_energy_J", &Sample::breakage},
+     {"shape_work_J", &Sample::shape_work},
+     {"membrane_strain_energy_J", &Sample::membrane_strain_energy},
+     {"energy_residual_J", &Sample::energy_residual}}};
+} // namespace spall

@@ -1,0 +1,149 @@
+#include "specimen.h"
+
+#include "case_file.h"
+#include "errors.h"
+#include "gradation.h"
+#include "shape_file.h"
+
+#include <dem/packing/gradation.h>
+#include <dem/packing/insertion.h>
+#include <fem/membrane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace spall
+{
+namespace
+{
+ShapeLibrary load_shapes(const Case &parameters)
+{
+  ShapeLibrary library;
+  if (parameters.specimen.shapes.empty())
+    return library;
+  const std::string folder = find_path(parameters, "Specimen", "shapes",
+                                       parameters.specimen.shapes);
+  for (const ShapeFile &shape : read_shapes(folder))
+    library.push_back(
+        std::make_shared<const dem::Coefficients>(shape.coefficients));
+  return library;
+}
+
+std::string in_four_digits(double value)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+} // namespace
+
+dem::EngineParameters engine_parameters(const Case &parameters)
+{
+  dem::EngineParameters engine;
+  engine.stone = parameters.stone;
+  engine.stone.friction = parameters.preparation.friction;
+  engine.wall = parameters.wall;
+  engine.surface = parameters.boundary.lateral == Lateral::membrane
+                       ? parameters.membrane_contact
+                       : parameters.wall;
+  engine.geometry = parameters.contact;
+  engine.breakage = parameters.breakage;
+  engine.local_damping = parameters.preparation.local_damping;
+  return engine;
+}
+
+double solid_volume(const dem::Particles &particles)
+{
+  double sum = 0.;
+  for (const dem::Body &body : particles.body)
+    sum += body.volume;
+  return sum;
+}
+
+Specimen make_specimen(const Case &parameters)
+{
+  const SpecimenParameters &s = parameters.specimen;
+  const Gradation gradation = read_gradation(
+      find_path(parameters, "Specimen", "gradation", s.gradation));
+  Specimen specimen;
+  specimen.library = load_shapes(parameters);
+  dem::Random random(static_cast<std::uint64_t>(s.seed));
+  const std::vector<dem::Body> stones = dem::draw_stones(
+      {gradation.diameter, gradation.passing},
+      s.solid_fraction * s.side * s.side * s.side, specimen.library, random);
+  if (stones.empty())
+    throw InputError(parameters.file +
+                     ": Specimen/side = " + std::to_string(s.side) +
+                     ": too small for a single stone of the gradation");
+  double volume = 0., smallest = stones.front().inscribed_radius;
+  for (const dem::Body &stone : stones)
+  {
+    volume += stone.volume;
+    smallest = std::min(smallest, dem::mean_radius(stone));
+  }
+  const dem::Vec3 lower = dem::Vec3::Zero(),
+                  upper = dem::Vec3::Constant(
+                      std::cbrt(volume / s.initial_solid_fraction));
+  std::vector<dem::Placement> places;
+  try
+  {
+    places = dem::insert_stones(stones, lower, upper, random);
+  }
+  catch (const std::runtime_error &error)
+  {
+    throw InputError(parameters.file + ": " + error.what());
+  }
+  dem::EngineParameters engine = engine_parameters(parameters);
+  engine.search_margin = 0.25 * smallest;
+  specimen.engine = std::make_unique<dem::Engine>(engine);
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    specimen.engine->add_stone(stones[i], places[i].position,
+                               places[i].orientation);
+  specimen.box = dem::add_box(*specimen.engine, lower, upper);
+  return specimen;
+}
+
+double choose_step(const Case &parameters, const dem::Engine &engine)
+{
+  const dem::StepLimit limit =
+      dem::critical_step(engine.parameters(), engine.particles());
+  if (parameters.time.step == StepRule::stable)
+    return parameters.time.safety * limit.step;
+  if (parameters.time.fixed_step > limit.step)
+    throw InputError(parameters.file + ": Time/fixed_step = " +
+                     in_four_digits(parameters.time.fixed_step) +
+                     " s: must be at most " + in_four_digits(limit.step) +
+                     " s, set by: " + limit.reason);
+  return parameters.time.fixed_step;
+}
+
+coupling::ExchangeGain check_gain(const Case &parameters,
+                                  const dem::Engine &engine, double time_step)
+{
+  const int n = parameters.boundary.elements_per_side;
+  const fem::Membrane membrane(
+      parameters.membrane,
+      fem::box_sides(dem::Vec3::Zero(),
+                     dem::Vec3::Constant(parameters.specimen.side),
+                     {n, n, n}));
+  // All nodes but those of the two rims move; the rims are the lightest.
+  const auto mass = membrane.nodal_mass();
+  const double lightest_free = *std::max_element(mass.begin(), mass.end());
+  const dem::WallMaterial &contact = parameters.membrane_contact;
+  const auto &stones = engine.particles().mass;
+  const coupling::ExchangeGain gain = coupling::exchange_gain(
+      {contact.normal_stiffness, contact.normal_damping,
+       *std::min_element(stones.begin(), stones.end())},
+      {&lightest_free, 1}, membrane.stable_time_step(), time_step);
+  if (!gain.is_stable())
+    throw InputError(
+        parameters.file + ": MembraneContact/normal_stiffness = " +
+        in_four_digits(contact.normal_stiffness) +
+        " N/m: exchange gain k dt^2/(4 m) = " + in_four_digits(gain.gain) +
+        " must be below " + in_four_digits(gain.limit) +
+        ": soften the contact, shorten the step or use a heavier membrane");
+  return gain;
+}
+} // namespace spall

@@ -1,0 +1,334 @@
+#include "triaxial.h"
+
+#include "errors.h"
+
+#include <dem/io/binary.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace spall
+{
+namespace
+{
+/// How often the preparation is asked whether it is at rest [steps].
+constexpr std::int64_t rest_interval = 200;
+
+double haversine(double phase)
+{
+  return 0.5 * (1. - std::cos(2. * std::numbers::pi * phase));
+}
+} // namespace
+
+Triaxial::Triaxial(const Case &c)
+    : parameters(c), specimen(make_specimen(c)),
+      servo(specimen.box,
+            {c.boundary.servo_response_time, c.preparation.wall_speed}),
+      dt(choose_step(c, *specimen.engine)),
+      cycle_steps(std::llround(1. / (c.loading.frequency * dt))),
+      n_cycles(c.loading.cycles)
+{
+  if (c.boundary.lateral == Lateral::membrane)
+    exchange = check_gain(c, *specimen.engine, dt);
+  for (int d = 0; d < 3; ++d)
+    servo.follow(d, c.preparation.pressure);
+}
+
+double Triaxial::cycle() const
+{
+  if (now < Stage::loading)
+    return 0.;
+  return static_cast<double>(in_stage) / static_cast<double>(cycle_steps);
+}
+
+void Triaxial::advance()
+{
+  switch (now)
+  {
+  case Stage::preparation:
+    return prepare();
+  case Stage::consolidation:
+    return consolidate();
+  case Stage::loading:
+    return load();
+  case Stage::done:
+    return;
+  }
+}
+
+void Triaxial::enter(Stage next)
+{
+  now = next;
+  in_stage = 0;
+}
+
+void Triaxial::prepare()
+{
+  servo.update(engine(), dt);
+  engine().advance(dt);
+  ++in_stage;
+  if (in_stage % rest_interval == 0 && is_at_rest())
+  {
+    preparation.time = engine().time();
+    preparation.porosity =
+        1. - solid_volume(engine().particles()) /
+                 dem::box_size(engine(), specimen.box).prod();
+    place_boundaries();
+    enter(Stage::consolidation);
+  }
+  else if (engine().time() > parameters.preparation.max_time)
+  {
+    std::ostringstream text;
+    text << "preparation is not at rest after "
+         << parameters.preparation.max_time << " s: stress "
+         << preparation.stress.transpose() << " Pa (target "
+         << parameters.preparation.pressure << "), unbalanced force ratio "
+         << preparation.unbalanced_ratio << " (limit "
+         << parameters.preparation.unbalanced_ratio
+         << "): see Preparation/max_time, friction, local_damping";
+    throw RunFailure(text.str());
+  }
+}
+
+bool Triaxial::is_at_rest()
+{
+  preparation.stress = dem::box_stress(engine(), specimen.box);
+  preparation.unbalanced_ratio =
+      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
+  const PreparationParameters &limits = parameters.preparation;
+  const double worst =
+      (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
+  return worst < limits.stress_tolerance &&
+         preparation.unbalanced_ratio < limits.unbalanced_ratio &&
+         dem::contact_network(engine().pairs(), engine().particles().size())
+                 .n_contacts > 0;
+}
+
+void Triaxial::place_boundaries()
+{
+  const auto &planes = engine().planes();
+  for (int d = 0; d < 3; ++d)
+  {
+    const auto &[low, high] = specimen.box[static_cast<std::size_t>(d)];
+    lower[d] = planes[low].point[d];
+    upper[d] = planes[high].point[d];
+  }
+  area = (upper - lower).head<2>().prod();
+  servo.release(engine(), 2);
+  engine().set_friction(parameters.stone.friction);
+  engine().set_local_damping(parameters.time.local_damping);
+  const dem::Plane &top = planes[specimen.box[2][1]];
+  plane_work_gone = top.work;
+  double mass = parameters.boundary.plate_mass;
+  if (parameters.boundary.lateral == Lateral::membrane)
+  {
+    build_membrane();
+    mass += driver->rim_mass();
+  }
+  plate.emplace(mass, upper.z());
+  plate->set_state({upper.z(), 0., -parameters.preparation.pressure * area,
+                    top.force.z(), 0.});
+}
+
+void Triaxial::build_membrane()
+{
+  const int n = parameters.boundary.elements_per_side;
+  driver.emplace(parameters.membrane, fem::box_sides(lower, upper, {n, n, n}),
+                 engine());
+}
+
+void Triaxial::consolidate()
+{
+  // The first half hands over from the planes to the membrane, or from one
+  // pressure to the other; the second half is rest.
+  const auto steps = static_cast<double>(
+      std::max<std::int64_t>(2, std::llround(
+                                    parameters.loading.consolidation_time /
+                                    dt)));
+  const double share =
+      std::min(1., 2. * static_cast<double>(in_stage + 1) / steps);
+  const double from = parameters.preparation.pressure,
+               to = parameters.loading.confining_pressure;
+  const double isotropic = std::lerp(from, to, share);
+  if (driver)
+  {
+    pressure = share * to;
+    for (int d = 0; d < 2; ++d)
+    {
+      if (share < 1.)
+        servo.follow(d, (1. - share) * from);
+      else
+        servo.release(engine(), d);
+      if (share == 1.)
+        for (const std::size_t plane : specimen.box[static_cast<std::size_t>(d)])
+          if (engine().planes()[plane].is_active)
+            engine().deactivate_plane(plane);
+    }
+  }
+  else
+    for (int d = 0; d < 2; ++d)
+      servo.follow(d, isotropic);
+  step_boundaries(isotropic);
+  if (static_cast<double>(in_stage) >= steps)
+  {
+    start_height = plate->height() - lower.z();
+    start_volume = volume();
+    enter(Stage::loading);
+  }
+}
+
+void Triaxial::load()
+{
+  const LoadingParameters &loading = parameters.loading;
+  const double phase = static_cast<double>((in_stage + 1) % cycle_steps) /
+                       static_cast<double>(cycle_steps);
+  step_boundaries(loading.confining_pressure +
+                  loading.amplitude * haversine(phase));
+  if (in_stage >= n_cycles * cycle_steps)
+    now = Stage::done;
+}
+
+void Triaxial::step_boundaries(double axial_stress)
+{
+  dem::Engine &stones = engine();
+  plate->begin_step(dt);
+  dem::Plane &top = stones.planes()[specimen.box[2][1]];
+  top.velocity = plate->velocity() * dem::Vec3::UnitZ();
+  servo.update(stones, dt);
+  if (driver)
+  {
+    driver->set_pressure(pressure);
+    driver->begin_step(stones, plate->velocity(), dt);
+  }
+  stones.advance(dt);
+  double reaction = top.force.z();
+  if (driver)
+  {
+    driver->end_step(stones, dt);
+    reaction += driver->rim_reaction();
+  }
+  plate->end_step(-axial_stress * area, reaction, dt);
+  ++in_stage;
+}
+
+double Triaxial::lateral_stress() const
+{
+  const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.box);
+  return 0.5 * (on_planes.x() + on_planes.y()) + (driver ? pressure : 0.);
+}
+
+double Triaxial::volume() const
+{
+  return driver ? driver->enclosed_volume()
+                : dem::box_size(engine(), specimen.box).prod();
+}
+
+Sample Triaxial::sample(double roundness) const
+{
+  const dem::Particles &stones = engine().particles();
+  const dem::ContactNetwork network =
+      dem::contact_network(engine().pairs(), stones.size());
+  const dem::EngineEnergy energy = engine().energy();
+  Sample s;
+  s.time = engine().time();
+  s.stage = std::min(2., static_cast<double>(now));
+  s.cycle = cycle();
+  s.axial_stress = now == Stage::preparation
+                       ? dem::box_stress(engine(), specimen.box).z()
+                       : engine().planes()[specimen.box[2][1]].force.z() / area;
+  s.lateral_stress = lateral_stress();
+  if (now >= Stage::loading)
+  {
+    s.axial_strain = 1. - (plate->height() - lower.z()) / start_height;
+    s.volumetric_strain = 1. - volume() / start_volume;
+  }
+  s.laa = 100. * dem::abrasion(stones);
+  s.coordination_number = network.coordination_number;
+  s.mean_contact_force = network.mean_force;
+  s.roundness = roundness;
+  s.n_contacts = static_cast<double>(network.n_contacts);
+  s.n_events = static_cast<double>(engine().n_events());
+  s.unbalanced_force_ratio =
+      dem::unbalanced_force_ratio(stones, engine().pairs());
+  s.external_work = energy.plane_work + energy.gravity_work;
+  s.kinetic_energy = energy.kinetic;
+  s.elastic_energy = energy.elastic;
+  s.friction = energy.friction;
+  s.rolling = energy.rolling;
+  s.damping = energy.damping;
+  s.breakage = energy.breakage;
+  s.shape_work = energy.shape_work;
+  if (plate)
+  {
+    const double top_work = engine().planes()[specimen.box[2][1]].work;
+    s.external_work += plate->drive_work() - (top_work - plane_work_gone);
+    s.kinetic_energy += plate->kinetic_energy();
+  }
+  if (driver)
+  {
+    const fem::MembraneEnergy membrane = driver->energy();
+    const double rim = 0.5 * driver->rim_mass() * plate->velocity() *
+                       plate->velocity(); // in the plate already
+    s.external_work += membrane.pressure_work;
+    s.kinetic_energy += membrane.kinetic - rim;
+    s.damping += membrane.damping;
+    s.membrane_strain_energy = membrane.strain;
+  }
+  s.energy_residual = s.external_work -
+                      (s.kinetic_energy + s.elastic_energy + s.friction +
+                       s.rolling + s.damping + s.breakage + s.shape_work +
+                       s.membrane_strain_energy);
+  return s;
+}
+
+void Triaxial::save(std::ostream &out) const
+{
+  dem::write_value(out, now);
+  dem::write_value(out, in_stage);
+  dem::write_value(out, preparation);
+  dem::write_value(out, lower);
+  dem::write_value(out, upper);
+  for (const double value :
+       {area, pressure, plane_work_gone, start_height, start_volume})
+    dem::write_value(out, value);
+  engine().save(out, specimen.library);
+  servo.save(out);
+  if (plate)
+    dem::write_value(out, plate->state());
+  if (driver)
+    driver->save(out);
+}
+
+void Triaxial::restore(std::istream &in)
+{
+  dem::read_value(in, now);
+  dem::read_value(in, in_stage);
+  dem::read_value(in, preparation);
+  dem::read_value(in, lower);
+  dem::read_value(in, upper);
+  for (double *value :
+       {&area, &pressure, &plane_work_gone, &start_height, &start_volume})
+    dem::read_value(in, *value);
+  const bool has_boundaries = now > Stage::preparation;
+  double mass = parameters.boundary.plate_mass;
+  if (has_boundaries && parameters.boundary.lateral == Lateral::membrane)
+  {
+    build_membrane();
+    mass += driver->rim_mass();
+  }
+  engine().restore(in, specimen.library);
+  servo.restore(in);
+  if (has_boundaries)
+  {
+    fem::RigidPlate::State state;
+    dem::read_value(in, state);
+    plate.emplace(mass, state.z);
+    plate->set_state(state);
+  }
+  if (driver)
+    driver->restore(in);
+  if (now == Stage::done && in_stage < n_cycles * cycle_steps)
+    now = Stage::loading;
+}
+} // namespace spall

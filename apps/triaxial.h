@@ -1,0 +1,106 @@
+#pragma once
+
+#include "sample.h"
+#include "specimen.h"
+
+#include <coupling/membrane_driver.h>
+#include <fem/plate.h>
+
+#include <iosfwd>
+#include <optional>
+
+namespace spall
+{
+enum class Stage : std::int32_t
+{
+  preparation,   ///< six servo planes compact the cloud
+  consolidation, ///< lateral boundary and plate take over
+  loading,       ///< haversine on the plate
+  done
+};
+
+/// The dynamic triaxial test: scene and sequence, step by step.
+class Triaxial
+{
+public:
+  /// Builds the scene. Throws InputError.
+  explicit Triaxial(const Case &parameters);
+
+  /// One step of the present stage. Throws RunFailure if the preparation does
+  /// not come to rest in time.
+  void advance();
+
+  Stage stage() const { return now; }
+  double time_step() const { return dt; } ///< [s]
+  /// Steps of one load cycle [-].
+  std::int64_t steps_per_cycle() const { return cycle_steps; }
+  /// Steps since the present stage began [-].
+  std::int64_t stage_steps() const { return in_stage; }
+  /// Fractional load cycle; 0 before loading.
+  double cycle() const;
+  /// End of this many load cycles, whatever the case says.
+  void stop_after(int cycles) { n_cycles = cycles; }
+
+  /// The row of history.csv now; `roundness` is the caller's last value.
+  Sample sample(double roundness) const;
+
+  const dem::Engine &engine() const { return *specimen.engine; }
+  dem::Engine &engine() { return *specimen.engine; }
+  const coupling::MembraneDriver *membrane() const
+  {
+    return driver ? &*driver : nullptr;
+  }
+  /// Gain of the exchange at setup; only with a membrane.
+  const std::optional<coupling::ExchangeGain> &gain() const
+  {
+    return exchange;
+  }
+
+  /// How the preparation ended.
+  struct Prepared
+  {
+    dem::Vec3 stress = dem::Vec3::Zero(); ///< of each axis [Pa]
+    double unbalanced_ratio = 0.;         ///< [-]
+    double time = 0.;                     ///< it took [s]
+    double porosity = 0.;                 ///< then [-]
+  };
+  const Prepared &prepared() const { return preparation; }
+  double plate_work() const { return plate ? plate->drive_work() : 0.; }
+
+  void save(std::ostream &out) const; ///< full state, bit for bit
+  /// Continues a saved test of the same case; throws std::runtime_error.
+  void restore(std::istream &in);
+
+private:
+  void prepare();
+  void consolidate();
+  void load();
+  void enter(Stage next);
+  bool is_at_rest();
+  void place_boundaries();
+  void build_membrane();
+  void step_boundaries(double axial_stress);
+  double lateral_stress() const;
+  double volume() const;
+
+  Case parameters;
+  Specimen specimen;
+  dem::BoxServo servo;
+  double dt = 0.;
+  std::int64_t cycle_steps = 0;
+  int n_cycles = 0;
+  std::optional<coupling::ExchangeGain> exchange;
+
+  Stage now = Stage::preparation;
+  std::int64_t in_stage = 0;
+  Prepared preparation;
+  std::optional<fem::RigidPlate> plate;
+  std::optional<coupling::MembraneDriver> driver;
+  dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
+  double area = 0.;            ///< of the plate [m^2]
+  double pressure = 0.;        ///< on the membrane now [Pa]
+  double plane_work_gone = 0.; ///< of the top plane before the plate [J]
+  double start_height = 0.;    ///< of the specimen, loading [m]
+  double start_volume = 0.;    ///< [m^3]
+};
+} // namespace spall
