@@ -47,12 +47,14 @@ const SurfaceMesh &checked(const SurfaceMesh &mesh)
   return mesh;
 }
 
-SheetMaterial make_material(const MembraneParameters &p)
+Sheet make_sheet(const MembraneParameters &p, const MembraneSpace &space)
 {
   check_parameters(p);
-  return {p.youngs_modulus * p.thickness /
-              (1. - p.poisson_ratio * p.poisson_ratio),
-          p.poisson_ratio};
+  Sheet sheet = space.make_sheet();
+  sheet.material = {p.youngs_modulus * p.thickness /
+                        (1. - p.poisson_ratio * p.poisson_ratio),
+                    p.poisson_ratio};
+  return sheet;
 }
 
 void check_time_step(double time_step)
@@ -86,8 +88,9 @@ struct Membrane::State
   const MembraneSpace space;
   const std::vector<std::vector<std::int32_t>> rims;
   const std::uint64_t identity;
-  Sheet sheet;
-  std::vector<double> mass; ///< [kg]
+  const Sheet sheet;
+  const BatchedSheet batched; ///< the same, for the steps
+  std::vector<double> mass;   ///< [kg]
   MembraneMotion now;
 };
 
@@ -95,9 +98,8 @@ Membrane::State::State(const MembraneParameters &p,
                        const SurfaceMesh &reference)
     : parameters(p), mesh(checked(reference)), space(mesh),
       rims(find_rims(mesh)), identity(fingerprint(p, mesh)),
-      sheet(space.make_sheet()), mass(space.nodal_area())
+      sheet(make_sheet(p, space)), batched(sheet), mass(space.nodal_area())
 {
-  sheet.material = make_material(p);
   for (double &m : mass)
     m *= p.density * p.thickness;
   now.is_tied.assign(mesh.nodes.size(), 0);
@@ -155,7 +157,7 @@ void Membrane::State::start_from(std::span<const Vector> positions)
   now.position.assign(positions.begin(), positions.end());
   now.velocity = now.moved = now.load = zeros;
   now.done = MembraneEnergy();
-  evaluate_forces(sheet, now.position, now.forces);
+  evaluate_forces(batched, now.position, now.forces);
 }
 
 Membrane::Membrane(const MembraneParameters &parameters,
@@ -223,7 +225,7 @@ void Membrane::end_step(std::span<const Vector> load, double time_step)
   check_size("loads", load.size(), n_nodes());
   MembraneMotion &now = state->now;
   std::copy(load.begin(), load.end(), now.load.begin());
-  evaluate_forces(state->sheet, now.position, now.forces);
+  evaluate_forces(state->batched, now.position, now.forces);
   if (!std::isfinite(now.forces.strain_energy))
     throw std::runtime_error("membrane: its strain energy is no longer "
                              "finite; is the time step above the stable one?");

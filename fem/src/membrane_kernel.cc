@@ -88,41 +88,83 @@ void scatter(const SheetElement &element, const std::array<Vector, 4> &local,
     field[static_cast<std::size_t>(element.node[v])] += local[v];
 }
 
+void gather(const SheetBatch &batch, std::span<const Vector> positions,
+            BatchPositions &local)
+{
+  for (int v = 0; v < 4; ++v)
+    for (int lane = 0; lane < batch_size; ++lane)
+    {
+      const Vector &x =
+          positions[static_cast<std::size_t>(batch.node[v][lane])];
+      for (int i = 0; i < 3; ++i)
+        local.x[v][i][lane] = x(i);
+    }
+}
+
+void scatter(const SheetBatch &batch, const double (&local)[4][3][batch_size],
+             std::vector<Vector> &field)
+{
+  for (int lane = 0; lane < batch.n_used; ++lane)
+    for (int v = 0; v < 4; ++v)
+    {
+      Vector &to = field[static_cast<std::size_t>(batch.node[v][lane])];
+      for (int i = 0; i < 3; ++i)
+        to(i) += local[v][i][lane];
+    }
+}
+
 std::array<Vector, 4> zeros()
 {
   return {Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
 }
 
-/// Adds the internal forces on the nodes of one element; returns its energy.
-double add_internal(const Sheet &sheet, const SheetPoint &point,
-                    const Tangents &f, std::array<Vector, 4> &local)
-{
-  const Symmetric e = strain(f);
-  const Symmetric s = stress(sheet.material, e);
-  add_divergence(point, flux(s, f), -1., local);
-  return 0.5 * point.weight * contract(s, e);
-}
 } // namespace
 
-void evaluate_forces(const Sheet &sheet, std::span<const Vector> positions,
-                     SheetForces &forces)
+BatchedSheet::BatchedSheet(const Sheet &sheet)
+    : BatchedSheet(sheet, batch_kernels().front())
+{
+}
+
+BatchedSheet::BatchedSheet(const Sheet &sheet, BatchKernel chosen)
+    : kernel(chosen)
+{
+  law.stiffness = sheet.material.stiffness;
+  law.poisson_ratio = sheet.material.poisson_ratio;
+  for (std::size_t q = 0; q < 4; ++q)
+    std::copy(sheet.value[q].begin(), sheet.value[q].end(), law.value[q]);
+  for (const SheetElement &element : sheet.elements)
+  {
+    if (batches.empty() || batches.back().n_used == batch_size)
+      batches.emplace_back();
+    SheetBatch &batch = batches.back();
+    const int lane = batch.n_used++;
+    for (std::size_t q = 0; q < 4; ++q)
+    {
+      batch.weight[q][lane] = element.point[q].weight;
+      batch.node[q][lane] = element.node[q];
+      for (std::size_t v = 0; v < 4; ++v)
+        for (std::size_t a = 0; a < 2; ++a)
+          batch.gradient[q][v][a][lane] = element.point[q].gradient[v][a];
+    }
+  }
+}
+
+void evaluate_forces(const BatchedSheet &sheet,
+                     std::span<const Vector> positions, SheetForces &forces)
 {
   forces.internal.assign(positions.size(), Vector::Zero());
   forces.area.assign(positions.size(), Vector::Zero());
   forces.strain_energy = 0.;
-  for (const SheetElement &element : sheet.elements)
+  BatchPositions local;
+  BatchForces out;
+  for (const SheetBatch &batch : sheet.batches)
   {
-    const std::array<Vector, 4> x = gather(element, positions);
-    std::array<Vector, 4> internal = zeros(), area = zeros();
-    for (std::size_t q = 0; q < 4; ++q)
-    {
-      const SheetPoint &point = element.point[q];
-      const Tangents f = tangents(point, x);
-      forces.strain_energy += add_internal(sheet, point, f, internal);
-      add_load(sheet.value[q], point.weight * f.first.cross(f.second), area);
-    }
-    scatter(element, internal, forces.internal);
-    scatter(element, area, forces.area);
+    gather(batch, positions, local);
+    sheet.kernel(batch, sheet.law, local, out);
+    for (int lane = 0; lane < batch.n_used; ++lane)
+      forces.strain_energy += out.energy[lane];
+    scatter(batch, out.internal, forces.internal);
+    scatter(batch, out.area, forces.area);
   }
 }
 
@@ -163,7 +205,11 @@ double mean_element_force(const Sheet &sheet, std::span<const Vector> positions)
     const std::array<Vector, 4> x = gather(element, positions);
     std::array<Vector, 4> internal = zeros();
     for (const SheetPoint &point : element.point)
-      add_internal(sheet, point, tangents(point, x), internal);
+    {
+      const Tangents f = tangents(point, x);
+      const Symmetric s = stress(sheet.material, strain(f));
+      add_divergence(point, flux(s, f), -1., internal);
+    }
     for (const Vector &force : internal)
       sum += force.norm();
   }

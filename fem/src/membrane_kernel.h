@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sheet_batches.h"
+
 #include <Eigen/Dense>
 
 #include <array>
@@ -44,6 +46,24 @@ struct Sheet
   std::vector<SheetElement> elements;
 };
 
+struct SheetForces;
+
+/// The elements once more, in batches: for the forces of every step.
+class BatchedSheet
+{
+public:
+  explicit BatchedSheet(const Sheet &sheet);
+  /// The same with another of batch_kernels().
+  BatchedSheet(const Sheet &sheet, BatchKernel chosen);
+
+private:
+  friend void evaluate_forces(const BatchedSheet &,
+                              std::span<const Eigen::Vector3d>, SheetForces &);
+  std::vector<SheetBatch> batches;
+  BatchLaw law;
+  BatchKernel kernel;
+};
+
 /// Forces of the sheet on its nodes.
 struct SheetForces
 {
@@ -55,8 +75,9 @@ struct SheetForces
 /// With F_a = sum_v x_v dN_v/dX_a the Green-Lagrange strain is
 /// E_ab = (F_a.F_b - delta_ab) / 2 and the force on node v
 /// -int S_ab F_a dN_v/dX_b dA; the present area vector is F_1 x F_2 dA, so
-/// 2 x 2 points are exact for `area`.
-void evaluate_forces(const Sheet &sheet,
+/// 2 x 2 points are exact for `area`. The order of all sums is that of the
+/// elements, so the result is the same on every machine.
+void evaluate_forces(const BatchedSheet &sheet,
                      std::span<const Eigen::Vector3d> positions,
                      SheetForces &forces);
 

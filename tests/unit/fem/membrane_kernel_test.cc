@@ -23,7 +23,7 @@ fem::Sheet make_sheet(const fem::SurfaceMesh &mesh)
 fem::SheetForces forces(const fem::Sheet &sheet, const Field &positions)
 {
   fem::SheetForces out;
-  fem::evaluate_forces(sheet, positions, out);
+  fem::evaluate_forces(fem::BatchedSheet(sheet), positions, out);
   return out;
 }
 
@@ -190,6 +190,20 @@ TEST_F(DeformedTube, TangentIsDerivativeOfForce)
                           pressure * (after.area[k] - before.area[k]);
     EXPECT_LT((tangent[k] + change / (2. * step)).norm(),
               tolerance * modulus * thickness);
+  }
+}
+
+// 70 quads are eight batches and six elements more.
+TEST_F(DeformedTube, EveryKernelGivesTheSameBits)
+{
+  const fem::SheetForces first = forces(sheet, x);
+  for (const fem::BatchKernel kernel : fem::batch_kernels())
+  {
+    fem::SheetForces other;
+    fem::evaluate_forces(fem::BatchedSheet(sheet, kernel), x, other);
+    EXPECT_EQ(other.strain_energy, first.strain_energy);
+    EXPECT_EQ(other.internal, first.internal);
+    EXPECT_EQ(other.area, first.area);
   }
 }
 

@@ -1,0 +1,166 @@
+// Plain arrays only: what is compiled here for newer machines must not be
+// shared with units that are compiled for all. Built with -ffp-contract=off,
+// so that every width rounds alike.
+#include "sheet_batches.h"
+
+#include <cstring>
+
+namespace fem
+{
+namespace
+{
+#define FEM_INLINE [[gnu::always_inline]] inline
+
+template <int lanes>
+struct Pack
+{
+  typedef double type __attribute__((vector_size(8 * lanes)));
+};
+
+template <typename Lanes>
+FEM_INLINE void load(Lanes &to, const double *from)
+{
+  std::memcpy(&to, from, sizeof(Lanes));
+}
+
+template <typename Lanes>
+FEM_INLINE void add(double *to, const Lanes &change)
+{
+  Lanes value;
+  std::memcpy(&value, to, sizeof(Lanes));
+  value += change;
+  std::memcpy(to, &value, sizeof(Lanes));
+}
+
+template <typename Lanes>
+FEM_INLINE void dot(Lanes &sum, const Lanes *a, const Lanes *b)
+{
+  sum = (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+
+/// f[a] = sum_v x_v dN_v/dX_a
+template <typename Lanes>
+FEM_INLINE void tangents(const SheetBatch &batch,
+                         const BatchPositions &positions, int q, int lane,
+                         Lanes (*f)[3])
+{
+  for (int v = 0; v < 4; ++v)
+    for (int a = 0; a < 2; ++a)
+    {
+      Lanes slope;
+      load(slope, &batch.gradient[q][v][a][lane]);
+      for (int i = 0; i < 3; ++i)
+      {
+        Lanes position;
+        load(position, &positions.x[v][i][lane]);
+        if (v == 0)
+          f[a][i] = slope * position;
+        else
+          f[a][i] += slope * position;
+      }
+    }
+}
+
+/// flux[b] = w S_ab F_a; returns the energy in `energy`.
+template <typename Lanes>
+FEM_INLINE void fluxes(const BatchLaw &law, const Lanes &weight,
+                       const Lanes (*f)[3], Lanes (*flux)[3], Lanes &energy)
+{
+  Lanes exx, eyy, exy;
+  dot(exx, f[0], f[0]);
+  dot(eyy, f[1], f[1]);
+  dot(exy, f[0], f[1]);
+  exx = 0.5 * (exx - 1.);
+  eyy = 0.5 * (eyy - 1.);
+  exy = 0.5 * exy;
+  const Lanes sxx = law.stiffness * (exx + law.poisson_ratio * eyy);
+  const Lanes syy = law.stiffness * (eyy + law.poisson_ratio * exx);
+  const Lanes sxy = law.stiffness * (1. - law.poisson_ratio) * exy;
+  energy = 0.5 * weight * (sxx * exx + syy * eyy + 2. * (sxy * exy));
+  for (int i = 0; i < 3; ++i)
+  {
+    flux[0][i] = weight * (sxx * f[0][i] + sxy * f[1][i]);
+    flux[1][i] = weight * (sxy * f[0][i] + syy * f[1][i]);
+  }
+}
+
+/// Adds the share of one point to the forces of `lanes` elements.
+template <typename Lanes>
+FEM_INLINE void point_forces(const SheetBatch &batch, const BatchLaw &law,
+                             const BatchPositions &positions, int q, int lane,
+                             BatchForces &out)
+{
+  Lanes f[2][3], flux[2][3], normal[3], weight, energy;
+  load(weight, &batch.weight[q][lane]);
+  tangents(batch, positions, q, lane, f);
+  fluxes(law, weight, f, flux, energy);
+  add(&out.energy[lane], energy);
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    normal[i] = weight * (f[0][j] * f[1][k] - f[0][k] * f[1][j]);
+  }
+  for (int v = 0; v < 4; ++v)
+  {
+    Lanes first, second;
+    load(first, &batch.gradient[q][v][0][lane]);
+    load(second, &batch.gradient[q][v][1][lane]);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Lanes internal = -(first * flux[0][i] + second * flux[1][i]);
+      const Lanes area = law.value[q][v] * normal[i];
+      add(&out.internal[v][i][lane], internal);
+      add(&out.area[v][i][lane], area);
+    }
+  }
+}
+
+template <int lanes>
+FEM_INLINE void batch_forces(const SheetBatch &batch, const BatchLaw &law,
+                             const BatchPositions &positions, BatchForces &out)
+{
+  std::memset(&out, 0, sizeof(out));
+  for (int lane = 0; lane < batch_size; lane += lanes)
+    for (int q = 0; q < 4; ++q)
+      point_forces<typename Pack<lanes>::type>(batch, law, positions, q, lane,
+                                               out);
+}
+
+void two_lanes(const SheetBatch &batch, const BatchLaw &law,
+               const BatchPositions &positions, BatchForces &out)
+{
+  batch_forces<2>(batch, law, positions, out);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void four_lanes(const SheetBatch &batch,
+                                        const BatchLaw &law,
+                                        const BatchPositions &positions,
+                                        BatchForces &out)
+{
+  batch_forces<4>(batch, law, positions, out);
+}
+
+[[gnu::target("avx512f")]] void eight_lanes(const SheetBatch &batch,
+                                            const BatchLaw &law,
+                                            const BatchPositions &positions,
+                                            BatchForces &out)
+{
+  batch_forces<8>(batch, law, positions, out);
+}
+#endif
+} // namespace
+
+std::vector<BatchKernel> batch_kernels()
+{
+  std::vector<BatchKernel> kernels;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f"))
+    kernels.push_back(eight_lanes);
+  if (__builtin_cpu_supports("avx2"))
+    kernels.push_back(four_lanes);
+#endif
+  kernels.push_back(two_lanes);
+  return kernels;
+}
+} // namespace fem
