@@ -193,6 +193,7 @@ std::vector<ShapeFile> read_shapes(const std::string &folder)
   if (paths.empty())
     fail(folder, "has no shape files (*.json)");
   std::vector<ShapeFile> shapes;
+  shapes.reserve(paths.size());
   for (const std::string &path : paths)
     shapes.push_back(read_shape(path));
   return shapes;

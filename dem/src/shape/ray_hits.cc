@@ -123,6 +123,7 @@ RayHits cast_one(const TriangleMesh &mesh, const Vec3 &direction)
 int common_winding(const std::vector<RayHits> &hits)
 {
   std::vector<int> winding;
+  winding.reserve(hits.size());
   for (const RayHits &hit : hits)
     winding.push_back(hit.winding);
   const auto middle = winding.begin() + std::ptrdiff_t(winding.size() / 2);
