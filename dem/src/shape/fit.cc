@@ -26,7 +26,7 @@ void require_order(int order)
 std::string percent(double share)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100. * share);
+  std::snprintf(text, sizeof text, "%.3g %%", 100. * share);
   return text;
 }
 
