@@ -74,21 +74,28 @@ struct Range
   }
 };
 
-std::vector<std::string> tick_texts(const Axis &axis)
+struct Tick
+{
+  double value;
+  std::string text;
+};
+
+std::vector<Tick> ticks_of(const Axis &axis)
 {
   // One rounding for the whole axis: 0.1 + 0.2 must not show.
   const int n_decimals =
       std::max(0, -static_cast<int>(std::floor(std::log10(axis.step) + 1e-9)));
-  const auto n = std::lround((axis.high - axis.low) / axis.step);
-  std::vector<std::string> texts;
-  for (long k = 0; k <= n; ++k)
+  const bool is_plain = n_decimals <= 6 && std::abs(axis.high) < 1e7;
+  const auto first = std::lround(std::ceil(axis.low / axis.step - 1e-6)),
+             last = std::lround(std::floor(axis.high / axis.step + 1e-6));
+  std::vector<Tick> ticks;
+  for (long k = first; k <= last; ++k)
   {
-    const double value = axis.low + static_cast<double>(k) * axis.step;
-    texts.push_back(n_decimals <= 6 && std::abs(axis.high) < 1e7
-                        ? format_fixed(value, n_decimals)
-                        : format(value, 3));
+    const double value = static_cast<double>(k) * axis.step;
+    ticks.push_back(
+        {value, is_plain ? format_fixed(value, n_decimals) : format(value, 3)});
   }
-  return texts;
+  return ticks;
 }
 
 /// Where the data go on the page.
@@ -108,8 +115,8 @@ public:
     x_axis = nice_axis(x_range.low, x_range.high, 6);
     y_axis = nice_axis(y_range.low, y_range.high, 5);
     double widest = 0.;
-    for (const std::string &text : tick_texts(y_axis))
-      widest = std::max(widest, width_of(text));
+    for (const Tick &tick : ticks_of(y_axis))
+      widest = std::max(widest, width_of(tick.text));
     left = widest + 42.;
   }
 
@@ -132,23 +139,19 @@ public:
 std::string draw_axes(const Chart &chart, const Frame &frame)
 {
   std::string out;
-  const std::vector<std::string> x_texts = tick_texts(frame.x_axis),
-                                 y_texts = tick_texts(frame.y_axis);
   const std::string grid = "stroke=\"#e4e4e4\" stroke-width=\"0.8\"",
                     ink = "stroke=\"#444\" stroke-width=\"1\" fill=\"none\"";
-  for (std::size_t k = 0; k < y_texts.size(); ++k)
+  for (const Tick &tick : ticks_of(frame.y_axis))
   {
-    const double y =
-        frame.y(frame.y_axis.low + static_cast<double>(k) * frame.y_axis.step);
+    const double y = frame.y(tick.value);
     out += line(frame.left, y, width - right, y, grid);
-    out += label(frame.left - 7., y + 4., y_texts[k], "text-anchor=\"end\"");
+    out += label(frame.left - 7., y + 4., tick.text, "text-anchor=\"end\"");
   }
-  for (std::size_t k = 0; k < x_texts.size(); ++k)
+  for (const Tick &tick : ticks_of(frame.x_axis))
   {
-    const double x =
-        frame.x(frame.x_axis.low + static_cast<double>(k) * frame.x_axis.step);
+    const double x = frame.x(tick.value);
     out += line(x, frame.floor(), x, frame.floor() + 4., ink);
-    out += label(x, frame.floor() + 17., x_texts[k], "text-anchor=\"middle\"");
+    out += label(x, frame.floor() + 17., tick.text, "text-anchor=\"middle\"");
   }
   out += line(frame.left, frame.top, frame.left, frame.floor(), ink);
   out += line(frame.left, frame.floor(), width - right, frame.floor(), ink);
@@ -276,8 +279,16 @@ Axis nice_axis(double low, double high, int n)
                                 : digit <= 2.2 ? 2.
                                 : digit <= 5.5 ? 5.
                                                : 10.);
-  return {std::floor(low / step + 1e-6) * step,
-          std::ceil(high / step - 1e-6) * step, step};
+  // To the next tick, or, if that is far, a little beyond the data.
+  constexpr double far = 0.55;
+  const double margin = 0.2 * step;
+  double from = std::floor(low / step + 1e-6) * step,
+         to = std::ceil(high / step - 1e-6) * step;
+  if (low - from > far * step && from != 0.)
+    from = low - margin;
+  if (to - high > far * step && to != 0.)
+    to = high + margin;
+  return {from, to, step};
 }
 
 std::string palette_colour(std::size_t k)

@@ -34,14 +34,14 @@ struct Chart
   std::vector<std::string> notes = {}; ///< why something is not drawn
 };
 
-/// Ticks of one axis: low, low + step, ..., high.
+/// Range of one axis; its ticks are the multiples of the step inside.
 struct Axis
 {
   double low = 0., high = 1., step = 0.2;
 };
 
-/// The smallest axis with about n steps of 1, 2 or 5 times a power of ten
-/// that covers the range. Zero is included where that costs little.
+/// An axis with about n steps of 1, 2 or 5 times a power of ten that covers the
+/// range. It ends with a tick, and takes in zero, where that costs little.
 Axis nice_axis(double low, double high, int n);
 
 /// Colour-blind safe (Okabe and Ito), told apart by the dashes in print.

@@ -84,7 +84,8 @@ std::vector<Chart> energy_charts(std::span<const RunData> runs)
     Chart large = chart_of_run(
         runs, k,
         {"energies",
-         "Energies and work as booked by the ledger: the large terms."});
+         "Work and changes of energy since the start of loading: the large "
+         "terms."});
     Chart small =
         chart_of_run(runs, k,
                      {"small_energies", "Work and changes of energy since the "

@@ -33,8 +33,8 @@ th { font-weight: 500; color: #444; } thead th, tfoot th, tfoot td {
 .wide { overflow-x: auto; }
 .charts { display: grid; gap: 1.6rem 2rem;
   grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); }
-figure { margin: 0 0 .6rem; } figure svg, figure img { width: 100%;
-  height: auto; display: block; }
+figure { margin: 0 0 .6rem; } figure svg, figure img { max-width: 100%;
+  height: auto; display: block; } figure svg { width: 100%; }
 figcaption { font-size: .9rem; color: #333; margin-top: .4rem; }
 .note { color: #7a4a00; font-size: .9rem; margin: .2rem 0; }
 .key { display: inline-block; width: .8em; height: .8em; margin-right: .5em; }
@@ -102,7 +102,8 @@ std::string specimens(const Report &report)
       out += notes(
           {"No picture of " + report.runs[k].name + ": " + picture.problem});
     else
-      out += "<figure><img alt=\"" + caption +
+      out += "<figure><img alt=\"" + caption + "\" width=\"" +
+             std::to_string(picture.width / 2) +
              "\" src=\"data:image/png;base64," + base64(picture.png) +
              "\"><figcaption>" + caption + "</figcaption></figure>\n";
   }

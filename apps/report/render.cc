@@ -1,6 +1,7 @@
 #include "report/render.h"
 
 #include "report/egl_window.h"
+#include "report/picture_sheet.h"
 
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
@@ -9,11 +10,10 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
@@ -24,60 +24,16 @@
 #include <vtkScalarBarActor.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkWindowToImageFilter.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <map>
+#include <vector>
 
 namespace spall
 {
 namespace
 {
-namespace fs = std::filesystem;
-
 constexpr int panel = 900, bar_panel = 220; ///< [px]
-constexpr int fineness = 2; ///< of the drawing against the picture
-
-/// NAME_00012.vtu of a folder by number.
-std::map<int, std::string> frames_of(const fs::path &folder,
-                                     const std::string &name)
-{
-  std::map<int, std::string> files;
-  if (!fs::is_directory(folder))
-    return files;
-  for (const auto &entry : fs::directory_iterator(folder))
-  {
-    const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() == ".vtu" && stem.starts_with(name + "_"))
-      files[std::atoi(stem.c_str() + name.size() + 1)] = entry.path().string();
-  }
-  return files;
-}
-
-/// Without cells if the file cannot be read: the caller says so.
-vtkNew<vtkPolyData> read_faces(const std::string &path)
-{
-  const int shows_warnings = vtkObject::GetGlobalWarningDisplay();
-  vtkObject::GlobalWarningDisplayOff();
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkObject::SetGlobalWarningDisplay(shows_warnings);
-  vtkUnstructuredGrid *grid = reader->GetOutput();
-  vtkNew<vtkPolyData> faces;
-  if (grid && grid->GetNumberOfCells() > 0)
-  {
-    faces->SetPoints(grid->GetPoints());
-    faces->SetPolys(grid->GetCells());
-    faces->GetCellData()->ShallowCopy(grid->GetCellData());
-  }
-  return faces;
-}
+constexpr int fineness = PictureSheet::fineness;
 
 /// From the grey of an unbroken stone over orange to dark red.
 vtkNew<vtkLookupTable> loss_colours(double max_loss)
@@ -188,33 +144,67 @@ void add_lights(vtkRenderer *renderer)
 }
 
 /// Darkens the gaps between stones, which gives the picture its depth.
-void add_depth(vtkRenderer *renderer, const vtkBoundingBox &box)
+void add_depth(vtkRenderer *renderer, double size)
 {
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkSSAOPass> shade;
-  shade->SetRadius(0.06 * box.GetDiagonalLength());
-  shade->SetBias(0.0005 * box.GetDiagonalLength());
+  shade->SetRadius(0.06 * size);
+  shade->SetBias(0.002 * size);
   shade->SetKernelSize(32);
   shade->BlurOn();
   shade->SetDelegatePass(steps);
   renderer->SetPass(shade);
 }
 
-/// The same eye for every panel: three quarters from above.
-void aim(vtkRenderer *renderer, const vtkBoundingBox &box)
+using Faces = std::vector<vtkNew<vtkPolyData>>;
+
+vtkBoundingBox bounds_of(const Faces &all_faces)
 {
+  vtkBoundingBox box;
+  for (const vtkNew<vtkPolyData> &faces : all_faces)
+    box.AddBounds(faces->GetBounds());
+  return box;
+}
+
+/// Zooms and shifts until the points fill the picture.
+void fill(vtkCamera *camera, const Faces &all_faces)
+{
+  vtkMatrix4x4 *view =
+      camera->GetCompositeProjectionTransformMatrix(1., -1., 1.);
+  vtkBoundingBox seen; // [-1, 1] is the picture
+  for (const vtkNew<vtkPolyData> &faces : all_faces)
+    for (vtkIdType k = 0; k < faces->GetNumberOfPoints(); ++k)
+    {
+      double point[4];
+      faces->GetPoint(k, point);
+      point[3] = 1.;
+      view->MultiplyPoint(point, point);
+      seen.AddPoint(point[0] / point[3], point[1] / point[3], 0.);
+    }
+  constexpr double filled = 0.9, title = 0.04;
+  const double zoom =
+      2. * filled / std::max(seen.GetLength(0), seen.GetLength(1));
+  double centre[3];
+  seen.GetCenter(centre);
+  camera->Zoom(zoom);
+  camera->SetWindowCenter(zoom * centre[0], zoom * centre[1] + title);
+}
+
+/// One eye for every panel: three quarters from above.
+vtkNew<vtkCamera> aim(const Faces &all_faces)
+{
+  const vtkBoundingBox box = bounds_of(all_faces);
   double centre[3];
   box.GetCenter(centre);
-  vtkCamera *camera = renderer->GetActiveCamera();
+  const double distance = 2.2 * box.GetDiagonalLength();
+  vtkNew<vtkCamera> camera;
   camera->SetFocalPoint(centre);
-  camera->SetPosition(centre[0] + 0.62, centre[1] - 1., centre[2] + 0.48);
+  camera->SetPosition(centre[0] + 0.49 * distance, centre[1] - 0.79 * distance,
+                      centre[2] + 0.38 * distance);
   camera->SetViewUp(0., 0., 1.);
-  camera->SetViewAngle(24.);
-  double bounds[6];
-  box.GetBounds(bounds);
-  renderer->ResetCamera(bounds);
-  camera->Zoom(1.15);
-  renderer->ResetCameraClippingRange();
+  camera->SetViewAngle(30.);
+  fill(camera, all_faces);
+  return camera;
 }
 
 void add_bar(vtkRenderer *renderer, vtkLookupTable *colours)
@@ -240,67 +230,6 @@ void add_bar(vtkRenderer *renderer, vtkLookupTable *colours)
   renderer->AddViewProp(bar);
 }
 
-/// One row of panels, each drawn finer than shown and averaged: the passes of
-/// VTK neither share a window nor smooth the edges of translucent faces.
-class Sheet
-{
-public:
-  explicit Sheet(int width)
-  {
-    image->SetDimensions(width, panel, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  }
-
-  void add(EglWindow *window, vtkRenderer *renderer, int width)
-  {
-    window->SetSize(fineness * width, fineness * panel);
-    window->AddRenderer(renderer);
-    window->Render();
-    vtkNew<vtkWindowToImageFilter> grab;
-    grab->SetInput(window);
-    grab->ReadFrontBufferOff();
-    grab->Update();
-    copy(grab->GetOutput(), width);
-    window->RemoveRenderer(renderer);
-    next += width;
-  }
-
-  std::string png() const
-  {
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputData(image);
-    writer->WriteToMemoryOn();
-    writer->Write();
-    vtkUnsignedCharArray *bytes = writer->GetResult();
-    return {reinterpret_cast<const char *>(bytes->GetPointer(0)),
-            static_cast<std::size_t>(bytes->GetNumberOfValues())};
-  }
-
-private:
-  void copy(vtkImageData *fine, int width)
-  {
-    for (int y = 0; y < panel; ++y)
-      for (int x = 0; x < width; ++x)
-        for (int i = 0; i < 3; ++i)
-        {
-          int sum = 0;
-          for (int k = 0; k < fineness * fineness; ++k)
-            sum += pixel(fine, fineness * x + k % fineness,
-                         fineness * y + k / fineness)[i];
-          pixel(image, next + x, y)[i] =
-              static_cast<unsigned char>(sum / (fineness * fineness));
-        }
-  }
-
-  static unsigned char *pixel(vtkImageData *from, int x, int y)
-  {
-    return static_cast<unsigned char *>(from->GetScalarPointer(x, y, 0));
-  }
-
-  vtkNew<vtkImageData> image;
-  int next = 0; ///< first free column [px]
-};
-
 vtkNew<vtkRenderer> white_renderer()
 {
   vtkNew<vtkRenderer> renderer;
@@ -322,48 +251,6 @@ vtkNew<vtkRenderer> specimen_renderer(const SpecimenFiles &specimen,
 }
 } // namespace
 
-std::vector<SpecimenFiles> find_specimens(const std::string &folder)
-{
-  const fs::path frames = fs::path(folder) / "frames";
-  const auto surfaces = frames_of(frames, "surfaces"),
-             membranes = frames_of(frames, "membrane");
-  if (surfaces.empty())
-    return {};
-  const auto specimen = [&](const std::string &title, const auto &frame)
-  {
-    const auto membrane = membranes.find(frame.first);
-    return SpecimenFiles{title, frame.second,
-                         membrane == membranes.end() ? "" : membrane->second};
-  };
-  std::vector<SpecimenFiles> out{specimen("before loading", *surfaces.begin())};
-  if (surfaces.size() > 1)
-    out.push_back(specimen("after loading", *surfaces.rbegin()));
-  return out;
-}
-
-double loss_scale(std::span<const SpecimenFiles> specimens)
-{
-  constexpr double smallest = 1e-5;
-  if (specimens.empty())
-    return smallest;
-  const vtkNew<vtkPolyData> faces = read_faces(specimens.back().surfaces);
-  vtkDataArray *loss = faces->GetCellData()->GetArray("loss_1");
-  if (!loss || loss->GetNumberOfTuples() == 0)
-    return smallest;
-  std::vector<double> values(
-      static_cast<std::size_t>(loss->GetNumberOfTuples()));
-  for (std::size_t k = 0; k < values.size(); ++k)
-    values[k] = loss->GetTuple1(static_cast<vtkIdType>(k));
-  std::sort(values.begin(), values.end());
-  // Stones have equally many triangles, so these are shares of stones.
-  const double high = std::max(smallest, values[values.size() * 98 / 100]);
-  const double decade = std::pow(10., std::floor(std::log10(high)));
-  for (const double digit : {1., 2., 5.})
-    if (high <= digit * decade * (1. + 1e-6))
-      return digit * decade;
-  return 10. * decade;
-}
-
 Picture render_specimens(std::span<const SpecimenFiles> specimens,
                          double max_loss)
 {
@@ -373,29 +260,32 @@ Picture render_specimens(std::span<const SpecimenFiles> specimens,
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   const vtkNew<vtkLookupTable> colours = loss_colours(max_loss);
-  vtkBoundingBox box;
-  std::vector<vtkNew<vtkPolyData>> faces;
+  Faces stones, all_faces;
   for (const SpecimenFiles &specimen : specimens)
   {
-    faces.push_back(read_faces(specimen.surfaces));
-    if (faces.back()->GetNumberOfCells() == 0)
+    stones.push_back(read_faces(specimen.surfaces));
+    if (stones.back()->GetNumberOfCells() == 0)
       return {"", specimen.surfaces + " cannot be read or has no stones."};
-    box.AddBounds(faces.back()->GetBounds());
+    all_faces.emplace_back()->ShallowCopy(stones.back());
     if (!specimen.membrane.empty())
-      box.AddBounds(read_faces(specimen.membrane)->GetBounds());
+      all_faces.push_back(read_faces(specimen.membrane));
   }
-  Sheet sheet(static_cast<int>(specimens.size()) * panel + bar_panel);
+  const vtkNew<vtkCamera> camera = aim(all_faces);
+  const double size = bounds_of(all_faces).GetDiagonalLength();
+  const int width = static_cast<int>(specimens.size()) * panel + bar_panel;
+  PictureSheet sheet(width, panel);
   for (std::size_t k = 0; k < specimens.size(); ++k)
   {
     const vtkNew<vtkRenderer> renderer =
-        specimen_renderer(specimens[k], faces[k], colours);
-    aim(renderer, box);
-    add_depth(renderer, box);
+        specimen_renderer(specimens[k], stones[k], colours);
+    renderer->SetActiveCamera(camera);
+    renderer->ResetCameraClippingRange();
+    add_depth(renderer, size);
     sheet.add(window, renderer, panel);
   }
   const vtkNew<vtkRenderer> bar = white_renderer();
   add_bar(bar, colours);
   sheet.add(window, bar, bar_panel);
-  return {sheet.png(), ""};
+  return {sheet.png(), "", width};
 }
 } // namespace spall

@@ -92,7 +92,9 @@ void expect_axis(const Axis &axis, double low, double high, double step)
 TEST(ReportChart, AxesHaveRoundTicksAroundTheData)
 {
   expect_axis(nice_axis(0., 10., 6), 0., 10., 2.);
-  expect_axis(nice_axis(-3.2, 96.7, 5), -20., 100., 20.);
+  expect_axis(nice_axis(-13.2, 96.7, 5), -20., 100., 20.);
+  // A tick far beyond the data would waste space.
+  expect_axis(nice_axis(-1., 17., 6), -2., 18., 5.);
   expect_axis(nice_axis(0.512, 0.516, 5), 0.512, 0.516, 0.001);
   // Zero is near: it is taken in.
   expect_axis(nice_axis(2., 9.7, 5), 0., 10., 2.);

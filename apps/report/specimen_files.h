@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// Files of one instant. An empty membrane: there is none.
+struct SpecimenFiles
+{
+  std::string title, surfaces, membrane;
+};
+
+/// First and last frame with surfaces of a run folder; none, one or two.
+std::vector<SpecimenFiles> find_specimens(const std::string &folder);
+
+/// Upper end of the colour bar: the loss that 98 % of the stones stay below,
+/// rounded up, in the last of these frames [-].
+double loss_scale(std::span<const SpecimenFiles> specimens);
+
+/// Faces of a .vtu file with their data; none if it cannot be read.
+vtkNew<vtkPolyData> read_faces(const std::string &path);
+} // namespace spall
