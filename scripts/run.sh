@@ -4,7 +4,7 @@
 # writes its report, prints where it is and the three numbers that matter.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$root/scripts/setup.sh"
+"$root/scripts/setup.sh" spall
 
 case_file=$root/data/cases/dynamic_triaxial_quick.prm
 if [ $# -gt 0 ] && [[ $1 != --* ]]; then

@@ -1,6 +1,8 @@
 #!/bin/bash
+# scripts/setup.sh [TARGET ...]
 # Installs the packages of packages.txt that are missing, configures and builds
-# Spall in build/ (Release). Quick when there is nothing to do.
+# Spall, or these targets of it, in build/ (Release). Quick when there is
+# nothing to do.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -35,4 +37,6 @@ if ! cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   cat "$log" >&2
   exit 2
 fi
-cmake --build "$root/build" --parallel "$(nproc)"
+targets=()
+[ $# -eq 0 ] || targets=(--target "$@")
+cmake --build "$root/build" --parallel "$(nproc)" "${targets[@]}"

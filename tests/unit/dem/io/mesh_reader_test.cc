@@ -19,7 +19,9 @@ class MeshReader : public testing::Test
 protected:
   void SetUp() override
   {
-    folder = std::filesystem::path(testing::TempDir()) / "mesh_reader";
+    // One folder a test: ctest runs them side by side.
+    folder = std::filesystem::path(testing::TempDir()) /
+             testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(folder);
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
