@@ -15,17 +15,36 @@ double lagged_step(double stiffness, double mass, double damping_ratio)
          (std::sqrt(1. + damping_ratio * damping_ratio) - damping_ratio);
 }
 
-/// The spring along the wall also turns the ball, 1/m + r^2/I = 3.5/m: its
-/// dashpot 2 beta sqrt(m k_s) is sqrt(3.5) times as strong for that mode.
+/// Step of a ball on the wall that slides and turns. With t = dt sqrt(k_s / m),
+/// p = t^2 + 4 beta_s t for the spring with its lagged dashpot on x - r theta
+/// and q = t^2 for the rolling spring k_s r^2 on theta (0 without), the motion
+/// that changes its sign at every step is the limit:
+/// 16 - 14 p - 10 q + 5/2 p q = 0. Without the rolling spring this is
+/// lagged_step() with 1/m + r^2/I = 3.5/m.
+double shear_step(const WallMaterial &wall, double mass)
+{
+  const double rolling = wall.rolling_friction > 0. ? 1. : 0.;
+  const auto is_stable = [&](double t)
+  {
+    const double p = t * (t + 4. * wall.shear_damping), q = rolling * t * t;
+    return 16. - 14. * p - 10. * q + 2.5 * p * q > 0.;
+  };
+  // Unstable at 2 / sqrt(3.5) at the latest; stable all the way below.
+  double stable = 0., unstable = 1.07;
+  for (int pass = 0; pass < 60; ++pass)
+  {
+    const double middle = 0.5 * (stable + unstable);
+    (is_stable(middle) ? stable : unstable) = middle;
+  }
+  return stable * std::sqrt(mass / wall.shear_stiffness);
+}
+
 double wall_step(const WallMaterial &wall, double mass)
 {
-  constexpr double turning = 3.5;
   const double normal =
       lagged_step(wall.normal_stiffness, mass, wall.normal_damping);
-  if (wall.shear_stiffness <= 0.)
-    return normal;
-  return std::min(normal, lagged_step(wall.shear_stiffness, mass / turning,
-                                      wall.shear_damping * std::sqrt(turning)));
+  return wall.shear_stiffness > 0. ? std::min(normal, shear_step(wall, mass))
+                                   : normal;
 }
 } // namespace
 
