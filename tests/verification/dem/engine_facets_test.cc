@@ -1,0 +1,281 @@
+#include "dem_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <shape/test_shapes.h>
+
+// Triangles that lie in one plane must act as that plane.
+namespace
+{
+constexpr double ball_radius = 0.01, gravity = 9.81;
+
+dem::EngineParameters floor_parameters()
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.wall.normal_stiffness = 2e5;
+  p.wall.shear_stiffness = 1.7e5;
+  p.wall.friction = 0.5;
+  p.wall.rolling_friction = 0.02;
+  p.wall.normal_damping = p.wall.shear_damping = 0.62;
+  p.surface = p.wall;
+  p.gravity = {0., 0., -gravity};
+  return p;
+}
+
+/// A ball that touches the floor at (x, y).
+dem::Engine ball_above(const dem::EngineParameters &parameters, double x,
+                       double y)
+{
+  dem::Engine engine(parameters);
+  support::add_sphere(engine, ball_radius, {x, y, ball_radius});
+  return engine;
+}
+
+dem::Engine ball_on_plane(const dem::EngineParameters &parameters, double x,
+                          double y)
+{
+  dem::Engine engine = ball_above(parameters, x, y);
+  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  return engine;
+}
+
+dem::Engine ball_on_fan(const dem::EngineParameters &parameters, double x,
+                        double y, const dem::FacetSurface &fan)
+{
+  dem::Engine engine = ball_above(parameters, x, y);
+  engine.attach_surface(fan);
+  return engine;
+}
+
+double unit_time(const dem::Engine &engine)
+{
+  return std::sqrt(engine.particles().mass[0] /
+                   engine.parameters().wall.normal_stiffness);
+}
+
+/// How deep the ball sinks into the floor by its weight [m].
+double sunk_at_rest(dem::Engine engine)
+{
+  // The damped motion has fallen by exp(-0.62 x 50), below round-off.
+  support::advance(engine, 0.1 * unit_time(engine), 500);
+  return ball_radius - engine.particles().position[0].z();
+}
+
+/// A floor with hills that moves, its vertices with a mass.
+dem::FacetSurface hills()
+{
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> some(-1., 1.);
+  constexpr int n = 7;
+  std::vector<dem::Vec3> position;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      position.emplace_back(0.008 * (i - 3), 0.008 * (j - 3),
+                            5e-4 * some(generator));
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  for (int i = 0; i + 1 < n; ++i)
+    for (int j = 0; j + 1 < n; ++j)
+    {
+      const int a = i * n + j, b = a + n;
+      triangles.push_back({a, a + 1, b});
+      triangles.push_back({a + 1, b + 1, b});
+    }
+  dem::FacetSurface surface = support::fixed_surface(position, triangles);
+  for (std::size_t v = 0; v < position.size(); ++v)
+  {
+    surface.velocity[v] =
+        0.1 * dem::Vec3(some(generator), some(generator), some(generator));
+    surface.mass[v] = 1e-4;
+  }
+  return surface;
+}
+
+dem::EngineParameters sticky_parameters()
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.surface.friction = 0.6;
+  p.surface.normal_damping = p.surface.shear_damping = 0.3;
+  return p;
+}
+
+/// Force and moment about the origin, or powers, of both sides of the facet
+/// contacts, added up: what must vanish; and the size of what was added.
+struct Balance
+{
+  dem::Vec3 force = dem::Vec3::Zero(), moment = dem::Vec3::Zero();
+  double power = 0.;
+  double force_size = 0., power_size = 0.;
+};
+
+Balance balance_of(const dem::Engine &engine)
+{
+  Balance sum;
+  const dem::FacetSurface &surface = engine.surface();
+  for (std::size_t v = 0; v < surface.load.size(); ++v)
+  {
+    sum.force += surface.load[v];
+    sum.moment += surface.position[v].cross(surface.load[v]);
+    sum.power += surface.load[v].dot(surface.velocity[v]);
+    sum.force_size += surface.load[v].norm();
+    sum.power_size += std::abs(surface.load[v].dot(surface.velocity[v]));
+  }
+  const dem::ContactBatch &batch = engine.on_facets();
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    if (!batch.is_touching(k))
+      continue;
+    const auto i = static_cast<std::size_t>(batch.a[k]);
+    const dem::Vec3 &force = batch.load[k].force;
+    sum.force += force;
+    sum.moment +=
+        engine.particles().position[i].cross(force) + batch.load[k].moment_a;
+    // The stone feels the force where the surface does, which moves so:
+    const dem::FacetSpot &spot = engine.facets().spot[k];
+    const auto &corner =
+        surface.triangles[static_cast<std::size_t>(spot.triangle)];
+    for (std::size_t c = 0; c < 3; ++c)
+      sum.power +=
+          spot.weight[c] *
+          force.dot(surface.velocity[static_cast<std::size_t>(corner[c])]);
+  }
+  return sum;
+}
+
+void expect_balanced(const dem::Engine &engine)
+{
+  const Balance sum = balance_of(engine);
+  EXPECT_GT(sum.force_size, 1.); // N
+  EXPECT_LT(sum.force.norm(), 1e-13 * sum.force_size);
+  // Levers are below 0.05 m.
+  EXPECT_LT(sum.moment.norm(), 1e-14 * sum.force_size);
+  EXPECT_LT(std::abs(sum.power), 1e-12 * sum.power_size);
+}
+} // namespace
+
+// A contact per triangle would give 1/2, 1/4, 1/6 of the overlap.
+TEST(EngineFacets, BallOnAFanSinksAsOnAPlane)
+{
+  const dem::EngineParameters p = floor_parameters();
+  const double plane = sunk_at_rest(ball_on_plane(p, 0., 0.));
+  const double exact = 4. / 3. * std::numbers::pi * std::pow(ball_radius, 3) *
+                       p.stone.density * gravity / p.wall.normal_stiffness;
+  // The position has 16 digits, the overlap is 1e-4 of it.
+  EXPECT_NEAR(plane / exact, 1., 1e-8);
+  for (const int n : {2, 4, 6})
+    for (const double x : {0., 1e-9, 1e-3})
+    {
+      dem::Engine engine =
+          ball_on_fan(p, x, 0., support::coplanar_fan(n, 0.05, 0.4));
+      EXPECT_NEAR(sunk_at_rest(std::move(engine)) / plane, 1., 1e-6)
+          << n << " triangles, x = " << x;
+    }
+}
+
+// Down a slight slope, over faces, edges and the vertex: at every step the one
+// contact carries what the plane's does, shear and rolling springs included,
+// whatever the triangles. Both engines do the same sums but for the nearest
+// point, which costs 1e-16 of a metre: 1e-11 of the overlap a step.
+TEST(EngineFacets, RollingOverFacetsIsRollingOnAPlane)
+{
+  dem::EngineParameters p = floor_parameters();
+  p.gravity = {0.5, 0., -gravity};
+  for (const double y : {0., 2e-3})
+    for (const int n : {2, 4, 6})
+      for (const double angle : {0., 0.2, std::numbers::pi / 6.})
+      {
+        dem::Engine plane = ball_on_plane(p, -0.03, y);
+        dem::Engine fan =
+            ball_on_fan(p, -0.03, y, support::coplanar_fan(n, 0.2, angle));
+        for (dem::Engine *engine : {&plane, &fan})
+        {
+          engine->particles().velocity[0].x() = 0.3;
+          engine->particles().spin[0].y() = 0.3 / ball_radius;
+        }
+        const double dt = 0.1 * unit_time(plane);
+        const double weight = plane.particles().mass[0] * gravity;
+        while (plane.particles().position[0].x() < 0.03)
+        {
+          plane.advance(dt);
+          fan.advance(dt);
+          const std::size_t k = support::only_touch(fan.on_facets());
+          const std::size_t one = support::only_touch(plane.on_planes());
+          ASSERT_LT(one, plane.on_planes().size());
+          ASSERT_LT(k, fan.on_facets().size())
+              << n << " triangles, x = " << plane.particles().position[0].x();
+          const dem::ContactHistory &a = plane.on_planes().history[one];
+          const dem::ContactHistory &b = fan.on_facets().history[k];
+          ASSERT_NEAR(a.normal_force, b.normal_force, 1e-6 * weight);
+          ASSERT_LT((a.shear - b.shear).norm(), 1e-6 * weight);
+          ASSERT_LT((a.rolling - b.rolling).norm(),
+                    1e-6 * weight * ball_radius);
+        }
+        // In the end the load is the weight, and the springs are loaded.
+        const std::size_t k = support::only_touch(fan.on_facets());
+        EXPECT_NEAR(fan.on_facets().history[k].normal_force, weight,
+                    1e-6 * weight);
+        EXPECT_GT(fan.on_facets().history[k].shear.norm(), 1e-3 * weight);
+        EXPECT_GT(fan.on_facets().history[k].rolling.norm(),
+                  1e-3 * weight * ball_radius);
+      }
+}
+
+// Forces, moments and powers of both sides, for balls and for a shape pressed
+// into hills that move.
+TEST(EngineFacets, LoadsOfASphereAreConservative)
+{
+  dem::Engine engine(sticky_parameters());
+  support::add_sphere(engine, ball_radius, {0.001, 0.002, 0.0095});
+  support::add_sphere(engine, ball_radius, {-0.012, -0.011, 0.0097});
+  engine.attach_surface(hills());
+  engine.particles().velocity[0] = {0.1, 0.2, -0.1};
+  engine.particles().spin[0] = {3., -2., 1.};
+  for (int step = 0; step < 20; ++step)
+  {
+    engine.advance(1e-7);
+    expect_balanced(engine);
+  }
+}
+
+TEST(EngineFacets, LoadsOfAShapeAreConservative)
+{
+  auto series =
+      std::make_shared<const dem::Coefficients>(dem::test::random_stone(20, 3));
+  dem::Engine engine(sticky_parameters());
+  engine.add_stone(dem::make_body(series, ball_radius), {0.001, 0.002, 0.008},
+                   dem::Quaternion(0.5, 0.5, -0.5, 0.5));
+  engine.attach_surface(hills());
+  engine.particles().velocity[0] = {0.1, 0.2, -0.1};
+  engine.particles().spin[0] = {3., -2., 1.};
+  for (int step = 0; step < 20; ++step)
+  {
+    engine.advance(1e-7);
+    expect_balanced(engine);
+  }
+}
+
+// A ball that a moving surface lifts: the work of the surface is what the
+// ball has gained, dashpots and sliding included.
+TEST(EngineFacets, WorkOfTheSurfaceIsBooked)
+{
+  dem::EngineParameters p = sticky_parameters();
+  p.surface.normal_stiffness = 1e6;
+  p.surface.shear_stiffness = 8e5;
+  dem::Engine engine(p);
+  support::add_sphere(engine, ball_radius, {0., 0., ball_radius});
+  dem::FacetSurface fan = support::coplanar_fan(6, 0.05, 0.);
+  const dem::Vec3 velocity(0.1, 0.05, 0.2);
+  fan.velocity.assign(fan.velocity.size(), velocity);
+  engine.attach_surface(fan);
+  const double dt = 2e-3 * std::sqrt(engine.particles().mass[0] / 1e6);
+  for (int step = 0; step < 4000; ++step)
+  {
+    for (dem::Vec3 &x : engine.surface().position)
+      x += dt * velocity;
+    engine.advance(dt);
+  }
+  EXPECT_GT(engine.particles().velocity[0].z(), 0.25);
+  // Second order in the step, but for the moment of touch and of leaving.
+  EXPECT_NEAR(support::energy_residual(engine), 0.,
+              2e-3 * engine.energy().surface_work);
+}
