@@ -1,0 +1,236 @@
+#include "dem_scene.h"
+
+#include <dem/boundary/box_servo.h>
+#include <dem/packing/insertion.h>
+
+#include <gtest/gtest.h>
+
+#include <omp.h>
+#include <shape/test_shapes.h>
+#include <sstream>
+
+// A box of breakable stones under a lid of facets, servo-controlled: saved
+// half way, it goes on to the last bit as if it had not been.
+namespace
+{
+constexpr double side = 0.045, time_step = 2e-6;
+constexpr int n_steps = 700;
+
+using Library = std::vector<std::shared_ptr<const dem::Coefficients>>;
+
+Library library()
+{
+  static const Library shapes = {
+      std::make_shared<const dem::Coefficients>(dem::test::random_stone(20, 3)),
+      std::make_shared<const dem::Coefficients>(
+          dem::test::random_stone(20, 4))};
+  return shapes;
+}
+
+dem::EngineParameters parameters()
+{
+  dem::EngineParameters p; // the article's, walls softer
+  p.wall.normal_stiffness = p.surface.normal_stiffness = 1e7;
+  p.wall.shear_stiffness = p.surface.shear_stiffness = 0.85e7;
+  p.breakage.fracture_energy = 10.; // many events
+  p.gravity = {0., 0., -9.81};
+  p.local_damping = 0.1;
+  return p;
+}
+
+struct Scene
+{
+  dem::Engine engine{parameters()};
+  dem::BoxPlanes box{};
+  dem::BoxServo servo{{}, {}};
+
+  Scene()
+  {
+    box = dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3::Constant(side));
+    servo = dem::BoxServo(box, {});
+    for (int d = 0; d < 2; ++d)
+      servo.follow(d, 2e5);
+    engine.deactivate_plane(box[2][1]);
+  }
+
+  /// Stones and lid; a scene to be restored has none yet.
+  void fill()
+  {
+    std::vector<dem::Body> bodies;
+    for (std::size_t k = 0; k < 40; ++k)
+      bodies.push_back(k % 3 == 2 ? dem::make_sphere(0.004)
+                                  : dem::make_body(library()[k % 2],
+                                                   0.004 + 2e-5 * double(k)));
+    dem::Random random(2);
+    const auto places = dem::insert_stones(bodies, dem::Vec3::Zero(),
+                                           dem::Vec3(side, side, side), random);
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+    {
+      engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+      engine.particles().velocity[k] =
+          2. * (dem::Vec3::Constant(0.5 * side) - places[k].position) / 0.01;
+    }
+    dem::FacetSurface lid =
+        support::fixed_surface({{-0.01, -0.01, side},
+                                {side + 0.01, -0.01, side},
+                                {side + 0.01, side + 0.01, side},
+                                {-0.01, side + 0.01, side},
+                                {0.5 * side, 0.5 * side, side}},
+                               {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+    lid.velocity.assign(5, {0., 0., -3.});
+    engine.attach_surface(lid);
+  }
+
+  void advance(int n)
+  {
+    for (int step = 0; step < n; ++step)
+    {
+      servo.update(engine, time_step);
+      for (std::size_t v = 0; v < 5; ++v)
+        engine.surface().position[v] +=
+            time_step * engine.surface().velocity[v];
+      engine.advance(time_step);
+    }
+  }
+
+  std::string saved() const
+  {
+    std::ostringstream out(std::ios::binary);
+    engine.save(out, library());
+    servo.save(out);
+    return out.str();
+  }
+};
+
+void expect_same(const dem::ContactBatch &a, const dem::ContactBatch &b)
+{
+  ASSERT_EQ(a.a, b.a);
+  ASSERT_EQ(a.b, b.b);
+  EXPECT_EQ(a.load.size(), b.load.size());
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    EXPECT_EQ(a.load[k].force, b.load[k].force);
+    EXPECT_EQ(a.load[k].moment_a, b.load[k].moment_a);
+    EXPECT_EQ(a.history[k].shear, b.history[k].shear);
+    EXPECT_EQ(a.history[k].rolling, b.history[k].rolling);
+    EXPECT_EQ(a.history[k].overlap, b.history[k].overlap);
+    EXPECT_EQ(a.history[k].factor_a, b.history[k].factor_a);
+    EXPECT_EQ(a.history[k].factor_b, b.history[k].factor_b);
+    EXPECT_EQ(a.lost[k].friction, b.lost[k].friction);
+  }
+}
+
+void expect_same(const Scene &one, const Scene &two)
+{
+  const dem::Particles &a = one.engine.particles(), &b = two.engine.particles();
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.velocity, b.velocity);
+  EXPECT_EQ(a.spin, b.spin);
+  EXPECT_EQ(a.rotation, b.rotation);
+  EXPECT_EQ(a.mass, b.mass);
+  EXPECT_EQ(a.force, b.force);
+  EXPECT_EQ(a.moment, b.moment);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_EQ(dem::scaled_coefficients(a.body[i]),
+              dem::scaled_coefficients(b.body[i]));
+  expect_same(one.engine.pairs(), two.engine.pairs());
+  expect_same(one.engine.on_planes(), two.engine.on_planes());
+  expect_same(one.engine.on_facets(), two.engine.on_facets());
+  EXPECT_EQ(one.engine.surface().load, two.engine.surface().load);
+  for (std::size_t p = 0; p < one.engine.planes().size(); ++p)
+  {
+    EXPECT_EQ(one.engine.planes()[p].point, two.engine.planes()[p].point);
+    EXPECT_EQ(one.engine.planes()[p].work, two.engine.planes()[p].work);
+  }
+  const dem::EngineEnergy e = one.engine.energy(), f = two.engine.energy();
+  EXPECT_EQ(e.kinetic, f.kinetic);
+  EXPECT_EQ(e.elastic, f.elastic);
+  EXPECT_EQ(e.friction, f.friction);
+  EXPECT_EQ(e.rolling, f.rolling);
+  EXPECT_EQ(e.damping, f.damping);
+  EXPECT_EQ(e.breakage, f.breakage);
+  EXPECT_EQ(e.shape_work, f.shape_work);
+  EXPECT_EQ(e.plane_work, f.plane_work);
+  EXPECT_EQ(e.surface_work, f.surface_work);
+  EXPECT_EQ(e.gravity_work, f.gravity_work);
+  EXPECT_EQ(one.engine.time(), two.engine.time());
+  EXPECT_EQ(one.engine.n_events(), two.engine.n_events());
+  EXPECT_EQ(one.engine.n_rebuilds(), two.engine.n_rebuilds());
+}
+} // namespace
+
+TEST(EngineCheckpoint, ContinuesBitForBit)
+{
+  Scene unbroken;
+  unbroken.fill();
+  unbroken.advance(n_steps);
+  const std::string state = unbroken.saved();
+  const std::int64_t n_before = unbroken.engine.n_events();
+  // Breakage has made shapes of their own before and makes more after.
+  EXPECT_GT(n_before, 0);
+  EXPECT_GT(unbroken.engine.on_facets().size(), 0u);
+
+  Scene resumed;
+  std::istringstream in(state, std::ios::binary);
+  resumed.engine.restore(in, library());
+  resumed.servo.restore(in);
+  expect_same(unbroken, resumed);
+  unbroken.advance(n_steps);
+  resumed.advance(n_steps);
+  expect_same(unbroken, resumed);
+  EXPECT_GT(unbroken.engine.n_events(), n_before);
+}
+
+// What was set since construction comes back too.
+TEST(EngineCheckpoint, SettingsComeBack)
+{
+  Scene scene;
+  scene.fill();
+  scene.engine.set_friction(0.123);
+  scene.engine.set_local_damping(0.67);
+  Scene resumed;
+  std::istringstream in(scene.saved(), std::ios::binary);
+  resumed.engine.restore(in, library());
+  EXPECT_EQ(resumed.engine.parameters().stone.friction, 0.123);
+  EXPECT_EQ(resumed.engine.parameters().local_damping, 0.67);
+}
+
+TEST(EngineCheckpoint, CutFileIsRefused)
+{
+  Scene scene;
+  scene.fill();
+  scene.advance(10);
+  const std::string state = scene.saved();
+  for (const double share : {0., 0.3, 0.9})
+  {
+    Scene resumed;
+    std::istringstream in(
+        state.substr(0, static_cast<std::size_t>(share * double(state.size()))),
+        std::ios::binary);
+    EXPECT_THROW(
+        {
+          resumed.engine.restore(in, library());
+          resumed.servo.restore(in);
+        },
+        std::runtime_error)
+        << share;
+  }
+}
+
+// Every sum over contacts has one order, whatever the threads.
+TEST(EngineThreads, TwoThreadsGiveTheSameBits)
+{
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  Scene one;
+  one.fill();
+  one.advance(n_steps);
+  omp_set_num_threads(2);
+  Scene two;
+  two.fill();
+  two.advance(n_steps);
+  omp_set_num_threads(before);
+  expect_same(one, two);
+  EXPECT_GT(one.engine.n_events(), 0);
+}

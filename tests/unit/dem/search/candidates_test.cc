@@ -1,0 +1,189 @@
+#include "dem_scene.h"
+
+#include <dem/packing/insertion.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <shape/test_shapes.h>
+
+// A gas of stones in a box: at every look, all that touch by brute force must
+// be in the lists of the engine.
+namespace
+{
+constexpr double side = 0.08;
+
+struct Gas
+{
+  dem::Engine engine;
+
+  Gas(bool is_shaped, std::size_t n, dem::EngineParameters parameters)
+      : engine(parameters)
+  {
+    std::vector<dem::Body> bodies;
+    dem::Random random(11);
+    const auto series = std::make_shared<const dem::Coefficients>(
+        dem::test::random_stone(20, 8));
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const double radius = 0.003 + 0.003 * random.uniform();
+      bodies.push_back(is_shaped ? dem::make_body(series, radius)
+                                 : dem::make_sphere(radius));
+    }
+    const auto places = dem::insert_stones(bodies, dem::Vec3::Zero(),
+                                           dem::Vec3::Constant(side), random);
+    const auto some = [&]
+    {
+      return dem::Vec3(random.uniform() - 0.5, random.uniform() - 0.5,
+                       random.uniform() - 0.5);
+    };
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+      engine.particles().velocity[k] = 4. * some();
+      engine.particles().spin[k] = 400. * some();
+    }
+    for (int d = 0; d < 3; ++d)
+    {
+      engine.add_plane(dem::Vec3::Zero(), dem::Vec3::Unit(d));
+      if (d < 2)
+        engine.add_plane(dem::Vec3::Constant(side), -dem::Vec3::Unit(d));
+    }
+    // The lid is a fan of triangles that comes down.
+    engine.attach_surface(lid());
+  }
+
+  static dem::FacetSurface lid()
+  {
+    dem::FacetSurface surface =
+        support::fixed_surface({{-0.01, -0.01, side},
+                                {side + 0.01, -0.01, side},
+                                {side + 0.01, side + 0.01, side},
+                                {-0.01, side + 0.01, side},
+                                {0.5 * side, 0.5 * side, side}},
+                               {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+    surface.velocity.assign(5, {0., 0., -1.});
+    return surface;
+  }
+
+  void advance(double dt, int n_steps)
+  {
+    for (int step = 0; step < n_steps; ++step)
+    {
+      for (dem::Vec3 &x : engine.surface().position)
+        x.z() -= dt;
+      engine.advance(dt);
+    }
+  }
+
+  double reach(std::size_t i, const dem::Vec3 &direction) const
+  {
+    const auto &stones = engine.particles();
+    const dem::Body &body = stones.body[i];
+    return body.series
+               ? body.scale *
+                     dem::radius(*body.series,
+                                 stones.rotation[i].transpose() * direction)
+               : body.scale;
+  }
+};
+
+using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
+
+Pairs listed(const dem::ContactBatch &batch)
+{
+  Pairs pairs;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    pairs.emplace(batch.a[k], batch.b[k]);
+  return pairs;
+}
+
+/// Looks for what the lists have missed; returns the number of contacts.
+int check_lists(const Gas &gas)
+{
+  const dem::Engine &engine = gas.engine;
+  const auto &x = engine.particles().position;
+  const Pairs pairs = listed(engine.pairs());
+  const Pairs on_planes = listed(engine.on_planes());
+  const std::set<std::int32_t> at_facets(engine.facets().stone.begin(),
+                                         engine.facets().stone.end());
+  int n = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < x.size(); ++j)
+    {
+      const double distance = (x[j] - x[i]).norm();
+      const dem::Vec3 u = (x[j] - x[i]) / distance;
+      if (gas.reach(i, u) + gas.reach(j, -u) <= distance)
+        continue;
+      ++n;
+      EXPECT_TRUE(pairs.count({i, j})) << i << " and " << j;
+    }
+    for (std::size_t p = 0; p < engine.planes().size(); ++p)
+    {
+      const dem::Plane &plane = engine.planes()[p];
+      if (gas.reach(i, -plane.normal) <= (x[i] - plane.point).dot(plane.normal))
+        continue;
+      ++n;
+      EXPECT_TRUE(on_planes.count({i, p})) << i << " on plane " << p;
+    }
+    if (gas.reach(i, dem::Vec3::UnitZ()) <=
+        engine.surface().position[0].z() - x[i].z())
+      continue;
+    ++n;
+    EXPECT_TRUE(at_facets.count(static_cast<std::int32_t>(i))) << i;
+  }
+  return n;
+}
+
+void expect_complete(bool is_shaped, double margin)
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.wall.normal_stiffness = p.surface.normal_stiffness = 1e6;
+  p.search_margin = margin;
+  Gas gas(is_shaped, 120, p);
+  int n = 0;
+  for (int look = 0; look < 150; ++look)
+  {
+    gas.advance(4e-6, 20);
+    n += check_lists(gas);
+  }
+  EXPECT_GT(n, 300);
+  EXPECT_GT(gas.engine.n_rebuilds(), 3);
+  EXPECT_LT(gas.engine.n_rebuilds(), 1500);
+}
+} // namespace
+
+TEST(Candidates, NoContactOfSpheresIsMissed)
+{
+  expect_complete(false, 5e-4);
+}
+
+TEST(Candidates, NoContactOfShapesIsMissed)
+{
+  expect_complete(true, 1e-3);
+}
+
+// The lists must not decide: any margin gives the same motion. Contacts are
+// visited in one order, so to the last bit.
+TEST(Candidates, MarginDoesNotChangeTheMotion)
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.stone.friction = 0.5;
+  p.stone.rolling_friction = 0.2;
+  p.wall.normal_stiffness = p.surface.normal_stiffness = 1e6;
+  p.search_margin = 3e-4;
+  Gas narrow(false, 120, p);
+  p.search_margin = 2e-3;
+  Gas wide(false, 120, p);
+  narrow.advance(4e-6, 1500);
+  wide.advance(4e-6, 1500);
+  EXPECT_GT(narrow.engine.n_rebuilds(), wide.engine.n_rebuilds());
+  for (std::size_t i = 0; i < 120; ++i)
+  {
+    EXPECT_EQ(narrow.engine.particles().position[i],
+              wide.engine.particles().position[i]);
+    EXPECT_EQ(narrow.engine.particles().spin[i],
+              wide.engine.particles().spin[i]);
+  }
+}
