@@ -186,3 +186,45 @@ TEST(EngineImpact, LinearWallStiffness)
   EXPECT_NEAR(duration, std::numbers::pi * unit, 1e-3 * unit);
   EXPECT_NEAR(engine.planes()[0].force.norm(), 0., 0.);
 }
+
+// Two balls so heavy that they keep their motion, pressed together by delta,
+// slide by s and turn by phi: shear spring 8 G* a s with a = sqrt(R* delta),
+// 1/G* = 2 (2 - nu) / G, rolling spring k_s R^2 phi with R = r / 2, dashpot
+// 2 beta sqrt(m* k_s) ds/dt. Balls turn the same way, so that they do not slide
+// by turning.
+TEST(EngineImpact, ShearAndRollingSprings)
+{
+  dem::EngineParameters p = glass_parameters();
+  p.stone.density = 1e17;
+  p.stone.friction = p.stone.rolling_friction = 10.;
+  p.stone.shear_damping = 0.3;
+  dem::Engine engine(p);
+  constexpr double overlap = 1e-5, speed = 1e-4, spin = 2e-3, dt = 1e-6;
+  constexpr int n_steps = 1000;
+  for (const double side : {-1., 1.})
+  {
+    support::add_sphere(engine, ball_radius,
+                        side * (ball_radius - 0.5 * overlap) *
+                            dem::Vec3::UnitX());
+    engine.particles().velocity.back().y() = side * 0.5 * speed;
+    // Opposite spins about y: the contact points move alike along z.
+    engine.particles().spin.back().y() = side * 0.5 * spin;
+  }
+  support::advance(engine, dt, n_steps);
+  const double nu = glass.poisson_ratio;
+  const double contact_radius = std::sqrt(0.5 * ball_radius * overlap);
+  const double shear_stiffness =
+      8. * glass.shear_modulus() / (2. * (2. - nu)) * contact_radius;
+  const dem::ContactHistory &history = engine.pairs().history[0];
+  const double time = n_steps * dt;
+  // The branch turns by s / 2r = 5e-6.
+  EXPECT_NEAR(history.shear.y() / (shear_stiffness * speed * time), 1., 1e-4);
+  EXPECT_NEAR(history.rolling.y() / (shear_stiffness * 0.25 * ball_radius *
+                                     ball_radius * spin * time),
+              1., 1e-3);
+  const double mass =
+      0.5 * reference::sphere_mass(p.stone.density, ball_radius);
+  EXPECT_NEAR(history.shear_dashpot.y() /
+                  (0.6 * std::sqrt(mass * shear_stiffness) * speed),
+              1., 1e-4);
+}
