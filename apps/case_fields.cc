@@ -135,8 +135,12 @@ void add_contact(List &list, dem::GeometryParameters &c)
 {
   list.in("Contact");
   list.add({"geometry", "-",
-            "ball: overlap of the ball carriers; radial: of the local radii."},
+            "ball: overlap of the ball carriers; radial: of the local radii "
+            "along the branch."},
            c.geometry, {"ball", "radial"});
+  list.add({"wall_geometry", "-",
+            "The same for stones on plates, rigid sides and the membrane."},
+           c.wall_geometry, {"ball", "radial"});
   list.add(
       {"refresh_tolerance", "rad",
        "The expansion of a shape is renewed when the contact direction has "
@@ -147,7 +151,8 @@ void add_contact(List &list, dem::GeometryParameters &c)
 void add_breakage(List &list, dem::BreakageParameters &b)
 {
   list.in("Breakage");
-  list.add({"is_active", "-", "Stones may break at all."}, b.is_active);
+  list.add({"is_active", "-", "Stones may break at all, once loading begins."},
+           b.is_active);
   list.add({"fracture_energy", "J/m^2", "Breakage energy per area, G_c."},
            b.fracture_energy, above(0., 1e12));
   list.add(

@@ -122,13 +122,18 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
   std::filesystem::rename(draft, path);
 }
 
+void require_checkpoint(const std::filesystem::path &path)
+{
+  if (!std::ifstream(path, std::ios::binary))
+    throw InputError("--resume: no checkpoint " + path.string() +
+                     ": start the run without --resume");
+}
+
 void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
                      Triaxial &test, Progressed &done)
 {
+  require_checkpoint(path);
   std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw InputError("--resume: no checkpoint " + path.string() +
-                     ": start the run without --resume");
   try
   {
     std::uint64_t mark = 0;

@@ -26,6 +26,9 @@ struct Progressed
 void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
                       const Triaxial &test, const Progressed &done);
 
+/// Throws InputError if there is no checkpoint at this path.
+void require_checkpoint(const std::filesystem::path &path);
+
 /// Brings test and files back. Throws InputError if there is no checkpoint, it
 /// is damaged, or it belongs to a case with other parameters (number of cycles,
 /// output and threads may differ).

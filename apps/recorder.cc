@@ -45,8 +45,13 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
       const dem::Vec3 &from = x[static_cast<std::size_t>(batch.a[k])];
       const dem::Vec3 &n = batch.normal[k];
       const dem::Vec3 &force = batch.load[k].force;
-      const double reach = batch.history[k].reach - batch.history[k].overlap;
-      lines.push_back({from, from + reach * n, -force.dot(n),
+      const dem::Vec3 to =
+          kind == dem::ContactKind::stone_stone
+              ? x[static_cast<std::size_t>(batch.b[k])]
+              : dem::Vec3(from + (batch.side_a[k].expansion.radius -
+                                  batch.history[k].overlap) *
+                                     n);
+      lines.push_back({from, to, -force.dot(n),
                        (force - force.dot(n) * n).norm(),
                        batch.history[k].overlap, kind});
     }
@@ -177,8 +182,7 @@ void Recorder::write_ledger(Triaxial &test, const Sample &sample)
 {
   if (!test.membrane())
     return;
-  const coupling::InterfaceBalance balance =
-      test.membrane()->balance(test.engine());
+  const coupling::InterfaceBalance balance = test.membrane()->balance();
   worst_balance = std::max({worst_balance, balance.force_error,
                             balance.moment_error, balance.power_error});
   ledger.write_row({sample.time, balance.force_error, balance.moment_error,

@@ -1,4 +1,5 @@
 #include "case_file.h"
+#include "checkpoint.h"
 #include "commands.h"
 #include "errors.h"
 #include "progress.h"
@@ -177,6 +178,8 @@ int run_case(const RunOptions &options, const Case &parameters)
   const std::filesystem::path folder = options.out;
   Triaxial test(parameters);
   test.stop_after(cycles);
+  if (options.is_resumed)
+    require_checkpoint(folder / "checkpoint" / "state.bin");
   prepare_run_folder(folder, options.is_resumed);
   Recorder recorder(parameters, folder);
   Progress progress((folder / "log.txt").string());

@@ -76,9 +76,9 @@ void prepare_run_folder(const fs::path &folder, bool is_resumed)
                      ": holds something that is no run: must be empty, new or "
                      "the folder of an earlier run");
   if (!is_resumed)
-    for (const char *old : {"history.csv", "events.csv", "ledger.csv",
-                            "summary.json", "run.pvd", "report.html",
-                            "frames", "checkpoint", "log.txt"})
+    for (const char *old :
+         {"history.csv", "events.csv", "ledger.csv", "summary.json", "run.pvd",
+          "report.html", "frames", "checkpoint", "log.txt"})
       fs::remove_all(folder / old, status);
   for (const fs::path &made :
        {folder, folder / "frames", folder / "checkpoint"})

@@ -22,8 +22,8 @@ ShapeLibrary load_shapes(const Case &parameters)
   ShapeLibrary library;
   if (parameters.specimen.shapes.empty())
     return library;
-  const std::string folder = find_path(parameters, "Specimen", "shapes",
-                                       parameters.specimen.shapes);
+  const std::string folder =
+      find_path(parameters, "Specimen", "shapes", parameters.specimen.shapes);
   for (const ShapeFile &shape : read_shapes(folder))
     library.push_back(
         std::make_shared<const dem::Coefficients>(shape.coefficients));
@@ -126,8 +126,7 @@ coupling::ExchangeGain check_gain(const Case &parameters,
   const fem::Membrane membrane(
       parameters.membrane,
       fem::box_sides(dem::Vec3::Zero(),
-                     dem::Vec3::Constant(parameters.specimen.side),
-                     {n, n, n}));
+                     dem::Vec3::Constant(parameters.specimen.side), {n, n, n}));
   // All nodes but those of the two rims move; the rims are the lightest.
   const auto mass = membrane.nodal_mass();
   const double lightest_free = *std::max_element(mass.begin(), mass.end());

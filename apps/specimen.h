@@ -2,10 +2,9 @@
 
 #include "case.h"
 
+#include <coupling/gain.h>
 #include <dem/boundary/box_servo.h>
 #include <dem/engine.h>
-
-#include <coupling/gain.h>
 
 #include <memory>
 #include <vector>

@@ -31,6 +31,7 @@ Triaxial::Triaxial(const Case &c)
 {
   if (c.boundary.lateral == Lateral::membrane)
     exchange = check_gain(c, *specimen.engine, dt);
+  engine().set_breaking(false);
   for (int d = 0; d < 3; ++d)
     servo.follow(d, c.preparation.pressure);
 }
@@ -142,10 +143,8 @@ void Triaxial::consolidate()
 {
   // The first half hands over from the planes to the membrane, or from one
   // pressure to the other; the second half is rest.
-  const auto steps = static_cast<double>(
-      std::max<std::int64_t>(2, std::llround(
-                                    parameters.loading.consolidation_time /
-                                    dt)));
+  const auto steps = static_cast<double>(std::max<std::int64_t>(
+      2, std::llround(parameters.loading.consolidation_time / dt)));
   const double share =
       std::min(1., 2. * static_cast<double>(in_stage + 1) / steps);
   const double from = parameters.preparation.pressure,
@@ -161,7 +160,8 @@ void Triaxial::consolidate()
       else
         servo.release(engine(), d);
       if (share == 1.)
-        for (const std::size_t plane : specimen.box[static_cast<std::size_t>(d)])
+        for (const std::size_t plane :
+             specimen.box[static_cast<std::size_t>(d)])
           if (engine().planes()[plane].is_active)
             engine().deactivate_plane(plane);
     }
@@ -174,6 +174,7 @@ void Triaxial::consolidate()
   {
     start_height = plate->height() - lower.z();
     start_volume = volume();
+    engine().set_breaking(parameters.breakage.is_active);
     enter(Stage::loading);
   }
 }
@@ -275,10 +276,10 @@ Sample Triaxial::sample(double roundness) const
     s.damping += membrane.damping;
     s.membrane_strain_energy = membrane.strain;
   }
-  s.energy_residual = s.external_work -
-                      (s.kinetic_energy + s.elastic_energy + s.friction +
-                       s.rolling + s.damping + s.breakage + s.shape_work +
-                       s.membrane_strain_energy);
+  s.energy_residual =
+      s.external_work -
+      (s.kinetic_energy + s.elastic_energy + s.friction + s.rolling +
+       s.damping + s.breakage + s.shape_work + s.membrane_strain_energy);
   return s;
 }
 

@@ -51,10 +51,7 @@ public:
     return driver ? &*driver : nullptr;
   }
   /// Gain of the exchange at setup; only with a membrane.
-  const std::optional<coupling::ExchangeGain> &gain() const
-  {
-    return exchange;
-  }
+  const std::optional<coupling::ExchangeGain> &gain() const { return exchange; }
 
   /// How the preparation ended.
   struct Prepared

@@ -54,7 +54,11 @@ void MembraneDriver::begin_step(dem::Engine &engine, double rim_speed,
 void MembraneDriver::end_step(const dem::Engine &engine, double time_step)
 {
   timed(spent.transfer,
-        [&] { map.collect_load(engine.surface(), nodal_load); });
+        [&]
+        {
+          map.collect_load(engine.surface(), nodal_load);
+          last_balance = check_balance(engine.surface(), membrane, nodal_load);
+        });
   timed(spent.membrane, [&] { membrane.end_step(nodal_load, time_step); });
 }
 
@@ -72,11 +76,6 @@ double MembraneDriver::rim_mass() const
   for (const std::int32_t node : upper_rim)
     sum += membrane.nodal_mass()[static_cast<std::size_t>(node)];
   return sum;
-}
-
-InterfaceBalance MembraneDriver::balance(const dem::Engine &engine) const
-{
-  return check_balance(engine.surface(), membrane, nodal_load);
 }
 
 ExchangeGain MembraneDriver::gain(const dem::Engine &engine,

@@ -57,8 +57,7 @@ void Engine::add_stone(const Body &body, const Vec3 &position,
   stones.add(body, position, orientation, settings.stone.density);
   const double diameter = 2. * stones.radius.back();
   stones.is_breakable.back() =
-      body.series && settings.breakage.is_active &&
-      diameter >= settings.breakage.min_diameter * (1. - 1e-9);
+      body.series && diameter >= settings.breakage.min_diameter * (1. - 1e-9);
   damped.push_back(0.);
   lifted.push_back(0.);
   lists_are_stale = true;
@@ -96,24 +95,23 @@ void Engine::set_local_damping(double damping)
   settings.local_damping = damping;
 }
 
-void Engine::come_to_rest()
+void Engine::set_breaking(bool is_on)
 {
-  std::fill(stones.velocity.begin(), stones.velocity.end(), Vec3::Zero());
-  std::fill(stones.spin.begin(), stones.spin.end(), Vec3::Zero());
+  settings.breakage.is_active = is_on;
 }
 
 void Engine::advance(double time_step)
 {
   half_kick(time_step);
   move_planes(time_step);
-  double travelled = 0.;
+  Speeds fastest;
   {
     const Timer timer(spent.motion);
-    travelled = drift(stones, steepest, time_step) * time_step;
+    fastest = drift(stones, steepest, time_step);
   }
   now += time_step;
   ++step_count;
-  keep_lists(travelled, time_step);
+  keep_lists(fastest, time_step);
   if (evaluate_contacts(time_step))
     break_corners(time_step);
   sum_loads();
@@ -139,7 +137,7 @@ void Engine::move_planes(double time_step)
   }
 }
 
-void Engine::keep_lists(double travelled, double time_step)
+void Engine::keep_lists(const Speeds &fastest, double time_step)
 {
   double boundary = 0.;
   for (const Plane &plane : walls)
@@ -147,9 +145,11 @@ void Engine::keep_lists(double travelled, double time_step)
       boundary = std::max(boundary, plane.velocity.squaredNorm());
   for (const Vec3 &velocity : facet_surface.velocity)
     boundary = std::max(boundary, velocity.squaredNorm());
-  // Two stones close a gap at most twice as fast as the fastest one.
+  boundary = std::sqrt(boundary);
+  travelled +=
+      (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
   margin_left -=
-      travelled + std::max(travelled, std::sqrt(boundary) * time_step);
+      (fastest.moving + std::max(fastest.moving, boundary)) * time_step;
   if (lists_are_stale || margin_left < 0.)
     rebuild_lists();
 }
@@ -159,9 +159,10 @@ void Engine::rebuild_lists()
   const Timer timer(spent.search);
   const double margin = settings.search_margin;
   rebuild_pairs(stones, margin, pair_batch, retired);
-  rebuild_planes(stones, walls, margin, plane_batch, retired);
+  const WallSearch search{settings.geometry.wall_geometry, margin};
+  rebuild_planes(stones, walls, search, plane_batch, retired);
   if (has_surface())
-    rebuild_facets(stones, facet_surface, margin, facet_candidates, facet_batch,
+    rebuild_facets(stones, facet_surface, search, facet_candidates, facet_batch,
                    retired);
   pair_row.assign(stones.size() + 1, 0);
   for (std::size_t k = 0; k < pair_batch.size(); ++k)
@@ -184,16 +185,24 @@ void Engine::rebuild_lists()
     enter(pair_batch.a[k], number);
     enter(pair_batch.b[k], -1 - number);
   }
-  steepest = steepness(stones);
+  steepest = branch_steepness();
   margin_left = margin;
   lists_are_stale = false;
   ++rebuild_count;
 }
 
+double Engine::branch_steepness() const
+{
+  return settings.geometry.geometry == ContactGeometry::radial
+             ? steepness(stones)
+             : 0.;
+}
+
 bool Engine::evaluate_contacts(double time_step)
 {
   const Timer timer(spent.contacts);
-  const ForceContext context{settings, elasticity, stones, time_step};
+  const ForceContext context{settings, elasticity, stones, time_step,
+                             travelled};
   bool wants_breakage = pair_forces(context, pair_batch);
   wants_breakage |= plane_forces(context, walls, plane_batch);
   if (has_surface())
@@ -205,7 +214,8 @@ bool Engine::evaluate_contacts(double time_step)
 void Engine::break_corners(double time_step)
 {
   const Timer timer(spent.breakage);
-  const ForceContext context{settings, elasticity, stones, time_step};
+  const ForceContext context{settings, elasticity, stones, time_step,
+                             travelled};
   ContactSet contacts{pair_batch, plane_batch,   facet_batch,
                       walls,      facet_surface, facet_candidates};
   const std::size_t before = events.size();
@@ -214,9 +224,8 @@ void Engine::break_corners(double time_step)
   {
     released += events[e].released_energy + events[e].kinetic_energy;
     fractured += events[e].fracture_energy;
-    const Body &body = stones.body[static_cast<std::size_t>(events[e].stone)];
-    steepest = std::max(steepest, body.max_slope / body.inscribed_radius);
   }
+  steepest = branch_steepness();
   event_count += static_cast<std::int64_t>(events.size() - before);
 }
 

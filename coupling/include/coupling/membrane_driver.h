@@ -44,8 +44,8 @@ public:
   }
   void write_vtu(const std::string &path) const { membrane.write_vtu(path); }
 
-  /// Both sides of the interface as the last step left them.
-  InterfaceBalance balance(const dem::Engine &engine) const;
+  /// Both sides of the interface when the last step exchanged loads.
+  const InterfaceBalance &balance() const { return last_balance; }
   /// Gain of the exchange in the present state (see gain.h).
   ExchangeGain gain(const dem::Engine &engine, double time_step) const;
   DriverClock clock() const { return spent; }
@@ -58,6 +58,7 @@ private:
   InterfaceMap map;
   std::vector<std::int32_t> upper_rim;
   std::vector<Eigen::Vector3d> nodal_load;
+  InterfaceBalance last_balance;
   DriverClock spent;
 };
 } // namespace coupling

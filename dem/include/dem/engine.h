@@ -2,6 +2,7 @@
 
 #include <dem/breakage/events.h>
 #include <dem/integrate/time_step.h>
+#include <dem/integrate/verlet.h>
 #include <dem/measure/assembly.h>
 
 #include <iosfwd>
@@ -53,8 +54,8 @@ public:
   const EngineParameters &parameters() const { return settings; }
   void set_friction(double friction);
   void set_local_damping(double damping);
-  /// Stops all stones (after preparation).
-  void come_to_rest();
+  /// Whether stones break from now on; off: no damage grows either.
+  void set_breaking(bool is_on);
 
   const Particles &particles() const { return stones; }
   Particles &particles() { return stones; }
@@ -91,10 +92,11 @@ public:
 private:
   void half_kick(double time_step);
   void move_planes(double time_step);
-  void keep_lists(double travelled, double time_step);
+  void keep_lists(const Speeds &fastest, double time_step);
   void rebuild_lists();
   bool evaluate_contacts(double time_step);
   void break_corners(double time_step);
+  double branch_steepness() const;
   void sum_loads();
   void load_planes(double time_step);
   void book_surface_work(double time_step);
@@ -114,7 +116,8 @@ private:
 
   bool lists_are_stale = true;
   double margin_left = 0.; ///< [m]
-  double steepest = 0.;    ///< steepness of the stones [-]
+  double steepest = 0.;    ///< c of closing_speed [-]
+  double travelled = 0.;   ///< ForceContext::travelled [m]
   double now = 0.;
   std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;
   int refused_count = 0;

@@ -84,6 +84,8 @@ std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t stone)
         batch.side_a[k].is_known = false;
       if (is_b)
         batch.side_b[k].is_known = false;
+      if (is_a || is_b)
+        batch.wake[k] = 0.;
       if ((is_a || is_b) && batch.is_touching(k))
         places.push_back({kind, k});
     }
@@ -136,17 +138,13 @@ std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
   return particles.id[static_cast<std::size_t>(other)];
 }
 
-Spall spall_at(const Particles &particles, const ContactBatch &batch,
-               const Request &request)
+/// What the contact takes off, where the side was last evaluated.
+Spall spall_at(const ContactBatch &batch, const Request &request)
 {
-  const auto i = static_cast<std::size_t>(request.stone);
   const SurfaceSide &side = request.is_side_a ? batch.side_a[request.contact]
                                               : batch.side_b[request.contact];
-  const double sign = request.is_side_a ? 1. : -1.;
   Spall spall;
-  spall.direction = (particles.rotation[i].transpose() *
-                     (sign * batch.normal[request.contact]))
-                        .normalized();
+  spall.direction = side.expansion.direction;
   spall.overlap = batch.history[request.contact].overlap;
   spall.gaussian_curvature = side.gaussian_curvature();
   spall.volume = cap_of(spall.overlap, spall.gaussian_curvature).volume;
@@ -190,7 +188,7 @@ int break_stones(const ForceContext &context, Particles &particles,
       continue;
     double &factor = request.is_side_a ? history.factor_a : history.factor_b;
     factor = factor_after(mode, factor);
-    const Spall spall = spall_at(particles, batch, request);
+    const Spall spall = spall_at(batch, request);
     const SpallResult result =
         apply_spall(particles.body[i], spall, breakage.kernel_floor);
     if (!result.is_accepted)

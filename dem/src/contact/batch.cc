@@ -9,6 +9,7 @@ void ContactBatch::resize(std::size_t n)
   side_a.resize(n);
   side_b.resize(n);
   prefactors.resize(n);
+  wake.resize(n);
   twist.resize(n);
   history.resize(n);
   lost.resize(n);
@@ -25,6 +26,7 @@ void ContactBatch::copy_entry(std::size_t to, const ContactBatch &other,
   side_a[to] = other.side_a[from];
   side_b[to] = other.side_b[from];
   prefactors[to] = other.prefactors[from];
+  wake[to] = other.wake[from];
   twist[to] = other.twist[from];
   history[to] = other.history[from];
   lost[to] = other.lost[from];

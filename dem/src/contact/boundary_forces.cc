@@ -14,57 +14,51 @@ struct Wall
   double mass = std::numeric_limits<double>::infinity(); ///< effective [kg]
 };
 
-/// Where the contact is, seen from the centre of the stone: on the wall.
-Vec3 lever_to(const Wall &wall)
-{
-  return wall.distance * wall.direction;
-}
-
 double reduced_mass(double stone, double wall)
 {
   return std::isinf(wall) ? stone : stone * wall / (stone + wall);
 }
 
-/// One step of contact k of a stone with a wall. Returns false while open.
-bool update_wall(const ForceContext &context, const Wall &wall,
+/// One step of contact k of a stone with a wall. The force acts where the
+/// branch meets the wall, on both sides.
+void update_wall(const ForceContext &context, const Wall &wall,
                  ContactBatch &batch, std::size_t k)
 {
   const Particles &particles = context.particles;
   const std::int32_t stone = batch.a[k];
-  const auto i = static_cast<std::size_t>(stone);
+  const std::size_t i = row_of(stone);
+  const ContactGeometry geometry = context.parameters.geometry.wall_geometry;
+  const Vec3 apart = wall.velocity - particles.velocity[i];
+  const double gap = wall.distance - wall_bound(particles, i, geometry);
+  if (gap >= 0.)
+    return clear_contact(context, batch, k, gap, apart);
   ContactMotion motion;
   bool is_renewed = false;
-  if (wall.distance < particles.body[i].circumscribed_radius)
-    motion.reach =
-        reach_of(context, stone, wall.direction, batch.side_a[k], is_renewed);
-  motion.overlap = motion.reach - wall.distance;
+  const double reach = reach_of(context, stone, wall.direction, geometry,
+                                batch.side_a[k], is_renewed);
+  motion.overlap = reach - wall.distance;
   if (motion.overlap <= 0.)
-  {
-    clear_contact(batch, k);
-    return false;
-  }
+    return clear_contact(context, batch, k, -motion.overlap, apart);
   motion.normal = batch.normal[k] = wall.direction;
-  const Vec3 lever = lever_to(wall);
+  const Vec3 lever = wall.distance * wall.direction;
   motion.velocity = wall.velocity - velocity_at(particles, stone, lever);
   motion.spin = -particles.spin[i];
   motion.reduced_mass = reduced_mass(particles.mass[i], wall.mass);
-  motion.rolling_radius = motion.reach;
+  motion.rolling_radius = reach;
   const ContactForce contact =
       advance_contact(motion, linear_spring(wall.material, motion.overlap),
-                      coefficients_of(wall.material), 0., context.time_step,
+                      coefficients_of(wall.material), context.time_step,
                       batch.history[k], batch.lost[k]);
   batch.load[k].force = contact.force;
   batch.load[k].moment_a = lever.cross(contact.force) + contact.moment;
-  return true;
 }
 
-/// update_wall with the damage of the stone; true if it is to break.
-bool step_wall(const ForceContext &context, const Wall &wall,
-               ContactBatch &batch, std::size_t k)
+/// Damage of the stone by contact k; true if it is to break.
+bool damage_wall(const ForceContext &context, double energy_before,
+                 ContactBatch &batch, std::size_t k)
 {
   ContactHistory &history = batch.history[k];
-  const double energy_before = history.normal_energy;
-  const bool breaks = update_wall(context, wall, batch, k) &&
+  const bool breaks = batch.is_touching(k) &&
                       damage_side(context, batch.a[k], batch.side_a[k],
                                   energy_before, history, history.factor_a);
   batch.event[k] = breaks ? 1 : 0;
@@ -134,6 +128,49 @@ void assign_slots(const std::vector<FacetTouch> &touches,
           is_taken[s] = true;
         }
 }
+/// All contacts of one stone with the surface; returns how many ask to break.
+int facet_contacts_of(const ForceContext &context, const FacetSurface &surface,
+                      const FacetTopology &topology,
+                      FacetCandidates &candidates, std::size_t row,
+                      std::vector<FacetTouch> &touches, ContactBatch &batch)
+{
+  if (candidates.wake[row] > context.travelled)
+    return 0;
+  const auto i = static_cast<std::size_t>(candidates.stone[row]);
+  const double bound = wall_bound(context.particles, i,
+                                  context.parameters.geometry.wall_geometry);
+  // Somewhat beyond the bound, to learn how long the stone may be left alone.
+  const double reach = 1.25 * bound;
+  touches.clear();
+  find_touches(surface, topology, candidates.triangles_of(row),
+               context.particles.position[i], reach, touches);
+  const double gap =
+      (touches.empty() ? reach : touches.front().distance) - bound;
+  candidates.wake[row] = gap > 0. ? context.travelled + gap : 0.;
+  const std::size_t first = row * slots_per_stone;
+  std::array<std::int32_t, slots_per_stone> slot_of;
+  assign_slots(touches, batch, first, slot_of);
+  std::array<bool, slots_per_stone> is_used{};
+  int n_events = 0;
+  for (std::size_t t = 0; t < touches.size() && t < slots_per_stone; ++t)
+  {
+    const std::size_t k = first + static_cast<std::size_t>(slot_of[t]);
+    is_used[k - first] = true;
+    const double energy_before = batch.history[k].normal_energy;
+    candidates.spot[k] = {touches[t].nearest.triangle,
+                          touches[t].nearest.weight};
+    update_wall(context, facet_wall(context, surface, touches[t]), batch, k);
+    n_events += damage_wall(context, energy_before, batch, k);
+  }
+  for (std::size_t s = 0; s < slots_per_stone; ++s)
+    if (!is_used[s])
+    {
+      clear_contact(context, batch, first + s, 0.,
+                    -context.particles.velocity[i]);
+      batch.event[first + s] = 0;
+    }
+  return n_events;
+}
 } // namespace
 
 bool plane_forces(const ForceContext &context, const std::vector<Plane> &planes,
@@ -145,8 +182,9 @@ bool plane_forces(const ForceContext &context, const std::vector<Plane> &planes,
   for (std::int64_t entry = 0; entry < n; ++entry)
   {
     const auto k = static_cast<std::size_t>(entry);
-    n_events +=
-        step_wall(context, plane_wall(context, planes, batch, k), batch, k);
+    const double energy_before = batch.history[k].normal_energy;
+    update_wall(context, plane_wall(context, planes, batch, k), batch, k);
+    n_events += damage_wall(context, energy_before, batch, k);
   }
   return n_events > 0;
 }
@@ -163,36 +201,9 @@ bool facet_forces(const ForceContext &context, const FacetSurface &surface,
     touches.reserve(64);
 #pragma omp for schedule(static)
     for (std::int64_t row = 0; row < n; ++row)
-    {
-      const auto r = static_cast<std::size_t>(row);
-      const auto i = static_cast<std::size_t>(candidates.stone[r]);
-      const auto start = static_cast<std::size_t>(candidates.row_start[r]);
-      const auto end = static_cast<std::size_t>(candidates.row_start[r + 1]);
-      touches.clear();
-      find_touches(surface, topology,
-                   {candidates.triangle.data() + start, end - start},
-                   context.particles.position[i],
-                   context.particles.body[i].circumscribed_radius, touches);
-      const std::size_t first = r * slots_per_stone;
-      std::array<std::int32_t, slots_per_stone> slot_of;
-      assign_slots(touches, batch, first, slot_of);
-      std::array<bool, slots_per_stone> is_used{};
-      for (std::size_t t = 0; t < touches.size() && t < slots_per_stone; ++t)
-      {
-        const std::size_t k = first + static_cast<std::size_t>(slot_of[t]);
-        is_used[k - first] = true;
-        candidates.spot[k] = {touches[t].nearest.triangle,
-                              touches[t].nearest.weight};
-        n_events += step_wall(context, facet_wall(context, surface, touches[t]),
-                              batch, k);
-      }
-      for (std::size_t s = 0; s < slots_per_stone; ++s)
-        if (!is_used[s])
-        {
-          clear_contact(batch, first + s);
-          batch.event[first + s] = 0;
-        }
-    }
+      n_events +=
+          facet_contacts_of(context, surface, topology, candidates,
+                            static_cast<std::size_t>(row), touches, batch);
   }
   return n_events > 0;
 }
@@ -225,7 +236,7 @@ double reset_plane(const ForceContext &context,
 }
 
 double reset_facet(const ForceContext &context, const FacetSurface &surface,
-                   FacetCandidates &candidates, ContactBatch &batch,
+                   const FacetCandidates &candidates, ContactBatch &batch,
                    std::size_t k)
 {
   FacetTouch touch;
@@ -237,8 +248,7 @@ double reset_facet(const ForceContext &context, const FacetSurface &surface,
   for (std::size_t c = 0; c < 3; ++c)
     point += touch.nearest.weight[c] *
              surface.position[static_cast<std::size_t>(corner[c])];
-  const Vec3 branch =
-      point - context.particles.position[static_cast<std::size_t>(batch.a[k])];
+  const Vec3 branch = point - context.particles.position[row_of(batch.a[k])];
   touch.distance = branch.norm();
   touch.direction = branch / touch.distance;
   return reset_contact(

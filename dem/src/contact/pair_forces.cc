@@ -4,6 +4,9 @@ namespace dem
 {
 namespace
 {
+/// Marks prefactors as out of date; more than any tolerance [rad].
+constexpr double not_mixed = 10.;
+
 /// Prefactors of Hertz and Mindlin from both sides as they lie to each other.
 HertzPrefactors mix_sides(const ForceContext &context,
                           const ContactBatch &batch, std::size_t k)
@@ -28,41 +31,48 @@ HertzPrefactors mix_sides(const ForceContext &context,
   return elliptic_table()(context.elasticity, gap_coefficients(pair));
 }
 
-/// Overlap, levers and relative motion of two stones; false while apart.
-bool locate(const ForceContext &context, ContactBatch &batch, std::size_t k,
-            ContactMotion &motion, ContactLoad &lever)
+/// Where the force of a contact acts, from both centres.
+struct Levers
+{
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero(); ///< [m]
+};
+
+/// Overlap, levers and relative motion of two stones, along the branch. Returns
+/// the gap between them, at least zero, or -1 where they touch [m].
+double locate(const ForceContext &context, ContactBatch &batch, std::size_t k,
+              ContactMotion &motion, Levers &levers)
 {
   const Particles &particles = context.particles;
   const std::int32_t a = batch.a[k], b = batch.b[k];
-  const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+  const std::size_t i = row_of(a), j = row_of(b);
   const Vec3 branch = particles.position[j] - particles.position[i];
   const double distance = branch.norm();
-  if (distance >= particles.body[i].circumscribed_radius +
-                      particles.body[j].circumscribed_radius ||
-      distance <= 0.)
-    return false;
-  motion.normal = branch / distance;
+  const double gap = distance - particles.body[i].circumscribed_radius -
+                     particles.body[j].circumscribed_radius;
+  if (gap >= 0. || distance <= 0.)
+    return std::max(gap, 0.);
+  const Vec3 n = branch / distance;
+  const ContactGeometry geometry = context.parameters.geometry.geometry;
   bool is_renewed = false;
   const double r_a =
-      reach_of(context, a, motion.normal, batch.side_a[k], is_renewed);
+      reach_of(context, a, n, geometry, batch.side_a[k], is_renewed);
   const double r_b =
-      reach_of(context, b, -motion.normal, batch.side_b[k], is_renewed);
-  motion.reach = r_a + r_b;
-  motion.overlap = motion.reach - distance;
+      reach_of(context, b, -n, geometry, batch.side_b[k], is_renewed);
   if (is_renewed)
-    batch.twist[k] = 2. * context.parameters.geometry.refresh_tolerance + 1.;
+    batch.twist[k] = not_mixed;
+  motion.overlap = r_a + r_b - distance;
   if (motion.overlap <= 0.)
-    return false;
-  batch.normal[k] = motion.normal;
-  lever.moment_a = (r_a - 0.5 * motion.overlap) * motion.normal;
-  lever.moment_b = (0.5 * motion.overlap - r_b) * motion.normal;
-  motion.velocity = velocity_at(particles, b, lever.moment_b) -
-                    velocity_at(particles, a, lever.moment_a);
+    return -motion.overlap;
+  motion.normal = batch.normal[k] = n;
+  levers.a = (r_a - 0.5 * motion.overlap) * n;
+  levers.b = (0.5 * motion.overlap - r_b) * n;
+  motion.velocity =
+      velocity_at(particles, b, levers.b) - velocity_at(particles, a, levers.a);
   motion.spin = particles.spin[j] - particles.spin[i];
   motion.reduced_mass = particles.mass[i] * particles.mass[j] /
                         (particles.mass[i] + particles.mass[j]);
-  motion.rolling_radius = r_a * r_b / motion.reach;
-  return true;
+  motion.rolling_radius = r_a * r_b / (r_a + r_b);
+  return -1.;
 }
 
 /// One step of contact k. Returns false while it is open.
@@ -70,10 +80,12 @@ bool update_pair(const ForceContext &context, ContactBatch &batch,
                  std::size_t k)
 {
   ContactMotion motion;
-  ContactLoad lever;
-  if (!locate(context, batch, k, motion, lever))
+  Levers levers;
+  if (const double gap = locate(context, batch, k, motion, levers); gap >= 0.)
   {
-    clear_contact(batch, k);
+    const auto &velocity = context.particles.velocity;
+    clear_contact(context, batch, k, gap,
+                  velocity[row_of(batch.b[k])] - velocity[row_of(batch.a[k])]);
     return false;
   }
   const EngineParameters &parameters = context.parameters;
@@ -88,14 +100,12 @@ bool update_pair(const ForceContext &context, ContactBatch &batch,
   const ContactCoefficients coefficients{stone.friction, stone.rolling_friction,
                                          stone.normal_damping,
                                          stone.shear_damping};
-  const ContactForce contact =
-      advance_contact(motion, hertz_spring(batch.prefactors[k], motion.overlap),
-                      coefficients, batch.prefactors[k].normal,
-                      context.time_step, batch.history[k], batch.lost[k]);
+  const ContactForce contact = advance_contact(
+      motion, hertz_spring(batch.prefactors[k], motion.overlap), coefficients,
+      context.time_step, batch.history[k], batch.lost[k]);
   batch.load[k].force = contact.force;
-  batch.load[k].moment_a = lever.moment_a.cross(contact.force) + contact.moment;
-  batch.load[k].moment_b =
-      -lever.moment_b.cross(contact.force) - contact.moment;
+  batch.load[k].moment_a = levers.a.cross(contact.force) + contact.moment;
+  batch.load[k].moment_b = -levers.b.cross(contact.force) - contact.moment;
   return true;
 }
 } // namespace
@@ -108,9 +118,11 @@ bool pair_forces(const ForceContext &context, ContactBatch &batch)
   for (std::int64_t entry = 0; entry < n; ++entry)
   {
     const auto k = static_cast<std::size_t>(entry);
+    batch.event[k] = 0;
+    if (batch.wake[k] > context.travelled)
+      continue;
     ContactHistory &history = batch.history[k];
     const double energy_before = history.normal_energy;
-    batch.event[k] = 0;
     if (!update_pair(context, batch, k))
       continue;
     const bool breaks_a = damage_side(context, batch.a[k], batch.side_a[k],

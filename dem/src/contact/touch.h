@@ -4,43 +4,47 @@
 
 namespace dem
 {
-/// Radius of the stone towards a world direction, by the geometry in use; the
-/// cached side is renewed when it no longer holds, and `is_renewed` says so.
-inline double reach_of(const ForceContext &context, std::int32_t stone,
-                       const Vec3 &world_direction, SurfaceSide &side,
-                       bool &is_renewed)
+/// The stone in this row of the columns.
+inline std::size_t row_of(std::int32_t stone)
 {
+  return static_cast<std::size_t>(stone);
+}
+
+/// Renews the cached side of a stone about a unit direction of its body frame.
+inline void renew_side(const ForceContext &context, std::int32_t stone,
+                       const Vec3 &direction, SurfaceSide &side)
+{
+  side = evaluate_side(context.particles.body[row_of(stone)], direction,
+                       context.parameters.breakage.curvature_floor_ratio);
+}
+
+/// Radius of the stone towards a world direction, by this geometry. The
+/// cached side is renewed when it no longer holds; `is_renewed` says so.
+inline double reach_of(const ForceContext &context, std::int32_t stone,
+                       const Vec3 &world_direction, ContactGeometry geometry,
+                       SurfaceSide &side, bool &is_renewed)
+{
+  const std::size_t i = row_of(stone);
   const Particles &particles = context.particles;
-  const auto i = static_cast<std::size_t>(stone);
-  const Body &body = particles.body[i];
-  const BreakageParameters &breakage = context.parameters.breakage;
-  if (!body.series)
-  {
-    if (!side.is_known)
-    {
-      side =
-          evaluate_side(body, world_direction, breakage.curvature_floor_ratio);
-      is_renewed = true;
-    }
-    return side.expansion.radius;
-  }
+  const bool is_sphere = !particles.body[i].series;
   const Vec3 direction = particles.rotation[i].transpose() * world_direction;
-  const GeometryParameters &geometry = context.parameters.geometry;
-  if (is_stale(side, direction, geometry.refresh_tolerance))
+  if (is_sphere ? !side.is_known
+                : is_stale(side, direction,
+                           context.parameters.geometry.refresh_tolerance))
   {
-    side = evaluate_side(body, direction, breakage.curvature_floor_ratio);
+    renew_side(context, stone, direction, side);
     is_renewed = true;
   }
-  return geometry.geometry == ContactGeometry::ball
-             ? particles.radius[i]
-             : cached_radius(side, direction);
+  if (is_sphere || geometry == ContactGeometry::ball)
+    return particles.radius[i];
+  return cached_radius(side, direction);
 }
 
 /// Velocity of the material point of a stone at `lever` from its centre.
 inline Vec3 velocity_at(const Particles &particles, std::int32_t stone,
                         const Vec3 &lever)
 {
-  const auto i = static_cast<std::size_t>(stone);
+  const std::size_t i = row_of(stone);
   return particles.velocity[i] + particles.spin[i].cross(lever);
 }
 
@@ -51,7 +55,7 @@ inline bool damage_side(const ForceContext &context, std::int32_t stone,
 {
   const BreakageParameters &breakage = context.parameters.breakage;
   if (!breakage.is_active || !side.is_corner ||
-      !context.particles.is_breakable[static_cast<std::size_t>(stone)])
+      !context.particles.is_breakable[row_of(stone)])
     return false;
   const Cap cap = cap_of(history.overlap, side.gaussian_curvature());
   const DamageStep step =
@@ -68,11 +72,15 @@ inline ContactCoefficients coefficients_of(const WallMaterial &wall)
           wall.shear_damping};
 }
 
-/// The open state of contact k.
-inline void clear_contact(ContactBatch &batch, std::size_t k)
+/// Contact k is open with `gap` left [m]; `velocity` of B against A [m/s].
+inline void clear_contact(const ForceContext &context, ContactBatch &batch,
+                          std::size_t k, double gap, const Vec3 &velocity)
 {
-  open_contact(batch.history[k], batch.lost[k]);
+  open_contact(batch.history[k],
+               -velocity.dot(batch.normal[k]) * context.time_step,
+               batch.lost[k]);
   batch.load[k] = ContactLoad{};
+  batch.wake[k] = context.travelled + gap;
 }
 
 /// Runs one force update of contact k with no time passing and returns the
@@ -88,7 +96,7 @@ double reset_contact(const ForceContext &context, ContactBatch &batch,
   const double before = stored();
   const Dissipation kept = batch.lost[k];
   ForceContext still{context.parameters, context.elasticity, context.particles,
-                     0.};
+                     0., context.travelled};
   update(still);
   batch.lost[k] = kept;
   return before - stored();

@@ -57,11 +57,11 @@ void kick(Particles &particles, const KickParameters &parameters,
   }
 }
 
-double drift(Particles &particles, double steepness, double time_step)
+Speeds drift(Particles &particles, double steepness, double time_step)
 {
   const auto n = static_cast<std::int64_t>(particles.size());
-  double fastest = 0.;
-#pragma omp parallel for schedule(static) reduction(max : fastest)
+  double moving = 0., closing = 0.;
+#pragma omp parallel for schedule(static) reduction(max : moving, closing)
   for (std::int64_t entry = 0; entry < n; ++entry)
   {
     const auto i = static_cast<std::size_t>(entry);
@@ -69,8 +69,9 @@ double drift(Particles &particles, double steepness, double time_step)
     Quaternion &q = particles.orientation[i];
     q = (exponential(time_step * particles.spin[i]) * q).normalized();
     particles.rotation[i] = q.toRotationMatrix();
-    fastest = std::max(fastest, closing_speed(particles, i, steepness));
+    moving = std::max(moving, particles.velocity[i].norm());
+    closing = std::max(closing, closing_speed(particles, i, steepness));
   }
-  return fastest;
+  return {moving, closing};
 }
 } // namespace dem

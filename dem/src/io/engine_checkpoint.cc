@@ -78,6 +78,7 @@ void visit_batch(Batch &batch, const Visit &visit)
   visit(batch.side_a);
   visit(batch.side_b);
   visit(batch.prefactors);
+  visit(batch.wake);
   visit(batch.twist);
   visit(batch.history);
   visit(batch.lost);
@@ -103,6 +104,7 @@ void visit_candidates(Candidates &candidates, const Visit &visit)
   visit(candidates.row_start);
   visit(candidates.triangle);
   visit(candidates.spot);
+  visit(candidates.wake);
 }
 } // namespace
 
@@ -124,9 +126,10 @@ void Engine::save(std::ostream &out, const Library &library) const
   put(surface_load_before);
   write_value(out, settings.stone.friction);
   write_value(out, settings.local_damping);
+  write_value(out, settings.breakage.is_active);
   write_value(out, lists_are_stale);
   for (const double value :
-       {margin_left, steepest, now, released, fractured, pushed})
+       {margin_left, steepest, now, travelled, released, fractured, pushed})
     write_value(out, value);
   for (const std::int64_t count : {step_count, rebuild_count, event_count})
     write_value(out, count);
@@ -156,9 +159,10 @@ void Engine::restore(std::istream &in, const Library &library)
   get(surface_load_before);
   read_value(in, settings.stone.friction);
   read_value(in, settings.local_damping);
+  read_value(in, settings.breakage.is_active);
   read_value(in, lists_are_stale);
-  for (double *value :
-       {&margin_left, &steepest, &now, &released, &fractured, &pushed})
+  for (double *value : {&margin_left, &steepest, &now, &travelled, &released,
+                        &fractured, &pushed})
     read_value(in, *value);
   for (std::int64_t *count : {&step_count, &rebuild_count, &event_count})
     read_value(in, *count);

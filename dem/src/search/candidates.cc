@@ -10,16 +10,6 @@ namespace
 {
 using Key = std::pair<std::int32_t, std::int32_t>;
 
-double reach_towards(const Particles &particles, std::size_t i,
-                     const Vec3 &direction)
-{
-  const Body &body = particles.body[i];
-  if (!body.series)
-    return body.circumscribed_radius;
-  return body.scale *
-         radius(*body.series, particles.rotation[i].transpose() * direction);
-}
-
 double largest_reach(const Particles &particles)
 {
   double largest = 0.;
@@ -28,7 +18,8 @@ double largest_reach(const Particles &particles)
   return largest;
 }
 
-/// Partners of stone i with a higher number and a gap below the margin.
+/// Partners of stone i with a higher number whose circumscribed sphere comes
+/// within the margin.
 void find_partners(const Particles &particles, const CellGrid &grid,
                    std::size_t i, double range, double margin,
                    std::vector<std::int32_t> &partners)
@@ -37,25 +28,18 @@ void find_partners(const Particles &particles, const CellGrid &grid,
   const Vec3 &x = particles.position[i];
   const double own = particles.body[i].circumscribed_radius;
   const Vec3 box = Vec3::Constant(own + range);
-  grid.visit_box(
-      x - box, x + box,
-      [&](std::int32_t other)
-      {
-        const auto j = static_cast<std::size_t>(other);
-        if (j <= i)
-          return;
-        const Vec3 branch = particles.position[j] - x;
-        const double distance = branch.norm();
-        if (distance > own + particles.body[j].circumscribed_radius + margin)
-          return;
-        const Vec3 n = branch / distance;
-        // The ball carriers may touch where the surfaces do not yet.
-        const double reach = std::max(
-            reach_towards(particles, i, n) + reach_towards(particles, j, -n),
-            particles.radius[i] + particles.radius[j]);
-        if (distance < reach + margin)
-          partners.push_back(other);
-      });
+  grid.visit_box(x - box, x + box,
+                 [&](std::int32_t other)
+                 {
+                   const auto j = static_cast<std::size_t>(other);
+                   if (j <= i)
+                     return;
+                   const double reach =
+                       own + particles.body[j].circumscribed_radius + margin;
+                   if ((particles.position[j] - x).squaredNorm() <
+                       reach * reach)
+                     partners.push_back(other);
+                 });
   std::sort(partners.begin(), partners.end());
 }
 
@@ -68,7 +52,7 @@ void carry_over(const std::vector<Key> &keys, ContactBatch &batch,
   std::size_t old = 0;
   const auto retire = [&]
   {
-    open_contact(batch.history[old], batch.lost[old]);
+    open_contact(batch.history[old], 0., batch.lost[old]);
     retired += batch.lost[old];
     ++old;
   };
@@ -159,7 +143,7 @@ void carry_over_slots(const FacetCandidates &before,
     for (std::size_t k = old * slots_per_stone; k < (old + 1) * slots_per_stone;
          ++k)
     {
-      open_contact(batch.history[k], batch.lost[k]);
+      open_contact(batch.history[k], 0., batch.lost[k]);
       retired += batch.lost[k];
     }
     ++old;
@@ -209,7 +193,7 @@ void rebuild_pairs(const Particles &particles, double margin,
 }
 
 void rebuild_planes(const Particles &particles,
-                    const std::vector<Plane> &planes, double margin,
+                    const std::vector<Plane> &planes, const WallSearch &search,
                     ContactBatch &batch, Dissipation &retired)
 {
   std::vector<Key> keys;
@@ -217,14 +201,14 @@ void rebuild_planes(const Particles &particles,
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (planes[p].is_active &&
           (particles.position[i] - planes[p].point).dot(planes[p].normal) <
-              particles.body[i].circumscribed_radius + margin)
+              wall_bound(particles, i, search.geometry) + search.margin)
         keys.emplace_back(static_cast<std::int32_t>(i),
                           static_cast<std::int32_t>(p));
   carry_over(keys, batch, retired);
 }
 
 void rebuild_facets(const Particles &particles, const FacetSurface &surface,
-                    double margin, FacetCandidates &candidates,
+                    const WallSearch &search, FacetCandidates &candidates,
                     ContactBatch &batch, Dissipation &retired)
 {
   const TriangleBins bins(surface, 2. * largest_reach(particles));
@@ -234,7 +218,8 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const Vec3 &x = particles.position[i];
-    const double reach = particles.body[i].circumscribed_radius + margin;
+    const double reach =
+        1.25 * wall_bound(particles, i, search.geometry) + search.margin;
     bins.gather(x - Vec3::Constant(reach), x + Vec3::Constant(reach), found);
     const std::size_t before = fresh.triangle.size();
     for (const std::int32_t t : found)
@@ -253,6 +238,7 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
     fresh.row_start.push_back(static_cast<std::int32_t>(fresh.triangle.size()));
   }
   fresh.spot.resize(fresh.stone.size() * slots_per_stone);
+  fresh.wake.assign(fresh.stone.size(), 0.);
   carry_over_slots(candidates, fresh, batch, fresh.spot, retired);
   candidates = std::move(fresh);
 }
@@ -268,7 +254,10 @@ double steepness(const Particles &particles)
 double closing_speed(const Particles &particles, std::size_t k,
                      double steepness)
 {
+  const Body &body = particles.body[k];
   return (1. + steepness) * particles.velocity[k].norm() +
-         particles.body[k].max_slope * particles.spin[k].norm();
+         std::max(body.max_slope,
+                  body.series ? body.circumscribed_radius : 0.) *
+             particles.spin[k].norm();
 }
 } // namespace dem

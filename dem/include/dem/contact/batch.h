@@ -26,6 +26,9 @@ struct ContactBatch
   std::vector<SurfaceSide> side_a;
   std::vector<SurfaceSide> side_b;         ///< stone against stone only
   std::vector<HertzPrefactors> prefactors; ///< stone against stone only
+  /// An open contact need not be looked at before the stones have travelled
+  /// this far in all (ForceContext::travelled) [m].
+  std::vector<double> wake;
   std::vector<double> twist; ///< turned about the normal since then [rad]
   std::vector<ContactHistory> history;
   std::vector<Dissipation> lost;

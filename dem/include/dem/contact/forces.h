@@ -5,8 +5,19 @@
 #include <dem/parameters.h>
 #include <dem/particles.h>
 
+#include <span>
+
 namespace dem
 {
+/// No wall farther than this from the centre can touch the stone [m].
+inline double wall_bound(const Particles &particles, std::size_t stone,
+                         ContactGeometry geometry)
+{
+  return geometry == ContactGeometry::ball
+             ? particles.radius[stone]
+             : particles.body[stone].circumscribed_radius;
+}
+
 /// What every force loop reads.
 struct ForceContext
 {
@@ -14,6 +25,9 @@ struct ForceContext
   const PairElasticity &elasticity; ///< stone against stone
   const Particles &particles;
   double time_step = 0.; ///< [s]
+  /// Sum over all steps of how far the two fastest stones could have closed a
+  /// gap [m].
+  double travelled = 0.;
 };
 
 /// Stone against stone: rolling-resistant elliptic Hertz. Returns true if some
@@ -35,6 +49,17 @@ struct FacetCandidates
   std::vector<std::int32_t> row_start; ///< size stones + 1
   std::vector<std::int32_t> triangle;
   std::vector<FacetSpot> spot; ///< of each slot
+  /// A stone without contact need not be looked at before
+  /// ForceContext::travelled has come this far [m].
+  std::vector<double> wake;
+
+  /// Candidates of the stone in this row.
+  std::span<const std::int32_t> triangles_of(std::size_t row) const
+  {
+    return std::span(triangle).subspan(
+        static_cast<std::size_t>(row_start[row]),
+        static_cast<std::size_t>(row_start[row + 1] - row_start[row]));
+  }
 };
 
 /// Stone against facet surface: linear springs, one contact per smooth patch;
@@ -56,6 +81,6 @@ double reset_plane(const ForceContext &context,
                    const std::vector<Plane> &planes, ContactBatch &batch,
                    std::size_t k);
 double reset_facet(const ForceContext &context, const FacetSurface &surface,
-                   FacetCandidates &candidates, ContactBatch &batch,
+                   const FacetCandidates &candidates, ContactBatch &batch,
                    std::size_t k);
 } // namespace dem

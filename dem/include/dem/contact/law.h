@@ -22,12 +22,11 @@ struct ContactCoefficients
 struct ContactMotion
 {
   double overlap = 0.;          ///< delta > 0 [m]
-  Vec3 normal = Vec3::UnitX();  ///< [-]
+  Vec3 normal = Vec3::UnitX();  ///< direction of the normal force [-]
   Vec3 velocity = Vec3::Zero(); ///< of B against A at the contact [m/s]
   Vec3 spin = Vec3::Zero();     ///< of B against A [rad/s]
   double reduced_mass = 0.;     ///< m* [kg]
   double rolling_radius = 0.;   ///< R: 1/R = 1/r_A + 1/r_B [m]
-  double reach = 0.;            ///< r_A + r_B [m]
 };
 
 /// Stiffness, force and energy of the normal spring at one overlap.
@@ -71,8 +70,6 @@ struct ContactHistory
   double normal_force = 0.;            ///< elastic, last step [N]
   double normal_dashpot = 0.;          ///< last step, positive: compressive [N]
   double normal_energy = 0.;           ///< elastic, last step [J]
-  double reach = 0.;                   ///< r_A + r_B of the last step [m]
-  double prefactor = 0.;               ///< C_H of the last step [N/m^(3/2)]
   double overlap = 0.;                 ///< last step, 0: open [m]
   double factor_a = 0., factor_b = 0.; ///< cumulative factors of both sides [-]
 };
@@ -80,10 +77,12 @@ struct ContactHistory
 /// Energy that left the springs of a contact since it was last emptied [J].
 struct Dissipation
 {
-  double friction = 0.;   ///< sliding, and shear springs let go
-  double rolling = 0.;    ///< rolling resistance beyond its limit
-  double damping = 0.;    ///< dashpots
-  double shape_work = 0.; ///< stored by turning or re-stiffening, no work done
+  double friction = 0.; ///< sliding, and shear springs let go
+  double rolling = 0.;  ///< rolling resistance beyond its limit
+  double damping = 0.;  ///< dashpots
+  /// Normal springs gained it (if negative) without work: by turning where the
+  /// force has no lever against it, by a change of C_H or of the facet
+  double shape_work = 0.;
 
   Dissipation &operator+=(const Dissipation &other)
   {
@@ -160,32 +159,17 @@ inline SpringStep advance_spring(const Vec3 &old_value, double old_stiffness,
   return step;
 }
 
-/// Energy that the normal spring gains in a step because the surfaces turn
-/// (change of r_A + r_B) or grow stiffer (change of C_H) [J].
-inline double turning_energy(const ContactMotion &motion,
-                             const NormalSpring &spring, double prefactor,
-                             const ContactHistory &history)
-{
-  const double by_reach = 0.5 * (history.normal_force + spring.force) *
-                          (motion.reach - history.reach);
-  if (prefactor == history.prefactor)
-    return by_reach;
-  const double overlap = 0.5 * (history.overlap + motion.overlap);
-  return by_reach + 0.4 * (prefactor - history.prefactor) * overlap * overlap *
-                        std::sqrt(overlap);
-}
-
 /// One step of the rolling-resistant incremental law (MODEL 5.4) for a
 /// touching contact: total normal force without tension, Mindlin shear spring
 /// with Coulomb slider, rolling spring k_r = k_s R^2 with limit f_r R F_n,
 /// dashpots c = 2 beta sqrt(m* k) with the tangent stiffness; the shear
 /// dashpot rests while sliding. Work is taken by the trapezoidal rule of the
-/// integrator. `prefactor` is C_H for Hertz springs and 0 for linear ones.
+/// integrator.
 inline ContactForce advance_contact(const ContactMotion &motion,
                                     const NormalSpring &spring,
                                     const ContactCoefficients &pair,
-                                    double prefactor, double time_step,
-                                    ContactHistory &history, Dissipation &lost)
+                                    double time_step, ContactHistory &history,
+                                    Dissipation &lost)
 {
   const Vec3 &n = motion.normal;
   const double opening_rate = motion.velocity.dot(n);
@@ -224,8 +208,8 @@ inline ContactForce advance_contact(const ContactMotion &motion,
     lost.rolling += rolling.dissipated;
     history.rolling = rolling.value;
   }
-  if (history.overlap > 0.)
-    lost.shape_work -= turning_energy(motion, spring, prefactor, history);
+  lost.shape_work += 0.5 * (history.normal_force + spring.force) * closing -
+                     (spring.energy - history.normal_energy);
 
   history.shear = shear.value;
   history.shear_dashpot = shear_dashpot;
@@ -234,8 +218,6 @@ inline ContactForce advance_contact(const ContactMotion &motion,
   history.normal_force = spring.force;
   history.normal_dashpot = normal_dashpot;
   history.normal_energy = spring.energy;
-  history.reach = motion.reach;
-  history.prefactor = prefactor;
   history.overlap = motion.overlap;
 
   ContactForce out;
@@ -245,8 +227,11 @@ inline ContactForce advance_contact(const ContactMotion &motion,
   return out;
 }
 
-/// Ends a touching contact: what its springs still hold is lost.
-inline void open_contact(ContactHistory &history, Dissipation &lost)
+/// Ends a touching contact: what its springs still hold is lost, less the work
+/// that the normal force has done while the bodies closed by `closing`
+/// (negative: parted) in the last step [m].
+inline void open_contact(ContactHistory &history, double closing,
+                         Dissipation &lost)
 {
   if (history.overlap <= 0.)
     return;
@@ -255,6 +240,8 @@ inline void open_contact(ContactHistory &history, Dissipation &lost)
     shear = 0.5 * history.shear.squaredNorm() / history.shear_stiffness;
   lost.friction += shear;
   lost.rolling += tangential_energy(history) - shear;
+  lost.shape_work +=
+      history.normal_energy + 0.5 * history.normal_force * closing;
   history = ContactHistory{};
 }
 } // namespace dem

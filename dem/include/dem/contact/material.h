@@ -33,7 +33,10 @@ enum class ContactGeometry
 
 struct GeometryParameters
 {
-  ContactGeometry geometry = ContactGeometry::radial;
+  ContactGeometry geometry = ContactGeometry::radial; ///< stone on stone
+  /// Stone on plane and facet surface. Radii that follow the direction to a
+  /// facet would change with every tilt of a light membrane.
+  ContactGeometry wall_geometry = ContactGeometry::ball;
   /// The expansion of a side is renewed when the contact direction has moved
   /// this far in the body frame; 0: every step [rad].
   double refresh_tolerance = 5e-3;

@@ -18,7 +18,13 @@ void kick(Particles &particles, const KickParameters &parameters,
           double time_step, std::vector<double> &damped,
           std::vector<double> &lifted);
 
-/// x += v dt, q <- exp(omega dt) q; rotation matrices follow. Returns the
-/// largest closing_speed of a stone [m/s].
-double drift(Particles &particles, double steepness, double time_step);
+/// Fastest stones of a step.
+struct Speeds
+{
+  double moving = 0.;  ///< |v| [m/s]
+  double closing = 0.; ///< closing_speed [m/s]
+};
+
+/// x += v dt, q <- exp(omega dt) q; rotation matrices follow.
+Speeds drift(Particles &particles, double steepness, double time_step);
 } // namespace dem

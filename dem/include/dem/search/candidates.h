@@ -7,28 +7,34 @@
 
 namespace dem
 {
-/// Makes the batch hold all pairs of stones whose gap along the branch is below
-/// `margin` [m], in the order (a, b), a < b; known contacts keep all they
-/// carry. What dropped contacts had dissipated is added to `retired`.
+/// Makes the batch hold all pairs of stones whose circumscribed spheres come
+/// within `margin` [m] of each other, in the order (a, b), a < b; known
+/// contacts keep all they carry. What dropped contacts had dissipated is added
+/// to `retired`.
 void rebuild_pairs(const Particles &particles, double margin,
                    ContactBatch &batch, Dissipation &retired);
 
-/// Likewise all (stone, plane) with the plane nearer than the stone's
-/// circumscribed sphere plus `margin`, in the order (stone, plane).
+/// How far boundaries are looked for: wall_bound plus the margin.
+struct WallSearch
+{
+  ContactGeometry geometry = ContactGeometry::ball;
+  double margin = 0.; ///< [m]
+};
+
+/// Likewise all (stone, plane) within reach, in the order (stone, plane).
 void rebuild_planes(const Particles &particles,
-                    const std::vector<Plane> &planes, double margin,
+                    const std::vector<Plane> &planes, const WallSearch &search,
                     ContactBatch &batch, Dissipation &retired);
 
-/// Likewise the stones near the facet surface and the triangles that their
-/// circumscribed sphere plus `margin` reaches.
+/// Likewise the stones near the facet surface and the triangles within reach.
 void rebuild_facets(const Particles &particles, const FacetSurface &surface,
-                    double margin, FacetCandidates &candidates,
+                    const WallSearch &search, FacetCandidates &candidates,
                     ContactBatch &batch, Dissipation &retired);
 
-/// Upper bound of the speed at which this stone can close the gap along the
-/// branch to a body at rest, its turning included [m/s]:
-/// (1 + c)|v| + L |omega| with L the steepest slope of r and c the largest
-/// L / r_ins of all stones.
+/// Upper bound of the speed at which this stone can close the gap to a body at
+/// rest, its turning included [m/s]: (1 + c)|v| + max(L, r)|omega| with L the
+/// steepest slope of r and c, for overlaps along the branch, the largest
+/// L / r_ins of all stones; 0 for true surfaces.
 double closing_speed(const Particles &particles, std::size_t k,
                      double steepness);
 
