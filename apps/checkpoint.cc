@@ -12,7 +12,7 @@ namespace spall
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x314c4c4150530a01; // names this layout
+constexpr std::uint64_t magic = 0x314c4c4150530a02; // names this layout
 
 using dem::read_column;
 using dem::read_value;
@@ -71,6 +71,7 @@ void read_progress(std::istream &in, Progressed &done)
   read_value(in, done.roundness);
   read_value(in, done.worst_balance);
   read_value(in, done.loading_start);
+  read_value(in, done.last);
   read_value(in, n);
   for (std::uint64_t k = 0; k < n; ++k)
   {
@@ -95,6 +96,7 @@ void write_progress(std::ostream &out, const Progressed &done)
   write_value(out, done.roundness);
   write_value(out, done.worst_balance);
   write_value(out, done.loading_start);
+  write_value(out, done.last);
   write_value(out, static_cast<std::uint64_t>(done.spent.size()));
   for (const auto &[phase, seconds] : done.spent)
   {

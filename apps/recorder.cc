@@ -100,6 +100,7 @@ void Recorder::resume(Triaxial &test)
   n_frames = done.n_frames;
   roundness = done.roundness;
   loading_start = done.loading_start;
+  last = done.last;
   worst_balance = done.worst_balance;
   spent_before = done.spent;
   stage_before = std::min(test.stage(), Stage::loading);
@@ -162,15 +163,15 @@ void Recorder::write_history(Triaxial &test)
 
 void Recorder::write_events(Triaxial &test)
 {
-  const double cycle_now = test.cycle();
+  const double period =
+      static_cast<double>(test.steps_per_cycle()) * test.time_step();
   for (const dem::BreakageEvent &e : test.engine().take_events())
   {
-    const double since = test.engine().time() - e.time;
-    const double cycle = std::max(
-        0., cycle_now - since / (static_cast<double>(test.steps_per_cycle()) *
-                                 test.time_step()));
+    // From times alone, so that it does not matter when the row is written;
+    // stones break from the start of loading only.
+    const double cycle = std::max(0., (e.time - loading_start.time) / period);
     events.write_row(
-        {e.time, cycle_now > 0. ? cycle : 0., static_cast<double>(e.stone),
+        {e.time, cycle, static_cast<double>(e.stone),
          static_cast<double>(e.other), static_cast<double>(e.kind),
          static_cast<double>(e.mode), e.force_before, e.force_after, e.overlap,
          e.elastic_energy, e.fracture_energy, e.released_energy,
@@ -233,6 +234,7 @@ void Recorder::write_checkpoint(Triaxial &test)
   done.n_frames = n_frames;
   done.roundness = roundness;
   done.loading_start = loading_start;
+  done.last = last;
   done.worst_balance = worst_balance;
   done.spent = wall_clock(
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},

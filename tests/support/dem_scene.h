@@ -19,6 +19,7 @@ inline dem::EngineParameters bare_parameters()
   p.wall.normal_damping = p.wall.shear_damping = 0.;
   p.surface = p.wall;
   p.breakage.is_active = false;
+  p.geometry.wall_geometry = dem::ContactGeometry::radial;
   return p;
 }
 

@@ -76,9 +76,7 @@ inline ContactCoefficients coefficients_of(const WallMaterial &wall)
 inline void clear_contact(const ForceContext &context, ContactBatch &batch,
                           std::size_t k, double gap, const Vec3 &velocity)
 {
-  open_contact(batch.history[k],
-               -velocity.dot(batch.normal[k]) * context.time_step,
-               batch.lost[k]);
+  open_contact(batch.history[k], velocity * context.time_step, batch.lost[k]);
   batch.load[k] = ContactLoad{};
   batch.wake[k] = context.travelled + gap;
 }

@@ -52,7 +52,7 @@ void carry_over(const std::vector<Key> &keys, ContactBatch &batch,
   std::size_t old = 0;
   const auto retire = [&]
   {
-    open_contact(batch.history[old], 0., batch.lost[old]);
+    open_contact(batch.history[old], Vec3::Zero(), batch.lost[old]);
     retired += batch.lost[old];
     ++old;
   };
@@ -143,7 +143,7 @@ void carry_over_slots(const FacetCandidates &before,
     for (std::size_t k = old * slots_per_stone; k < (old + 1) * slots_per_stone;
          ++k)
     {
-      open_contact(batch.history[k], 0., batch.lost[k]);
+      open_contact(batch.history[k], Vec3::Zero(), batch.lost[k]);
       retired += batch.lost[k];
     }
     ++old;

@@ -62,6 +62,7 @@ inline NormalSpring linear_spring(const WallMaterial &wall, double overlap)
 /// What a contact carries from step to step. Springs act on body A.
 struct ContactHistory
 {
+  Vec3 normal = Vec3::UnitX();         ///< of the last step [-]
   Vec3 shear = Vec3::Zero();           ///< spring force on A [N]
   Vec3 rolling = Vec3::Zero();         ///< spring moment on A [N m]
   Vec3 shear_dashpot = Vec3::Zero();   ///< force on A [N]
@@ -131,22 +132,29 @@ struct SpringStep
   double dissipated = 0.; ///< work of the motion less what is stored [J]
 };
 
+/// A spring in the contact plane as the last step left it.
+struct Spring
+{
+  const Vec3 &value;     ///< force or moment on A
+  double stiffness = 0.; ///< 0: it was not there
+};
+
 /// One increment of an elastic-perfectly-plastic spring: turned into the
 /// plane, scaled down when the stiffness falls (so that it makes no energy),
-/// moved by `increment`, capped at `limit`.
-inline SpringStep advance_spring(const Vec3 &old_value, double old_stiffness,
-                                 const Vec3 &normal, const Vec3 &increment,
-                                 double stiffness, double limit)
+/// moved by the part of `displacement` in the plane, capped at `limit`.
+inline SpringStep advance_spring(const Spring &old, const Vec3 &normal,
+                                 const Vec3 &displacement, double stiffness,
+                                 double limit)
 {
-  const Vec3 turned = turn_into_plane(old_value, normal);
+  Vec3 start = turn_into_plane(old.value, normal);
   double before = 0.;
-  Vec3 start = turned;
-  if (old_stiffness > 0.)
+  if (old.stiffness > 0.)
   {
-    before = 0.5 * turned.squaredNorm() / old_stiffness;
-    if (stiffness < old_stiffness)
-      start *= stiffness / old_stiffness;
+    before = 0.5 * old.value.squaredNorm() / old.stiffness;
+    if (stiffness < old.stiffness)
+      start *= stiffness / old.stiffness;
   }
+  const Vec3 increment = displacement - displacement.dot(normal) * normal;
   SpringStep step;
   step.value = start + stiffness * increment;
   const double size = step.value.norm();
@@ -155,7 +163,8 @@ inline SpringStep advance_spring(const Vec3 &old_value, double old_stiffness,
     step.value *= limit / size;
   const double after =
       stiffness > 0. ? 0.5 * step.value.squaredNorm() / stiffness : 0.;
-  step.dissipated = 0.5 * (turned + step.value).dot(increment) + before - after;
+  step.dissipated =
+      0.5 * (old.value + step.value).dot(displacement) + before - after;
   return step;
 }
 
@@ -163,8 +172,8 @@ inline SpringStep advance_spring(const Vec3 &old_value, double old_stiffness,
 /// touching contact: total normal force without tension, Mindlin shear spring
 /// with Coulomb slider, rolling spring k_r = k_s R^2 with limit f_r R F_n,
 /// dashpots c = 2 beta sqrt(m* k) with the tangent stiffness; the shear
-/// dashpot rests while sliding. Work is taken by the trapezoidal rule of the
-/// integrator.
+/// dashpot rests while sliding. Work is taken as the integrator does it: half
+/// with the old force, half with the new one.
 inline ContactForce advance_contact(const ContactMotion &motion,
                                     const NormalSpring &spring,
                                     const ContactCoefficients &pair,
@@ -173,17 +182,19 @@ inline ContactForce advance_contact(const ContactMotion &motion,
 {
   const Vec3 &n = motion.normal;
   const double opening_rate = motion.velocity.dot(n);
-  const double closing = -opening_rate * time_step;
+  const Vec3 displacement = motion.velocity * time_step;
+  const double closing = -displacement.dot(n),
+               closing_before = -displacement.dot(history.normal);
   const double normal_dashpot = std::max(
       -spring.force, -2. * pair.normal_damping *
                          std::sqrt(motion.reduced_mass * spring.stiffness) *
                          opening_rate);
-  lost.damping += 0.5 * (history.normal_dashpot + normal_dashpot) * closing;
+  lost.damping += 0.5 * (history.normal_dashpot * closing_before +
+                         normal_dashpot * closing);
 
   const Vec3 sliding_velocity = motion.velocity - opening_rate * n;
-  const Vec3 slip = sliding_velocity * time_step;
   const SpringStep shear =
-      advance_spring(history.shear, history.shear_stiffness, n, slip,
+      advance_spring({history.shear, history.shear_stiffness}, n, displacement,
                      spring.shear_stiffness, pair.friction * spring.force);
   lost.friction += shear.dissipated;
   const Vec3 shear_dashpot =
@@ -192,7 +203,8 @@ inline ContactForce advance_contact(const ContactMotion &motion,
           : Vec3(2. * pair.shear_damping *
                  std::sqrt(motion.reduced_mass * spring.shear_stiffness) *
                  sliding_velocity);
-  lost.damping += 0.5 * (history.shear_dashpot + shear_dashpot).dot(slip);
+  lost.damping +=
+      0.5 * (history.shear_dashpot + shear_dashpot).dot(displacement);
 
   const double rolling_stiffness = pair.rolling_friction > 0.
                                        ? spring.shear_stiffness *
@@ -201,16 +213,18 @@ inline ContactForce advance_contact(const ContactMotion &motion,
                                        : 0.;
   if (rolling_stiffness > 0.)
   {
-    const Vec3 turn = (motion.spin - motion.spin.dot(n) * n) * time_step;
     const SpringStep rolling = advance_spring(
-        history.rolling, history.rolling_stiffness, n, turn, rolling_stiffness,
+        {history.rolling, history.rolling_stiffness}, n,
+        motion.spin * time_step, rolling_stiffness,
         pair.rolling_friction * motion.rolling_radius * spring.force);
     lost.rolling += rolling.dissipated;
     history.rolling = rolling.value;
   }
-  lost.shape_work += 0.5 * (history.normal_force + spring.force) * closing -
-                     (spring.energy - history.normal_energy);
+  lost.shape_work +=
+      0.5 * (history.normal_force * closing_before + spring.force * closing) -
+      (spring.energy - history.normal_energy);
 
+  history.normal = n;
   history.shear = shear.value;
   history.shear_dashpot = shear_dashpot;
   history.shear_stiffness = spring.shear_stiffness;
@@ -228,20 +242,22 @@ inline ContactForce advance_contact(const ContactMotion &motion,
 }
 
 /// Ends a touching contact: what its springs still hold is lost, less the work
-/// that the normal force has done while the bodies closed by `closing`
-/// (negative: parted) in the last step [m].
-inline void open_contact(ContactHistory &history, double closing,
+/// that the last forces have done over `displacement`, of B against A in the
+/// last step [m].
+inline void open_contact(ContactHistory &history, const Vec3 &displacement,
                          Dissipation &lost)
 {
   if (history.overlap <= 0.)
     return;
+  const double closing = -0.5 * displacement.dot(history.normal);
   double shear = 0.;
   if (history.shear_stiffness > 0.)
     shear = 0.5 * history.shear.squaredNorm() / history.shear_stiffness;
-  lost.friction += shear;
   lost.rolling += tangential_energy(history) - shear;
-  lost.shape_work +=
-      history.normal_energy + 0.5 * history.normal_force * closing;
+  lost.friction += shear + 0.5 * history.shear.dot(displacement);
+  lost.damping += history.normal_dashpot * closing +
+                  0.5 * history.shear_dashpot.dot(displacement);
+  lost.shape_work += history.normal_energy + history.normal_force * closing;
   history = ContactHistory{};
 }
 } // namespace dem
