@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""A run that was stopped and resumed is the unbroken run, bit for bit.
+
+    resume.py SPALL membrane|rigid
+"""
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from triaxial_runs import (QUICK, command, differing, report_faults, run,
+                           summary)
+
+TABLES = ["history.csv", "events.csv", "ledger.csv"]
+
+
+def stop_when(is_time, spall, folder, lateral, *options):
+    """Sends SIGTERM once `is_time()`; what is wrong with the answer."""
+    words = command(spall, folder, lateral, *options, settings=QUICK)
+    with subprocess.Popen(words, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True) as running:
+        while running.poll() is None and not is_time():
+            time.sleep(0.002)
+        running.send_signal(signal.SIGTERM)
+        _, stderr = running.communicate(timeout=100)
+    lines = stderr.splitlines()
+    if (running.returncode == 2 and len(lines) == 1 and
+            lines[0].startswith("spall: stopped at step") and
+            "--resume" in lines[0]):
+        return []
+    return [f"stopped: status {running.returncode}, stderr {stderr.strip()}"]
+
+
+def time_of(path):
+    return path.stat().st_mtime_ns if path.exists() else 0
+
+
+def faults_of(name, folder, whole, frames_too=True):
+    """Where the resumed run differs from the whole one."""
+    names = list(TABLES)
+    if frames_too:
+        names += ["run.pvd", "case.prm",
+                  *sorted({str(path.relative_to(of)) for of in (folder, whole)
+                           for path in (of / "frames").iterdir()})]
+    faults = [f"{name}: {path} differs"
+              for path in differing(folder, whole, names)]
+    mine, other = summary(folder), summary(whole)
+    return faults + [f"{name}: {key} is {mine.get(key)}, was {value}"
+                     for key, value in other.items()
+                     if key != "wall_clock_s" and mine.get(key) != value]
+
+
+def main():
+    spall, lateral = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+
+        def go(folder, *options, settings=()):
+            run(spall, root / folder, lateral, *options,
+                settings=(*QUICK, *settings))
+
+        go("whole")
+        go("until", "--until", "1")
+        go("until", "--resume")
+        faults = faults_of("--until", root / "until", root / "whole")
+        go("until", "--resume")  # nothing left to do
+        faults += faults_of("resumed when done", root / "until",
+                            root / "whole", frames_too=False)
+
+        # A finished run goes on with more cycles; its last frame stays.
+        go("more", settings=("Loading/cycles=1",))
+        go("more", "--resume")
+        faults += faults_of("more cycles", root / "more", root / "whole",
+                            frames_too=False)
+
+        # Stopped in the preparation, again within the second cycle.
+        stopped = root / "stopped"
+        faults += stop_when((stopped / "log.txt").exists, spall, stopped,
+                            lateral)
+        state = stopped / "checkpoint" / "state.bin"
+        before = time_of(state)
+        faults += stop_when(lambda: time_of(state) != before, spall, stopped,
+                            lateral, "--resume")
+        go("stopped", "--resume")
+        faults += faults_of("SIGTERM", stopped, root / "whole")
+    return report_faults(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

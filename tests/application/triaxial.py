@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""The small dynamic triaxial test, flexible and rigid, against references.
+
+    triaxial.py SPALL             compares, checks the run folders, reports
+    triaxial.py SPALL --write     writes the references anew
+
+A packing of a hundred stones is chaotic: one unit in the ninth digit of a
+modulus changes what depends on the last place of single stones. So numbers of
+the packing are compared widely, and what is a promise of the method (balance,
+energy, rest, sums) is held to its own limit.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from triaxial_runs import (DATA, LATERALS, report_faults, rows, run, summary)
+
+# Key of summary.json: largest relative difference from the reference.
+TOLERANCES = {
+    "n_stones": 0.,            # drawn, not computed
+    "n_breakable": 0.,         # likewise
+    "time_step_s": 0.,         # given
+    "cycles_1": 0.,            # given
+    "exchange_gain_1": 1e-6,   # from masses and an iterated frequency (1e-8)
+    "exchange_gain_limit_1": 1e-12,   # closed form
+    "solid_volume_m3": 1e-3,   # quadrature, but for the little that breaks
+    # Chaotic. Six runs whose modulus differed in the ninth digit spread by
+    # 3.7 % in porosity, by a factor of 2.5 in permanent strain.
+    "initial_porosity": 0.05,
+}
+STRAIN_FACTOR = 3.  # permanent strain, up or down, of its reference
+# Of the external work. Six perturbed runs gave 0.6 to 1.7 %: chattering of the
+# nearest facet where the membrane wraps round a stone.
+LIMIT_MEMBRANE = 0.03
+
+HEADERS = {
+    "history.csv":
+        "time_s,stage_1,cycle_1,axial_stress_Pa,lateral_stress_Pa,"
+        "axial_strain_1,volumetric_strain_1,laa_percent,"
+        "coordination_number_1,mean_contact_force_N,roundness_1,n_contacts_1,"
+        "n_events_1,unbalanced_force_ratio_1,external_work_J,kinetic_energy_J,"
+        "elastic_energy_J,friction_dissipation_J,rolling_dissipation_J,"
+        "damping_dissipation_J,breakage_energy_J,shape_work_J,"
+        "membrane_strain_energy_J,energy_residual_J",
+    "events.csv":
+        "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
+        "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"
+        "released_energy_J,removed_volume_m3,kernel_width_rad,depth_m,"
+        "ball_radius_m",
+    "ledger.csv":
+        "time_s,force_error_1,moment_error_1,power_error_1,membrane_work_J,"
+        "plate_work_J,energy_residual_J",
+}
+DENSITY = 2750.  # kg/m^3, of the material file
+
+
+def reference_faults(found, reference):
+    faults = []
+    for key, tolerance in TOLERANCES.items():
+        if (key in found) != (key in reference):
+            faults.append(f"{key}: in only one of summary and reference")
+        elif key in found and (abs(found[key] - reference[key]) >
+                               tolerance * abs(reference[key])):
+            faults.append(f"{key} = {found[key]}: reference {reference[key]}, "
+                          f"tolerance {tolerance} of it")
+    ratio = (found["permanent_axial_strain_1"] /
+             reference["permanent_axial_strain_1"])
+    if not 1. / STRAIN_FACTOR < ratio < STRAIN_FACTOR:
+        faults.append(f"permanent_axial_strain_1 is {ratio} of its reference")
+    return faults
+
+
+def promise_faults(found):
+    """What holds for every packing."""
+    is_membrane = found["lateral"] == "membrane"
+    prepared = found["preparation"]
+    worst = max(abs(stress / 30e3 - 1.) for stress in prepared["stress_Pa"])
+    limits = {
+        "stress against target": (worst, 0.02),  # as the case asks
+        "unbalanced_force_ratio_1":
+            (prepared["unbalanced_force_ratio_1"], 1e-3),  # likewise
+        # Rigid: velocity Verlet, measured 1e-5 to 4e-4. Membrane: see
+        # LIMIT_MEMBRANE.
+        "energy_residual_ratio_1":
+            (found["energy_residual_ratio_1"],
+             LIMIT_MEMBRANE if is_membrane else 1e-3),
+        # Sums of some hundred numbers, each rounded to 1e-16.
+        "worst_balance_1": (found.get("worst_balance_1", 0.), 1e-12),
+        "exchange gain": (found.get("exchange_gain_1", 0.),
+                          found.get("exchange_gain_limit_1", 1.)),
+    }
+    faults = [f"{name} = {value}: must be below {limit}"
+              for name, (value, limit) in limits.items() if not value < limit]
+    for key in ("worst_balance_1", "exchange_gain_1"):
+        if (key in found) != is_membrane:
+            faults.append(f"{key}: only with a membrane, and always then")
+    return faults
+
+
+def file_faults(folder, found):
+    """The run folder holds what it is to hold."""
+    is_membrane = found["lateral"] == "membrane"
+    faults = []
+    for name, header in HEADERS.items():
+        if name == "ledger.csv" and not is_membrane:
+            if (folder / name).exists():
+                faults.append(f"{name} without a membrane")
+        elif rows(folder, name)[0] != header:
+            faults.append(f"{name}: header is {rows(folder, name)[0]}")
+    if not (folder / "checkpoint" / "state.bin").is_file():
+        faults.append("no checkpoint")
+    frames = re.findall(r'file="([^"]+)"', (folder / "run.pvd").read_text())
+    faults += [f"run.pvd names {frame}, which is not there"
+               for frame in frames if not (folder / frame).is_file()]
+    parts = {pathlib.Path(frame).name.split("_")[0] for frame in frames}
+    if parts != {"particles", "contacts", "surfaces",
+                 *(["membrane"] if is_membrane else [])}:
+        faults.append(f"run.pvd names {sorted(parts)}")
+    return faults
+
+
+def row_faults(folder, found):
+    """Sums over the rows are the numbers of the summary."""
+    history, events = rows(folder, "history.csv")[1], \
+        rows(folder, "events.csv")[1]
+    last, faults = history[-1], []
+    # Two decimal places of the double are lost in the sum of some thousand.
+    initial_mass = DENSITY * (found["solid_volume_m3"] +
+                              sum(e["removed_volume_m3"] for e in events))
+    laa = 100. * DENSITY * sum(e["removed_volume_m3"]
+                               for e in events) / initial_mass
+    pairs = {
+        "laa_percent, events": (found["laa_percent"], laa),
+        "laa_percent, history": (found["laa_percent"], last["laa_percent"]),
+        "n_events": (found["n_events"], len(events)),
+        "cycle": (last["cycle_1"], found["cycles_1"]),
+        "permanent strain": (last["axial_strain_1"],
+                             found["permanent_axial_strain_1"]),
+    }
+    faults += [f"{name}: {a} is not {b}" for name, (a, b) in pairs.items()
+               if not abs(a - b) <= 1e-9 * abs(b)]
+    hits = [e for e in events if e["kind_1"] == 0.]
+    if not hits:
+        faults.append("no event of stone on stone")
+    elif not (sum(e["force_after_N"] for e in hits) <
+              sum(e["force_before_N"] for e in hits)):
+        faults.append("breakage does not lower the force on average")
+    times = [row["time_s"] for row in history]
+    if times != sorted(times) or history[0]["stage_1"] != 0. \
+            or last["stage_1"] != 2.:
+        faults.append("history does not go from preparation to loading")
+    if any(not 0. <= e["cycle_1"] <= found["cycles_1"] for e in events):
+        faults.append("an event outside of the load cycles")
+    return faults
+
+
+def reread_faults(spall, folder):
+    """The resolved case is a case."""
+    ended = subprocess.run([spall, "check", str(folder / "case.prm")],
+                           capture_output=True, text=True, check=False)
+    return [] if ended.returncode == 0 else [
+        f"case.prm does not read again: {ended.stderr}"]
+
+
+def report_is_written(spall, folders, page):
+    ended = subprocess.run(
+        [spall, "report", *map(str, folders), "--out", str(page)],
+        capture_output=True, text=True, check=False)
+    if ended.returncode != 0 or not page.is_file():
+        return [f"report: status {ended.returncode}: {ended.stderr}"]
+    text = page.read_text()
+    return [f"report does not say {lateral}" for lateral in LATERALS
+            if lateral not in text]
+
+
+def write_reference(path, found):
+    keys = [*TOLERANCES, "permanent_axial_strain_1"]
+    path.write_text(json.dumps({key: found[key] for key in keys
+                                if key in found}, indent=2) + "\n")
+
+
+def main():
+    spall = str(pathlib.Path(sys.argv[1]).resolve())
+    faults = []
+    with tempfile.TemporaryDirectory() as name:
+        folders = [pathlib.Path(name) / lateral for lateral in LATERALS]
+        for folder, lateral in zip(folders, LATERALS):
+            run(spall, folder, lateral)
+            found = summary(folder)
+            path = DATA / f"small_{lateral}.json"
+            if "--write" in sys.argv:
+                write_reference(path, found)
+            found_faults = (
+                reference_faults(found, json.loads(path.read_text())) +
+                promise_faults(found) + file_faults(folder, found) +
+                row_faults(folder, found) + reread_faults(spall, folder))
+            faults += [f"{lateral}: {fault}" for fault in found_faults]
+        faults += report_is_written(spall, folders,
+                                    pathlib.Path(name) / "report.html")
+    return report_faults(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
