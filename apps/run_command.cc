@@ -5,6 +5,7 @@
 #include "progress.h"
 #include "recorder.h"
 
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
@@ -71,6 +72,14 @@ RunOptions parse_options(Words words)
     options.out =
         "runs/" + std::filesystem::path(options.case_file).stem().string();
   return options;
+}
+
+/// One thread for every 2000 stones, at most all cores: below, threads that
+/// wait for each other several times a step lose more than they win as soon as
+/// anything else runs on the machine.
+int default_threads(std::size_t n_stones)
+{
+  return std::clamp(static_cast<int>(n_stones / 2000), 1, omp_get_num_procs());
 }
 
 volatile std::sig_atomic_t stop_asked = 0;
@@ -178,6 +187,11 @@ int run_case(const RunOptions &options, const Case &parameters)
   const std::filesystem::path folder = options.out;
   Triaxial test(parameters);
   test.stop_after(cycles);
+  if (const int threads = options.threads.value_or(parameters.threads);
+      threads > 0)
+    omp_set_num_threads(threads);
+  else
+    omp_set_num_threads(default_threads(test.engine().particles().size()));
   if (options.is_resumed)
     require_checkpoint(folder / "checkpoint" / "state.bin");
   prepare_run_folder(folder, options.is_resumed);
@@ -213,9 +227,6 @@ int run_command(Words words)
 {
   const RunOptions options = parse_options(words);
   const Case parameters = read_case(options.case_file, options.overrides);
-  const int threads = options.threads.value_or(parameters.threads);
-  if (threads > 0)
-    omp_set_num_threads(threads);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   return run_case(options, parameters);

@@ -117,6 +117,8 @@ void Triaxial::place_boundaries()
   }
   area = (upper - lower).head<2>().prod();
   servo.release(engine(), 2);
+  // Stones that carry nothing would fly on for ever.
+  engine().come_to_rest();
   engine().set_friction(parameters.stone.friction);
   engine().set_local_damping(parameters.time.local_damping);
   const dem::Plane &top = planes[specimen.box[2][1]];

@@ -95,6 +95,16 @@ void Engine::set_local_damping(double damping)
   settings.local_damping = damping;
 }
 
+void Engine::come_to_rest()
+{
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    damped[i] += 0.5 * stones.mass[i] * stones.velocity[i].squaredNorm() +
+                 0.5 * stones.inertia[i] * stones.spin[i].squaredNorm();
+    stones.velocity[i] = stones.spin[i] = Vec3::Zero();
+  }
+}
+
 void Engine::set_breaking(bool is_on)
 {
   settings.breakage.is_active = is_on;

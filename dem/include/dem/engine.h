@@ -54,6 +54,8 @@ public:
   const EngineParameters &parameters() const { return settings; }
   void set_friction(double friction);
   void set_local_damping(double damping);
+  /// Takes all velocity from the stones; booked as damping.
+  void come_to_rest();
   /// Whether stones break from now on; off: no damage grows either.
   void set_breaking(bool is_on);
 
