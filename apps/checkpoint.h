@@ -17,7 +17,7 @@ struct Progressed
   std::vector<dem::FrameEntry> frames;
   double roundness = 0.;
   double worst_balance = 0.;
-  Sample loading_start, last; ///< rows of the history
+  Sample loading_start, last;          ///< rows of the history
   std::map<std::string, double> spent; ///< wall-clock by phase [s]
 };
 

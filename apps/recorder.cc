@@ -170,12 +170,12 @@ void Recorder::write_events(Triaxial &test)
     // From times alone, so that it does not matter when the row is written;
     // stones break from the start of loading only.
     const double cycle = std::max(0., (e.time - loading_start.time) / period);
-    events.write_row(
-        {e.time, cycle, static_cast<double>(e.stone),
-         static_cast<double>(e.other), static_cast<double>(e.kind),
-         static_cast<double>(e.mode), e.force_before, e.force_after, e.overlap,
-         e.elastic_energy, e.fracture_energy, e.released_energy,
-         e.removed_volume, e.width, e.depth, e.ball_radius});
+    events.write_row({e.time, cycle, static_cast<double>(e.stone),
+                      static_cast<double>(e.other), static_cast<double>(e.kind),
+                      static_cast<double>(e.mode), e.force_before,
+                      e.force_after, e.overlap, e.elastic_energy,
+                      e.fracture_energy, e.released_energy, e.removed_volume,
+                      e.width, e.depth, e.ball_radius});
   }
 }
 

@@ -8,9 +8,10 @@ namespace
 struct Wall
 {
   const WallMaterial &material;
-  Vec3 direction = Vec3::UnitZ(); ///< from the stone to the wall, unit [-]
-  double distance = 0.;           ///< centre to wall [m]
-  Vec3 velocity = Vec3::Zero();   ///< of the wall at the contact [m/s]
+  Vec3 direction = Vec3::UnitZ();      ///< from the stone to the wall, unit [-]
+  double distance = 0.;                ///< centre to wall [m]
+  Vec3 velocity = Vec3::Zero();        ///< of the wall at the contact [m/s]
+  Vec3 velocity_before = Vec3::Zero(); ///< where the contact was [m/s]
   double mass = std::numeric_limits<double>::infinity(); ///< effective [kg]
 };
 
@@ -28,7 +29,7 @@ void update_wall(const ForceContext &context, const Wall &wall,
   const std::int32_t stone = batch.a[k];
   const std::size_t i = row_of(stone);
   const ContactGeometry geometry = context.parameters.geometry.wall_geometry;
-  const Vec3 apart = wall.velocity - particles.velocity[i];
+  const Vec3 apart = wall.velocity_before - particles.velocity[i];
   const double gap = wall.distance - wall_bound(particles, i, geometry);
   if (gap >= 0.)
     return clear_contact(context, batch, k, gap, apart);
@@ -42,6 +43,9 @@ void update_wall(const ForceContext &context, const Wall &wall,
   motion.normal = batch.normal[k] = wall.direction;
   const Vec3 lever = wall.distance * wall.direction;
   motion.velocity = wall.velocity - velocity_at(particles, stone, lever);
+  motion.velocity_before =
+      wall.velocity_before -
+      velocity_at(particles, stone, wall.distance * batch.history[k].normal);
   motion.spin = -particles.spin[i];
   motion.reduced_mass = reduced_mass(particles.mass[i], wall.mass);
   motion.rolling_radius = reach;
@@ -72,24 +76,36 @@ Wall plane_wall(const ForceContext &context, const std::vector<Plane> &planes,
   const Vec3 &x =
       context.particles.position[static_cast<std::size_t>(batch.a[k])];
   return {context.parameters.wall, -plane.normal,
-          (x - plane.point).dot(plane.normal), plane.velocity};
+          (x - plane.point).dot(plane.normal), plane.velocity, plane.velocity};
 }
 
-Wall facet_wall(const ForceContext &context, const FacetSurface &surface,
-                const FacetTouch &touch)
+/// Velocity of the surface at one of its points [m/s].
+Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
 {
+  Vec3 velocity = Vec3::Zero();
+  if (spot.triangle < 0)
+    return velocity;
   const auto &corner =
-      surface.triangles[static_cast<std::size_t>(touch.nearest.triangle)];
+      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    velocity +=
+        spot.weight[c] * surface.velocity[static_cast<std::size_t>(corner[c])];
+  return velocity;
+}
+
+/// `before`: where the contact was in the last step.
+Wall facet_wall(const ForceContext &context, const FacetSurface &surface,
+                const FacetTouch &touch, const FacetSpot &before)
+{
+  const FacetSpot spot{touch.nearest.triangle, touch.nearest.weight};
   Wall wall{context.parameters.surface, touch.direction, touch.distance,
-            Vec3::Zero()};
+            velocity_on(surface, spot), velocity_on(surface, before)};
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(spot.triangle)];
   double compliance = 0.;
   for (std::size_t c = 0; c < 3; ++c)
-  {
-    const double weight = touch.nearest.weight[c];
-    const auto vertex = static_cast<std::size_t>(corner[c]);
-    wall.velocity += weight * surface.velocity[vertex];
-    compliance += weight * weight / surface.mass[vertex];
-  }
+    compliance += spot.weight[c] * spot.weight[c] /
+                  surface.mass[static_cast<std::size_t>(corner[c])];
   if (compliance > 0.)
     wall.mass = 1. / compliance;
   return wall;
@@ -157,16 +173,18 @@ int facet_contacts_of(const ForceContext &context, const FacetSurface &surface,
     const std::size_t k = first + static_cast<std::size_t>(slot_of[t]);
     is_used[k - first] = true;
     const double energy_before = batch.history[k].normal_energy;
-    candidates.spot[k] = {touches[t].nearest.triangle,
-                          touches[t].nearest.weight};
-    update_wall(context, facet_wall(context, surface, touches[t]), batch, k);
+    FacetSpot &spot = candidates.spot[k];
+    update_wall(context, facet_wall(context, surface, touches[t], spot), batch,
+                k);
+    spot = {touches[t].nearest.triangle, touches[t].nearest.weight};
     n_events += damage_wall(context, energy_before, batch, k);
   }
   for (std::size_t s = 0; s < slots_per_stone; ++s)
     if (!is_used[s])
     {
       clear_contact(context, batch, first + s, 0.,
-                    -context.particles.velocity[i]);
+                    velocity_on(surface, candidates.spot[first + s]) -
+                        context.particles.velocity[i]);
       batch.event[first + s] = 0;
     }
   return n_events;
@@ -254,6 +272,10 @@ double reset_facet(const ForceContext &context, const FacetSurface &surface,
   return reset_contact(
       context, batch, k,
       [&](const ForceContext &still)
-      { update_wall(still, facet_wall(still, surface, touch), batch, k); });
+      {
+        update_wall(still,
+                    facet_wall(still, surface, touch, candidates.spot[k]),
+                    batch, k);
+      });
 }
 } // namespace dem

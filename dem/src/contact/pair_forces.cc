@@ -66,7 +66,7 @@ double locate(const ForceContext &context, ContactBatch &batch, std::size_t k,
   motion.normal = batch.normal[k] = n;
   levers.a = (r_a - 0.5 * motion.overlap) * n;
   levers.b = (0.5 * motion.overlap - r_b) * n;
-  motion.velocity =
+  motion.velocity = motion.velocity_before =
       velocity_at(particles, b, levers.b) - velocity_at(particles, a, levers.a);
   motion.spin = particles.spin[j] - particles.spin[i];
   motion.reduced_mass = particles.mass[i] * particles.mass[j] /

@@ -24,9 +24,11 @@ struct ContactMotion
   double overlap = 0.;          ///< delta > 0 [m]
   Vec3 normal = Vec3::UnitX();  ///< direction of the normal force [-]
   Vec3 velocity = Vec3::Zero(); ///< of B against A at the contact [m/s]
-  Vec3 spin = Vec3::Zero();     ///< of B against A [rad/s]
-  double reduced_mass = 0.;     ///< m* [kg]
-  double rolling_radius = 0.;   ///< R: 1/R = 1/r_A + 1/r_B [m]
+  /// The same where the contact was in the last step: a facet contact may jump.
+  Vec3 velocity_before = Vec3::Zero();
+  Vec3 spin = Vec3::Zero();   ///< of B against A [rad/s]
+  double reduced_mass = 0.;   ///< m* [kg]
+  double rolling_radius = 0.; ///< R: 1/R = 1/r_A + 1/r_B [m]
 };
 
 /// Stiffness, force and energy of the normal spring at one overlap.
@@ -137,6 +139,7 @@ struct Spring
 {
   const Vec3 &value;     ///< force or moment on A
   double stiffness = 0.; ///< 0: it was not there
+  const Vec3 &moved;     ///< displacement over which it has worked since
 };
 
 /// One increment of an elastic-perfectly-plastic spring: turned into the
@@ -164,7 +167,8 @@ inline SpringStep advance_spring(const Spring &old, const Vec3 &normal,
   const double after =
       stiffness > 0. ? 0.5 * step.value.squaredNorm() / stiffness : 0.;
   step.dissipated =
-      0.5 * (old.value + step.value).dot(displacement) + before - after;
+      0.5 * (old.value.dot(old.moved) + step.value.dot(displacement)) + before -
+      after;
   return step;
 }
 
@@ -182,9 +186,10 @@ inline ContactForce advance_contact(const ContactMotion &motion,
 {
   const Vec3 &n = motion.normal;
   const double opening_rate = motion.velocity.dot(n);
-  const Vec3 displacement = motion.velocity * time_step;
+  const Vec3 displacement = motion.velocity * time_step,
+             moved_before = motion.velocity_before * time_step;
   const double closing = -displacement.dot(n),
-               closing_before = -displacement.dot(history.normal);
+               closing_before = -moved_before.dot(history.normal);
   const double normal_dashpot = std::max(
       -spring.force, -2. * pair.normal_damping *
                          std::sqrt(motion.reduced_mass * spring.stiffness) *
@@ -193,9 +198,9 @@ inline ContactForce advance_contact(const ContactMotion &motion,
                          normal_dashpot * closing);
 
   const Vec3 sliding_velocity = motion.velocity - opening_rate * n;
-  const SpringStep shear =
-      advance_spring({history.shear, history.shear_stiffness}, n, displacement,
-                     spring.shear_stiffness, pair.friction * spring.force);
+  const SpringStep shear = advance_spring(
+      {history.shear, history.shear_stiffness, moved_before}, n, displacement,
+      spring.shear_stiffness, pair.friction * spring.force);
   lost.friction += shear.dissipated;
   const Vec3 shear_dashpot =
       shear.is_sliding
@@ -213,9 +218,10 @@ inline ContactForce advance_contact(const ContactMotion &motion,
                                        : 0.;
   if (rolling_stiffness > 0.)
   {
+    const Vec3 turn = motion.spin * time_step;
     const SpringStep rolling = advance_spring(
-        {history.rolling, history.rolling_stiffness}, n,
-        motion.spin * time_step, rolling_stiffness,
+        {history.rolling, history.rolling_stiffness, turn}, n, turn,
+        rolling_stiffness,
         pair.rolling_friction * motion.rolling_radius * spring.force);
     lost.rolling += rolling.dissipated;
     history.rolling = rolling.value;
