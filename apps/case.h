@@ -115,7 +115,7 @@ struct Case
   LoadingParameters loading;
   TimeParameters time;
   OutputParameters output;
-  int threads = 0;  ///< 0: by the number of stones
+  int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
 };
 } // namespace spall

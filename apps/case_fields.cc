@@ -289,9 +289,9 @@ std::vector<Parameter> parameters_of(Case &of)
   add_time(list, of.time);
   add_output(list, of.output);
   list.in("Run");
-  list.add({"threads", "-",
-            "OpenMP threads; 0: one for every 2000 stones, at most all cores."},
-           of.threads, between(0, 1024));
+  list.add(
+      {"threads", "-", "OpenMP threads; 0: the number that is fastest now."},
+      of.threads, between(0, 1024));
   return std::move(list.parameters);
 }
 

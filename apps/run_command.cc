@@ -4,12 +4,11 @@
 #include "errors.h"
 #include "progress.h"
 #include "recorder.h"
+#include "thread_choice.h"
 
-#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
-#include <omp.h>
 #include <optional>
 
 namespace spall
@@ -72,14 +71,6 @@ RunOptions parse_options(Words words)
     options.out =
         "runs/" + std::filesystem::path(options.case_file).stem().string();
   return options;
-}
-
-/// One thread for every 2000 stones, at most all cores: below, threads that
-/// wait for each other several times a step lose more than they win as soon as
-/// anything else runs on the machine.
-int default_threads(std::size_t n_stones)
-{
-  return std::clamp(static_cast<int>(n_stones / 2000), 1, omp_get_num_procs());
 }
 
 volatile std::sig_atomic_t stop_asked = 0;
@@ -155,7 +146,7 @@ void describe_end(Progress &progress, const Recorder &recorder)
 
 /// Steps until the test is done or a stop is asked for.
 void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
-              int cycles)
+              ThreadChoice &threads, int cycles)
 {
   using Clock = std::chrono::steady_clock;
   auto since = Clock::now();
@@ -163,6 +154,7 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
   while (test.stage() != Stage::done && !stop_asked)
   {
     const bool was_preparing = test.stage() == Stage::preparation;
+    threads.before_step();
     test.advance();
     recorder.after_step(test);
     if (was_preparing && test.stage() != Stage::preparation)
@@ -187,11 +179,6 @@ int run_case(const RunOptions &options, const Case &parameters)
   const std::filesystem::path folder = options.out;
   Triaxial test(parameters);
   test.stop_after(cycles);
-  if (const int threads = options.threads.value_or(parameters.threads);
-      threads > 0)
-    omp_set_num_threads(threads);
-  else
-    omp_set_num_threads(default_threads(test.engine().particles().size()));
   if (options.is_resumed)
     require_checkpoint(folder / "checkpoint" / "state.bin");
   prepare_run_folder(folder, options.is_resumed);
@@ -204,7 +191,8 @@ int run_case(const RunOptions &options, const Case &parameters)
   describe(progress, test);
   try
   {
-    run_loop(test, recorder, progress, cycles);
+    ThreadChoice threads(options.threads.value_or(parameters.threads));
+    run_loop(test, recorder, progress, threads, cycles);
     recorder.finish(test);
   }
   catch (const std::exception &error)
