@@ -32,9 +32,9 @@ TOLERANCES = {
     "initial_porosity": 0.05,
 }
 STRAIN_FACTOR = 3.  # permanent strain, up or down, of its reference
-# Of the external work. Six perturbed runs gave 0.6 to 1.7 %: chattering of the
-# nearest facet where the membrane wraps round a stone.
-LIMIT_MEMBRANE = 0.03
+# Residual of the external work. Four perturbed runs gave 4e-4 to 1.3e-3; work
+# that was booked where a facet contact no longer was gave 2e-2.
+LIMIT_MEMBRANE = 0.01
 
 HEADERS = {
     "history.csv":
@@ -82,7 +82,7 @@ def promise_faults(found):
         "stress against target": (worst, 0.02),  # as the case asks
         "unbalanced_force_ratio_1":
             (prepared["unbalanced_force_ratio_1"], 1e-3),  # likewise
-        # Rigid: velocity Verlet, measured 1e-5 to 4e-4. Membrane: see
+        # Rigid: velocity Verlet, measured 6e-5 to 3e-4. Membrane: see
         # LIMIT_MEMBRANE.
         "energy_residual_ratio_1":
             (found["energy_residual_ratio_1"],

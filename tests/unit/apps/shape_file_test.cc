@@ -125,14 +125,22 @@ TEST_F(ShapeFiles, FolderIsReadInTheOrderOfNames)
   EXPECT_EQ(shapes[2].name, "c");
 }
 
+std::vector<ShapeFile> committed_shapes()
+{
+  std::vector<ShapeFile> shapes = read_shapes(SPALL_SHAPES_DIR "/limestone");
+  for (const ShapeFile &shape :
+       read_shapes(SPALL_SHAPES_DIR "/limestone_blocky"))
+    shapes.push_back(shape);
+  return shapes;
+}
+
 // Volumes of the source's own table [mm^3]. The meshes that were fitted are
 // 0.5 to 1.3 % below it: flat facets inside a series of degree 14.
 TEST(CommittedShapes, HaveTheVolumesOfTheSource)
 {
-  const std::vector<ShapeFile> shapes =
-      read_shapes(SPALL_SHAPES_DIR "/limestone");
-  const double source[] = {2776.5, 1401.9, 1707.7, 1192.7,
-                           126.6,  1140.4, 570.2,  762.3};
+  const std::vector<ShapeFile> shapes = committed_shapes();
+  const double source[] = {2776.5, 1401.9, 1707.7, 126.6,
+                           570.2,  762.3,  1192.7, 1140.4};
   ASSERT_EQ(shapes.size(), std::size(source));
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
@@ -150,7 +158,7 @@ TEST(CommittedShapes, HaveTheVolumesOfTheSource)
 TEST(CommittedShapes, StayInsideTheBoundsOfTheirBodies)
 {
   const dem::SphereQuadrature fine = dem::make_quadrature(200, 400);
-  for (const ShapeFile &shape : read_shapes(SPALL_SHAPES_DIR "/limestone"))
+  for (const ShapeFile &shape : committed_shapes())
   {
     const dem::Body body = dem::own_body(shape.coefficients);
     for (const dem::Vec3 &s : fine.direction)
