@@ -31,8 +31,8 @@ double packed_step_cost(const Case &parameters)
   dem::Engine &engine = *specimen.engine;
   const double shrink = std::cbrt(parameters.specimen.initial_solid_fraction /
                                   parameters.specimen.solid_fraction);
-  for (dem::Vec3 &x : engine.particles().position)
-    x *= shrink;
+  for (dem::StoneState &stone : engine.particles().state)
+    stone.position *= shrink;
   for (const auto &[lower, upper] : specimen.box)
     engine.planes()[upper].point *= shrink;
   constexpr double frozen = 1e-15; // [s]: nothing moves
@@ -71,13 +71,13 @@ double membrane_step_cost(const Case &parameters)
 void print_stones(const Triaxial &test)
 {
   const dem::Particles &stones = test.engine().particles();
-  double smallest = stones.radius[0], largest = smallest, mass = 0.;
+  double smallest = stones.radius(0), largest = smallest, mass = 0.;
   std::size_t n_breakable = 0;
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
-    smallest = std::min(smallest, stones.radius[i]);
-    largest = std::max(largest, stones.radius[i]);
-    mass += stones.mass[i];
+    smallest = std::min(smallest, stones.radius(i));
+    largest = std::max(largest, stones.radius(i));
+    mass += stones.mass(i);
     n_breakable += stones.is_breakable[i];
   }
   std::printf("stones           %zu, %zu breakable, diameter %.4g to %.4g m, "

@@ -32,28 +32,50 @@ const char *const ledger_header =
     "time_s,force_error_1,moment_error_1,power_error_1,membrane_work_J,"
     "plate_work_J,energy_residual_J";
 
+/// Where contact k ends: the centre of stone B, or the point on the wall.
+dem::Vec3 end_of(const dem::Engine &engine, const dem::ContactBatch &batch,
+                 std::size_t k, dem::ContactKind kind)
+{
+  const dem::Particles &stones = engine.particles();
+  const auto b = static_cast<std::size_t>(batch.b[k]);
+  if (kind == dem::ContactKind::stone_stone)
+    return stones.position(b);
+  const dem::Vec3 &from = stones.position(static_cast<std::size_t>(batch.a[k]));
+  if (kind == dem::ContactKind::stone_plane)
+  {
+    const dem::Plane &plane = engine.planes()[b];
+    return from - (from - plane.point).dot(plane.normal) * plane.normal;
+  }
+  const dem::FacetSpot &spot = engine.facets().spot[k];
+  const auto &corner =
+      engine.surface().triangles[static_cast<std::size_t>(spot.triangle)];
+  dem::Vec3 point = dem::Vec3::Zero();
+  for (std::size_t c = 0; c < 3; ++c)
+    point += spot.weight[c] *
+             engine.surface().position[static_cast<std::size_t>(corner[c])];
+  return point;
+}
+
 std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
 {
   std::vector<dem::ContactLine> lines;
-  const auto &x = engine.particles().position;
   const auto add = [&](const dem::ContactBatch &batch, dem::ContactKind kind)
   {
     for (std::size_t k = 0; k < batch.size(); ++k)
     {
       if (!batch.is_touching(k))
         continue;
-      const dem::Vec3 &from = x[static_cast<std::size_t>(batch.a[k])];
-      const dem::Vec3 &n = batch.normal[k];
-      const dem::Vec3 &force = batch.load[k].force;
-      const dem::Vec3 to =
+      const dem::Vec3 &from =
+          engine.particles().position(static_cast<std::size_t>(batch.a[k]));
+      const dem::Vec3 to = end_of(engine, batch, k, kind);
+      const dem::Vec3 n = (to - from).normalized();
+      const dem::Vec3 force =
           kind == dem::ContactKind::stone_stone
-              ? x[static_cast<std::size_t>(batch.b[k])]
-              : dem::Vec3(from + (batch.side_a[k].expansion.radius -
-                                  batch.history[k].overlap) *
-                                     n);
+              ? dem::pair_force(engine.particles(), batch, k)
+              : batch.load[k].force;
       lines.push_back({from, to, -force.dot(n),
-                       (force - force.dot(n) * n).norm(),
-                       batch.history[k].overlap, kind});
+                       (force - force.dot(n) * n).norm(), batch.overlap[k],
+                       kind});
     }
   };
   add(engine.pairs(), dem::ContactKind::stone_stone);
@@ -196,11 +218,17 @@ void Recorder::write_frame(Triaxial &test, bool with_surfaces)
   const dem::Particles &stones = test.engine().particles();
   std::vector<double> loss(stones.size());
   for (std::size_t i = 0; i < loss.size(); ++i)
-    loss[i] = 1. - stones.mass[i] / stones.initial_mass[i];
-  const dem::ParticleColumns columns{
-      stones.id,     stones.position,    stones.velocity,
-      stones.spin,   stones.orientation, stones.body,
-      stones.radius, stones.mass,        loss};
+    loss[i] = 1. - stones.mass(i) / stones.initial_mass[i];
+  using dem::StoneState;
+  const auto position = stones.column(&StoneState::position),
+             velocity = stones.column(&StoneState::velocity),
+             spin = stones.column(&StoneState::spin);
+  const auto orientation = stones.column(&StoneState::orientation);
+  const auto radius = stones.column(&StoneState::radius),
+             mass = stones.column(&StoneState::mass);
+  const dem::ParticleColumns columns{stones.id, position,    velocity,
+                                     spin,      orientation, stones.body,
+                                     radius,    mass,        loss};
   const auto name = [this](const char *part)
   {
     char text[64];

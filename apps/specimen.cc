@@ -131,10 +131,9 @@ coupling::ExchangeGain check_gain(const Case &parameters,
   const auto mass = membrane.nodal_mass();
   const double lightest_free = *std::max_element(mass.begin(), mass.end());
   const dem::WallMaterial &contact = parameters.membrane_contact;
-  const auto &stones = engine.particles().mass;
   const coupling::ExchangeGain gain = coupling::exchange_gain(
       {contact.normal_stiffness, contact.normal_damping,
-       *std::min_element(stones.begin(), stones.end())},
+       engine.particles().smallest_mass()},
       {&lightest_free, 1}, membrane.stable_time_step(), time_step);
   if (!gain.is_stable())
     throw InputError(

@@ -102,7 +102,7 @@ bool Triaxial::is_at_rest()
       (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
   return worst < limits.stress_tolerance &&
          preparation.unbalanced_ratio < limits.unbalanced_ratio &&
-         dem::contact_network(engine().pairs(), engine().particles().size())
+         dem::contact_network(engine().particles(), engine().pairs())
                  .n_contacts > 0;
 }
 
@@ -231,7 +231,7 @@ Sample Triaxial::sample(double roundness) const
 {
   const dem::Particles &stones = engine().particles();
   const dem::ContactNetwork network =
-      dem::contact_network(engine().pairs(), stones.size());
+      dem::contact_network(stones, engine().pairs());
   const dem::EngineEnergy energy = engine().energy();
   Sample s;
   s.time = engine().time();

@@ -85,10 +85,9 @@ ExchangeGain MembraneDriver::gain(const dem::Engine &engine,
   for (std::size_t node = 0; node < membrane.n_nodes(); ++node)
     if (!membrane.is_tied(static_cast<std::int32_t>(node)))
       free_mass.push_back(membrane.nodal_mass()[node]);
-  const auto &mass = engine.particles().mass;
   const dem::WallMaterial &contact = engine.parameters().surface;
   return exchange_gain({contact.normal_stiffness, contact.normal_damping,
-                        *std::min_element(mass.begin(), mass.end())},
+                        engine.particles().smallest_mass()},
                        free_mass, membrane.stable_time_step(), time_step);
 }
 

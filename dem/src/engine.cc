@@ -1,7 +1,8 @@
 #include <dem/engine.h>
 #include <dem/integrate/verlet.h>
-#include <dem/search/candidates.h>
+#include <dem/search/space_order.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -27,20 +28,28 @@ private:
   Clock::time_point start;
 };
 
-void sum_batch(const ContactBatch &batch, EngineEnergy &energy)
+double elastic_energy(const ContactBatch &batch)
 {
+  double energy = 0.;
   for (std::size_t k = 0; k < batch.size(); ++k)
-  {
-    const Dissipation &lost = batch.lost[k];
-    energy.friction += lost.friction;
-    energy.rolling += lost.rolling;
-    energy.damping += lost.damping;
-    energy.shape_work += lost.shape_work;
     if (batch.is_touching(k))
-      energy.elastic +=
-          batch.history[k].normal_energy + tangential_energy(batch.history[k]);
-  }
+      energy += batch.stored_energy(k);
+  return energy;
 }
+
+std::int64_t count_touching(const ContactBatch &batch)
+{
+  std::int64_t n = 0;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    n += batch.is_touching(k);
+  return n;
+}
+
+/// Fewer stones lie in the cache in any order.
+constexpr std::size_t sorted_from = 2048;
+
+/// Steps that a rebuild of the lists is worth.
+constexpr double rebuild_of_balls = 8., rebuild_of_shapes = 30.;
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -55,11 +64,11 @@ void Engine::add_stone(const Body &body, const Vec3 &position,
                        const Quaternion &orientation)
 {
   stones.add(body, position, orientation, settings.stone.density);
-  const double diameter = 2. * stones.radius.back();
+  const double diameter = 2. * stones.last().radius;
   stones.is_breakable.back() =
       body.series && diameter >= settings.breakage.min_diameter * (1. - 1e-9);
-  damped.push_back(0.);
-  lifted.push_back(0.);
+  work.damped.push_back(0.);
+  work.lifted.push_back(0.);
   lists_are_stale = true;
 }
 
@@ -99,14 +108,15 @@ void Engine::come_to_rest()
 {
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
-    damped[i] += 0.5 * stones.mass[i] * stones.velocity[i].squaredNorm() +
-                 0.5 * stones.inertia[i] * stones.spin[i].squaredNorm();
-    stones.velocity[i] = stones.spin[i] = Vec3::Zero();
+    work.damped[i] += 0.5 * stones.mass(i) * stones.velocity(i).squaredNorm() +
+                      0.5 * stones.inertia(i) * stones.spin(i).squaredNorm();
+    stones.velocity(i) = stones.spin(i) = Vec3::Zero();
   }
 }
 
 void Engine::set_breaking(bool is_on)
 {
+  lists_are_stale |= is_on != settings.breakage.is_active;
   settings.breakage.is_active = is_on;
 }
 
@@ -124,7 +134,6 @@ void Engine::advance(double time_step)
   keep_lists(fastest, time_step);
   if (evaluate_contacts(time_step))
     break_corners(time_step);
-  sum_loads();
   load_planes(time_step);
   book_surface_work(time_step);
   half_kick(time_step);
@@ -134,7 +143,7 @@ void Engine::half_kick(double time_step)
 {
   const Timer timer(spent.motion);
   kick(stones, {settings.gravity, settings.local_damping}, 0.5 * time_step,
-       damped, lifted);
+       work);
 }
 
 void Engine::move_planes(double time_step)
@@ -156,49 +165,55 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   for (const Vec3 &velocity : facet_surface.velocity)
     boundary = std::max(boundary, velocity.squaredNorm());
   boundary = std::sqrt(boundary);
-  travelled +=
+  travelled += (fastest.moving + boundary) * time_step;
+  margin.left -=
       (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
-  margin_left -=
-      (fastest.moving + std::max(fastest.moving, boundary)) * time_step;
-  if (lists_are_stale || margin_left < 0.)
+  if (lists_are_stale || margin.left < 0.)
     rebuild_lists();
 }
 
 void Engine::rebuild_lists()
 {
   const Timer timer(spent.search);
-  const double margin = settings.search_margin;
-  rebuild_pairs(stones, margin, pair_batch, retired);
-  const WallSearch search{settings.geometry.wall_geometry, margin};
-  rebuild_planes(stones, walls, search, plane_batch, retired);
+  margin.renew(settings.search_margin, step_count,
+               static_cast<std::int64_t>(pair_batch.size()),
+               count_touching(pair_batch),
+               stones.has_shapes ? rebuild_of_shapes : rebuild_of_balls);
+  if (stones.size() >= sorted_from)
+    sort_in_space();
+  rebuild_pairs(stones, settings, margin.width, pair_batch, lost);
+  const ContactGeometry geometry = settings.geometry.wall_geometry;
+  rebuild_planes(
+      stones, walls,
+      {wall_layout(settings, settings.wall, stones), geometry, margin.width},
+      plane_batch, lost);
   if (has_surface())
-    rebuild_facets(stones, facet_surface, search, facet_candidates, facet_batch,
-                   retired);
-  pair_row.assign(stones.size() + 1, 0);
-  for (std::size_t k = 0; k < pair_batch.size(); ++k)
-  {
-    ++pair_row[static_cast<std::size_t>(pair_batch.a[k]) + 1];
-    ++pair_row[static_cast<std::size_t>(pair_batch.b[k]) + 1];
-  }
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    pair_row[i + 1] += pair_row[i];
-  pair_entry.resize(2 * pair_batch.size());
-  std::vector<std::int32_t> next(pair_row.begin(), pair_row.end() - 1);
-  const auto enter = [&](std::int32_t stone, std::int32_t entry)
-  {
-    auto &place = next[static_cast<std::size_t>(stone)];
-    pair_entry[static_cast<std::size_t>(place++)] = entry;
-  };
-  for (std::size_t k = 0; k < pair_batch.size(); ++k)
-  {
-    const auto number = static_cast<std::int32_t>(k);
-    enter(pair_batch.a[k], number);
-    enter(pair_batch.b[k], -1 - number);
-  }
+    rebuild_facets(stones, facet_surface,
+                   {wall_layout(settings, settings.surface, stones), geometry,
+                    margin.width},
+                   facet_candidates, facet_batch, lost);
+  pair_loads.prepare(pair_batch);
   steepest = branch_steepness();
-  margin_left = margin;
   lists_are_stale = false;
   ++rebuild_count;
+}
+
+void Engine::sort_in_space()
+{
+  // Anew when stones may have changed places with their neighbours.
+  const double diameter = 2. * stones.largest_radius();
+  if (rebuild_count > 0 && travelled - travelled_sorted < diameter)
+    return;
+  travelled_sorted = travelled;
+  const std::vector<std::int32_t> order =
+      space_order(stones.column(&StoneState::position));
+  stones.reorder(order);
+  reorder_column(work.damped, order);
+  reorder_column(work.lifted, order);
+  const std::vector<std::int32_t> place = places(order);
+  renumber_pairs(place, pair_batch);
+  renumber_planes(place, plane_batch);
+  renumber_facets(place, facet_candidates, facet_batch);
 }
 
 double Engine::branch_steepness() const
@@ -208,66 +223,65 @@ double Engine::branch_steepness() const
              : 0.;
 }
 
+ForceContext Engine::context(double time_step)
+{
+  return {settings, elasticity, stones, time_step, travelled};
+}
+
 bool Engine::evaluate_contacts(double time_step)
 {
   const Timer timer(spent.contacts);
-  const ForceContext context{settings, elasticity, stones, time_step,
-                             travelled};
-  bool wants_breakage = pair_forces(context, pair_batch);
-  wants_breakage |= plane_forces(context, walls, plane_batch);
+  plane_rows(walls, plane_walls);
   if (has_surface())
-    wants_breakage |= facet_forces(context, facet_surface, *topology,
-                                   facet_candidates, facet_batch);
-  return wants_breakage;
+    find_facets(context(time_step), facet_surface, *topology, facet_batch,
+                facet_candidates, facet_walls);
+  return run_contacts(context(time_step));
+}
+
+/// Forces of all contacts and the loads on all stones; true if some side asks
+/// for breakage.
+bool Engine::run_contacts(const ForceContext &all)
+{
+  std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
+  ForceSum sum = pair_forces(all, pair_batch, pair_loads, ranges);
+  const auto add = [&sum](const ForceSum &part)
+  {
+    sum.lost += part.lost;
+    sum.wants_breakage |= part.wants_breakage;
+  };
+  add(wall_forces(all, {settings.wall, plane_walls}, plane_batch, ranges));
+  if (has_surface())
+    add(wall_forces(all, {settings.surface, facet_walls}, facet_batch, ranges));
+  lost += sum.lost;
+  return sum.wants_breakage;
 }
 
 void Engine::break_corners(double time_step)
 {
   const Timer timer(spent.breakage);
-  const ForceContext context{settings, elasticity, stones, time_step,
-                             travelled};
-  ContactSet contacts{pair_batch, plane_batch,   facet_batch,
-                      walls,      facet_surface, facet_candidates};
+  ContactSet contacts{pair_batch,
+                      plane_batch,
+                      facet_batch,
+                      {settings.wall, plane_walls},
+                      {settings.surface, facet_walls}};
   const std::size_t before = events.size();
-  refused_count += break_stones(context, stones, contacts, now, events);
+  refused_count +=
+      break_stones(context(time_step), stones, contacts, now, events);
   for (std::size_t e = before; e < events.size(); ++e)
   {
     released += events[e].released_energy + events[e].kinetic_energy;
     fractured += events[e].fracture_energy;
+    // No kernel is larger than one: nowhere has the stone grown by more.
+    margin.left -= events[e].depth;
   }
   steepest = branch_steepness();
   event_count += static_cast<std::int64_t>(events.size() - before);
-}
-
-void Engine::sum_loads()
-{
-  const Timer timer(spent.contacts);
-  const auto n = static_cast<std::int64_t>(stones.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t entry = 0; entry < n; ++entry)
+  if (events.size() > before)
   {
-    const auto i = static_cast<std::size_t>(entry);
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    for (std::int32_t e = pair_row[i]; e < pair_row[i + 1]; ++e)
-    {
-      const std::int32_t number = pair_entry[static_cast<std::size_t>(e)];
-      const bool is_a = number >= 0;
-      const ContactLoad &load =
-          pair_batch
-              .load[static_cast<std::size_t>(is_a ? number : -1 - number)];
-      force += is_a ? load.force : Vec3(-load.force);
-      moment += is_a ? load.moment_a : load.moment_b;
-    }
-    stones.force[i] = force;
-    stones.moment[i] = moment;
+    ForceContext still = context(0.);
+    still.adds_loads_only = true;
+    run_contacts(still);
   }
-  for (const ContactBatch *batch : {&plane_batch, &facet_batch})
-    for (std::size_t k = 0; k < batch->size(); ++k)
-    {
-      const auto i = static_cast<std::size_t>(batch->a[k]);
-      stones.force[i] += batch->load[k].force;
-      stones.moment[i] += batch->load[k].moment_a;
-    }
 }
 
 void Engine::load_planes(double time_step)
@@ -297,18 +311,18 @@ void Engine::book_surface_work(double time_step)
 EngineEnergy Engine::energy() const
 {
   EngineEnergy energy;
-  energy.friction = retired.friction;
-  energy.rolling = retired.rolling;
-  energy.damping = retired.damping;
-  energy.shape_work = retired.shape_work;
+  energy.friction = lost.friction;
+  energy.rolling = lost.rolling;
+  energy.damping = lost.damping;
+  energy.shape_work = lost.shape_work;
   for (const ContactBatch *batch : {&pair_batch, &plane_batch, &facet_batch})
-    sum_batch(*batch, energy);
+    energy.elastic += elastic_energy(*batch);
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
-    energy.kinetic += 0.5 * stones.mass[i] * stones.velocity[i].squaredNorm() +
-                      0.5 * stones.inertia[i] * stones.spin[i].squaredNorm();
-    energy.damping += damped[i];
-    energy.gravity_work += lifted[i];
+    energy.kinetic += 0.5 * stones.mass(i) * stones.velocity(i).squaredNorm() +
+                      0.5 * stones.inertia(i) * stones.spin(i).squaredNorm();
+    energy.damping += work.damped[i];
+    energy.gravity_work += work.lifted[i];
   }
   energy.breakage = released;
   energy.fracture = fractured;

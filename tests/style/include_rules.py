@@ -30,7 +30,7 @@ GROUPS = [
     ("json", r"nlohmann/"),
     ("window", r"(EGL/|GL/)"),
     ("system", r"(dlfcn|unistd|fcntl|sys/[a-z]+)(\.h)?$"),
-    ("std", r"[a-z_0-9]+$"),
+    ("std", r"(experimental/simd|[a-z_0-9]+)$"),
 ]
 
 ALLOWED = {

@@ -4,6 +4,8 @@
 #include <dem/integrate/time_step.h>
 #include <dem/integrate/verlet.h>
 #include <dem/measure/assembly.h>
+#include <dem/search/candidates.h>
+#include <dem/search/margin.h>
 
 #include <iosfwd>
 #include <memory>
@@ -96,12 +98,17 @@ private:
   void move_planes(double time_step);
   void keep_lists(const Speeds &fastest, double time_step);
   void rebuild_lists();
+  void sort_in_space();
   bool evaluate_contacts(double time_step);
+  bool run_contacts(const ForceContext &all);
   void break_corners(double time_step);
   double branch_steepness() const;
-  void sum_loads();
   void load_planes(double time_step);
   void book_surface_work(double time_step);
+  ForceContext context(double time_step);
+  /// Calls call(value) for every plain value that a checkpoint keeps.
+  template <class Self, class Visit>
+  static void visit_state(Self &self, const Visit &call);
 
   EngineParameters settings;
   PairElasticity elasticity;
@@ -111,23 +118,25 @@ private:
   std::unique_ptr<FacetTopology> topology;
   ContactBatch pair_batch, plane_batch, facet_batch;
   FacetCandidates facet_candidates;
-
-  /// Contacts of each stone in rows: number of the contact, negative (-1 - k)
-  /// where the stone is side B.
-  std::vector<std::int32_t> pair_row, pair_entry;
+  PairLoads pair_loads;
 
   bool lists_are_stale = true;
-  double margin_left = 0.; ///< [m]
-  double steepest = 0.;    ///< c of closing_speed [-]
-  double travelled = 0.;   ///< ForceContext::travelled [m]
+  SearchMargin margin;
+  double steepest = 0.;         ///< c of closing_speed [-]
+  double travelled = 0.;        ///< ForceContext::travelled [m]
+  double travelled_sorted = 0.; ///< when the stones were last sorted [m]
   double now = 0.;
   std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;
   int refused_count = 0;
-  Dissipation retired;
-  std::vector<double> damped, lifted;
+  Dissipation lost;
+  WorkColumns work;
   double released = 0., fractured = 0., pushed = 0.;
   std::vector<Vec3> surface_load_before;
   std::vector<BreakageEvent> events;
   EngineClock spent;
+
+  // Space to work in, kept from step to step.
+  std::vector<RangeSum> ranges;
+  std::vector<WallRow> plane_walls, facet_walls;
 };
 } // namespace dem

@@ -7,26 +7,83 @@
 
 namespace dem
 {
-/// State of the stones in columns; entry k of every column is the same stone.
-/// Stones are kept in the order of their ids.
+/// What the force loops read of a stone: two cache lines.
+struct alignas(64) StoneState
+{
+  Vec3 position = Vec3::Zero(); ///< of the ball [m]
+  double radius = 0.;           ///< of the ball [m]
+  Vec3 velocity = Vec3::Zero(); ///< [m/s]
+  double mass = 0.;             ///< rho V [kg]
+  Vec3 spin = Vec3::Zero();     ///< world frame [rad/s]
+  double inertia = 0.;          ///< of the ball, 2/5 m r^2 [kg m^2]
+  /// Body to world. Spheres keep theirs in a scene without shapes.
+  Quaternion orientation = Quaternion::Identity();
+};
+
+/// What acts on a stone, gravity and local damping left out: one cache line.
+struct alignas(64) StoneLoad
+{
+  Vec3 force = Vec3::Zero();  ///< [N]
+  Vec3 moment = Vec3::Zero(); ///< about the centre [N m]
+
+  StoneLoad &operator+=(const StoneLoad &other)
+  {
+    force += other.force;
+    moment += other.moment;
+    return *this;
+  }
+};
+
+/// The stones in columns; entry k of every column is the same stone. Many
+/// stones are put in order of place from time to time: `id` says who is where.
 struct Particles
 {
   std::vector<std::int64_t> id;
-  std::vector<Vec3> position;          ///< of the ball [m]
-  std::vector<Vec3> velocity;          ///< [m/s]
-  std::vector<Vec3> spin;              ///< world frame [rad/s]
-  std::vector<Quaternion> orientation; ///< body to world
-  std::vector<Mat3> rotation;          ///< of orientation; derived each step
+  std::vector<StoneState> state;
   std::vector<Body> body;
-  std::vector<double> radius;       ///< of the ball [m]
-  std::vector<double> mass;         ///< rho V [kg]
-  std::vector<double> inertia;      ///< of the ball, 2/5 m r^2 [kg m^2]
   std::vector<double> initial_mass; ///< before any breakage [kg]
   std::vector<std::uint8_t> is_breakable;
-  std::vector<Vec3> force;  ///< [N]
-  std::vector<Vec3> moment; ///< [N m]
+  std::vector<StoneLoad> load;
+  bool has_shapes = false; ///< some stone is not a sphere
 
   std::size_t size() const { return id.size(); }
+
+  StoneState &last() { return state.back(); }
+  Vec3 &position(std::size_t k) { return state[k].position; }
+  const Vec3 &position(std::size_t k) const { return state[k].position; }
+  Vec3 &velocity(std::size_t k) { return state[k].velocity; }
+  const Vec3 &velocity(std::size_t k) const { return state[k].velocity; }
+  Vec3 &spin(std::size_t k) { return state[k].spin; }
+  const Vec3 &spin(std::size_t k) const { return state[k].spin; }
+  Quaternion &orientation(std::size_t k) { return state[k].orientation; }
+  const Quaternion &orientation(std::size_t k) const
+  {
+    return state[k].orientation;
+  }
+  double &radius(std::size_t k) { return state[k].radius; }
+  const double &radius(std::size_t k) const { return state[k].radius; }
+  double &mass(std::size_t k) { return state[k].mass; }
+  const double &mass(std::size_t k) const { return state[k].mass; }
+  double &inertia(std::size_t k) { return state[k].inertia; }
+  const double &inertia(std::size_t k) const { return state[k].inertia; }
+  /// Body to world.
+  Mat3 rotation(std::size_t k) const
+  {
+    return state[k].orientation.toRotationMatrix();
+  }
+  /// One field of all stones, copied.
+  template <class Field>
+  std::vector<Field> column(Field StoneState::*field) const
+  {
+    std::vector<Field> all;
+    all.reserve(size());
+    for (const StoneState &one : state)
+      all.push_back(one.*field);
+    return all;
+  }
+  double smallest_mass() const;   ///< [kg]
+  double smallest_radius() const; ///< of the balls [m]
+  double largest_radius() const;  ///< of the balls [m]
 
   /// Appends a stone at rest; its id is its place.
   void add(const Body &stone, const Vec3 &at, const Quaternion &turned,
@@ -34,5 +91,30 @@ struct Particles
 
   /// Mass, inertia and ball radius from the body [density in kg/m^3].
   void update_mass(std::size_t k, double density);
+
+  /// Calls call(column) for every column but `body`, in a fixed order.
+  template <class Self, class Visit>
+  static void visit(Self &self, const Visit &call)
+  {
+    call(self.id);
+    call(self.state);
+    call(self.initial_mass);
+    call(self.is_breakable);
+    call(self.load);
+  }
+
+  /// Entry k becomes entry order[k].
+  void reorder(const std::vector<std::int32_t> &order);
 };
+
+/// The same for any column of the stones.
+template <class Column>
+void reorder_column(Column &column, const std::vector<std::int32_t> &order)
+{
+  Column fresh;
+  fresh.reserve(order.size());
+  for (const std::int32_t from : order)
+    fresh.push_back(std::move(column[static_cast<std::size_t>(from)]));
+  column = std::move(fresh);
+}
 } // namespace dem

@@ -1,8 +1,11 @@
+#include "../contact/surfaces.h"
+
 #include <dem/breakage/events.h>
 #include <dem/breakage/update.h>
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace dem
 {
@@ -33,29 +36,36 @@ ContactBatch &batch_of(ContactSet &contacts, int kind)
                      : contacts.on_facets;
 }
 
+const SideCurvature &curvature_of(const ContactBatch &batch, std::size_t k,
+                                  bool is_side_a)
+{
+  return (is_side_a ? batch.side_a : batch.side_b).curvature[k];
+}
+
 double energy_ratio(const ContactBatch &batch, std::size_t k, bool is_side_a,
                     const BreakageParameters &breakage)
 {
-  const SurfaceSide &side = is_side_a ? batch.side_a[k] : batch.side_b[k];
-  const ContactHistory &history = batch.history[k];
-  return history.normal_energy /
+  return batch.history(k).normal_energy /
          (breakage.fracture_energy *
-          cap_of(history.overlap, side.gaussian_curvature()).area);
+          cap_of(batch.overlap[k], curvature_of(batch, k, is_side_a).gaussian())
+              .area);
 }
 
+/// What the loops asked for; it is asked for once.
 std::vector<Request> collect(ContactSet &contacts,
                              const BreakageParameters &breakage)
 {
   std::vector<Request> requests;
   for (int kind = 0; kind < 3; ++kind)
   {
-    const ContactBatch &batch = batch_of(contacts, kind);
-    for (std::size_t k = 0; k < batch.size(); ++k)
+    ContactBatch &batch = batch_of(contacts, kind);
+    for (std::size_t k = 0; batch.layout.has_damage && k < batch.size(); ++k)
     {
-      if (batch.event[k] == 0)
+      const int event = std::exchange(batch.event[k], std::uint8_t{0});
+      if (event == 0)
         continue;
-      bool is_side_a = batch.event[k] & 1;
-      if (batch.event[k] == 3)
+      bool is_side_a = event & 1;
+      if (event == 3)
         is_side_a = energy_ratio(batch, k, true, breakage) >=
                     energy_ratio(batch, k, false, breakage);
       requests.push_back(
@@ -68,62 +78,66 @@ std::vector<Request> collect(ContactSet &contacts,
   return requests;
 }
 
-/// Contacts of the stone, in order of kind and number; its cached surface
-/// there is marked unknown.
+/// Touching contacts of the stone, in order of kind and number; its surface is
+/// forgotten at all of its contacts.
 std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t stone)
 {
-  std::vector<Place> places;
-  for (int kind = 0; kind < 3; ++kind)
+  std::vector<Place> found;
+  const auto forget = [&](int kind, std::size_t k, bool is_a)
   {
     ContactBatch &batch = batch_of(contacts, kind);
-    for (std::size_t k = 0; k < batch.size(); ++k)
-    {
-      const bool is_a = batch.a[k] == stone;
-      const bool is_b = kind == 0 && batch.b[k] == stone;
-      if (is_a)
-        batch.side_a[k].is_known = false;
-      if (is_b)
-        batch.side_b[k].is_known = false;
-      if (is_a || is_b)
-        batch.wake[k] = 0.;
-      if ((is_a || is_b) && batch.is_touching(k))
-        places.push_back({kind, k});
-    }
+    forget_side(batch, k, is_a);
+    if (batch.is_touching(k))
+      found.push_back({kind, k});
+  };
+  for (std::size_t k = 0; k < contacts.pairs.size(); ++k)
+    if (contacts.pairs.b[k] == stone)
+      forget(0, k, false);
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    const ContactBatch &batch = batch_of(contacts, kind);
+    const auto begin = batch.a.begin(),
+               end = begin + static_cast<std::ptrdiff_t>(batch.size());
+    const auto [first, last] = std::equal_range(begin, end, stone);
+    for (auto entry = first; entry != last; ++entry)
+      forget(kind, static_cast<std::size_t>(entry - begin), true);
   }
-  return places;
+  return found;
 }
 
+/// Evaluates a contact anew; returns the energy that it gave up [J].
 double reset(const ForceContext &context, ContactSet &contacts,
              const Place &place)
 {
-  switch (place.kind)
-  {
-  case 0:
-    return reset_pair(context, contacts.pairs, place.contact);
-  case 1:
-    return reset_plane(context, contacts.planes, contacts.on_planes,
-                       place.contact);
-  default:
-    return reset_facet(context, contacts.surface, contacts.facets,
-                       contacts.on_facets, place.contact);
-  }
+  ContactBatch &batch = batch_of(contacts, place.kind);
+  const std::size_t k = place.contact;
+  const double released = place.kind == 0 ? reset_pair(context, batch, k)
+                          : place.kind == 1
+                              ? reset_wall(context, contacts.planes, batch, k)
+                              : reset_wall(context, contacts.facets, batch, k);
+  if (!batch.is_touching(k))
+    find_damage(context, batch, k, 0.);
+  return released;
+}
+
+double &factor_of(ContactBatch &batch, const Request &request)
+{
+  return (request.is_side_a ? batch.factor_a : batch.factor_b)[request.contact];
 }
 
 /// Mode in which the side asks to break now, with earlier events done.
-BreakageMode mode_now(const ContactBatch &batch, const Request &request,
+BreakageMode mode_now(ContactBatch &batch, const Request &request,
                       const BreakageParameters &breakage)
 {
   if (!batch.is_touching(request.contact))
     return BreakageMode::none;
-  const SurfaceSide &side = request.is_side_a ? batch.side_a[request.contact]
-                                              : batch.side_b[request.contact];
-  const ContactHistory &history = batch.history[request.contact];
-  if (!side.is_known || !side.is_corner)
+  const unsigned bit = request.is_side_a ? 1u : 2u;
+  if ((batch.corner[request.contact] & bit) == 0)
     return BreakageMode::none;
   if (energy_ratio(batch, request.contact, request.is_side_a, breakage) > 1.)
     return BreakageMode::instantaneous;
-  const double factor = request.is_side_a ? history.factor_a : history.factor_b;
-  return factor > 1. ? BreakageMode::cumulative : BreakageMode::none;
+  return factor_of(batch, request) > 1. ? BreakageMode::cumulative
+                                        : BreakageMode::none;
 }
 
 std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
@@ -141,12 +155,14 @@ std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
 /// What the contact takes off, where the side was last evaluated.
 Spall spall_at(const ContactBatch &batch, const Request &request)
 {
-  const SurfaceSide &side = request.is_side_a ? batch.side_a[request.contact]
-                                              : batch.side_b[request.contact];
+  const std::size_t k = request.contact;
+  const Triple<double> direction =
+      (request.is_side_a ? batch.side_a : batch.side_b).direction[k];
   Spall spall;
-  spall.direction = side.expansion.direction;
-  spall.overlap = batch.history[request.contact].overlap;
-  spall.gaussian_curvature = side.gaussian_curvature();
+  spall.direction = Vec3(direction.x, direction.y, direction.z).normalized();
+  spall.overlap = batch.overlap[k];
+  spall.gaussian_curvature =
+      curvature_of(batch, k, request.is_side_a).gaussian();
   spall.volume = cap_of(spall.overlap, spall.gaussian_curvature).volume;
   return spall;
 }
@@ -154,8 +170,8 @@ Spall spall_at(const ContactBatch &batch, const Request &request)
 /// Kinetic energy of a stone [J].
 double kinetic_energy(const Particles &particles, std::size_t i)
 {
-  return 0.5 * particles.mass[i] * particles.velocity[i].squaredNorm() +
-         0.5 * particles.inertia[i] * particles.spin[i].squaredNorm();
+  return 0.5 * particles.mass(i) * particles.velocity(i).squaredNorm() +
+         0.5 * particles.inertia(i) * particles.spin(i).squaredNorm();
 }
 
 /// The new body takes the place of the old one; returns the kinetic energy of
@@ -166,7 +182,7 @@ double replace_body(const ForceContext &context, Particles &particles,
   const double before = kinetic_energy(particles, i);
   particles.body[i] = body;
   particles.update_mass(i, context.parameters.stone.density);
-  if (particles.radius[i] < context.parameters.breakage.min_ball_radius)
+  if (particles.radius(i) < context.parameters.breakage.min_ball_radius)
     particles.is_breakable[i] = 0;
   return before - kinetic_energy(particles, i);
 }
@@ -181,12 +197,12 @@ int break_stones(const ForceContext &context, Particles &particles,
   for (const Request &request : collect(contacts, breakage))
   {
     ContactBatch &batch = batch_of(contacts, request.kind);
-    ContactHistory &history = batch.history[request.contact];
+    const std::size_t k = request.contact;
     const auto i = static_cast<std::size_t>(request.stone);
     const BreakageMode mode = mode_now(batch, request, breakage);
     if (mode == BreakageMode::none || !particles.is_breakable[i])
       continue;
-    double &factor = request.is_side_a ? history.factor_a : history.factor_b;
+    double &factor = factor_of(batch, request);
     factor = factor_after(mode, factor);
     const Spall spall = spall_at(batch, request);
     const SpallResult result =
@@ -202,9 +218,9 @@ int break_stones(const ForceContext &context, Particles &particles,
     event.other = other_of(particles, batch, request);
     event.kind = request.kind;
     event.mode = mode;
-    event.force_before = history.normal_force;
+    event.force_before = batch.normal_force[k];
     event.overlap = spall.overlap;
-    event.elastic_energy = history.normal_energy;
+    event.elastic_energy = batch.history(k).normal_energy;
     event.fracture_energy =
         breakage.fracture_energy *
         cap_of(spall.overlap, spall.gaussian_curvature).area;
@@ -212,10 +228,10 @@ int break_stones(const ForceContext &context, Particles &particles,
     event.width = result.width;
     event.depth = result.depth;
     event.kinetic_energy = replace_body(context, particles, i, result.body);
-    event.ball_radius = particles.radius[i];
+    event.ball_radius = particles.radius(i);
     for (const Place &place : forget_surface(contacts, request.stone))
       event.released_energy += reset(context, contacts, place);
-    event.force_after = history.normal_force;
+    event.force_after = batch.normal_force[k];
     events.push_back(event);
   }
   return n_refused;

@@ -2,36 +2,79 @@
 
 namespace dem
 {
-void ContactBatch::resize(std::size_t n)
+namespace
 {
-  a.resize(n);
-  b.resize(n);
-  side_a.resize(n);
-  side_b.resize(n);
-  prefactors.resize(n);
-  wake.resize(n);
-  twist.resize(n);
-  history.resize(n);
-  lost.resize(n);
-  load.resize(n);
-  normal.resize(n, Vec3::UnitX());
-  event.resize(n);
+std::size_t whole_blocks(std::size_t n)
+{
+  return (n + ContactBatch::block - 1) / ContactBatch::block *
+         ContactBatch::block;
+}
+} // namespace
+
+ContactHistory<double> ContactBatch::history(std::size_t k) const
+{
+  const double energy_share =
+      layout.has_partners ? hertz_energy_share : linear_energy_share;
+  ContactHistory<double> history;
+  history.shear = shear[k];
+  if (layout.has_rolling)
+  {
+    history.rolling = rolling[k];
+    history.rolling_compliance = rolling_compliance[k];
+  }
+  history.dashpot = dashpot[k];
+  history.shear_compliance = shear_compliance[k];
+  history.normal_force = normal_force[k];
+  history.normal_energy = energy_share * normal_force[k] * overlap[k];
+  return history;
 }
 
-void ContactBatch::copy_entry(std::size_t to, const ContactBatch &other,
-                              std::size_t from)
+double ContactBatch::stored_energy(std::size_t k) const
 {
-  a[to] = other.a[from];
-  b[to] = other.b[from];
-  side_a[to] = other.side_a[from];
-  side_b[to] = other.side_b[from];
-  prefactors[to] = other.prefactors[from];
-  wake[to] = other.wake[from];
-  twist[to] = other.twist[from];
-  history[to] = other.history[from];
-  lost[to] = other.lost[from];
-  load[to] = other.load[from];
-  normal[to] = other.normal[from];
-  event[to] = other.event[from];
+  const ContactHistory<double> springs = history(k);
+  return springs.normal_energy + tangential_energy(springs);
+}
+
+void ContactBatch::rearrange(const BatchLayout &new_layout,
+                             const std::vector<std::int32_t> &source)
+{
+  layout = new_layout;
+  n = source.size();
+  const std::size_t capacity = whole_blocks(n);
+  const auto move = [&](bool is_there, auto &column)
+  {
+    std::decay_t<decltype(column)> fresh(is_there ? capacity : 0);
+    if (is_there && !column.empty())
+      for (std::size_t k = 0; k < n; ++k)
+        if (source[k] >= 0)
+          fresh[k] = column[static_cast<std::size_t>(source[k])];
+    column = std::move(fresh);
+  };
+  visit(layout, move, *this);
+}
+
+ContactBatch ContactBatch::extract(std::size_t k) const
+{
+  ContactBatch one;
+  one.layout = layout;
+  one.n = 1;
+  const auto copy = [k](bool is_there, auto &to, const auto &from)
+  {
+    to.resize(is_there ? block : 0);
+    if (is_there)
+      to[0] = from[k];
+  };
+  visit(layout, copy, one, *this);
+  return one;
+}
+
+void ContactBatch::replace(std::size_t k, const ContactBatch &one)
+{
+  const auto copy = [k](bool is_there, auto &to, const auto &from)
+  {
+    if (is_there)
+      to[k] = from[0];
+  };
+  visit(layout, copy, *this, one);
 }
 } // namespace dem

@@ -8,14 +8,19 @@ namespace dem
 {
 namespace
 {
+std::array<float, 3> rounded(const Vec3 &v)
+{
+  const Eigen::Vector3f f = v.cast<float>();
+  return {f.x(), f.y(), f.z()};
+}
+
 SurfaceSide sphere_side(const Body &body, const Vec3 &direction)
 {
   SurfaceSide side;
   side.expansion.direction = direction;
   side.expansion.radius = mean_radius(body);
-  side.first_curvature = side.second_curvature = 1. / side.expansion.radius;
-  side.first_direction = direction.unitOrthogonal();
-  side.is_known = true;
+  side.curvature.first = side.curvature.second = 1. / side.expansion.radius;
+  side.curvature.first_direction = rounded(direction.unitOrthogonal());
   return side;
 }
 } // namespace
@@ -32,11 +37,10 @@ SurfaceSide evaluate_side(const Body &body, const Vec3 &direction,
   side.expansion.hessian *= body.scale;
   const PrincipalCurvatures kappa = principal_curvatures(side.expansion);
   const double floor = 1. / (floor_ratio * body.inscribed_radius);
-  side.first_curvature = std::max(kappa.maximum, floor);
-  side.second_curvature = std::max(kappa.minimum, floor);
-  side.first_direction = kappa.max_direction;
-  side.is_corner = is_corner(kappa.maximum, body.inscribed_radius);
-  side.is_known = true;
+  side.curvature = {std::max(kappa.maximum, floor),
+                    std::max(kappa.minimum, floor),
+                    rounded(kappa.max_direction),
+                    is_corner(kappa.maximum, body.inscribed_radius)};
   return side;
 }
 } // namespace dem

@@ -51,10 +51,8 @@ double wall_step(const WallMaterial &wall, double mass)
 StepLimit critical_step(const EngineParameters &parameters,
                         const Particles &particles)
 {
-  const double mass =
-      *std::min_element(particles.mass.begin(), particles.mass.end());
-  const double radius =
-      *std::min_element(particles.radius.begin(), particles.radius.end());
+  const double mass = particles.smallest_mass();
+  const double radius = particles.smallest_radius();
   const StoneMaterial &stone = parameters.stone;
   StepLimit limit{std::numbers::pi * radius *
                       std::sqrt(stone.density / stone.shear_modulus) /

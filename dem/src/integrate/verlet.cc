@@ -7,17 +7,58 @@ namespace dem
 {
 namespace
 {
-/// Adds `load` / `inertia` dt to `rate` with local damping; returns what the
-/// damping took.
-double kick_component(double load, double inertia, double damping, double dt,
-                      double &rate)
+/// Part of a load that local damping leaves: F - D |F| sgn(v).
+double brake(double load, double damping, double rate)
 {
-  const double braked =
-      rate == 0. ? load
-                 : load - damping * std::abs(load) * std::copysign(1., rate);
-  const double before = rate;
-  rate += braked / inertia * dt;
-  return (load - braked) * 0.5 * (before + rate) * dt;
+  return rate == 0. ? load
+                    : load - damping * std::abs(load) * std::copysign(1., rate);
+}
+
+/// Adds `load` dt / `inertia` to `rate`; with damping, returns what it took.
+template <bool is_damped>
+double kick_vector(const Vec3 &load, double dt_over_inertia, double damping,
+                   double dt, Vec3 &rate)
+{
+  if constexpr (!is_damped)
+  {
+    rate += dt_over_inertia * load;
+    return 0.;
+  }
+  double taken = 0.;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double braked = brake(load[d], damping, rate[d]), before = rate[d];
+    rate[d] += dt_over_inertia * braked;
+    taken += (load[d] - braked) * 0.5 * (before + rate[d]) * dt;
+  }
+  return taken;
+}
+
+template <bool is_damped>
+void kick_stones(Particles &particles, const KickParameters &parameters,
+                 double time_step, WorkColumns &work)
+{
+  const bool is_lifted = !parameters.gravity.isZero(0.);
+  const double damping = parameters.local_damping;
+  const auto n = static_cast<std::int64_t>(particles.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t entry = 0; entry < n; ++entry)
+  {
+    const auto i = static_cast<std::size_t>(entry);
+    Vec3 &velocity = particles.velocity(i), &spin = particles.spin(i);
+    const double mass = particles.mass(i);
+    const Vec3 before = velocity, weight = mass * parameters.gravity;
+    double taken =
+        kick_vector<is_damped>(particles.load[i].force + weight,
+                               time_step / mass, damping, time_step, velocity);
+    taken += kick_vector<is_damped>(particles.load[i].moment,
+                                    time_step / particles.inertia(i), damping,
+                                    time_step, spin);
+    if (is_damped)
+      work.damped[i] += taken;
+    if (is_lifted)
+      work.lifted[i] += weight.dot(before + velocity) * 0.5 * time_step;
+  }
 }
 
 /// exp(rotation vector) as a quaternion.
@@ -33,28 +74,12 @@ Quaternion exponential(const Vec3 &rotation)
 } // namespace
 
 void kick(Particles &particles, const KickParameters &parameters,
-          double time_step, std::vector<double> &damped,
-          std::vector<double> &lifted)
+          double time_step, WorkColumns &work)
 {
-  const auto n = static_cast<std::int64_t>(particles.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t entry = 0; entry < n; ++entry)
-  {
-    const auto i = static_cast<std::size_t>(entry);
-    Vec3 &v = particles.velocity[i];
-    const Vec3 before = v;
-    const Vec3 weight = particles.mass[i] * parameters.gravity;
-    for (int d = 0; d < 3; ++d)
-    {
-      damped[i] +=
-          kick_component(particles.force[i][d] + weight[d], particles.mass[i],
-                         parameters.local_damping, time_step, v[d]);
-      damped[i] += kick_component(particles.moment[i][d], particles.inertia[i],
-                                  parameters.local_damping, time_step,
-                                  particles.spin[i][d]);
-    }
-    lifted[i] += weight.dot(before + v) * 0.5 * time_step;
-  }
+  if (parameters.local_damping > 0.)
+    kick_stones<true>(particles, parameters, time_step, work);
+  else
+    kick_stones<false>(particles, parameters, time_step, work);
 }
 
 Speeds drift(Particles &particles, double steepness, double time_step)
@@ -65,13 +90,15 @@ Speeds drift(Particles &particles, double steepness, double time_step)
   for (std::int64_t entry = 0; entry < n; ++entry)
   {
     const auto i = static_cast<std::size_t>(entry);
-    particles.position[i] += time_step * particles.velocity[i];
-    Quaternion &q = particles.orientation[i];
-    q = (exponential(time_step * particles.spin[i]) * q).normalized();
-    particles.rotation[i] = q.toRotationMatrix();
-    moving = std::max(moving, particles.velocity[i].norm());
+    particles.position(i) += time_step * particles.velocity(i);
+    moving = std::max(moving, particles.velocity(i).squaredNorm());
+    if (!particles.has_shapes)
+      continue;
+    Quaternion &q = particles.orientation(i);
+    q = (exponential(time_step * particles.spin(i)) * q).normalized();
     closing = std::max(closing, closing_speed(particles, i, steepness));
   }
-  return {moving, closing};
+  moving = std::sqrt(moving);
+  return {moving, std::max(closing, moving)};
 }
 } // namespace dem

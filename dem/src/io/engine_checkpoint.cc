@@ -51,42 +51,6 @@ void restore_body(std::istream &in, Body &body, const Library &library)
     read_value(in, *value);
 }
 
-/// Calls visit(column) for every plain column, in a fixed order.
-template <class Columns, class Visit>
-void visit_particles(Columns &stones, const Visit &visit)
-{
-  visit(stones.id);
-  visit(stones.position);
-  visit(stones.velocity);
-  visit(stones.spin);
-  visit(stones.orientation);
-  visit(stones.rotation);
-  visit(stones.radius);
-  visit(stones.mass);
-  visit(stones.inertia);
-  visit(stones.initial_mass);
-  visit(stones.is_breakable);
-  visit(stones.force);
-  visit(stones.moment);
-}
-
-template <class Batch, class Visit>
-void visit_batch(Batch &batch, const Visit &visit)
-{
-  visit(batch.a);
-  visit(batch.b);
-  visit(batch.side_a);
-  visit(batch.side_b);
-  visit(batch.prefactors);
-  visit(batch.wake);
-  visit(batch.twist);
-  visit(batch.history);
-  visit(batch.lost);
-  visit(batch.load);
-  visit(batch.normal);
-  visit(batch.event);
-}
-
 template <class Surface, class Visit>
 void visit_surface(Surface &surface, const Visit &visit)
 {
@@ -106,68 +70,87 @@ void visit_candidates(Candidates &candidates, const Visit &visit)
   visit(candidates.spot);
   visit(candidates.wake);
 }
+template <class Batch, class Visit>
+void visit_batch(Batch &batch, const Visit &visit)
+{
+  ContactBatch::visit(
+      batch.layout, [&visit](bool, auto &column) { visit(column); }, batch);
+}
 } // namespace
+
+template <class Self, class Visit>
+void Engine::visit_state(Self &self, const Visit &visit)
+{
+  visit(self.settings.stone.friction);
+  visit(self.settings.local_damping);
+  visit(self.settings.breakage.is_active);
+  visit(self.lists_are_stale);
+  visit(self.margin);
+  visit(self.steepest);
+  visit(self.now);
+  visit(self.travelled);
+  visit(self.travelled_sorted);
+  visit(self.released);
+  visit(self.fractured);
+  visit(self.pushed);
+  visit(self.step_count);
+  visit(self.rebuild_count);
+  visit(self.event_count);
+  visit(self.refused_count);
+  visit(self.lost);
+}
 
 void Engine::save(std::ostream &out, const Library &library) const
 {
   const auto put = [&out](const auto &column) { write_column(out, column); };
-  visit_particles(stones, put);
+  Particles::visit(stones, put);
   for (const Body &body : stones.body)
     save_body(out, body, library);
   put(walls);
   visit_surface(facet_surface, put);
   for (const ContactBatch *batch : {&pair_batch, &plane_batch, &facet_batch})
+  {
+    write_value(out, batch->layout);
+    write_value(out, batch->size());
     visit_batch(*batch, put);
+  }
   visit_candidates(facet_candidates, put);
-  put(pair_row);
-  put(pair_entry);
-  put(damped);
-  put(lifted);
+  put(work.damped);
+  put(work.lifted);
   put(surface_load_before);
-  write_value(out, settings.stone.friction);
-  write_value(out, settings.local_damping);
-  write_value(out, settings.breakage.is_active);
-  write_value(out, lists_are_stale);
-  for (const double value :
-       {margin_left, steepest, now, travelled, released, fractured, pushed})
-    write_value(out, value);
-  for (const std::int64_t count : {step_count, rebuild_count, event_count})
-    write_value(out, count);
-  write_value(out, refused_count);
-  write_value(out, retired);
+  visit_state(*this, [&out](const auto &value) { write_value(out, value); });
 }
 
 void Engine::restore(std::istream &in, const Library &library)
 {
   const auto get = [&in](auto &column) { read_column(in, column); };
-  visit_particles(stones, get);
+  Particles::visit(stones, get);
   stones.body.resize(stones.id.size());
+  stones.has_shapes = false;
   for (Body &body : stones.body)
+  {
     restore_body(in, body, library);
+    stones.has_shapes |= body.series != nullptr;
+  }
   get(walls);
   visit_surface(facet_surface, get);
   topology = facet_surface.triangles.empty()
                  ? nullptr
                  : std::make_unique<FacetTopology>(facet_surface);
   for (ContactBatch *batch : {&pair_batch, &plane_batch, &facet_batch})
+  {
+    read_value(in, batch->layout);
+    std::size_t n = 0;
+    read_value(in, n);
+    batch->set_size(n);
     visit_batch(*batch, get);
+  }
+  pair_loads.prepare(pair_batch);
   visit_candidates(facet_candidates, get);
-  get(pair_row);
-  get(pair_entry);
-  get(damped);
-  get(lifted);
+  get(work.damped);
+  get(work.lifted);
   get(surface_load_before);
-  read_value(in, settings.stone.friction);
-  read_value(in, settings.local_damping);
-  read_value(in, settings.breakage.is_active);
-  read_value(in, lists_are_stale);
-  for (double *value : {&margin_left, &steepest, &now, &travelled, &released,
-                        &fractured, &pushed})
-    read_value(in, *value);
-  for (std::int64_t *count : {&step_count, &rebuild_count, &event_count})
-    read_value(in, *count);
-  read_value(in, refused_count);
-  read_value(in, retired);
+  visit_state(*this, [&in](auto &value) { read_value(in, value); });
   events.clear();
 }
 } // namespace dem

@@ -5,9 +5,22 @@
 
 namespace dem
 {
-ContactNetwork contact_network(const ContactBatch &pairs, std::size_t n_stones)
+Vec3 pair_force(const Particles &particles, const ContactBatch &pairs,
+                std::size_t k)
 {
-  std::vector<int> n_of(n_stones, 0);
+  const Vec3 normal =
+      (particles.position(static_cast<std::size_t>(pairs.b[k])) -
+       particles.position(static_cast<std::size_t>(pairs.a[k])))
+          .normalized();
+  const Triple<double> shear = pairs.shear[k], dashpot = pairs.dashpot[k];
+  return Vec3(shear.x + dashpot.x, shear.y + dashpot.y, shear.z + dashpot.z) -
+         pairs.normal_force[k] * normal;
+}
+
+ContactNetwork contact_network(const Particles &particles,
+                               const ContactBatch &pairs)
+{
+  std::vector<int> n_of(particles.size(), 0);
   ContactNetwork network;
   double sum = 0.;
   for (std::size_t k = 0; k < pairs.size(); ++k)
@@ -17,7 +30,7 @@ ContactNetwork contact_network(const ContactBatch &pairs, std::size_t n_stones)
     ++network.n_contacts;
     ++n_of[static_cast<std::size_t>(pairs.a[k])];
     ++n_of[static_cast<std::size_t>(pairs.b[k])];
-    sum += pairs.load[k].force.norm();
+    sum += pair_force(particles, pairs, k).norm();
   }
   std::int64_t n_without = 0, n_with_one = 0;
   for (const int n : n_of)
@@ -26,7 +39,7 @@ ContactNetwork contact_network(const ContactBatch &pairs, std::size_t n_stones)
     n_with_one += n == 1;
   }
   const auto n_bearing =
-      static_cast<std::int64_t>(n_stones) - n_with_one - n_without;
+      static_cast<std::int64_t>(particles.size()) - n_with_one - n_without;
   if (n_bearing > 0)
     network.coordination_number =
         static_cast<double>(2 * network.n_contacts - n_with_one) /
@@ -41,7 +54,7 @@ double abrasion(const Particles &particles)
   double now = 0., before = 0.;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    now += particles.mass[i];
+    now += particles.mass(i);
     before += particles.initial_mass[i];
   }
   return before > 0. ? (before - now) / before : 0.;
@@ -50,10 +63,10 @@ double abrasion(const Particles &particles)
 double unbalanced_force_ratio(const Particles &particles,
                               const ContactBatch &pairs)
 {
-  const double mean_force = contact_network(pairs, particles.size()).mean_force;
+  const double mean_force = contact_network(particles, pairs).mean_force;
   double sum = 0.;
-  for (const Vec3 &force : particles.force)
-    sum += force.norm();
+  for (const StoneLoad &load : particles.load)
+    sum += load.force.norm();
   return mean_force > 0.
              ? sum / static_cast<double>(particles.size()) / mean_force
              : 0.;
@@ -66,16 +79,15 @@ Vec3 affine_stiffness(const Particles &particles, const ContactBatch &pairs)
   {
     if (!pairs.is_touching(k))
       continue;
-    const ContactHistory &history = pairs.history[k];
-    const double length =
-        (particles.position[static_cast<std::size_t>(pairs.b[k])] -
-         particles.position[static_cast<std::size_t>(pairs.a[k])])
-            .norm();
-    const double normal = 1.5 * history.normal_force / history.overlap;
-    const Vec3 n2 = pairs.normal[k].cwiseAbs2();
+    const Vec3 branch =
+        particles.position(static_cast<std::size_t>(pairs.b[k])) -
+        particles.position(static_cast<std::size_t>(pairs.a[k]));
+    const double square = branch.squaredNorm();
+    const double normal = 1.5 * pairs.normal_force[k] / pairs.overlap[k],
+                 shear = 1. / pairs.shear_compliance[k];
+    const Vec3 n2 = branch.cwiseAbs2() / square;
     for (int d = 0; d < 3; ++d)
-      sum[d] += (normal * n2[d] + history.shear_stiffness * (1. - n2[d])) *
-                n2[d] * length * length;
+      sum[d] += (normal * n2[d] + shear * (1. - n2[d])) * n2[d] * square;
   }
   return sum;
 }

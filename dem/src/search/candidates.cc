@@ -1,5 +1,5 @@
 #include <dem/search/candidates.h>
-#include <dem/search/cell_grid.h>
+#include <dem/search/near_pairs.h>
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@ namespace dem
 {
 namespace
 {
-using Key = std::pair<std::int32_t, std::int32_t>;
+using Key = PairKey;
 
 double largest_reach(const Particles &particles)
 {
@@ -18,56 +18,79 @@ double largest_reach(const Particles &particles)
   return largest;
 }
 
-/// Partners of stone i with a higher number whose circumscribed sphere comes
-/// within the margin.
-void find_partners(const Particles &particles, const CellGrid &grid,
-                   std::size_t i, double range, double margin,
-                   std::vector<std::int32_t> &partners)
+/// Calls retire(old) for every entry of `old_keys` that `keys` lacks; returns
+/// where each of `keys` was, or -1. Both are sorted.
+template <class Retire>
+std::vector<std::int32_t> match(const std::vector<Key> &old_keys,
+                                const std::vector<Key> &keys,
+                                const Retire &retire)
 {
-  partners.clear();
-  const Vec3 &x = particles.position[i];
-  const double own = particles.body[i].circumscribed_radius;
-  const Vec3 box = Vec3::Constant(own + range);
-  grid.visit_box(x - box, x + box,
-                 [&](std::int32_t other)
-                 {
-                   const auto j = static_cast<std::size_t>(other);
-                   if (j <= i)
-                     return;
-                   const double reach =
-                       own + particles.body[j].circumscribed_radius + margin;
-                   if ((particles.position[j] - x).squaredNorm() <
-                       reach * reach)
-                     partners.push_back(other);
-                 });
-  std::sort(partners.begin(), partners.end());
+  std::vector<std::int32_t> source(keys.size(), -1);
+  std::size_t old = 0;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+  {
+    for (; old < old_keys.size() && old_keys[old] < keys[k]; ++old)
+      retire(old);
+    if (old < old_keys.size() && old_keys[old] == keys[k])
+      source[k] = static_cast<std::int32_t>(old++);
+  }
+  for (; old < old_keys.size(); ++old)
+    retire(old);
+  return source;
+}
+
+/// What the springs of a touching contact hold is lost when it is dropped.
+void retire_contact(const ContactBatch &batch, std::size_t k,
+                    Dissipation &retired)
+{
+  if (!batch.is_touching(k))
+    return;
+  const ContactHistory<double> history = batch.history(k);
+  const double rolling =
+      0.5 * dot(history.rolling, history.rolling) * history.rolling_compliance;
+  retired.rolling += rolling;
+  retired.friction += tangential_energy(history) - rolling;
+  retired.shape_work += history.normal_energy;
+}
+
+std::vector<Key> keys_of(const ContactBatch &batch)
+{
+  std::vector<Key> keys(batch.size());
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    keys[k] = {batch.a[k], batch.b[k]};
+  return keys;
+}
+
+/// Marks the corners that the sides know of.
+void note_corners(ContactBatch &batch)
+{
+  const auto mark = [&batch](const SideColumns &side, unsigned bit)
+  {
+    for (std::size_t k = 0; k < batch.size(); ++k)
+      if (side.curvature[k].is_corner != 0)
+        batch.corner[k] = static_cast<std::uint8_t>(batch.corner[k] | bit);
+  };
+  mark(batch.side_a, 1u);
+  if (batch.layout.has_partners)
+    mark(batch.side_b, 2u);
 }
 
 /// Puts the batch in the order of `keys` (sorted, as the old one is).
-void carry_over(const std::vector<Key> &keys, ContactBatch &batch,
-                Dissipation &retired)
+void carry_over(const std::vector<Key> &keys, const BatchLayout &layout,
+                ContactBatch &batch, Dissipation &retired)
 {
-  ContactBatch fresh;
-  fresh.resize(keys.size());
-  std::size_t old = 0;
-  const auto retire = [&]
-  {
-    open_contact(batch.history[old], Vec3::Zero(), batch.lost[old]);
-    retired += batch.lost[old];
-    ++old;
-  };
+  const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
+  const std::vector<std::int32_t> source =
+      match(keys_of(batch), keys,
+            [&](std::size_t k) { retire_contact(batch, k, retired); });
+  batch.rearrange(layout, source);
   for (std::size_t k = 0; k < keys.size(); ++k)
   {
-    while (old < batch.size() && Key(batch.a[old], batch.b[old]) < keys[k])
-      retire();
-    if (old < batch.size() && Key(batch.a[old], batch.b[old]) == keys[k])
-      fresh.copy_entry(k, batch, old++);
-    fresh.a[k] = keys[k].first;
-    fresh.b[k] = keys[k].second;
+    batch.a[k] = keys[k].first;
+    batch.b[k] = keys[k].second;
   }
-  while (old < batch.size())
-    retire();
-  batch = std::move(fresh);
+  if (is_damage_new)
+    note_corners(batch);
 }
 
 /// Triangles filed under the cells of a coarse grid that their boxes touch.
@@ -131,65 +154,42 @@ private:
 };
 
 /// Slots of the stones that stay near go with them, the others retire.
-void carry_over_slots(const FacetCandidates &before,
-                      const FacetCandidates &after, ContactBatch &batch,
-                      std::vector<FacetSpot> &spot, Dissipation &retired)
+void carry_over_slots(const FacetCandidates &before, const BatchLayout &layout,
+                      FacetCandidates &after, ContactBatch &batch,
+                      Dissipation &retired)
 {
-  ContactBatch fresh;
-  fresh.resize(after.stone.size() * slots_per_stone);
-  std::size_t old = 0;
-  const auto retire = [&]
+  constexpr auto n_slots = static_cast<std::size_t>(slots_per_stone);
+  const auto keys = [](const FacetCandidates &candidates)
   {
-    for (std::size_t k = old * slots_per_stone; k < (old + 1) * slots_per_stone;
-         ++k)
-    {
-      open_contact(batch.history[k], Vec3::Zero(), batch.lost[k]);
-      retired += batch.lost[k];
-    }
-    ++old;
+    std::vector<Key> of_slots;
+    for (const std::int32_t stone : candidates.stone)
+      for (std::int32_t s = 0; s < slots_per_stone; ++s)
+        of_slots.emplace_back(stone, s);
+    return of_slots;
   };
-  for (std::size_t r = 0; r < after.stone.size(); ++r)
+  const std::vector<std::int32_t> source =
+      match(keys(before), keys(after),
+            [&](std::size_t k) { retire_contact(batch, k, retired); });
+  batch.rearrange(layout, source);
+  after.spot.resize(source.size());
+  for (std::size_t k = 0; k < source.size(); ++k)
   {
-    while (old < before.stone.size() && before.stone[old] < after.stone[r])
-      retire();
-    const bool is_kept =
-        old < before.stone.size() && before.stone[old] == after.stone[r];
-    for (std::size_t s = 0; s < slots_per_stone; ++s)
-    {
-      const std::size_t to = r * slots_per_stone + s;
-      if (is_kept)
-      {
-        fresh.copy_entry(to, batch, old * slots_per_stone + s);
-        spot[to] = before.spot[old * slots_per_stone + s];
-      }
-      fresh.a[to] = after.stone[r];
-      fresh.b[to] = static_cast<std::int32_t>(s);
-    }
-    old += is_kept ? 1 : 0;
+    if (source[k] >= 0)
+      after.spot[k] = before.spot[static_cast<std::size_t>(source[k])];
+    batch.a[k] = after.stone[k / n_slots];
+    batch.b[k] = static_cast<std::int32_t>(k);
   }
-  while (old < before.stone.size())
-    retire();
-  batch = std::move(fresh);
 }
 } // namespace
 
-void rebuild_pairs(const Particles &particles, double margin,
+void rebuild_pairs(const Particles &particles,
+                   const EngineParameters &parameters, double margin,
                    ContactBatch &batch, Dissipation &retired)
 {
-  const double largest = largest_reach(particles);
-  const CellGrid grid(particles.position, largest);
-  const auto n = static_cast<std::int64_t>(particles.size());
-  std::vector<std::vector<std::int32_t>> partners(particles.size());
-#pragma omp parallel for schedule(dynamic, 32)
-  for (std::int64_t i = 0; i < n; ++i)
-    find_partners(particles, grid, static_cast<std::size_t>(i),
-                  largest + margin, margin,
-                  partners[static_cast<std::size_t>(i)]);
-  std::vector<Key> keys;
-  for (std::size_t i = 0; i < partners.size(); ++i)
-    for (const std::int32_t j : partners[i])
-      keys.emplace_back(static_cast<std::int32_t>(i), j);
-  carry_over(keys, batch, retired);
+  const bool is_radial =
+      parameters.geometry.geometry == ContactGeometry::radial;
+  carry_over(near_pairs(particles, is_radial, margin),
+             pair_layout(parameters, particles), batch, retired);
 }
 
 void rebuild_planes(const Particles &particles,
@@ -200,11 +200,11 @@ void rebuild_planes(const Particles &particles,
   for (std::size_t i = 0; i < particles.size(); ++i)
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (planes[p].is_active &&
-          (particles.position[i] - planes[p].point).dot(planes[p].normal) <
+          (particles.position(i) - planes[p].point).dot(planes[p].normal) <
               wall_bound(particles, i, search.geometry) + search.margin)
         keys.emplace_back(static_cast<std::int32_t>(i),
                           static_cast<std::int32_t>(p));
-  carry_over(keys, batch, retired);
+  carry_over(keys, search.layout, batch, retired);
 }
 
 void rebuild_facets(const Particles &particles, const FacetSurface &surface,
@@ -217,7 +217,7 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
   std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const Vec3 &x = particles.position[i];
+    const Vec3 &x = particles.position(i);
     const double reach =
         1.25 * wall_bound(particles, i, search.geometry) + search.margin;
     bins.gather(x - Vec3::Constant(reach), x + Vec3::Constant(reach), found);
@@ -237,9 +237,8 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
     fresh.stone.push_back(static_cast<std::int32_t>(i));
     fresh.row_start.push_back(static_cast<std::int32_t>(fresh.triangle.size()));
   }
-  fresh.spot.resize(fresh.stone.size() * slots_per_stone);
   fresh.wake.assign(fresh.stone.size(), 0.);
-  carry_over_slots(candidates, fresh, batch, fresh.spot, retired);
+  carry_over_slots(candidates, search.layout, fresh, batch, retired);
   candidates = std::move(fresh);
 }
 
@@ -255,9 +254,9 @@ double closing_speed(const Particles &particles, std::size_t k,
                      double steepness)
 {
   const Body &body = particles.body[k];
-  return (1. + steepness) * particles.velocity[k].norm() +
+  return (1. + steepness) * particles.velocity(k).norm() +
          std::max(body.max_slope,
                   body.series ? body.circumscribed_radius : 0.) *
-             particles.spin[k].norm();
+             particles.spin(k).norm();
 }
 } // namespace dem

@@ -2,43 +2,47 @@
 
 namespace dem
 {
-CellGrid::CellGrid(std::span<const Vec3> points, double cell_size)
+CellGrid::CellGrid(std::span<const Vec3> points,
+                   std::span<const std::int32_t> numbers, double cell_size)
 {
-  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
-  if (!points.empty())
-    lower = upper = points[0];
-  for (const Vec3 &x : points)
+  if (numbers.empty())
+    return;
+  Vec3 lower = points[0], upper = lower;
+  for (const Vec3 &point : points)
   {
-    lower = lower.cwiseMin(x);
-    upper = upper.cwiseMax(x);
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
   }
   origin = lower;
   const Vec3 extent = upper - lower;
-  size = std::max(cell_size, 1e-3 * extent.maxCoeff());
+  size = std::max(cell_size, 1e-4 * extent.maxCoeff());
   const auto count = [&]
   {
     for (int d = 0; d < 3; ++d)
       n[d] = static_cast<std::int64_t>(extent[d] / size) + 1;
     return n[0] * n[1] * n[2];
   };
-  while (count() > 8 * static_cast<std::int64_t>(points.size()) + 8)
+  while (count() > 8 * static_cast<std::int64_t>(numbers.size()) + 8)
     size *= 1.3;
-  const auto n_cells = static_cast<std::size_t>(n[0] * n[1] * n[2]);
-  std::vector<std::int32_t> cell(points.size());
-  start.assign(n_cells + 1, 0);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<std::int32_t> cell(numbers.size());
+  start.assign(static_cast<std::size_t>(n[0] * n[1] * n[2]) + 1, 0);
+  for (std::size_t m = 0; m < numbers.size(); ++m)
   {
-    const auto c = cell_of(points[i]);
-    cell[i] = static_cast<std::int32_t>((c[2] * n[1] + c[1]) * n[0] + c[0]);
-    ++start[static_cast<std::size_t>(cell[i]) + 1];
+    const auto c = cell_of(points[m]);
+    cell[m] = static_cast<std::int32_t>((c[2] * n[1] + c[1]) * n[0] + c[0]);
+    ++start[static_cast<std::size_t>(cell[m]) + 1];
   }
-  for (std::size_t c = 0; c < n_cells; ++c)
-    start[c + 1] += start[c];
-  member.resize(points.size());
+  for (std::size_t c = 1; c < start.size(); ++c)
+    start[c] += start[c - 1];
+  member.resize(numbers.size());
+  place.resize(numbers.size());
   std::vector<std::int32_t> next(start.begin(), start.end() - 1);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    member[static_cast<std::size_t>(
-        next[static_cast<std::size_t>(cell[i])]++)] =
-        static_cast<std::int32_t>(i);
+  for (std::size_t m = 0; m < numbers.size(); ++m)
+  {
+    const auto to =
+        static_cast<std::size_t>(next[static_cast<std::size_t>(cell[m])]++);
+    member[to] = numbers[m];
+    place[to] = points[m];
+  }
 }
 } // namespace dem

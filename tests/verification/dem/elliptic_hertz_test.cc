@@ -352,6 +352,15 @@ TEST(EllipticHertz, FullStickStiffness)
   }
 }
 
+namespace
+{
+dem::NormalSpring<double> spring_of(const dem::HertzPrefactors &prefactors,
+                                    double overlap)
+{
+  return dem::hertz_spring(prefactors.normal, prefactors.tangential, overlap);
+}
+} // namespace
+
 // The spring of the engine, differenced with h = 1e-4 delta: a central
 // difference errs by less than h^2 / delta^2.
 TEST(EllipticHertz, ForceAndTangentAreDerivatives)
@@ -361,9 +370,9 @@ TEST(EllipticHertz, ForceAndTangentAreDerivatives)
   for (const double overlap : {1e-7, 1e-5, 1e-3})
   {
     const double h = 1e-4 * overlap;
-    const dem::NormalSpring here = dem::hertz_spring(prefactors, overlap);
-    const dem::NormalSpring more = dem::hertz_spring(prefactors, overlap + h);
-    const dem::NormalSpring less = dem::hertz_spring(prefactors, overlap - h);
+    const dem::NormalSpring<double> here = spring_of(prefactors, overlap);
+    const dem::NormalSpring<double> more = spring_of(prefactors, overlap + h);
+    const dem::NormalSpring<double> less = spring_of(prefactors, overlap - h);
     expect_relative((more.energy - less.energy) / (2. * h), here.force, 1e-8);
     expect_relative((more.force - less.force) / (2. * h), here.stiffness, 1e-8);
     // 1e-14: round-off.
@@ -378,7 +387,7 @@ TEST(EllipticHertz, NoOverlapNoForce)
 {
   const dem::HertzPrefactors prefactors =
       dem::elliptic_table()(dem::mix(stone, rigid), {20., 130.});
-  const dem::NormalSpring spring = dem::hertz_spring(prefactors, 0.);
+  const dem::NormalSpring<double> spring = spring_of(prefactors, 0.);
   EXPECT_EQ(spring.force, 0.);
   EXPECT_EQ(spring.stiffness, 0.);
   EXPECT_EQ(spring.energy, 0.);

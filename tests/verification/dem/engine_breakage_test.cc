@@ -66,7 +66,7 @@ struct Press
     engine.add_plane({reach(turned), 0., 0.}, -dem::Vec3::UnitX());
     engine.planes()[0].velocity.x() = speed;
     engine.planes()[1].velocity.x() = -speed;
-    time_step = 0.1 * std::sqrt(engine.particles().mass[0] /
+    time_step = 0.1 * std::sqrt(engine.particles().mass(0) /
                                 parameters.wall.normal_stiffness);
   }
 
@@ -127,7 +127,7 @@ TEST(EngineBreakage, FirstEventOfTwoStonesComesAtTheClosedForm)
   {
     engine.add_stone(stone(ellipsoid()), side * axes.x() * dem::Vec3::UnitX(),
                      dem::Quaternion::Identity());
-    engine.particles().velocity.back().x() = -side * 0.1;
+    engine.particles().last().velocity.x() = -side * 0.1;
   }
   const double exact = 3. * std::numbers::pi * tip_radius() * fracture_energy;
   std::vector<dem::BreakageEvent> events;
@@ -148,8 +148,9 @@ TEST(EngineBreakage, FirstEventOfTwoStonesComesAtTheClosedForm)
               events[0].elastic_energy - events[0].released_energy,
               1e-12 * before);
   EXPECT_NEAR(
-      (engine.particles().force[0] + engine.particles().force[1]).norm(), 0.,
-      1e-10);
+      (engine.particles().load[0].force + engine.particles().load[1].force)
+          .norm(),
+      0., 1e-10);
 }
 
 // Crushed on until some 30 pieces are off.
@@ -178,7 +179,7 @@ TEST(EngineBreakage, ForceDropsMassAndEnergyAreBooked)
   const double loss = dem::abrasion(engine.particles());
   EXPECT_GT(loss, 1e-7);
   EXPECT_NEAR(loss, removed / volume, 1e-13);
-  EXPECT_NEAR(engine.particles().mass[0],
+  EXPECT_NEAR(engine.particles().mass(0),
               engine.particles().body[0].volume *
                   engine.parameters().stone.density,
               1e-15);

@@ -27,7 +27,7 @@ dem::Engine two_balls(const dem::EngineParameters &parameters, double speed)
   {
     support::add_sphere(engine, ball_radius,
                         side * ball_radius * dem::Vec3::UnitX());
-    engine.particles().velocity.back() = -side * speed * dem::Vec3::UnitX();
+    engine.particles().last().velocity = -side * speed * dem::Vec3::UnitX();
   }
   return engine;
 }
@@ -35,8 +35,8 @@ dem::Engine two_balls(const dem::EngineParameters &parameters, double speed)
 /// From the positions alone [m].
 double overlap_of(const dem::Engine &engine)
 {
-  const auto &x = engine.particles().position;
-  return 2. * ball_radius - (x[1] - x[0]).norm();
+  const dem::Particles &balls = engine.particles();
+  return 2. * ball_radius - (balls.position(1) - balls.position(0)).norm();
 }
 
 /// Runs an impact to separation.
@@ -51,11 +51,11 @@ reference::ImpactHistory run_impact(dem::Engine &engine, double time_step)
     overlap = overlap_of(engine);
     history.peak_overlap = std::max(history.peak_overlap, overlap);
     history.peak_force =
-        std::max(history.peak_force, engine.particles().force[1].norm());
+        std::max(history.peak_force, engine.particles().load[1].force.norm());
   } while (overlap > 0.);
   history.duration = engine.time() + time_step * overlap / (before - overlap);
   history.rebound_speed =
-      (engine.particles().velocity[1] - engine.particles().velocity[0]).x();
+      (engine.particles().velocity(1) - engine.particles().velocity(0)).x();
   return history;
 }
 
@@ -68,13 +68,13 @@ double wall_restitution(double damping)
   engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
   support::add_sphere(engine, ball_radius, {0., 0., ball_radius});
   constexpr double speed = 0.1;
-  engine.particles().velocity[0] = -speed * dem::Vec3::UnitZ();
+  engine.particles().velocity(0) = -speed * dem::Vec3::UnitZ();
   const double period =
-      std::sqrt(engine.particles().mass[0] / p.wall.normal_stiffness);
+      std::sqrt(engine.particles().mass(0) / p.wall.normal_stiffness);
   do
     engine.advance(1e-4 * period);
-  while (engine.particles().position[0].z() < ball_radius);
-  return engine.particles().velocity[0].z() / speed;
+  while (engine.particles().position(0).z() < ball_radius);
+  return engine.particles().velocity(0).z() / speed;
 }
 } // namespace
 
@@ -110,7 +110,7 @@ TEST(EngineImpact, SeriesOfASphereIsASphere)
     engine.add_stone(dem::make_body(series, ball_radius),
                      side * ball_radius * dem::Vec3::UnitX(),
                      dem::Quaternion(0.5, 0.5, 0.5, 0.5));
-    engine.particles().velocity.back() = -side * 10. * dem::Vec3::UnitX();
+    engine.particles().last().velocity = -side * 10. * dem::Vec3::UnitX();
   }
   const reference::HertzImpact exact =
       reference::equal_spheres(glass, ball_radius, 20.);
@@ -141,12 +141,13 @@ TEST(EngineImpact, RestitutionOfTwoBalls)
         EXPECT_NEAR(e, 0.455, 1e-3);
       }
       // Pushes come in pairs.
-      const auto &v = engine.particles().velocity;
-      EXPECT_NEAR((v[0] + v[1]).norm(), 0., 1e-12 * speed);
+      const dem::Particles &balls = engine.particles();
+      EXPECT_NEAR((balls.velocity(0) + balls.velocity(1)).norm(), 0.,
+                  1e-12 * speed);
       // What is lost is booked: trapezoidal rule, second order.
       EXPECT_NEAR(engine.energy().damping,
-                  (1. - e * e) * engine.particles().mass[0] * speed * speed,
-                  1e-3 * engine.particles().mass[0] * speed * speed);
+                  (1. - e * e) * engine.particles().mass(0) * speed * speed,
+                  1e-3 * engine.particles().mass(0) * speed * speed);
     }
 }
 
@@ -169,7 +170,7 @@ TEST(EngineImpact, LinearWallStiffness)
   engine.add_plane({0., 0., 0.5}, -dem::Vec3::UnitZ());
   support::add_sphere(engine, ball_radius, {0., 0., 0.5 - ball_radius});
   constexpr double speed = 0.2;
-  engine.particles().velocity[0] = speed * dem::Vec3::UnitZ();
+  engine.particles().velocity(0) = speed * dem::Vec3::UnitZ();
   const double unit =
       std::sqrt(reference::sphere_mass(glass.density, ball_radius) / 3e6);
   double peak = 0., overlap = 0., before = 0.;
@@ -177,7 +178,7 @@ TEST(EngineImpact, LinearWallStiffness)
   {
     before = overlap;
     engine.advance(1e-3 * unit);
-    overlap = engine.particles().position[0].z() + ball_radius - 0.5;
+    overlap = engine.particles().position(0).z() + ball_radius - 0.5;
     peak = std::max(peak, overlap);
   } while (overlap > 0.);
   const double duration =
@@ -206,25 +207,25 @@ TEST(EngineImpact, ShearAndRollingSprings)
     support::add_sphere(engine, ball_radius,
                         side * (ball_radius - 0.5 * overlap) *
                             dem::Vec3::UnitX());
-    engine.particles().velocity.back().y() = side * 0.5 * speed;
+    engine.particles().last().velocity.y() = side * 0.5 * speed;
     // Opposite spins about y: the contact points move alike along z.
-    engine.particles().spin.back().y() = side * 0.5 * spin;
+    engine.particles().last().spin.y() = side * 0.5 * spin;
   }
   support::advance(engine, dt, n_steps);
   const double nu = glass.poisson_ratio;
   const double contact_radius = std::sqrt(0.5 * ball_radius * overlap);
   const double shear_stiffness =
       8. * glass.shear_modulus() / (2. * (2. - nu)) * contact_radius;
-  const dem::ContactHistory &history = engine.pairs().history[0];
+  const dem::ContactHistory<double> history = engine.pairs().history(0);
   const double time = n_steps * dt;
   // The branch turns by s / 2r = 5e-6.
-  EXPECT_NEAR(history.shear.y() / (shear_stiffness * speed * time), 1., 1e-4);
-  EXPECT_NEAR(history.rolling.y() / (shear_stiffness * 0.25 * ball_radius *
-                                     ball_radius * spin * time),
+  EXPECT_NEAR(history.shear.y / (shear_stiffness * speed * time), 1., 1e-4);
+  EXPECT_NEAR(history.rolling.y / (shear_stiffness * 0.25 * ball_radius *
+                                   ball_radius * spin * time),
               1., 1e-3);
   const double mass =
       0.5 * reference::sphere_mass(p.stone.density, ball_radius);
-  EXPECT_NEAR(history.shear_dashpot.y() /
+  EXPECT_NEAR(history.dashpot.y /
                   (0.6 * std::sqrt(mass * shear_stiffness) * speed),
               1., 1e-4);
 }

@@ -28,8 +28,8 @@ dem::Engine pressed_ball(const dem::EngineParameters &parameters)
   dem::Engine engine(parameters);
   engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
   support::add_sphere(engine, ball_radius, {0., 0., ball_radius});
-  engine.particles().position[0].z() -=
-      engine.particles().mass[0] * gravity / parameters.wall.normal_stiffness;
+  engine.particles().position(0).z() -=
+      engine.particles().mass(0) * gravity / parameters.wall.normal_stiffness;
   return engine;
 }
 
@@ -43,9 +43,9 @@ double growth(const dem::EngineParameters &parameters, double share)
   EXPECT_NE(limit.reason.find("wall"), std::string::npos);
   const double dt = share * limit.step;
   // At rest before the first step.
-  engine.particles().force[0] =
-      -engine.particles().mass[0] * engine.parameters().gravity;
-  engine.particles().velocity[0] = {1e-8, 0., 1e-8};
+  engine.particles().load[0].force =
+      -engine.particles().mass(0) * engine.parameters().gravity;
+  engine.particles().velocity(0) = {1e-8, 0., 1e-8};
   const auto largest = [&](int n)
   {
     double speed = 0.;
@@ -53,8 +53,8 @@ double growth(const dem::EngineParameters &parameters, double share)
     {
       engine.advance(dt);
       speed =
-          std::max(speed, engine.particles().velocity[0].norm() +
-                              ball_radius * engine.particles().spin[0].norm());
+          std::max(speed, engine.particles().velocity(0).norm() +
+                              ball_radius * engine.particles().spin(0).norm());
     }
     return speed;
   };

@@ -34,17 +34,17 @@ struct ContactSet
   ContactBatch &pairs;
   ContactBatch &on_planes;
   ContactBatch &on_facets;
-  const std::vector<Plane> &planes;
-  const FacetSurface &surface;
-  FacetCandidates &facets;
+  Walls planes;
+  Walls facets;
 };
 
 /// Carries out what the force loops asked for (ContactBatch::event), by stone,
 /// then by contact: of the two sides of a contact the one with the larger
 /// E_e / E_b breaks. A side that no longer meets the criterion after earlier
 /// events of the step is left alone. Stones change shape, mass and inertia;
-/// their contacts are evaluated anew. Events are appended to `events`; returns
-/// the number of events refused because the shape would have lost r > 0.
+/// their contacts are evaluated anew, the loads of the stones are not. Events
+/// are appended to `events`; returns the number of events refused because the
+/// shape would have lost r > 0.
 int break_stones(const ForceContext &context, Particles &particles,
                  ContactSet &contacts, double time,
                  std::vector<BreakageEvent> &events);

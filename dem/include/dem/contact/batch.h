@@ -1,54 +1,154 @@
 #pragma once
 
-#include <dem/boundary/facet_surface.h>
 #include <dem/contact/law.h>
 #include <dem/contact/side.h>
+#include <dem/particles.h>
+#include <dem/vector.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace dem
 {
-/// Load of one contact on both of its sides; zero while open.
-struct ContactLoad
+/// Components in columns, as SIMD lanes want them.
+template <class Number>
+struct TripleColumn
 {
-  Vec3 force = Vec3::Zero();    ///< on A, the opposite on B [N]
-  Vec3 moment_a = Vec3::Zero(); ///< about the centre of A [N m]
-  Vec3 moment_b = Vec3::Zero(); ///< about the centre of B [N m]
+  std::vector<Number> x, y, z;
+
+  Triple<double> operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
+  void set(std::size_t k, const Triple<double> &value)
+  {
+    x[k] = static_cast<Number>(value.x);
+    y[k] = static_cast<Number>(value.y);
+    z[k] = static_cast<Number>(value.z);
+  }
+  template <class Visit, class... Selves>
+  static void visit(const Visit &call, bool is_there, Selves &...selves)
+  {
+    call(is_there, selves.x...);
+    call(is_there, selves.y...);
+    call(is_there, selves.z...);
+  }
+};
+
+/// What contacts remember of the surface of the stone on one side: the
+/// second-order expansion of r about one body direction and the curvatures
+/// there (MODEL 11.2). The direction is zero where nothing is known. Empty
+/// where the contacts do not read the shape.
+struct SideColumns
+{
+  TripleColumn<float> direction;             ///< evaluated there, unit [-]
+  std::vector<double> radius;                ///< [m]
+  TripleColumn<float> gradient;              ///< surface gradient of r [m]
+  std::array<std::vector<float>, 6> hessian; ///< xx, yy, zz, xy, xz, yz [m]
+  std::vector<SideCurvature> curvature;
+
+  template <class Visit, class... Selves>
+  static void visit(const Visit &call, bool is_there, Selves &...selves)
+  {
+    TripleColumn<float>::visit(call, is_there, selves.direction...);
+    call(is_there, selves.radius...);
+    TripleColumn<float>::visit(call, is_there, selves.gradient...);
+    for (std::size_t c = 0; c < 6; ++c)
+      call(is_there, selves.hessian[c]...);
+    call(is_there, selves.curvature...);
+  }
+};
+
+/// Which optional columns a batch has: only what its scene needs.
+struct BatchLayout
+{
+  bool has_rolling = false;  ///< a rolling spring
+  bool has_sides = false;    ///< the surface of the stone(s)
+  bool has_partners = false; ///< B is a stone
+  bool has_damage = false;   ///< cumulative factors and events
 };
 
 /// Contacts and contacts-to-be of one kind in columns; entry k of every column
-/// is the same contact.
+/// is the same contact. Columns are longer than size() by less than one block:
+/// entries from there on are (0, 0) and never touch.
 struct ContactBatch
 {
-  std::vector<std::int32_t> a; ///< stone
-  std::vector<std::int32_t> b; ///< stone, or plane, or slot at the surface
-  std::vector<SurfaceSide> side_a;
-  std::vector<SurfaceSide> side_b;         ///< stone against stone only
-  std::vector<HertzPrefactors> prefactors; ///< stone against stone only
-  /// An open contact need not be looked at before the stones have travelled
-  /// this far in all (ForceContext::travelled) [m].
-  std::vector<double> wake;
-  std::vector<double> twist; ///< turned about the normal since then [rad]
-  std::vector<ContactHistory> history;
-  std::vector<Dissipation> lost;
-  std::vector<ContactLoad> load;
-  std::vector<Vec3> normal;        ///< last, from A to B [-]
-  std::vector<std::uint8_t> event; ///< bit 0: side A breaks, bit 1: side B
+  /// Contacts that are worked on together; sizes are multiples of it.
+  static constexpr std::size_t block = 8;
 
-  std::size_t size() const { return a.size(); }
-  bool is_touching(std::size_t k) const { return history[k].overlap > 0.; }
+  BatchLayout layout;
+  std::vector<std::int32_t> a;         ///< stone
+  std::vector<std::int32_t> b;         ///< stone, or row of the wall
+  TripleColumn<double> shear, rolling; ///< springs, on A [N], [N m]
+  /// Dashpots, force on A, last step [N]: read for the losses alone.
+  TripleColumn<float> dashpot;
+  std::vector<StoneLoad> load; ///< against walls: on the stone; 0 if open
+  /// Stone against stone: where the load on B is added, see PairLoads.
+  std::vector<std::int32_t> target;
+  std::vector<double> overlap;            ///< last; 0: open [m]
+  std::vector<double> normal_force;       ///< elastic, last [N]
+  std::vector<double> shear_compliance;   ///< 1 / k_s, last [m/N]
+  std::vector<double> rolling_compliance; ///< 1 / k_r, last [rad/(N m)]
+  SideColumns side_a, side_b;
+  /// Stone against stone with sides: C_H, k_s / sqrt(delta) [N/m^(3/2)]
+  std::vector<double> normal_prefactor, shear_prefactor;
+  std::vector<float> twist; ///< turned about the normal since mixed [rad]
+  std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
+  std::vector<std::uint8_t> corner; ///< bit 0: g = 1 on side A, bit 1: on B
+  std::vector<std::uint8_t> event;  ///< bit 0: side A breaks, bit 1: side B
 
-  void resize(std::size_t n);
+  std::size_t size() const { return n; }
+  bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
 
-  /// Entry `to` becomes entry `from` of another batch.
-  void copy_entry(std::size_t to, const ContactBatch &other, std::size_t from);
+  /// Springs of contact k, as the last step left them.
+  ContactHistory<double> history(std::size_t k) const;
+  /// Energy in the springs of contact k [J].
+  double stored_energy(std::size_t k) const;
+
+  /// Takes the layout; entry k becomes entry source[k], or an empty one where
+  /// that is negative.
+  void rearrange(const BatchLayout &new_layout,
+                 const std::vector<std::int32_t> &source);
+
+  /// Contact k alone, and back again.
+  ContactBatch extract(std::size_t k) const;
+  void replace(std::size_t k, const ContactBatch &one);
+
+  /// Calls call(is_there, columns...) for every column of some batches of one
+  /// layout, in a fixed order; columns that the layout leaves out are empty.
+  template <class Visit, class... Batches>
+  static void visit(const BatchLayout &has, const Visit &call,
+                    Batches &...batches);
+
+  /// For restoring: the columns are set by hand.
+  void set_size(std::size_t n_entries) { n = n_entries; }
+
+private:
+  std::size_t n = 0;
 };
 
-/// Where a contact with the facet surface presses.
-struct FacetSpot
+template <class Visit, class... Batches>
+void ContactBatch::visit(const BatchLayout &has, const Visit &call,
+                         Batches &...batches)
 {
-  std::int32_t triangle = -1;
-  std::array<double, 3> weight{}; ///< barycentric [-]
-};
+  const bool has_prefactors = has.has_sides && has.has_partners;
+  call(true, batches.a...);
+  call(true, batches.b...);
+  TripleColumn<double>::visit(call, true, batches.shear...);
+  TripleColumn<double>::visit(call, has.has_rolling, batches.rolling...);
+  TripleColumn<float>::visit(call, true, batches.dashpot...);
+  call(!has.has_partners, batches.load...);
+  call(has.has_partners, batches.target...);
+  call(true, batches.overlap...);
+  call(true, batches.normal_force...);
+  call(true, batches.shear_compliance...);
+  call(has.has_rolling, batches.rolling_compliance...);
+  SideColumns::visit(call, has.has_sides, batches.side_a...);
+  SideColumns::visit(call, has_prefactors, batches.side_b...);
+  call(has_prefactors, batches.normal_prefactor...);
+  call(has_prefactors, batches.shear_prefactor...);
+  call(has_prefactors, batches.twist...);
+  call(has.has_damage, batches.factor_a...);
+  call(has.has_damage && has.has_partners, batches.factor_b...);
+  call(has.has_damage, batches.corner...);
+  call(has.has_damage, batches.event...);
+}
 } // namespace dem

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <dem/boundary/facet_surface.h>
 #include <dem/boundary/plane.h>
 #include <dem/contact/batch.h>
+#include <dem/contact/elliptic.h>
+#include <dem/contact/pair_loads.h>
+#include <dem/contact/range_sum.h>
 #include <dem/parameters.h>
 #include <dem/particles.h>
 
@@ -14,32 +18,80 @@ inline double wall_bound(const Particles &particles, std::size_t stone,
                          ContactGeometry geometry)
 {
   return geometry == ContactGeometry::ball
-             ? particles.radius[stone]
+             ? particles.radius(stone)
              : particles.body[stone].circumscribed_radius;
 }
 
-/// What every force loop reads.
+/// What every force loop reads, and the stones whose force and moment it adds
+/// to.
 struct ForceContext
 {
   const EngineParameters &parameters;
   const PairElasticity &elasticity; ///< stone against stone
-  const Particles &particles;
+  Particles &particles;
   double time_step = 0.; ///< [s]
-  /// Sum over all steps of how far the two fastest stones could have closed a
-  /// gap [m].
+  /// Sum over all steps of how far the fastest stone and boundary could have
+  /// closed a gap [m].
   double travelled = 0.;
+  /// Forces stay as the last step left them, only loads are added: after some
+  /// contacts were reset.
+  bool adds_loads_only = false;
 };
 
-/// Stone against stone: rolling-resistant elliptic Hertz. Returns true if some
-/// side asks for breakage (ContactBatch::event).
-bool pair_forces(const ForceContext &context, ContactBatch &batch);
+/// Which columns the contacts of a scene need.
+BatchLayout pair_layout(const EngineParameters &parameters,
+                        const Particles &particles);
+BatchLayout wall_layout(const EngineParameters &parameters,
+                        const WallMaterial &wall, const Particles &particles);
 
-/// Stone against plane: linear springs. `b` is the plane.
-bool plane_forces(const ForceContext &context, const std::vector<Plane> &planes,
-                  ContactBatch &batch);
+/// What the loops have lost and whether some side asks for breakage
+/// (ContactBatch::event).
+struct ForceSum
+{
+  Dissipation lost;
+  bool wants_breakage = false;
+};
+
+/// A boundary as one stone meets it at one contact: the plane through `point`.
+struct WallRow
+{
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();         ///< from the stone to the wall [-]
+  Vec3 velocity = Vec3::Zero();        ///< of the wall at the contact [m/s]
+  Vec3 velocity_before = Vec3::Zero(); ///< where the contact was [m/s]
+  Vec3 normal_before = Vec3::UnitZ();  ///< there [-]
+  double inverse_mass = 0.;            ///< effective, of the wall [1/kg]
+};
+
+/// Stone against stone: rolling-resistant elliptic Hertz. Loads are added to
+/// the stones by way of `loads`. `ranges` is space to work in.
+ForceSum pair_forces(const ForceContext &context, ContactBatch &batch,
+                     PairLoads &loads, std::vector<RangeSum> &ranges);
+
+/// The walls of one kind as their contacts see them: `b` is the row.
+struct Walls
+{
+  const WallMaterial &material;
+  const std::vector<WallRow> &rows;
+};
+
+/// Stone against wall: linear springs. Loads are added to the stones.
+ForceSum wall_forces(const ForceContext &context, const Walls &walls,
+                     ContactBatch &batch, std::vector<RangeSum> &ranges);
+
+/// Planes as rows, in their order.
+void plane_rows(const std::vector<Plane> &planes, std::vector<WallRow> &rows);
 
 /// Slots per stone at the facet surface: most smooth patches it may touch.
 inline constexpr int slots_per_stone = 4;
+
+/// Where a contact with the facet surface presses.
+struct FacetSpot
+{
+  std::int32_t triangle = -1;
+  std::array<double, 3> weight{}; ///< barycentric [-]
+  Vec3 normal = Vec3::UnitX();    ///< from the stone to the surface [-]
+};
 
 /// Stones near the facet surface with the triangles each may reach, and the
 /// contact slots of each (slots_per_stone in a row, in the batch).
@@ -62,11 +114,12 @@ struct FacetCandidates
   }
 };
 
-/// Stone against facet surface: linear springs, one contact per smooth patch;
+/// Finds where the stones meet the facet surface, one slot per smooth patch;
 /// history stays with the patch, matched by direction, when the facet changes.
-bool facet_forces(const ForceContext &context, const FacetSurface &surface,
-                  const FacetTopology &topology, FacetCandidates &candidates,
-                  ContactBatch &batch);
+/// `rows` gets the wall of every slot.
+void find_facets(const ForceContext &context, const FacetSurface &surface,
+                 const FacetTopology &topology, const ContactBatch &batch,
+                 FacetCandidates &candidates, std::vector<WallRow> &rows);
 
 /// Adds the loads of the contacts to the vertices of the surface.
 void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
@@ -74,13 +127,10 @@ void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
 
 /// Geometry and forces of contact k as they stand, no time passing: after one
 /// of its stones has changed its shape. Springs are capped anew; the energy
-/// that they give up is returned [J].
+/// that they give up is returned [J]. The loads of the stones are left wrong:
+/// all loops must run again.
 double reset_pair(const ForceContext &context, ContactBatch &batch,
                   std::size_t k);
-double reset_plane(const ForceContext &context,
-                   const std::vector<Plane> &planes, ContactBatch &batch,
-                   std::size_t k);
-double reset_facet(const ForceContext &context, const FacetSurface &surface,
-                   const FacetCandidates &candidates, ContactBatch &batch,
-                   std::size_t k);
+double reset_wall(const ForceContext &context, const Walls &walls,
+                  ContactBatch &batch, std::size_t k);
 } // namespace dem

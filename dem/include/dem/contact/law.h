@@ -1,12 +1,12 @@
 #pragma once
 
-#include <dem/contact/elliptic.h>
-#include <dem/contact/material.h>
-#include <dem/vector.h>
+#include <dem/triple.h>
 
 #include <algorithm>
 #include <cmath>
 
+/// The contact law over numbers or SIMD lanes (`Real`): no branch decides the
+/// result of a lane, an open contact (overlap 0) is one whose springs are zero.
 namespace dem
 {
 /// Coefficients of one kind of contact, mixed once at setup.
@@ -19,75 +19,89 @@ struct ContactCoefficients
 };
 
 /// How two surfaces stand and move against each other. Normal from A to B.
+template <class Real>
 struct ContactMotion
 {
-  double overlap = 0.;          ///< delta > 0 [m]
-  Vec3 normal = Vec3::UnitX();  ///< direction of the normal force [-]
-  Vec3 velocity = Vec3::Zero(); ///< of B against A at the contact [m/s]
-  /// The same where the contact was in the last step: a facet contact may jump.
-  Vec3 velocity_before = Vec3::Zero();
-  Vec3 spin = Vec3::Zero();   ///< of B against A [rad/s]
-  double reduced_mass = 0.;   ///< m* [kg]
-  double rolling_radius = 0.; ///< R: 1/R = 1/r_A + 1/r_B [m]
+  Triple<Real> normal;   ///< direction of the normal force [-]
+  Triple<Real> velocity; ///< of B against A at the contact [m/s]
+  /// The same and the normal where the contact was in the last step, when its
+  /// forces were found: a facet contact may jump.
+  Triple<Real> velocity_before, normal_before;
+  Triple<Real> spin;              ///< of B against A [rad/s]
+  Real reduced_mass = Real(0.);   ///< m* [kg]
+  Real rolling_radius = Real(0.); ///< R: 1/R = 1/r_A + 1/r_B [m]
 };
 
 /// Stiffness, force and energy of the normal spring at one overlap.
+template <class Real>
 struct NormalSpring
 {
-  double force = 0.;           ///< elastic [N]
-  double stiffness = 0.;       ///< tangent k_n [N/m]
-  double energy = 0.;          ///< stored [J]
-  double shear_stiffness = 0.; ///< k_s [N/m]
+  Real force = Real(0.);           ///< elastic [N]
+  Real stiffness = Real(0.);       ///< tangent k_n [N/m]
+  Real energy = Real(0.);          ///< stored [J]
+  Real shear_stiffness = Real(0.); ///< k_s [N/m]
 };
 
-/// F = C_H delta^(3/2), k_n = 3/2 C_H delta^(1/2), E = 2/5 F delta (MODEL 5.1).
-inline NormalSpring hertz_spring(const HertzPrefactors &prefactors,
-                                 double overlap)
+/// Share of F delta that the normal spring stores: F ~ delta^(3/2), F ~ delta.
+inline constexpr double hertz_energy_share = 0.4, linear_energy_share = 0.5;
+
+/// F = C_H delta^(3/2), k_n = 3/2 C_H delta^(1/2), E = 2/5 F delta,
+/// k_s = C_s delta^(1/2) (MODEL 5.1). `overlap` >= 0 [m].
+template <class Real>
+DEM_LANE_INLINE NormalSpring<Real> hertz_spring(const Real &normal_prefactor,
+                                                const Real &shear_prefactor,
+                                                const Real &overlap)
 {
-  const double root = std::sqrt(overlap);
-  NormalSpring spring;
-  spring.stiffness = 1.5 * prefactors.normal * root;
-  spring.force = prefactors.normal * overlap * root;
-  spring.energy = 0.4 * spring.force * overlap;
-  spring.shear_stiffness = prefactors.tangential * root;
+  using std::sqrt;
+  const Real root = sqrt(overlap);
+  NormalSpring<Real> spring;
+  spring.stiffness = 1.5 * normal_prefactor * root;
+  spring.force = normal_prefactor * overlap * root;
+  spring.energy = hertz_energy_share * spring.force * overlap;
+  spring.shear_stiffness = shear_prefactor * root;
   return spring;
 }
 
-/// F = k_n delta, E = k_n delta^2 / 2 (walls).
-inline NormalSpring linear_spring(const WallMaterial &wall, double overlap)
+/// F = k_n delta, E = k_n delta^2 / 2; all zero where `overlap` is (walls).
+template <class Real>
+DEM_LANE_INLINE NormalSpring<Real> linear_spring(double normal_stiffness,
+                                                 double shear_stiffness,
+                                                 const Real &overlap)
 {
-  return {wall.normal_stiffness * overlap, wall.normal_stiffness,
-          0.5 * wall.normal_stiffness * overlap * overlap,
-          wall.shear_stiffness};
+  const auto is_touching = overlap > 0.;
+  NormalSpring<Real> spring;
+  spring.stiffness = select(is_touching, Real(normal_stiffness), Real(0.));
+  spring.force = normal_stiffness * overlap;
+  spring.energy = linear_energy_share * spring.force * overlap;
+  spring.shear_stiffness = select(is_touching, Real(shear_stiffness), Real(0.));
+  return spring;
 }
 
 /// What a contact carries from step to step. Springs act on body A.
+template <class Real>
 struct ContactHistory
 {
-  Vec3 normal = Vec3::UnitX();         ///< of the last step [-]
-  Vec3 shear = Vec3::Zero();           ///< spring force on A [N]
-  Vec3 rolling = Vec3::Zero();         ///< spring moment on A [N m]
-  Vec3 shear_dashpot = Vec3::Zero();   ///< force on A [N]
-  double shear_stiffness = 0.;         ///< k_s of the last step [N/m]
-  double rolling_stiffness = 0.;       ///< k_r of the last step [N m/rad]
-  double normal_force = 0.;            ///< elastic, last step [N]
-  double normal_dashpot = 0.;          ///< last step, positive: compressive [N]
-  double normal_energy = 0.;           ///< elastic, last step [J]
-  double overlap = 0.;                 ///< last step, 0: open [m]
-  double factor_a = 0., factor_b = 0.; ///< cumulative factors of both sides [-]
+  Triple<Real> shear;                 ///< spring force on A [N]
+  Triple<Real> rolling;               ///< spring moment on A [N m]
+  Triple<Real> dashpot;               ///< force on A, last step [N]
+  Real shear_compliance = Real(0.);   ///< 1 / k_s, last step; 0: open [m/N]
+  Real rolling_compliance = Real(0.); ///< 1 / k_r [rad/(N m)]
+  Real normal_force = Real(0.);       ///< elastic, last step [N]
+  Real normal_energy = Real(0.);      ///< elastic, last step [J]
 };
 
-/// Energy that left the springs of a contact since it was last emptied [J].
-struct Dissipation
+/// Energy that left the springs of contacts [J].
+template <class Real>
+struct Losses
 {
-  double friction = 0.; ///< sliding, and shear springs let go
-  double rolling = 0.;  ///< rolling resistance beyond its limit
-  double damping = 0.;  ///< dashpots
+  Real friction = Real(0.); ///< sliding, and shear springs let go
+  Real rolling = Real(0.);  ///< rolling resistance beyond its limit
+  Real damping = Real(0.);  ///< dashpots
   /// Normal springs gained it (if negative) without work: by turning where the
   /// force has no lever against it, by a change of C_H or of the facet
-  double shape_work = 0.;
+  Real shape_work = Real(0.);
 
-  Dissipation &operator+=(const Dissipation &other)
+  Losses &operator+=(const Losses &other)
   {
     friction += other.friction;
     rolling += other.rolling;
@@ -97,173 +111,151 @@ struct Dissipation
   }
 };
 
-/// Force and moment of one contact on A (on B: the opposite, at B's lever).
-struct ContactForce
-{
-  Vec3 force = Vec3::Zero();  ///< on A [N]
-  Vec3 moment = Vec3::Zero(); ///< rolling moment on A [N m]
-};
+using Dissipation = Losses<double>;
 
 /// Stored energy of the shear and rolling springs [J].
-inline double tangential_energy(const ContactHistory &history)
+template <class Real>
+DEM_LANE_INLINE Real tangential_energy(const ContactHistory<Real> &history)
 {
-  double energy = 0.;
-  if (history.shear_stiffness > 0.)
-    energy += 0.5 * history.shear.squaredNorm() / history.shear_stiffness;
-  if (history.rolling_stiffness > 0.)
-    energy += 0.5 * history.rolling.squaredNorm() / history.rolling_stiffness;
-  return energy;
+  return 0.5 * dot(history.shear, history.shear) * history.shear_compliance +
+         0.5 * dot(history.rolling, history.rolling) *
+             history.rolling_compliance;
 }
 
 /// Turns a tangential vector into the plane across `normal`, keeping its
 /// length.
-inline Vec3 turn_into_plane(const Vec3 &vector, const Vec3 &normal)
+template <class Real>
+DEM_LANE_INLINE Triple<Real> turn_into_plane(const Triple<Real> &vector,
+                                             const Triple<Real> &normal)
 {
-  const double length = vector.norm();
-  const Vec3 projected = vector - vector.dot(normal) * normal;
-  const double remaining = projected.norm();
-  return remaining > 1e-12 * length ? Vec3(projected * (length / remaining))
-                                    : Vec3::Zero();
+  using std::sqrt;
+  const Real along = dot(vector, normal);
+  const Triple<Real> flat = vector - along * normal;
+  const Real remaining = dot(flat, flat);
+  // A vector along the normal (below 1e-12 of its length) is let go.
+  const auto has_rest = remaining > 1e-24 * along * along;
+  const Real tilt =
+      along * along / select(has_rest, remaining, Real(1.)); // tangent squared
+  Real stretch = 1. + 0.5 * tilt;
+  // The root only where its series is not exact to the last digit.
+  const auto is_tilted = tilt > 1e-8;
+  if (any(is_tilted))
+    stretch = select(is_tilted, sqrt(1. + tilt), stretch);
+  return select(has_rest, stretch, Real(0.)) * flat;
 }
 
 /// A spring in the contact plane with a slider.
+template <class Real>
 struct SpringStep
 {
-  Vec3 value = Vec3::Zero(); ///< after the step
-  bool is_sliding = false;
-  double dissipated = 0.; ///< work of the motion less what is stored [J]
+  Triple<Real> value;         ///< after the step
+  Real holds = Real(1.);      ///< 1; 0 where the slider slid
+  Real compliance = Real(0.); ///< 1 / stiffness after the step; 0 if open
+  Real dissipated = Real(0.); ///< work of the motion less what is stored [J]
 };
 
 /// A spring in the contact plane as the last step left it.
+template <class Real>
 struct Spring
 {
-  const Vec3 &value;     ///< force or moment on A
-  double stiffness = 0.; ///< 0: it was not there
-  const Vec3 &moved;     ///< displacement over which it has worked since
+  Triple<Real> value;         ///< force or moment on A
+  Real compliance = Real(0.); ///< 0: it was not there
+  Triple<Real> moved;         ///< displacement over which it has worked since
 };
 
 /// One increment of an elastic-perfectly-plastic spring: turned into the
 /// plane, scaled down when the stiffness falls (so that it makes no energy),
 /// moved by the part of `displacement` in the plane, capped at `limit`.
-inline SpringStep advance_spring(const Spring &old, const Vec3 &normal,
-                                 const Vec3 &displacement, double stiffness,
-                                 double limit)
+template <class Real>
+DEM_LANE_INLINE SpringStep<Real>
+advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
+               const Triple<Real> &displacement, const Real &stiffness,
+               const Real &limit)
 {
-  Vec3 start = turn_into_plane(old.value, normal);
-  double before = 0.;
-  if (old.stiffness > 0.)
+  using std::min;
+  using std::sqrt;
+  const Real kept = min(Real(1.), Real(stiffness * old.compliance));
+  const Triple<Real> increment =
+      displacement - dot(displacement, normal) * normal;
+  SpringStep<Real> step;
+  step.value =
+      kept * turn_into_plane(old.value, normal) + stiffness * increment;
+  const Real size = dot(step.value, step.value);
+  const auto is_sliding = size > limit * limit;
+  if (any(is_sliding))
   {
-    before = 0.5 * old.value.squaredNorm() / old.stiffness;
-    if (stiffness < old.stiffness)
-      start *= stiffness / old.stiffness;
+    const Real scale = select(
+        is_sliding, limit / sqrt(select(is_sliding, size, Real(1.))), Real(1.));
+    step.value = scale * step.value;
+    step.holds = select(is_sliding, Real(0.), Real(1.));
   }
-  const Vec3 increment = displacement - displacement.dot(normal) * normal;
-  SpringStep step;
-  step.value = start + stiffness * increment;
-  const double size = step.value.norm();
-  step.is_sliding = size > limit;
-  if (step.is_sliding)
-    step.value *= limit / size;
-  const double after =
-      stiffness > 0. ? 0.5 * step.value.squaredNorm() / stiffness : 0.;
+  const auto is_there = stiffness > 0.;
+  step.compliance =
+      select(is_there, 1. / select(is_there, stiffness, Real(1.)), Real(0.));
   step.dissipated =
-      0.5 * (old.value.dot(old.moved) + step.value.dot(displacement)) + before -
-      after;
+      0.5 * (dot(old.value, old.moved) + dot(step.value, displacement) +
+             dot(old.value, old.value) * old.compliance -
+             dot(step.value, step.value) * step.compliance);
   return step;
 }
 
-/// One step of the rolling-resistant incremental law (MODEL 5.4) for a
-/// touching contact: total normal force without tension, Mindlin shear spring
-/// with Coulomb slider, rolling spring k_r = k_s R^2 with limit f_r R F_n,
-/// dashpots c = 2 beta sqrt(m* k) with the tangent stiffness; the shear
-/// dashpot rests while sliding. Work is taken as the integrator does it: half
-/// with the old force, half with the new one.
-inline ContactForce advance_contact(const ContactMotion &motion,
-                                    const NormalSpring &spring,
-                                    const ContactCoefficients &pair,
-                                    double time_step, ContactHistory &history,
-                                    Dissipation &lost)
+/// One step of the rolling-resistant incremental law (MODEL 5.4): total normal
+/// force without tension, Mindlin shear spring with Coulomb slider, rolling
+/// spring k_r = k_s R^2 with limit f_r R F_n, dashpots c = 2 beta sqrt(m* k)
+/// with the tangent stiffness; the shear dashpot rests while sliding. Work is
+/// taken as the integrator does it: half with the old force, half with the new
+/// one. Returns the force on A; the rolling moment on A is history.rolling.
+template <class Real>
+DEM_LANE_INLINE Triple<Real>
+advance_contact(const ContactMotion<Real> &motion,
+                const NormalSpring<Real> &spring,
+                const ContactCoefficients &pair, double time_step,
+                ContactHistory<Real> &history, Losses<Real> &lost)
 {
-  const Vec3 &n = motion.normal;
-  const double opening_rate = motion.velocity.dot(n);
-  const Vec3 displacement = motion.velocity * time_step,
-             moved_before = motion.velocity_before * time_step;
-  const double closing = -displacement.dot(n),
-               closing_before = -moved_before.dot(history.normal);
-  const double normal_dashpot = std::max(
-      -spring.force, -2. * pair.normal_damping *
-                         std::sqrt(motion.reduced_mass * spring.stiffness) *
-                         opening_rate);
-  lost.damping += 0.5 * (history.normal_dashpot * closing_before +
-                         normal_dashpot * closing);
-
-  const Vec3 sliding_velocity = motion.velocity - opening_rate * n;
-  const SpringStep shear = advance_spring(
-      {history.shear, history.shear_stiffness, moved_before}, n, displacement,
+  using std::max;
+  using std::sqrt;
+  const Triple<Real> &n = motion.normal;
+  const Real opening_rate = dot(motion.velocity, n);
+  const Triple<Real> moved = Real(time_step) * motion.velocity;
+  const Triple<Real> moved_before = Real(time_step) * motion.velocity_before;
+  const Real normal_dashpot =
+      max(Real(-spring.force),
+          Real(-2. * pair.normal_damping *
+               sqrt(motion.reduced_mass * spring.stiffness) * opening_rate));
+  const SpringStep<Real> shear = advance_spring<Real>(
+      {history.shear, history.shear_compliance, moved_before}, n, moved,
       spring.shear_stiffness, pair.friction * spring.force);
-  lost.friction += shear.dissipated;
-  const Vec3 shear_dashpot =
-      shear.is_sliding
-          ? Vec3::Zero()
-          : Vec3(2. * pair.shear_damping *
-                 std::sqrt(motion.reduced_mass * spring.shear_stiffness) *
-                 sliding_velocity);
-  lost.damping +=
-      0.5 * (history.shear_dashpot + shear_dashpot).dot(displacement);
+  const Real shear_viscosity =
+      shear.holds * (2. * pair.shear_damping) *
+      sqrt(motion.reduced_mass * spring.shear_stiffness);
+  const Triple<Real> dashpot =
+      shear_viscosity * motion.velocity -
+      (normal_dashpot + shear_viscosity * opening_rate) * n;
 
-  const double rolling_stiffness = pair.rolling_friction > 0.
-                                       ? spring.shear_stiffness *
-                                             motion.rolling_radius *
-                                             motion.rolling_radius
-                                       : 0.;
-  if (rolling_stiffness > 0.)
+  const Real elastic_work =
+      -0.5 * (history.normal_force * dot(moved_before, motion.normal_before) +
+              spring.force * dot(moved, n));
+  lost.friction += shear.dissipated;
+  lost.damping +=
+      0.5 * (dot(history.dashpot, moved_before) + dot(dashpot, moved));
+  lost.shape_work += elastic_work - (spring.energy - history.normal_energy);
+
+  if (pair.rolling_friction > 0.)
   {
-    const Vec3 turn = motion.spin * time_step;
-    const SpringStep rolling = advance_spring(
-        {history.rolling, history.rolling_stiffness, turn}, n, turn,
-        rolling_stiffness,
+    const Triple<Real> turn = Real(time_step) * motion.spin;
+    const SpringStep<Real> rolling = advance_spring<Real>(
+        {history.rolling, history.rolling_compliance, turn}, n, turn,
+        spring.shear_stiffness * motion.rolling_radius * motion.rolling_radius,
         pair.rolling_friction * motion.rolling_radius * spring.force);
     lost.rolling += rolling.dissipated;
     history.rolling = rolling.value;
+    history.rolling_compliance = rolling.compliance;
   }
-  lost.shape_work +=
-      0.5 * (history.normal_force * closing_before + spring.force * closing) -
-      (spring.energy - history.normal_energy);
-
-  history.normal = n;
   history.shear = shear.value;
-  history.shear_dashpot = shear_dashpot;
-  history.shear_stiffness = spring.shear_stiffness;
-  history.rolling_stiffness = rolling_stiffness;
+  history.shear_compliance = shear.compliance;
+  history.dashpot = dashpot;
   history.normal_force = spring.force;
-  history.normal_dashpot = normal_dashpot;
   history.normal_energy = spring.energy;
-  history.overlap = motion.overlap;
-
-  ContactForce out;
-  out.force =
-      -(spring.force + normal_dashpot) * n + shear.value + shear_dashpot;
-  out.moment = history.rolling;
-  return out;
-}
-
-/// Ends a touching contact: what its springs still hold is lost, less the work
-/// that the last forces have done over `displacement`, of B against A in the
-/// last step [m].
-inline void open_contact(ContactHistory &history, const Vec3 &displacement,
-                         Dissipation &lost)
-{
-  if (history.overlap <= 0.)
-    return;
-  const double closing = -0.5 * displacement.dot(history.normal);
-  double shear = 0.;
-  if (history.shear_stiffness > 0.)
-    shear = 0.5 * history.shear.squaredNorm() / history.shear_stiffness;
-  lost.rolling += tangential_energy(history) - shear;
-  lost.friction += shear + 0.5 * history.shear.dot(displacement);
-  lost.damping += history.normal_dashpot * closing +
-                  0.5 * history.shear_dashpot.dot(displacement);
-  lost.shape_work += history.normal_energy + history.normal_force * closing;
-  history = ContactHistory{};
+  return shear.value + dashpot - spring.force * n;
 }
 } // namespace dem

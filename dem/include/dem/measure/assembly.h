@@ -14,7 +14,13 @@ struct ContactNetwork
   double mean_force = 0.; ///< sum |F| / C, Eq. 32 [N]
 };
 
-ContactNetwork contact_network(const ContactBatch &pairs, std::size_t n_stones);
+ContactNetwork contact_network(const Particles &particles,
+                               const ContactBatch &pairs);
+
+/// Force of contact k on stone A, the opposite on B, after a step; dashpots to
+/// seven digits [N].
+Vec3 pair_force(const Particles &particles, const ContactBatch &pairs,
+                std::size_t k);
 
 /// LAA = mass lost / initial mass, Eq. 29 [-].
 double abrasion(const Particles &particles);

@@ -7,16 +7,18 @@
 
 namespace dem
 {
-/// Makes the batch hold all pairs of stones whose circumscribed spheres come
-/// within `margin` [m] of each other, in the order (a, b), a < b; known
-/// contacts keep all they carry. What dropped contacts had dissipated is added
-/// to `retired`.
-void rebuild_pairs(const Particles &particles, double margin,
+/// Makes the batch hold all pairs of stones with a gap below `margin` [m]
+/// between what the contact geometry compares (balls, or the radii along the
+/// branch), in the order (a, b), a < b; known contacts keep all they carry.
+/// What the springs of dropped contacts held is added to `retired`.
+void rebuild_pairs(const Particles &particles,
+                   const EngineParameters &parameters, double margin,
                    ContactBatch &batch, Dissipation &retired);
 
 /// How far boundaries are looked for: wall_bound plus the margin.
 struct WallSearch
 {
+  BatchLayout layout;
   ContactGeometry geometry = ContactGeometry::ball;
   double margin = 0.; ///< [m]
 };

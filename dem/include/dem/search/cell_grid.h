@@ -11,16 +11,19 @@
 
 namespace dem
 {
-/// Points sorted into cubic cells. Members of a cell stand in the order of
+/// Some points sorted into cubic cells. Members of a cell stand in the order of
 /// their numbers.
 class CellGrid
 {
 public:
-  /// Cells of this size over the bounding box of the points (coarser where
-  /// there would be more than eight cells per point) [m].
-  CellGrid(std::span<const Vec3> points, double cell_size);
+  CellGrid() = default;
+  /// Point k has the number numbers[k]. Cells of this size over the bounding
+  /// box (coarser where there would be more than eight per point) [m].
+  CellGrid(std::span<const Vec3> points, std::span<const std::int32_t> numbers,
+           double cell_size);
 
-  /// Calls visit(j) for every point of the cells that the box touches.
+  /// Calls visit(number, point) for every point of the cells that the box
+  /// touches.
   template <class Visit>
   void visit_box(const Vec3 &lower, const Vec3 &upper, Visit &&visit) const;
 
@@ -30,7 +33,8 @@ private:
   Vec3 origin = Vec3::Zero();
   double size = 1.;
   std::array<std::int64_t, 3> n = {1, 1, 1};
-  std::vector<std::int32_t> start, member;
+  std::vector<std::int32_t> start = {0, 0}, member;
+  std::vector<Vec3> place;
 };
 
 inline std::array<std::int64_t, 3> CellGrid::cell_of(const Vec3 &x) const
@@ -54,7 +58,8 @@ void CellGrid::visit_box(const Vec3 &lower, const Vec3 &upper,
       {
         const auto cell = static_cast<std::size_t>((z * n[1] + y) * n[0] + x);
         for (std::int32_t m = start[cell]; m < start[cell + 1]; ++m)
-          visit(member[static_cast<std::size_t>(m)]);
+          visit(member[static_cast<std::size_t>(m)],
+                place[static_cast<std::size_t>(m)]);
       }
 }
 } // namespace dem

@@ -40,8 +40,8 @@ struct Gas
     for (std::size_t k = 0; k < n; ++k)
     {
       engine.add_stone(bodies[k], places[k].position, places[k].orientation);
-      engine.particles().velocity[k] = 4. * some();
-      engine.particles().spin[k] = 400. * some();
+      engine.particles().velocity(k) = 4. * some();
+      engine.particles().spin(k) = 400. * some();
     }
     for (int d = 0; d < 3; ++d)
     {
@@ -83,7 +83,7 @@ struct Gas
     return body.series
                ? body.scale *
                      dem::radius(*body.series,
-                                 stones.rotation[i].transpose() * direction)
+                                 stones.rotation(i).transpose() * direction)
                : body.scale;
   }
 };
@@ -102,7 +102,7 @@ Pairs listed(const dem::ContactBatch &batch)
 int check_lists(const Gas &gas)
 {
   const dem::Engine &engine = gas.engine;
-  const auto &x = engine.particles().position;
+  const auto x = engine.particles().column(&dem::StoneState::position);
   const Pairs pairs = listed(engine.pairs());
   const Pairs on_planes = listed(engine.on_planes());
   const std::set<std::int32_t> at_facets(engine.facets().stone.begin(),
@@ -181,9 +181,9 @@ TEST(Candidates, MarginDoesNotChangeTheMotion)
   EXPECT_GT(narrow.engine.n_rebuilds(), wide.engine.n_rebuilds());
   for (std::size_t i = 0; i < 120; ++i)
   {
-    EXPECT_EQ(narrow.engine.particles().position[i],
-              wide.engine.particles().position[i]);
-    EXPECT_EQ(narrow.engine.particles().spin[i],
-              wide.engine.particles().spin[i]);
+    EXPECT_EQ(narrow.engine.particles().position(i),
+              wide.engine.particles().position(i));
+    EXPECT_EQ(narrow.engine.particles().spin(i),
+              wide.engine.particles().spin(i));
   }
 }

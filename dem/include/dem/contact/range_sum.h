@@ -1,0 +1,19 @@
+#pragma once
+
+#include <dem/contact/law.h>
+
+namespace dem
+{
+/// What one step of a range of contacts adds up to. The ranges of a batch
+/// depend on its size alone, so their sums are the same for any number of
+/// threads.
+struct RangeSum
+{
+  /// Load on the stone that is side A of the first contact of the range; the
+  /// range before may add to it too force [N], moment [N m]. Stones that come
+  /// after it in the range get theirs directly.
+  double load[6] = {};
+  Dissipation lost;
+  bool wants_breakage = false;
+};
+} // namespace dem

@@ -1,0 +1,160 @@
+#include <dem/contact/forces.h>
+
+namespace dem
+{
+namespace
+{
+/// How far away the wall of a slot without contact is [ball radii].
+constexpr double no_wall = 1e6;
+
+/// Velocity of the surface at one of its points [m/s].
+Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
+{
+  Vec3 velocity = Vec3::Zero();
+  if (spot.triangle < 0)
+    return velocity;
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    velocity +=
+        spot.weight[c] * surface.velocity[static_cast<std::size_t>(corner[c])];
+  return velocity;
+}
+
+/// The wall of a slot that meets nothing; `spot` is where it was.
+WallRow far_wall(const FacetSurface &surface, const FacetSpot &spot,
+                 const Vec3 &centre, double radius)
+{
+  WallRow row;
+  row.normal = row.normal_before = spot.normal;
+  row.point = centre + no_wall * radius * row.normal;
+  row.velocity = row.velocity_before = velocity_on(surface, spot);
+  return row;
+}
+
+/// `before`: where the contact was in the last step.
+WallRow met_wall(const FacetSurface &surface, const FacetTouch &touch,
+                 const FacetSpot &now, const FacetSpot &before)
+{
+  WallRow row{
+      touch.nearest.point,          now.normal,    velocity_on(surface, now),
+      velocity_on(surface, before), before.normal, 0.};
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(now.triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    row.inverse_mass += now.weight[c] * now.weight[c] /
+                        surface.mass[static_cast<std::size_t>(corner[c])];
+  return row;
+}
+
+/// Gives each touch the slot whose last direction is nearest to its own, or a
+/// free one; a slot without touch opens. Touches beyond the slots are the
+/// farthest and are left out.
+void assign_slots(const std::vector<FacetTouch> &touches,
+                  const ContactBatch &batch, const std::vector<FacetSpot> &spot,
+                  std::size_t first,
+                  std::array<std::int32_t, slots_per_stone> &slot_of)
+{
+  constexpr double same_patch = 0.7; // cosine of 45 degrees
+  std::array<bool, slots_per_stone> is_taken{};
+  slot_of.fill(-1);
+  const std::size_t n = std::min<std::size_t>(touches.size(), slots_per_stone);
+  for (std::size_t t = 0; t < n; ++t)
+  {
+    double best = same_patch;
+    for (std::size_t s = 0; s < slots_per_stone; ++s)
+      if (!is_taken[s] && batch.is_touching(first + s) &&
+          touches[t].direction.dot(spot[first + s].normal) > best)
+      {
+        best = touches[t].direction.dot(spot[first + s].normal);
+        slot_of[t] = static_cast<std::int32_t>(s);
+      }
+    if (slot_of[t] >= 0)
+      is_taken[static_cast<std::size_t>(slot_of[t])] = true;
+  }
+  for (int pass = 0; pass < 2; ++pass) // free slots first, then reused ones
+    for (std::size_t t = 0; t < n; ++t)
+      for (std::size_t s = 0; slot_of[t] < 0 && s < slots_per_stone; ++s)
+        if (!is_taken[s] && (pass == 1 || !batch.is_touching(first + s)))
+        {
+          slot_of[t] = static_cast<std::int32_t>(s);
+          is_taken[s] = true;
+        }
+}
+
+/// Walls of all slots of the stone in this row.
+void find_row(const ForceContext &context, const FacetSurface &surface,
+              const FacetTopology &topology, const ContactBatch &batch,
+              std::size_t row, std::vector<FacetTouch> &touches,
+              FacetCandidates &candidates, std::vector<WallRow> &rows)
+{
+  const auto i = static_cast<std::size_t>(candidates.stone[row]);
+  const Vec3 &centre = context.particles.position(i);
+  const std::size_t first = row * slots_per_stone;
+  touches.clear();
+  if (candidates.wake[row] <= context.travelled)
+  {
+    const double bound = wall_bound(context.particles, i,
+                                    context.parameters.geometry.wall_geometry);
+    // Somewhat beyond the bound, to learn how long it may be left alone.
+    const double reach = 1.25 * bound;
+    find_touches(surface, topology, candidates.triangles_of(row), centre, reach,
+                 touches);
+    const double gap =
+        (touches.empty() ? reach : touches.front().distance) - bound;
+    candidates.wake[row] = gap > 0. ? context.travelled + gap : 0.;
+  }
+  std::array<std::int32_t, slots_per_stone> slot_of;
+  assign_slots(touches, batch, candidates.spot, first, slot_of);
+  std::array<bool, slots_per_stone> is_used{};
+  for (std::size_t t = 0; t < touches.size() && t < slots_per_stone; ++t)
+  {
+    const auto slot = static_cast<std::size_t>(slot_of[t]);
+    is_used[slot] = true;
+    FacetSpot &spot = candidates.spot[first + slot];
+    const FacetSpot now{touches[t].nearest.triangle, touches[t].nearest.weight,
+                        touches[t].direction};
+    rows[first + slot] = met_wall(surface, touches[t], now, spot);
+    spot = now;
+  }
+  for (std::size_t s = 0; s < slots_per_stone; ++s)
+    if (!is_used[s])
+      rows[first + s] = far_wall(surface, candidates.spot[first + s], centre,
+                                 context.particles.radius(i));
+}
+} // namespace
+
+void find_facets(const ForceContext &context, const FacetSurface &surface,
+                 const FacetTopology &topology, const ContactBatch &batch,
+                 FacetCandidates &candidates, std::vector<WallRow> &rows)
+{
+  rows.resize(candidates.stone.size() * slots_per_stone);
+  const auto n = static_cast<std::int64_t>(candidates.stone.size());
+#pragma omp parallel
+  {
+    std::vector<FacetTouch> touches;
+    touches.reserve(64);
+#pragma omp for schedule(static)
+    for (std::int64_t row = 0; row < n; ++row)
+      find_row(context, surface, topology, batch, static_cast<std::size_t>(row),
+               touches, candidates, rows);
+  }
+}
+
+void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
+                  FacetSurface &surface)
+{
+  std::fill(surface.load.begin(), surface.load.end(), Vec3::Zero());
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    if (!batch.is_touching(k))
+      continue;
+    const FacetSpot &spot = candidates.spot[k];
+    const auto &corner =
+        surface.triangles[static_cast<std::size_t>(spot.triangle)];
+    for (std::size_t c = 0; c < 3; ++c)
+      surface.load[static_cast<std::size_t>(corner[c])] -=
+          spot.weight[c] * batch.load[k].force;
+  }
+}
+} // namespace dem

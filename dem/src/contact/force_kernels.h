@@ -1,0 +1,121 @@
+#pragma once
+
+#include <dem/contact/range_sum.h>
+
+#include <cstdint>
+
+/// The force loops over contacts as they are compiled for each instruction set.
+/// Plain pointers only: what is inline here would otherwise be linked from the
+/// unit with the widest instructions.
+namespace dem::kernel
+{
+/// StoneState in numbers, and where its fields are.
+inline constexpr int stone_row = 16, at_position = 0, at_radius = 3,
+                     at_velocity = 4, at_mass = 7, at_spin = 8,
+                     at_orientation = 12;
+
+/// StoneLoad in numbers: force, moment, two to fill the line.
+inline constexpr int load_row = 8, at_moment = 3;
+
+/// What the loops read of the stones and the loads that they add to.
+struct Stones
+{
+  const double *state;
+  double *load; ///< StoneLoad
+  double *halo; ///< StoneLoad, rows of PairLoads
+};
+
+template <class Number>
+struct Vectors
+{
+  Number *x, *y, *z;
+};
+
+/// SideColumns, read only: renewed by Surfaces.
+struct Side
+{
+  Vectors<const float> direction;
+  const double *radius;
+  Vectors<const float> gradient;
+  const float *hessian[6];
+};
+
+/// ContactBatch; columns that its layout leaves out are null.
+struct Contacts
+{
+  const std::int32_t *a, *b;
+  Vectors<double> shear, rolling;
+  Vectors<float> dashpot;
+  double *load; ///< StoneLoad, against walls
+  const std::int32_t *target;
+  double *overlap, *normal_force, *shear_compliance, *rolling_compliance;
+  Side side_a, side_b;
+  const double *normal_prefactor, *shear_prefactor;
+  float *twist;
+  const std::uint8_t *corner;
+};
+
+/// What is rare and costly, done contact by contact outside of the lanes.
+struct Surfaces
+{
+  void *owner;
+  /// Evaluates side 0 (A) or 1 (B) of contact k at this body direction.
+  void (*renew)(void *owner, std::int64_t k, int side, const double *direction);
+  /// Mixes the prefactors of contact k with this normal.
+  void (*mix)(void *owner, std::int64_t k, const double *normal);
+  /// Damage of contact k, whose normal spring held `energy_before` [J]; true
+  /// if a side asks to break.
+  bool (*damage)(void *owner, std::int64_t k, double energy_before);
+};
+
+/// WallRow in numbers.
+inline constexpr int wall_row = 16;
+
+/// A wall farther than this many ball radii is none: the surface of the stone
+/// towards it is not looked at.
+inline constexpr double far_wall = 1e3;
+
+/// What a loop reads besides the contacts; coefficients are of its batch.
+struct Task
+{
+  Stones stones;
+  Contacts contacts;
+  Surfaces surfaces;
+  ContactCoefficients coefficients;
+  double time_step;
+  /// Stone against stone, balls: C_H = normal_factor sqrt(R),
+  /// k_s / sqrt(delta) = shear_factor sqrt(R). Walls: k_n, k_s.
+  double normal_factor, shear_factor;
+  double refresh_tolerance; ///< of the sides [rad]
+  bool reads_surface;       ///< sides are kept up to date
+  bool is_radial;           ///< overlap from the sides, not from the balls
+  bool has_damage;
+  bool adds_loads_only; ///< forces are taken as the last step left them
+  const double *walls;  ///< WallRow
+};
+
+/// One step of the contacts [first, last); `first` is a multiple of the block.
+using Loop = void (*)(const Task &task, std::int64_t first, std::int64_t last,
+                      RangeSum &sum);
+
+struct Loops
+{
+  Loop pairs, walls;
+};
+
+/// Those of the instruction set in use.
+const Loops &loops();
+
+namespace baseline
+{
+extern const Loops loops;
+}
+namespace avx2
+{
+extern const Loops loops;
+}
+namespace avx512
+{
+extern const Loops loops;
+}
+} // namespace dem::kernel

@@ -1,0 +1,92 @@
+#include <dem/contact/pair_loads.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace dem
+{
+namespace
+{
+/// Load on a stone that its range does not own.
+struct Foreign
+{
+  std::int32_t stone = 0, range = 0, contact = 0;
+
+  bool operator<(const Foreign &other) const
+  {
+    return std::tie(stone, range, contact) <
+           std::tie(other.stone, other.range, other.contact);
+  }
+};
+
+std::vector<Foreign> find_foreign(const ContactBatch &pairs)
+{
+  const auto n = static_cast<std::int64_t>(pairs.size());
+  const std::int64_t size = range_size(n);
+  std::vector<Foreign> foreign;
+  for (std::int64_t first = 0; first < n; first += size)
+  {
+    const std::int64_t last = std::min(first + size, n);
+    // b > a: no stone before the range is met.
+    const std::int32_t end = last < n
+                                 ? pairs.a[static_cast<std::size_t>(last)]
+                                 : std::numeric_limits<std::int32_t>::max();
+    for (std::int64_t k = first; k < last; ++k)
+      if (const std::int32_t b = pairs.b[static_cast<std::size_t>(k)]; b >= end)
+        foreign.push_back({b, static_cast<std::int32_t>(first / size),
+                           static_cast<std::int32_t>(k)});
+  }
+  std::sort(foreign.begin(), foreign.end());
+  return foreign;
+}
+} // namespace
+
+std::int64_t range_size(std::int64_t n_contacts)
+{
+  constexpr auto block = static_cast<std::int64_t>(ContactBatch::block);
+  const std::int64_t size = std::clamp<std::int64_t>(n_contacts / 32, 64, 8192);
+  return (size + block - 1) / block * block;
+}
+
+void PairLoads::prepare(ContactBatch &pairs)
+{
+  std::copy(pairs.b.begin(), pairs.b.end(), pairs.target.begin());
+  stone.clear();
+  start.assign(1, 0);
+  std::int32_t n_rows = 0;
+  Foreign before{-1, -1, -1};
+  for (const Foreign &one : find_foreign(pairs))
+  {
+    const bool is_new_stone = one.stone != before.stone;
+    if (is_new_stone)
+    {
+      stone.push_back(one.stone);
+      start.push_back(n_rows);
+    }
+    if (is_new_stone || one.range != before.range)
+      start.back() = ++n_rows;
+    pairs.target[static_cast<std::size_t>(one.contact)] = -n_rows;
+    before = one;
+  }
+  halo.assign(static_cast<std::size_t>(n_rows), StoneLoad{});
+}
+
+void PairLoads::clear()
+{
+  std::fill(halo.begin(), halo.end(), StoneLoad{});
+}
+
+void PairLoads::add_halo(std::vector<StoneLoad> &load) const
+{
+  const auto n = static_cast<std::int64_t>(stone.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t s = 0; s < n; ++s)
+  {
+    const auto entry = static_cast<std::size_t>(s);
+    StoneLoad &sum = load[static_cast<std::size_t>(stone[entry])];
+    for (std::int32_t row = start[entry]; row < start[entry + 1]; ++row)
+      sum += halo[static_cast<std::size_t>(row)];
+  }
+}
+} // namespace dem

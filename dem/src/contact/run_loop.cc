@@ -1,0 +1,134 @@
+#include "surfaces.h"
+
+#include <dem/contact/pair_loads.h>
+
+#include <algorithm>
+
+namespace dem
+{
+namespace
+{
+SurfaceOwner &owner_of(void *owner)
+{
+  return *static_cast<SurfaceOwner *>(owner);
+}
+
+void renew(void *owner, std::int64_t k, int side, const double *direction)
+{
+  renew_side(owner_of(owner).context, owner_of(owner).batch,
+             static_cast<std::size_t>(k), side == 0,
+             Eigen::Map<const Vec3>(direction));
+}
+
+void mix(void *owner, std::int64_t k, const double *normal)
+{
+  mix_prefactors(owner_of(owner).context, owner_of(owner).batch,
+                 static_cast<std::size_t>(k), Eigen::Map<const Vec3>(normal));
+}
+
+bool damage(void *owner, std::int64_t k, double energy_before)
+{
+  return find_damage(owner_of(owner).context, owner_of(owner).batch,
+                     static_cast<std::size_t>(k), energy_before);
+}
+
+template <class Row>
+auto *numbers(std::vector<Row> &rows)
+{
+  static_assert(sizeof(Row) % sizeof(double) == 0);
+  return reinterpret_cast<double *>(rows.data());
+}
+
+kernel::Side side_view(const SideColumns &side)
+{
+  const auto vectors = [](const TripleColumn<float> &column)
+  {
+    return kernel::Vectors<const float>{column.x.data(), column.y.data(),
+                                        column.z.data()};
+  };
+  kernel::Side view{
+      vectors(side.direction), side.radius.data(), vectors(side.gradient), {}};
+  for (std::size_t c = 0; c < 6; ++c)
+    view.hessian[c] = side.hessian[c].data();
+  return view;
+}
+
+kernel::Contacts contacts_view(ContactBatch &batch)
+{
+  const auto vectors = []<class Number>(TripleColumn<Number> &column)
+  {
+    return kernel::Vectors<Number>{column.x.data(), column.y.data(),
+                                   column.z.data()};
+  };
+  return {batch.a.data(),
+          batch.b.data(),
+          vectors(batch.shear),
+          vectors(batch.rolling),
+          vectors(batch.dashpot),
+          numbers(batch.load),
+          batch.target.data(),
+          batch.overlap.data(),
+          batch.normal_force.data(),
+          batch.shear_compliance.data(),
+          batch.rolling_compliance.data(),
+          side_view(batch.side_a),
+          side_view(batch.side_b),
+          batch.normal_prefactor.data(),
+          batch.shear_prefactor.data(),
+          batch.twist.data(),
+          batch.corner.data()};
+}
+
+static_assert(sizeof(StoneState) == kernel::stone_row * sizeof(double));
+
+static_assert(sizeof(StoneLoad) == kernel::load_row * sizeof(double));
+
+kernel::Stones stones_view(Particles &stones)
+{
+  return {numbers(stones.state), numbers(stones.load), nullptr};
+}
+} // namespace
+
+kernel::Task make_task(SurfaceOwner &owner,
+                       const ContactCoefficients &coefficients)
+{
+  const ForceContext &context = owner.context;
+  kernel::Task task{};
+  task.stones = stones_view(context.particles);
+  task.contacts = contacts_view(owner.batch);
+  task.surfaces = {&owner, renew, mix, damage};
+  task.coefficients = coefficients;
+  task.time_step = context.time_step;
+  task.refresh_tolerance = context.parameters.geometry.refresh_tolerance;
+  task.reads_surface = owner.batch.layout.has_sides;
+  // A still contact takes no damage.
+  task.has_damage = owner.batch.layout.has_damage && context.time_step > 0.;
+  task.adds_loads_only = context.adds_loads_only;
+  return task;
+}
+
+ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
+                  std::vector<RangeSum> &ranges)
+{
+  const auto n_contacts = static_cast<std::int64_t>(n);
+  const std::int64_t size = range_size(n_contacts);
+  const std::int64_t n_ranges = (n_contacts + size - 1) / size;
+  ranges.assign(static_cast<std::size_t>(n_ranges), RangeSum{});
+#pragma omp parallel for schedule(static)
+  for (std::int64_t r = 0; r < n_ranges; ++r)
+    loop(task, r * size, std::min((r + 1) * size, n_contacts),
+         ranges[static_cast<std::size_t>(r)]);
+  ForceSum sum;
+  for (std::int64_t r = 0; r < n_ranges; ++r)
+  {
+    const RangeSum &range = ranges[static_cast<std::size_t>(r)];
+    double *row = task.stones.load +
+                  kernel::load_row * std::int64_t{task.contacts.a[r * size]};
+    for (int c = 0; c < 6; ++c)
+      row[c] += range.load[c];
+    sum.lost += range.lost;
+    sum.wants_breakage |= range.wants_breakage;
+  }
+  return sum;
+}
+} // namespace dem

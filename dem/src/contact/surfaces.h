@@ -1,0 +1,72 @@
+#pragma once
+
+#include "force_kernels.h"
+
+#include <dem/contact/forces.h>
+
+namespace dem
+{
+/// The stone in this row of the columns.
+inline std::size_t row_of(std::int32_t stone)
+{
+  return static_cast<std::size_t>(stone);
+}
+
+/// Evaluates the surface of side A or B of contact k at a unit direction of the
+/// body frame; its prefactors are out of date then.
+void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
+                bool is_a, const Vec3 &direction);
+
+/// Sets ContactBatch::corner of one side of contact k from its curvature.
+void note_corner(ContactBatch &batch, std::size_t k, bool is_a);
+
+/// Forgets the surface of side A or B of contact k.
+void forget_side(ContactBatch &batch, std::size_t k, bool is_a);
+
+/// C_H and k_s / sqrt(delta) of contact k from both sides as they lie to each
+/// other across `normal`.
+void mix_prefactors(const ForceContext &context, ContactBatch &batch,
+                    std::size_t k, const Vec3 &normal);
+
+/// Eqs. 4 and 5 for both sides of contact k, whose normal spring held
+/// `energy_before` [J]; an open contact loses its factors. True if a side asks
+/// to break (ContactBatch::event).
+bool find_damage(const ForceContext &context, ContactBatch &batch,
+                 std::size_t k, double energy_before);
+
+/// A batch and what its rare work needs, as the loops pass it back.
+struct SurfaceOwner
+{
+  const ForceContext &context;
+  ContactBatch &batch;
+};
+
+/// The columns as the loops see them; `owner` must outlive the task.
+kernel::Task make_task(SurfaceOwner &owner,
+                       const ContactCoefficients &coefficients);
+
+/// Runs a loop over all contacts of the task and adds its loads to the stones.
+ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
+                  std::vector<RangeSum> &ranges);
+
+/// Runs a loop over contact k alone with no time passing; returns the energy
+/// that its springs gave up [J]. `make` makes the task of a SurfaceOwner.
+template <class MakeTask>
+double run_still(const ForceContext &context, ContactBatch &batch,
+                 std::size_t k, kernel::Loop loop, const MakeTask &make)
+{
+  ForceContext still = context;
+  still.time_step = 0.;
+  ContactBatch one = batch.extract(k);
+  const double before = one.stored_energy(0);
+  if (one.layout.has_partners)
+    one.target[0] = one.b[0]; // anywhere that is there
+  SurfaceOwner owner{still, one};
+  RangeSum sum;
+  loop(make(owner), 0, 1, sum);
+  if (one.layout.has_partners)
+    one.target[0] = batch.target[k];
+  batch.replace(k, one);
+  return before - one.stored_energy(0);
+}
+} // namespace dem
