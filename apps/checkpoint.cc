@@ -12,7 +12,7 @@ namespace spall
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x314c4c4150530a02; // names this layout
+constexpr std::uint64_t magic = 0x314c4c4150530a03; // names this layout
 
 using dem::read_column;
 using dem::read_value;
@@ -25,7 +25,10 @@ std::string identity_of(Case parameters)
   const Case defaults;
   parameters.threads = defaults.threads;
   parameters.loading.cycles = defaults.loading.cycles;
+  const int ticks = parameters.output.samples_per_cycle;
   parameters.output = defaults.output;
+  if (parameters.time.step != StepRule::fixed)
+    parameters.output.samples_per_cycle = ticks; // the steps meet them
   parameters.title = defaults.title;
   return resolved_case(parameters);
 }

@@ -197,4 +197,23 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
   }
   return network;
 }
+double corner_step(const EngineParameters &parameters,
+                   const Particles &particles)
+{
+  const auto lightest =
+      std::min_element(particles.mass.begin(), particles.mass.end()) -
+      particles.mass.begin();
+  const auto i = static_cast<std::size_t>(lightest);
+  SpringNetwork network;
+  network.mass = {particles.mass[i]};
+  network.inertia = {particles.inertia[i]};
+  for (int d = 0; d < 3; ++d)
+  {
+    Contact c =
+        wall_contact(parameters.wall, particles.radius[i], -Vec3::Unit(d));
+    c.reduced_mass = particles.mass[i];
+    append(network, c);
+  }
+  return guaranteed_step(network).step;
+}
 } // namespace dem

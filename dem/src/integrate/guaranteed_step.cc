@@ -160,6 +160,8 @@ double step_of(const Block &block, double step)
 std::vector<Quadratic> traces(const SpringNetwork &network)
 {
   std::vector<Quadratic> trace(network.n_bodies());
+  for (std::size_t i = network.n_stones(); i < network.n_bodies(); ++i)
+    trace[i].spring = 3. * network.point_frequency * network.point_frequency;
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
   {
     const Compliance all = compliance(network, k);
@@ -193,30 +195,28 @@ Block own_block(const SpringNetwork &network, std::size_t body)
 }
 } // namespace
 
-NetworkStep guaranteed_step(const SpringNetwork &network)
+namespace
 {
-  std::vector<Quadratic> trace = traces(network);
-  for (std::size_t i = network.n_stones(); i < network.n_bodies(); ++i)
-    trace[i].spring += 3. * network.point_frequency * network.point_frequency;
-  // A sixth of a trace is no more than its largest eigenvalue, and the sums
-  // are at most twice the traces: this step is not below the limit.
-  NetworkStep limit;
-  for (const Quadratic &body : trace)
-    limit.step = std::min(
-        limit.step, Quadratic{body.spring / 12., body.dashpot / 12.}.root());
-  // Only bodies whose trace says that they may lower it are looked at.
+/// Blocks of these bodies.
+std::vector<Block> blocks_of(const SpringNetwork &network,
+                             const std::vector<std::size_t> &bodies)
+{
   std::vector<std::int32_t> row(network.n_bodies(), -1);
-  std::vector<std::size_t> looked_at;
   std::vector<Block> block;
-  for (std::size_t i = 0; i < network.n_bodies(); ++i)
-    if (trace[i].at(limit.step) > 4.)
-    {
-      row[i] = static_cast<std::int32_t>(looked_at.size());
-      looked_at.push_back(i);
-      block.push_back(own_block(network, i));
-    }
+  for (const std::size_t body : bodies)
+  {
+    row[body] = static_cast<std::int32_t>(block.size());
+    block.push_back(own_block(network, body));
+  }
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
   {
+    const auto is_asked = [&](std::int32_t body)
+    { return body >= 0 && row[static_cast<std::size_t>(body)] >= 0; };
+    if (!is_asked(network.a[k]) &&
+        std::none_of(network.b[k].begin(), network.b[k].end(),
+                     [&](const FarShare &share)
+                     { return is_asked(share.body); }))
+      continue;
     const Compliance all = compliance(network, k);
     visit_sides(network, k,
                 [&](std::size_t body, const Compliance &own)
@@ -226,14 +226,42 @@ NetworkStep guaranteed_step(const SpringNetwork &network)
                                 block[static_cast<std::size_t>(row[body])]);
                 });
   }
-  for (std::size_t r = 0; r < looked_at.size(); ++r)
-  {
-    if (trace[looked_at[r]].at(limit.step) <= 4.)
-      continue;
-    const double step = step_of(block[r], limit.step);
-    if (limit.body < 0 || step < limit.step)
-      limit = {step, static_cast<std::int32_t>(looked_at[r])};
-  }
+  return block;
+}
+} // namespace
+
+NetworkStep guaranteed_step(const SpringNetwork &network)
+{
+  const std::vector<Quadratic> trace = traces(network);
+  // The body with the largest trace first: it sets the limit, or nearly so.
+  std::size_t first = 0;
+  double rough = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    if (const double step = trace[i].root(); step < rough)
+    {
+      rough = step;
+      first = i;
+    }
+  NetworkStep limit;
+  if (std::isinf(rough))
+    return limit;
+  // A sixth of a trace is no more than its largest eigenvalue, and the sums
+  // are at most twice the traces: root(trace / 12) is not below the limit.
+  limit = {
+      step_of(blocks_of(network, {first}).front(),
+              Quadratic{trace[first].spring / 12., trace[first].dashpot / 12.}
+                  .root()),
+      static_cast<std::int32_t>(first)};
+  // Then those whose trace says that they may lower it.
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    if (i != first && trace[i].at(limit.step) > 4.)
+      others.push_back(i);
+  const std::vector<Block> block = blocks_of(network, others);
+  for (std::size_t r = 0; r < others.size(); ++r)
+    if (trace[others[r]].at(limit.step) > 4.)
+      if (const double step = step_of(block[r], limit.step); step < limit.step)
+        limit = {step, static_cast<std::int32_t>(others[r])};
   limit.step *= 1. - 1e-9; // what the iteration may have left above
   return limit;
 }

@@ -125,6 +125,7 @@ TEST(EngineNetworkStep, BallInACorner)
         EXPECT_NEAR(corner_eigenvalue(p.wall, scene.particles().mass[0], step),
                     4., 1e-6);
         EXPECT_NEAR(dem::sharp_step(network), step, 1e-6 * step);
+        EXPECT_NEAR(dem::corner_step(p, scene.particles()), step, 1e-4 * step);
         // One wall alone would allow far more.
         EXPECT_LT(step, 0.75 * dem::critical_step(p, scene.particles()).step);
         EXPECT_LT(growth(scene, below * step, 2000), bounded);

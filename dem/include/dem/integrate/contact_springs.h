@@ -14,4 +14,9 @@ namespace dem
 ///
 /// The only reader of the contact columns here: what follows sees springs.
 SpringNetwork contact_springs(const Engine &engine, double horizon);
+
+/// Stable step of the lightest stone where three walls meet, for what the
+/// scene may come to [s].
+double corner_step(const EngineParameters &parameters,
+                   const Particles &particles);
 } // namespace dem
