@@ -25,10 +25,11 @@ std::string identity_of(Case parameters)
   const Case defaults;
   parameters.threads = defaults.threads;
   parameters.loading.cycles = defaults.loading.cycles;
-  const int ticks = parameters.output.samples_per_cycle;
   parameters.output = defaults.output;
-  if (parameters.time.step != StepRule::fixed)
-    parameters.output.samples_per_cycle = ticks; // the steps meet them
+  // Steps may change where a cycle ends: Triaxial::restore() looks.
+  const double local_damping = parameters.time.local_damping;
+  parameters.time = defaults.time;
+  parameters.time.local_damping = local_damping;
   parameters.title = defaults.title;
   return resolved_case(parameters);
 }

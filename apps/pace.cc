@@ -5,10 +5,10 @@
 
 namespace spall
 {
-void Pace::begin(double length, double longest_step)
+void Pace::begin(double length, double longest_step, std::int64_t ticks)
 {
   tick = left = length;
-  n_ticks = 0;
+  n_ticks = ticks;
   replan(longest_step);
 }
 

@@ -11,8 +11,9 @@ namespace spall
 class Pace
 {
 public:
-  /// Starts a stage; infinite length: it is not known when it ends [s].
-  void begin(double length, double longest_step);
+  /// Starts a stage, or goes on after `ticks` of it; infinite length: it is
+  /// not known when it ends [s].
+  void begin(double length, double longest_step, std::int64_t ticks = 0);
   /// From now on no step is longer than this [s].
   void replan(double longest_step);
   /// The step was done.

@@ -13,12 +13,12 @@ namespace spall
 namespace
 {
 /// Steps between two looks.
-constexpr std::int64_t look_interval = 100, fixed_interval = 1000;
+constexpr std::int64_t look_interval = 200, fixed_interval = 1000;
 /// Looks between two questions for the frequency of the membrane.
-constexpr std::int64_t membrane_interval = 30;
+constexpr std::int64_t membrane_interval = 15;
 /// The frequency of the membrane may have grown by this since [-].
 constexpr double membrane_headroom = 1.02;
-constexpr double growth = 1.05; // of the step from look to look [-]
+constexpr double growth = 1.1; // of the step from look to look [-]
 /// A step that has changed by this factor is worth a line [-].
 constexpr double noticeable = 1.25;
 
@@ -43,6 +43,19 @@ bool StepWatch::is_due(std::int64_t n_steps) const
   return n_steps % (is_fixed ? fixed_interval : look_interval) == 0;
 }
 
+dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
+                                      const coupling::MembraneDriver *membrane,
+                                      double horizon)
+{
+  if (!membrane)
+    return dem::contact_springs(engine, horizon);
+  dem::SpringNetwork network = membrane->springs(engine, horizon);
+  if (record.membrane_step == 0. || record.n_checks % membrane_interval == 0)
+    record.membrane_step = membrane->stable_time_step();
+  network.point_frequency = membrane_headroom * 2. / record.membrane_step;
+  return network;
+}
+
 void StepWatch::look(const dem::Engine &engine,
                      const coupling::MembraneDriver *membrane,
                      double present_step)
@@ -52,14 +65,7 @@ void StepWatch::look(const dem::Engine &engine,
   // What the stones may reach before the next look.
   const double horizon =
       is_fixed ? 0. : static_cast<double>(look_interval) * present_step;
-  dem::SpringNetwork network = membrane ? membrane->springs(engine, horizon)
-                                        : dem::contact_springs(engine, horizon);
-  if (membrane)
-  {
-    if (record.membrane_step == 0. || record.n_checks % membrane_interval == 0)
-      record.membrane_step = membrane->stable_time_step();
-    network.point_frequency = membrane_headroom * 2. / record.membrane_step;
-  }
+  const dem::SpringNetwork network = springs(engine, membrane, horizon);
   ++record.n_checks;
   const dem::NetworkStep bound = dem::guaranteed_step(network);
   if (is_fixed)
@@ -69,6 +75,17 @@ void StepWatch::look(const dem::Engine &engine,
   spent +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
           .count();
+}
+
+void StepWatch::report(const dem::Engine &engine,
+                       const coupling::MembraneDriver *membrane)
+{
+  const dem::SpringNetwork network = springs(engine, membrane, 0.);
+  const dem::NetworkStep bound = dem::guaranteed_step(network);
+  say(line("%.0f contacts: stable up to %.3g s for sure, unstable above %.3g "
+           "s: ",
+           static_cast<double>(network.n_contacts()), bound.step,
+           dem::sharp_step(network), dem::describe_body(network, bound.body)));
 }
 
 void StepWatch::judge_fixed(const dem::SpringNetwork &network,

@@ -32,10 +32,13 @@ public:
   /// Whether a look is due before this step of the engine.
   bool is_due(std::int64_t n_steps) const;
   /// Looks. With the rules stable and error, `longest` is then at most safety
-  /// times the limit, and grows by no more than a twentieth at a time. With
+  /// times the limit, and grows by no more than a tenth at a time. With
   /// the rule fixed a step above the limit is said in the log.
   void look(const dem::Engine &engine, const coupling::MembraneDriver *membrane,
             double present_step);
+  /// Says what the present contacts allow: bound, sharp limit, which stone.
+  void report(const dem::Engine &engine,
+              const coupling::MembraneDriver *membrane);
   /// The membrane has come or gone: its frequency is asked again.
   void forget_membrane() { record.membrane_step = 0.; }
 
@@ -50,6 +53,10 @@ public:
   void set_state(const StepRecord &state) { record = state; }
 
 private:
+  /// Springs of the contacts, and of the membrane as it was last asked.
+  dem::SpringNetwork springs(const dem::Engine &engine,
+                             const coupling::MembraneDriver *membrane,
+                             double horizon);
   void judge_fixed(const dem::SpringNetwork &network,
                    const dem::NetworkStep &bound, double step);
   void allow(const dem::SpringNetwork &network, const dem::NetworkStep &bound,

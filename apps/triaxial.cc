@@ -201,6 +201,7 @@ void Triaxial::consolidate()
     start_height = plate->height() - lower.z();
     start_volume = volume();
     engine().set_breaking(parameters.breakage.is_active);
+    watch.report(engine(), membrane());
     enter(Stage::loading);
   }
 }
@@ -321,6 +322,8 @@ void Triaxial::save(std::ostream &out) const
 {
   dem::write_value(out, now);
   dem::write_value(out, in_stage);
+  dem::write_value(out, parameters.time);
+  dem::write_value(out, cycle_ticks);
   dem::write_value(out, pace);
   dem::write_value(out, stage_ticks);
   dem::write_value(out, watch.state());
@@ -343,6 +346,10 @@ void Triaxial::restore(std::istream &in)
 {
   dem::read_value(in, now);
   dem::read_value(in, in_stage);
+  TimeParameters time_then;
+  std::int64_t ticks_then = 0;
+  dem::read_value(in, time_then);
+  dem::read_value(in, ticks_then);
   dem::read_value(in, pace);
   dem::read_value(in, stage_ticks);
   StepRecord record;
@@ -374,6 +381,7 @@ void Triaxial::restore(std::istream &in)
   }
   if (driver)
     driver->restore(in);
+  resume_pace(time_then, ticks_then);
   if (now == Stage::done && pace.ticks() < n_cycles * cycle_ticks)
     now = Stage::loading;
 }

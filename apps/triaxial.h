@@ -97,6 +97,7 @@ private:
   bool is_fixed() const;
   double longest_step() const;
   void settle_step();
+  void resume_pace(const TimeParameters &then, std::int64_t ticks_then);
   void start_probe();
   void follow_probe();
   void gather(Window &window) const;

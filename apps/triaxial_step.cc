@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace spall
@@ -50,6 +51,24 @@ void Triaxial::settle_step()
   if (parameters.time.step == StepRule::error && pace.is_on_tick())
     start_probe();
   watch.note_used(pace.step());
+}
+
+/// A run may go on with other steps where a load cycle ends.
+void Triaxial::resume_pace(const TimeParameters &then, std::int64_t ticks_then)
+{
+  if (then.step == parameters.time.step && cycle_ticks == ticks_then &&
+      (!is_fixed() || then.fixed_step == parameters.time.fixed_step))
+    return;
+  if (now < Stage::loading || !pace.is_on_tick() ||
+      pace.ticks() % ticks_then != 0)
+    throw std::runtime_error(
+        "is not at the end of a load cycle: Time/step, Time/fixed_step and "
+        "(rules stable and error) Output/samples_per_cycle must be as before");
+  probe = {};
+  watch.set_state(StepWatch(parameters.time, setup.cap).state());
+  watch.look(engine(), membrane(), setup.step);
+  pace.begin(period() / static_cast<double>(cycle_ticks), longest_step(),
+             pace.ticks() / ticks_then * cycle_ticks);
 }
 
 /// Runs ahead with the present step, comes back, and halves the step.

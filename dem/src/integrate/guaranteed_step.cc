@@ -11,60 +11,108 @@ namespace
 {
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// What a unit force at one side of a contact moves: across the plane, along
-/// it at most [1/kg].
-struct Compliance
-{
-  double normal = 0., shear = 0.;
-
-  Compliance &operator+=(const Compliance &other)
-  {
-    normal += other.normal;
-    shear += other.shear;
-    return *this;
-  }
-};
-
-/// Of one body, with this weight and lever.
-Compliance compliance_of(const SpringNetwork &network, std::size_t k,
-                         std::size_t body, double weight, const Vec3 &lever)
-{
-  const double over_mass = weight * weight / network.mass[body];
-  Compliance c{over_mass, over_mass};
-  if (body < network.n_stones())
-  {
-    c.normal +=
-        lever.cross(network.normal[k]).squaredNorm() / network.inertia[body];
-    c.shear += lever.squaredNorm() / network.inertia[body];
-  }
-  return c;
-}
-
-/// Calls visit(body, compliance) for the bodies of contact k.
+/// Calls visit(body, |w|, lever) for the bodies of contact k.
 template <class Visit>
 void visit_sides(const SpringNetwork &network, std::size_t k,
                  const Visit &visit)
 {
-  const auto a = static_cast<std::size_t>(network.a[k]);
-  visit(a, compliance_of(network, k, a, 1., network.lever_a[k]));
+  visit(static_cast<std::size_t>(network.a[k]), 1., network.lever_a[k]);
   for (const FarShare &share : network.b[k])
     if (share.body >= 0 && share.weight != 0.)
-    {
-      const auto b = static_cast<std::size_t>(share.body);
-      visit(b, compliance_of(network, k, b, share.weight, network.lever_b[k]));
-    }
+      visit(static_cast<std::size_t>(share.body), std::abs(share.weight),
+            network.lever_b[k]);
 }
 
-/// Of all bodies together.
-Compliance compliance(const SpringNetwork &network, std::size_t k)
+/// Trace of the springs and dashpots of contact k over one of its bodies
+/// alone, of weight 1: at most, since a lever counts as across the plane.
+Quadratic trace_over(const SpringNetwork &network, std::size_t k,
+                     std::size_t body, const Vec3 &lever)
 {
-  Compliance sum;
+  double along = 1. / network.mass[body], across = along;
+  if (body < network.n_stones())
+  {
+    along +=
+        lever.cross(network.normal[k]).squaredNorm() / network.inertia[body];
+    across += lever.squaredNorm() / network.inertia[body];
+  }
+  return {along * network.normal_stiffness[k] +
+              2. * across * network.shear_stiffness[k],
+          along * network.normal_dashpot[k] +
+              2. * across * network.shear_dashpot[k]};
+}
+
+/// One body of one contact, flat.
+struct Side
+{
+  std::size_t body = 0;
+  double weight = 0.;   ///< |w| [-]
+  double strength = 0.; ///< trace over the body at some step [-]
+};
+
+/// Amplitudes y of all bodies that share out the contacts: of contact k body i
+/// has alpha = |w_i| y_i / sum_j |w_j| y_j. Any y > 0 gives a bound; these are
+/// some steps towards the largest mode of the matrix of sizes.
+std::vector<double> amplitudes(const SpringNetwork &network)
+{
+  std::vector<Quadratic> alone(network.n_bodies());
+  for (std::size_t k = 0; k < network.n_contacts(); ++k)
+    visit_sides(network, k,
+                [&](std::size_t body, double weight, const Vec3 &lever)
+                {
+                  const Quadratic own = trace_over(network, k, body, lever);
+                  alone[body].spring += weight * own.spring;
+                  alone[body].dashpot += weight * own.dashpot;
+                });
+  double step = std::numeric_limits<double>::infinity();
+  for (const Quadratic &body : alone)
+    step = std::min(step, body.root());
+  std::vector<double> y(network.n_bodies(), 1.), next(y.size());
+  if (std::isinf(step))
+    return y;
+  std::vector<Side> sides;
+  std::vector<std::size_t> first{0};
+  for (std::size_t k = 0; k < network.n_contacts(); ++k)
+  {
+    visit_sides(
+        network, k,
+        [&](std::size_t body, double weight, const Vec3 &lever)
+        {
+          sides.push_back(
+              {body, weight, trace_over(network, k, body, lever).at(step)});
+        });
+    first.push_back(sides.size());
+  }
+  constexpr int n_steps = 6;
+  for (int pass = 0; pass < n_steps; ++pass)
+  {
+    std::fill(next.begin(), next.end(), 0.);
+    for (std::size_t k = 0; k + 1 < first.size(); ++k)
+    {
+      double sum = 0.;
+      for (std::size_t s = first[k]; s < first[k + 1]; ++s)
+        sum += sides[s].weight * y[sides[s].body];
+      for (std::size_t s = first[k]; s < first[k + 1]; ++s)
+        next[sides[s].body] += sides[s].weight * sides[s].strength * sum;
+    }
+    // A body that nothing holds keeps some amplitude: it divides.
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] = std::max(next[i], 1e-30);
+  }
+  return y;
+}
+
+/// sum |w| y of contact k.
+double amplitude_of(const SpringNetwork &network, std::size_t k,
+                    const std::vector<double> &y)
+{
+  double sum = 0.;
   visit_sides(network, k,
-              [&sum](std::size_t, const Compliance &own) { sum += own; });
+              [&](std::size_t body, double weight, const Vec3 &)
+              { sum += weight * y[body]; });
   return sum;
 }
 
-/// The same for turning: sum 1 / I over its stones [1/(kg m^2)].
+/// sum 1 / I over the stones of contact k [1/(kg m^2)].
 double turning_compliance(const SpringNetwork &network, std::size_t k)
 {
   double sum = 1. / network.inertia[static_cast<std::size_t>(network.a[k])];
@@ -74,8 +122,8 @@ double turning_compliance(const SpringNetwork &network, std::size_t k)
   return sum;
 }
 
-/// Springs and dashpots of one body over its mass, each contact divided by
-/// its share alpha in it [1/s^2], [1/s].
+/// Springs and dashpots of one body over its mass, each contact with the
+/// body's w^2 / alpha in it [1/s^2], [1/s].
 struct Block
 {
   Mat6 spring = Mat6::Zero(), dashpot = Mat6::Zero();
@@ -96,21 +144,16 @@ Mat3 cross_matrix(const Vec3 &v)
   return m;
 }
 
-/// Adds what contact k is to one of its bodies, which has this part `own` in
-/// the compliance of `all`.
+/// Adds what contact k is to one of its bodies; `share` is w^2 / alpha.
 void add_contact(const SpringNetwork &network, std::size_t k, std::size_t body,
-                 const Compliance &own, const Compliance &all, Block &block)
+                 double share, Block &block)
 {
   const Vec3 &n = network.normal[k];
-  // 1 / (alpha m); a point's weight is in its compliance already.
-  const double weight =
-      body < network.n_stones() ? 1. / network.mass[body] : own.normal;
-  const double normal = weight * all.normal / own.normal,
-               shear = weight * all.shear / own.shear;
-  const Mat3 spring = spring_tensor(n, normal * network.normal_stiffness[k],
-                                    shear * network.shear_stiffness[k]);
-  const Mat3 dashpot = spring_tensor(n, normal * network.normal_dashpot[k],
-                                     shear * network.shear_dashpot[k]);
+  const double weight = share / network.mass[body];
+  const Mat3 spring = spring_tensor(n, weight * network.normal_stiffness[k],
+                                    weight * network.shear_stiffness[k]);
+  const Mat3 dashpot = spring_tensor(n, weight * network.normal_dashpot[k],
+                                     weight * network.shear_dashpot[k]);
   block.spring.topLeftCorner<3, 3>() += spring;
   block.dashpot.topLeftCorner<3, 3>() += dashpot;
   if (body >= network.n_stones())
@@ -157,29 +200,27 @@ double step_of(const Block &block, double step)
 }
 
 /// Bounds of the traces of all blocks, so of their eigenvalues: rough, quick.
-std::vector<Quadratic> traces(const SpringNetwork &network)
+std::vector<Quadratic> traces(const SpringNetwork &network,
+                              const std::vector<double> &y)
 {
   std::vector<Quadratic> trace(network.n_bodies());
   for (std::size_t i = network.n_stones(); i < network.n_bodies(); ++i)
     trace[i].spring = 3. * network.point_frequency * network.point_frequency;
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
   {
-    const Compliance all = compliance(network, k);
-    const double turning = turning_compliance(network, k);
-    visit_sides(
-        network, k,
-        [&](std::size_t body, const Compliance &)
-        {
-          // tr(J^T T J) / m over alpha: the normal direction has the
-          // compliance own.normal, the two of the plane together no more than
-          // twice own.shear; alpha is their share in `all`.
-          trace[body].spring += all.normal * network.normal_stiffness[k] +
-                                2. * all.shear * network.shear_stiffness[k];
-          trace[body].dashpot += all.normal * network.normal_dashpot[k] +
-                                 2. * all.shear * network.shear_dashpot[k];
-          if (body < network.n_stones())
-            trace[body].spring += 2. * turning * network.rolling_stiffness[k];
-        });
+    const double sum = amplitude_of(network, k, y);
+    const double rolling =
+        2. * turning_compliance(network, k) * network.rolling_stiffness[k];
+    visit_sides(network, k,
+                [&](std::size_t body, double weight, const Vec3 &lever)
+                {
+                  const double share = weight * sum / y[body];
+                  const Quadratic own = trace_over(network, k, body, lever);
+                  trace[body].spring += share * own.spring;
+                  trace[body].dashpot += share * own.dashpot;
+                  if (body < network.n_stones())
+                    trace[body].spring += rolling;
+                });
   }
   return trace;
 }
@@ -199,6 +240,7 @@ namespace
 {
 /// Blocks of these bodies.
 std::vector<Block> blocks_of(const SpringNetwork &network,
+                             const std::vector<double> &y,
                              const std::vector<std::size_t> &bodies)
 {
   std::vector<std::int32_t> row(network.n_bodies(), -1);
@@ -217,12 +259,12 @@ std::vector<Block> blocks_of(const SpringNetwork &network,
                      [&](const FarShare &share)
                      { return is_asked(share.body); }))
       continue;
-    const Compliance all = compliance(network, k);
+    const double sum = amplitude_of(network, k, y);
     visit_sides(network, k,
-                [&](std::size_t body, const Compliance &own)
+                [&](std::size_t body, double weight, const Vec3 &)
                 {
                   if (row[body] >= 0)
-                    add_contact(network, k, body, own, all,
+                    add_contact(network, k, body, weight * sum / y[body],
                                 block[static_cast<std::size_t>(row[body])]);
                 });
   }
@@ -230,9 +272,13 @@ std::vector<Block> blocks_of(const SpringNetwork &network,
 }
 } // namespace
 
-NetworkStep guaranteed_step(const SpringNetwork &network)
+namespace
 {
-  const std::vector<Quadratic> trace = traces(network);
+/// The bound of these amplitudes.
+NetworkStep step_with(const SpringNetwork &network,
+                      const std::vector<double> &y)
+{
+  const std::vector<Quadratic> trace = traces(network, y);
   // The body with the largest trace first: it sets the limit, or nearly so.
   std::size_t first = 0;
   double rough = std::numeric_limits<double>::infinity();
@@ -248,7 +294,7 @@ NetworkStep guaranteed_step(const SpringNetwork &network)
   // A sixth of a trace is no more than its largest eigenvalue, and the sums
   // are at most twice the traces: root(trace / 12) is not below the limit.
   limit = {
-      step_of(blocks_of(network, {first}).front(),
+      step_of(blocks_of(network, y, {first}).front(),
               Quadratic{trace[first].spring / 12., trace[first].dashpot / 12.}
                   .root()),
       static_cast<std::int32_t>(first)};
@@ -257,13 +303,26 @@ NetworkStep guaranteed_step(const SpringNetwork &network)
   for (std::size_t i = 0; i < trace.size(); ++i)
     if (i != first && trace[i].at(limit.step) > 4.)
       others.push_back(i);
-  const std::vector<Block> block = blocks_of(network, others);
+  const std::vector<Block> block = blocks_of(network, y, others);
   for (std::size_t r = 0; r < others.size(); ++r)
     if (trace[others[r]].at(limit.step) > 4.)
       if (const double step = step_of(block[r], limit.step); step < limit.step)
         limit = {step, static_cast<std::int32_t>(others[r])};
   limit.step *= 1. - 1e-9; // what the iteration may have left above
   return limit;
+}
+} // namespace
+
+NetworkStep guaranteed_step(const SpringNetwork &network)
+{
+  // Both are bounds. Shares by mass suit stones of like load, those of the mode
+  // suit light nodes between stones.
+  std::vector<double> over_mass;
+  for (const double mass : network.mass)
+    over_mass.push_back(1. / mass);
+  const NetworkStep by_mass = step_with(network, over_mass),
+                    by_mode = step_with(network, amplitudes(network));
+  return by_mass.step > by_mode.step ? by_mass : by_mode;
 }
 
 std::string describe_body(const SpringNetwork &network, std::int32_t body)
@@ -277,7 +336,7 @@ std::string describe_body(const SpringNetwork &network, std::int32_t body)
     const std::int32_t other = network.b[k][0].body;
     bool is_here = false;
     visit_sides(network, k,
-                [&](std::size_t i, const Compliance &)
+                [&](std::size_t i, double, const Vec3 &)
                 { is_here |= i == static_cast<std::size_t>(body); });
     if (is_here)
       ++(other < 0 ? n_walls : other < n ? n_stones : n_surface);

@@ -171,9 +171,10 @@ TEST(EngineNetworkStep, ChainBetweenWalls)
       std::sqrt(mass / k) / std::cos(0.5 * std::numbers::pi / (n + 1));
   const double step = dem::sharp_step(network);
   EXPECT_NEAR(step, exact, 1e-7 * exact);
-  // The bound is the limit of long chains.
-  EXPECT_NEAR(dem::guaranteed_step(network).step, std::sqrt(mass / k),
-              1e-7 * exact);
+  // The bound is not below the limit of long chains.
+  const double bound = dem::guaranteed_step(network).step;
+  EXPECT_LE(bound, step);
+  EXPECT_GE(bound, std::sqrt(mass / k) * (1. - 1e-7));
   // A row under pressure buckles: disturbed along its axis only.
   EXPECT_LT(growth(engine, below * step, 2000, 1e-9 * Vec3::UnitX()), bounded);
   dem::Engine again = make();

@@ -55,10 +55,9 @@ struct NetworkStep
 /// lambda_max(M^-1 (dt^2 K + 2 dt C)) <= 4 (docs/theory/time_step.md).
 ///
 /// guaranteed_step() never exceeds the largest such dt: each contact is split
-/// between its bodies, |d_a - d_b|^2 <= |d_a|^2 / alpha + |d_b|^2 / (1 - alpha)
-/// with alpha = (1/m_a) / (1/m_a + 1/m_b), and the eigenvalues of single bodies
-/// bound the sum. Exact for one stone on any number of walls and for two
-/// stones. Infinite without contacts.
+/// between its bodies, |sum w d|^2 <= sum |w d|^2 / alpha with sum alpha = 1,
+/// and the eigenvalues of single bodies bound the whole. Exact for one stone on
+/// any number of walls and for two stones. Infinite without contacts.
 NetworkStep guaranteed_step(const SpringNetwork &network);
 
 /// The largest stable dt [s] by Lanczos iteration, which comes from below in
