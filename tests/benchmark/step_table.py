@@ -37,7 +37,7 @@ def rules():
             f"Time/fixed_step={1e-6 * step * (1. + 1e-9 * n):.12g}")
     yield "stable, 0.8", lambda n: (
         "Time/step=stable", f"Time/safety={0.8 * (1. + 1e-9 * n):.12g}")
-    for name, tolerance in (("1 %", 0.01), ("0.1 %", 0.001)):
+    for name, tolerance in (("0.1 %", 1e-3), ("0.01 %", 1e-4)):
         yield f"error, {name}", lambda n, tolerance=tolerance: (
             "Time/step=error", f"Time/safety={0.8 * (1. + 1e-9 * n):.12g}",
             f"Time/force_tolerance={tolerance:g}",
