@@ -229,8 +229,8 @@ void add_time(List &list, TimeParameters &t)
             "cycle."},
            t.force_tolerance, above(0., 1.));
   list.add({"energy_tolerance", "-",
-            "Rule error: energy residual of a load cycle over its external "
-            "work."},
+            "Rule error: energy residual of a load cycle that the step makes, "
+            "over its external work."},
            t.energy_tolerance, above(0., 1.));
   list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while loading."},
            t.local_damping, below(0., 1.));

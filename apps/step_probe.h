@@ -10,6 +10,7 @@ struct Window
   double axial = 0., lateral = 0.; ///< sums of the boundary forces [N]
   double residual = 0.;            ///< change of the energy residual [J]
   double work = 0.;                ///< size of the external work [J]
+  double stored = 0.;              ///< elastic energy at the end [J]
 };
 
 /// Where a probe stands, and what the last ones found; plain data for the
@@ -21,14 +22,18 @@ struct ProbeState
   double coarse_step = 0.;    ///< [s]
   Window coarse, fine;
   double residual_start = 0., work_start = 0.; ///< at the window's start [J]
-  double longest = 0.;        ///< that the tolerances allow; 0: not asked [s]
-  double force_variance = 0.; ///< running mean of squared errors [-]
-  double residual_power = 0.; ///< running mean, signed [W]
-  double work_power = 0.;     ///< running mean of sizes [W]
+  double longest = 0.; ///< that the tolerances allow; 0: not asked [s]
+  /// Running means over a load cycle, carried over to the present step: of
+  /// squared force errors [-], of the residual that falls with the step, signed
+  /// [W].
+  double force_variance = 0., residual_power = 0.;
+  double work_power = 0.;   ///< running mean of sizes [W]
+  double stored_power = 0.; ///< ProbeScene::stored_power, last [W]
   std::int64_t n_probes = 0, n_extra_steps = 0;
 };
 
-/// Relative errors of one load cycle as the probes estimate them [-].
+/// Relative errors of one load cycle with the present step, as the probes
+/// estimate them; energy over external work or, if more, stored energy [-].
 struct StepErrors
 {
   double force = 0., energy = 0.;
@@ -36,9 +41,17 @@ struct StepErrors
 
 StepErrors errors_of(const ProbeState &state);
 
-/// Takes in the two runs of a window, both over `duration` [s], and sets the
-/// longest step that the tolerances allow, between a twentieth of `stable` and
-/// `stable` [s]; `n_per_cycle` probes are one load cycle.
-void adapt(const TimeParameters &parameters, double duration, double stable,
-           int n_per_cycle, ProbeState &state);
+/// What a probe must know besides.
+struct ProbeScene
+{
+  double duration = 0.;     ///< of the window [s]
+  double stable = 0.;       ///< longest step without tolerances [s]
+  double stored_power = 0.; ///< elastic energy over the load period [W]
+  int n_per_cycle = 1;      ///< probes that are one load cycle [-]
+};
+
+/// Takes in the two runs of a window and sets the longest step that the
+/// tolerances allow, between a twentieth of the stable one and that.
+void adapt(const TimeParameters &parameters, const ProbeScene &scene,
+           ProbeState &state);
 } // namespace spall

@@ -113,8 +113,10 @@ void Triaxial::follow_probe()
   const double before = longest_step();
   const double duration =
       static_cast<double>(probe.n_coarse) * probe.coarse_step;
-  adapt(parameters.time, duration, watch.state().longest,
-        static_cast<int>(cycle_ticks), probe);
+  adapt(parameters.time,
+        {duration, watch.state().longest, probe.fine.stored / period(),
+         static_cast<int>(cycle_ticks)},
+        probe);
   // The limit of the contacts may have come down while the probe ran.
   pace.replan(longest_step());
   const double change = longest_step() / before;
@@ -149,6 +151,7 @@ void Triaxial::close_window(Window &window) const
   add_energies(energies);
   window.residual = energies.energy_residual - probe.residual_start;
   window.work = std::abs(energies.external_work - probe.work_start);
+  window.stored = energies.elastic_energy + energies.membrane_strain_energy;
 }
 
 std::vector<dem::BreakageEvent> Triaxial::take_events()

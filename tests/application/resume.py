@@ -53,6 +53,29 @@ def faults_of(name, folder, whole, frames_too=True):
                      if key != "wall_clock_s" and mine.get(key) != value]
 
 
+def other_step_faults(spall, root, lateral, go):
+    """Where a cycle ends a run goes on with another step, elsewhere not."""
+    go("other", "--until", "1")
+    go("other", "--resume", settings=("Time/step=stable",))
+    found, faults = summary(root / "other"), []
+    if found["cycles_1"] != 2. or "longest_step_s" not in found:
+        faults.append("other step: the run did not go on with it")
+    go("within", "--until", "1")
+    state = root / "within" / "checkpoint" / "state.bin"
+    before = time_of(state)
+    faults += stop_when(lambda: time_of(state) != before, spall,
+                        root / "within", lateral, "--resume",
+                        settings=("Loading/cycles=50",))
+    ended = subprocess.run(
+        command(spall, root / "within", lateral, "--resume",
+                settings=(*QUICK, "Loading/cycles=50", "Time/step=stable")),
+        capture_output=True, text=True, check=False)
+    if ended.returncode != 1 or "end of a load cycle" not in ended.stderr:
+        faults.append(f"other step within a cycle: status {ended.returncode}, "
+                      f"{ended.stderr}")
+    return faults
+
+
 def main():
     spall, lateral = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
     extra = sys.argv[3:]
@@ -87,6 +110,8 @@ def main():
                             lateral, "--resume", settings=extra)
         go("stopped", "--resume")
         faults += faults_of("SIGTERM", stopped, root / "whole")
+        if lateral == "rigid":
+            faults += other_step_faults(spall, root, lateral, go)
     return report_faults(faults)
 
 

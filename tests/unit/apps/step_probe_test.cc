@@ -4,15 +4,16 @@
 
 namespace
 {
-constexpr double stable = 4e-6, duration = 1e-4;
+constexpr double stable = 4e-6;
+const spall::ProbeScene scene{1e-4, stable, 0., 20};
 
 /// One probe at `step` of a scheme whose force error is share (dt / stable)^2.
 void probe(spall::ProbeState &state, double step, double share)
 {
   const double coarse = share * std::pow(step / stable, 2);
   state.coarse_step = step;
-  state.coarse = {1. + coarse, 1., 0., 1.};
-  state.fine = {1. + 0.25 * coarse, 1., 0., 1.};
+  state.coarse = {1. + coarse, 1., 0., 1., 0.};
+  state.fine = {1. + 0.25 * coarse, 1., 0., 1., 0.};
 }
 
 /// Where the step settles.
@@ -25,7 +26,7 @@ double settled(double share, double tolerance)
   for (int n = 0; n < 400; ++n)
   {
     probe(state, step, share);
-    spall::adapt(parameters, duration, stable, 20, state);
+    spall::adapt(parameters, scene, state);
     step = state.longest;
   }
   return step;
@@ -52,9 +53,9 @@ TEST(StepProbe, EstimatesTheErrorOfTheCoarseRun)
   spall::ProbeState state;
   probe(state, stable, 1e-3);
   state.coarse.residual = 0.002;
-  spall::adapt({}, duration, stable, 20, state);
+  spall::adapt({}, scene, state);
   EXPECT_NEAR(spall::errors_of(state).force, 1e-3, 1e-6); // second order of it
-  EXPECT_NEAR(spall::errors_of(state).energy, 0.002, 1e-15);
+  EXPECT_NEAR(spall::errors_of(state).energy, 4. / 3. * 0.002, 1e-15);
   EXPECT_EQ(state.n_probes, 1);
 }
 
@@ -65,8 +66,37 @@ TEST(StepProbe, EnergyErrorIsSigned)
   for (int n = 0; n < 20; ++n)
   {
     probe(state, stable, 0.);
-    state.coarse.residual = n % 2 == 0 ? 0.1 : -0.1;
-    spall::adapt({}, duration, stable, 20, state);
+    state.coarse.residual = n % 2 == 0 ? 1e-3 : -1e-3;
+    spall::adapt({}, scene, state);
   }
   EXPECT_NEAR(spall::errors_of(state).energy, 0., 1e-12);
+}
+
+// Where the load turns there is hardly any work: the stored energy counts.
+TEST(StepProbe, StoredEnergyIsTheLeastScale)
+{
+  spall::ProbeState state;
+  probe(state, stable, 0.);
+  state.coarse.work = 0.;
+  state.coarse.residual = 1e-7;
+  spall::ProbeScene turning = scene;
+  turning.stored_power = 1.;
+  spall::adapt({}, turning, state);
+  EXPECT_NEAR(spall::errors_of(state).energy, 4. / 3. * 1e-3, 1e-12);
+}
+
+// One outlier shortens the step once, not again and again.
+TEST(StepProbe, OutlierIsCarriedOver)
+{
+  spall::ProbeState state;
+  probe(state, stable, 0.04);
+  spall::adapt({}, scene, state);
+  const double after = state.longest;
+  EXPECT_LT(after, 0.6 * stable);
+  for (int n = 0; n < 5; ++n)
+  {
+    probe(state, state.longest, 0.);
+    spall::adapt({}, scene, state);
+  }
+  EXPECT_GT(state.longest, 0.9 * after);
 }
