@@ -354,7 +354,6 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, stage_ticks);
   StepRecord record;
   dem::read_value(in, record);
-  watch.set_state(record);
   dem::read_value(in, probe);
   dem::read_value(in, preparation);
   dem::read_value(in, lower);
@@ -370,6 +369,7 @@ void Triaxial::restore(std::istream &in)
       build_membrane();
     mass += driver->rim_mass();
   }
+  watch.set_state(record); // a new membrane would have it asked anew
   engine().restore(in, specimen.library);
   servo.restore(in);
   if (has_boundaries)
