@@ -23,8 +23,9 @@ enum class Lateral
 
 enum class StepRule
 {
-  fixed, ///< Time/fixed_step
-  stable ///< Time/safety times the critical step of the scene
+  fixed,  ///< Time/fixed_step
+  stable, ///< at most Time/safety times what the present contacts allow
+  error   ///< as stable, and short enough for the tolerances
 };
 
 enum class SurfaceFrames
@@ -78,9 +79,11 @@ struct LoadingParameters
 struct TimeParameters
 {
   StepRule step = StepRule::fixed;
-  double fixed_step = 1e-6;   ///< [s]
-  double safety = 0.8;        ///< of the critical step, rule stable [-]
-  double local_damping = 0.5; ///< D_a while loading (article, Table 2) [-]
+  double fixed_step = 1e-6;       ///< [s]
+  double safety = 0.8;            ///< of the limit, rules stable and error [-]
+  double force_tolerance = 0.01;  ///< of a load cycle, rule error [-]
+  double energy_tolerance = 0.01; ///< of a load cycle, rule error [-]
+  double local_damping = 0.5;     ///< D_a while loading (article, Table 2) [-]
 };
 
 struct OutputParameters

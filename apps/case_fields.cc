@@ -216,12 +216,22 @@ void add_time(List &list, TimeParameters &t)
 {
   list.in("Time");
   list.add({"step", "-",
-            "fixed: fixed_step; stable: safety times the critical step."},
-           t.step, {"fixed", "stable"});
+            "fixed: fixed_step; stable: safety times what the present contacts "
+            "allow; error: as stable, and within the two tolerances."},
+           t.step, {"fixed", "stable", "error"});
   list.add({"fixed_step", "s", "Time step of the rule fixed."}, t.fixed_step,
            above(0., 1e-2));
-  list.add({"safety", "-", "Share of the critical step, rule stable."},
+  list.add({"safety", "-",
+            "Largest share of the stable step, rules stable and error."},
            t.safety, above(0., 1.));
+  list.add({"force_tolerance", "-",
+            "Rule error: of the boundary forces, root mean square of a load "
+            "cycle."},
+           t.force_tolerance, above(0., 1.));
+  list.add({"energy_tolerance", "-",
+            "Rule error: energy residual of a load cycle that the step makes, "
+            "over its external work."},
+           t.energy_tolerance, above(0., 1.));
   list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while loading."},
            t.local_damping, below(0., 1.));
 }

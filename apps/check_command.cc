@@ -3,6 +3,8 @@
 #include "errors.h"
 #include "triaxial.h"
 
+#include <dem/integrate/contact_springs.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -91,6 +93,9 @@ void print_step(const Triaxial &test)
       dem::critical_step(test.engine().parameters(), test.engine().particles());
   std::printf("time step        %.4g s, stable up to %.4g s (%s)\n",
               test.time_step(), limit.step, limit.reason.c_str());
+  std::printf(
+      "in a corner      %.4g s (the same stone on three walls)\n",
+      dem::corner_step(test.engine().parameters(), test.engine().particles()));
   if (test.gain())
     std::printf("exchange gain    %.4g, stable below %.4g\n", test.gain()->gain,
                 test.gain()->limit);
@@ -101,9 +106,9 @@ void print_cost(const Case &parameters, const Triaxial &test)
   double cost = packed_step_cost(parameters);
   if (test.gain())
     cost += membrane_step_cost(parameters);
-  const double steps =
-      static_cast<double>(test.steps_per_cycle()) * parameters.loading.cycles +
-      parameters.loading.consolidation_time / test.time_step();
+  const double steps = (test.period() * parameters.loading.cycles +
+                        parameters.loading.consolidation_time) /
+                       test.time_step();
   std::printf("memory           %.0f MiB\n", memory_in_use());
   std::printf("predicted time   %.3g s for %.4g steps after the preparation "
               "(%.3g ms each)\n",

@@ -12,7 +12,7 @@ namespace spall
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x314c4c4150530a02; // names this layout
+constexpr std::uint64_t magic = 0x314c4c4150530a03; // names this layout
 
 using dem::read_column;
 using dem::read_value;
@@ -26,6 +26,10 @@ std::string identity_of(Case parameters)
   parameters.threads = defaults.threads;
   parameters.loading.cycles = defaults.loading.cycles;
   parameters.output = defaults.output;
+  // Steps may change where a cycle ends: Triaxial::restore() looks.
+  const double local_damping = parameters.time.local_damping;
+  parameters.time = defaults.time;
+  parameters.time.local_damping = local_damping;
   parameters.title = defaults.title;
   return resolved_case(parameters);
 }

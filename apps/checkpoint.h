@@ -31,7 +31,8 @@ void require_checkpoint(const std::filesystem::path &path);
 
 /// Brings test and files back. Throws InputError if there is no checkpoint, it
 /// is damaged, or it belongs to a case with other parameters (number of cycles,
-/// output and threads may differ).
+/// output and threads may differ, the choice of the step at the end of a
+/// cycle).
 void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
                      Triaxial &test, Progressed &done);
 } // namespace spall

@@ -137,9 +137,9 @@ void Recorder::after_step(Triaxial &test)
     if (test.stage_steps() % preparation_interval == 0)
       write_history(test);
   }
-  else
+  else if (test.is_on_tick())
   {
-    const std::int64_t n = test.steps_per_cycle(), step = test.stage_steps();
+    const std::int64_t n = test.ticks_per_cycle(), step = test.ticks();
     const auto is_due = [&](std::int64_t times)
     { return times > 0 && (step * times) / n != ((step - 1) * times) / n; };
     if (step == 0 || is_due(parameters.output.samples_per_cycle))
@@ -185,9 +185,8 @@ void Recorder::write_history(Triaxial &test)
 
 void Recorder::write_events(Triaxial &test)
 {
-  const double period =
-      static_cast<double>(test.steps_per_cycle()) * test.time_step();
-  for (const dem::BreakageEvent &e : test.engine().take_events())
+  const double period = test.period();
+  for (const dem::BreakageEvent &e : test.take_events())
   {
     // From times alone, so that it does not matter when the row is written;
     // stones break from the start of loading only.

@@ -157,6 +157,8 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
     threads.before_step();
     test.advance();
     recorder.after_step(test);
+    for (const std::string &note : test.take_notes())
+      progress.say(note);
     if (was_preparing && test.stage() != Stage::preparation)
       describe_preparation(progress, test);
     if (test.engine().n_steps() % 64 != 0 || !progress.is_due())

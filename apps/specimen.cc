@@ -105,22 +105,10 @@ Specimen make_specimen(const Case &parameters)
   return specimen;
 }
 
-double choose_step(const Case &parameters, const dem::Engine &engine)
+namespace
 {
-  const dem::StepLimit limit =
-      dem::critical_step(engine.parameters(), engine.particles());
-  if (parameters.time.step == StepRule::stable)
-    return parameters.time.safety * limit.step;
-  if (parameters.time.fixed_step > limit.step)
-    throw InputError(parameters.file + ": Time/fixed_step = " +
-                     in_four_digits(parameters.time.fixed_step) +
-                     " s: must be at most " + in_four_digits(limit.step) +
-                     " s, set by: " + limit.reason);
-  return parameters.time.fixed_step;
-}
-
-coupling::ExchangeGain check_gain(const Case &parameters,
-                                  const dem::Engine &engine, double time_step)
+coupling::ExchangeGain gain_of(const Case &parameters,
+                               const dem::Engine &engine, double time_step)
 {
   const int n = parameters.boundary.elements_per_side;
   const fem::Membrane membrane(
@@ -131,17 +119,62 @@ coupling::ExchangeGain check_gain(const Case &parameters,
   const auto mass = membrane.nodal_mass();
   const double lightest_free = *std::max_element(mass.begin(), mass.end());
   const dem::WallMaterial &contact = parameters.membrane_contact;
-  const coupling::ExchangeGain gain = coupling::exchange_gain(
+  return coupling::exchange_gain(
       {contact.normal_stiffness, contact.normal_damping,
        engine.particles().smallest_mass()},
       {&lightest_free, 1}, membrane.stable_time_step(), time_step);
+}
+
+void check_fixed(const Case &parameters, const dem::StepLimit &limit)
+{
+  if (parameters.time.fixed_step > limit.step)
+    throw InputError(parameters.file + ": Time/fixed_step = " +
+                     in_four_digits(parameters.time.fixed_step) +
+                     " s: must be at most " + in_four_digits(limit.step) +
+                     " s, set by: " + limit.reason);
+}
+
+void check_gain(const Case &parameters, const coupling::ExchangeGain &gain)
+{
   if (!gain.is_stable())
     throw InputError(
         parameters.file + ": MembraneContact/normal_stiffness = " +
-        in_four_digits(contact.normal_stiffness) +
+        in_four_digits(parameters.membrane_contact.normal_stiffness) +
         " N/m: exchange gain k dt^2/(4 m) = " + in_four_digits(gain.gain) +
         " must be below " + in_four_digits(gain.limit) +
         ": soften the contact, shorten the step or use a heavier membrane");
-  return gain;
+}
+} // namespace
+
+SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
+{
+  const dem::StepLimit limit =
+      dem::critical_step(engine.parameters(), engine.particles());
+  const bool is_fixed = parameters.time.step == StepRule::fixed;
+  const bool has_membrane = parameters.boundary.lateral == Lateral::membrane;
+  SetupStep setup;
+  setup.cap = limit.step;
+  if (is_fixed)
+  {
+    check_fixed(parameters, limit);
+    setup.step = parameters.time.fixed_step;
+  }
+  else
+    setup.step = parameters.time.safety * setup.cap;
+  if (!has_membrane)
+    return setup;
+  setup.gain = gain_of(parameters, engine, setup.step);
+  if (is_fixed)
+    check_gain(parameters, *setup.gain);
+  else
+  {
+    // The gain goes with the square of the step.
+    setup.cap = std::min(setup.cap, setup.step * std::sqrt(setup.gain->limit /
+                                                           setup.gain->gain));
+    const double share = parameters.time.safety * setup.cap / setup.step;
+    setup.step *= share;
+    setup.gain->gain *= share * share;
+  }
+  return setup;
 }
 } // namespace spall

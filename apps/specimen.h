@@ -7,6 +7,7 @@
 #include <dem/engine.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace spall
@@ -27,14 +28,20 @@ dem::EngineParameters engine_parameters(const Case &parameters);
 /// Reads gradation and shapes, draws and places the stones. Throws InputError.
 Specimen make_specimen(const Case &parameters);
 
-/// The time step of the run [s]. Throws InputError if the fixed step is above
-/// the critical one.
-double choose_step(const Case &parameters, const dem::Engine &engine);
+/// The step that a run starts with.
+struct SetupStep
+{
+  double step = 0.; ///< [s]
+  /// Longest for any one stone on one wall, and for one contact on any node of
+  /// the membrane [s].
+  double cap = 0.;
+  std::optional<coupling::ExchangeGain> gain; ///< at `step`; with a membrane
+};
 
-/// Gain of the exchange with the membrane as it will be, on the cube of the
-/// nominal side. Throws InputError above the stable limit.
-coupling::ExchangeGain check_gain(const Case &parameters,
-                                  const dem::Engine &engine, double time_step);
+/// With a membrane as it will be, on the cube of the nominal side. Throws
+/// InputError if the fixed step is above what one wall or the exchange with
+/// the membrane allows.
+SetupStep choose_step(const Case &parameters, const dem::Engine &engine);
 
 /// Total volume of the stones [m^3].
 double solid_volume(const dem::Particles &particles);

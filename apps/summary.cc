@@ -26,6 +26,8 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
     seconds["membrane"] = test.membrane()->clock().membrane;
     seconds["transfer"] = test.membrane()->clock().transfer;
   }
+  seconds["step_watch"] = test.watch_seconds();
+  seconds["step_probe"] = test.probe_seconds();
   seconds["output"] = recorded.output;
   double known = 0.;
   for (const auto &[phase, spent] : seconds)
@@ -55,6 +57,21 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["solid_volume_m3"] = solid_volume(engine.particles());
   out["initial_porosity"] = prepared.porosity;
   out["time_step_s"] = test.time_step();
+  const StepRecord &steps = test.step_record();
+  if (parameters.time.step == StepRule::fixed)
+    out["step_over_limit_1"] = steps.worst_share;
+  else
+  {
+    out["shortest_step_s"] = steps.shortest_used;
+    out["longest_step_s"] = steps.longest_used;
+  }
+  if (parameters.time.step == StepRule::error)
+  {
+    const StepErrors errors = errors_of(test.step_probe());
+    out["force_error_1"] = errors.force;
+    out["energy_error_1"] = errors.energy;
+    out["n_probe_steps"] = test.step_probe().n_extra_steps;
+  }
   out["n_steps"] = engine.n_steps();
   out["n_rebuilds"] = engine.n_rebuilds();
   out["cycles_1"] = record.end.cycle;

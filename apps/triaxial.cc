@@ -25,26 +25,37 @@ Triaxial::Triaxial(const Case &c)
     : parameters(c), specimen(make_specimen(c)),
       servo(specimen.box,
             {c.boundary.servo_response_time, c.preparation.wall_speed}),
-      dt(choose_step(c, *specimen.engine)),
-      cycle_steps(std::llround(1. / (c.loading.frequency * dt))),
-      n_cycles(c.loading.cycles)
+      setup(choose_step(c, *specimen.engine)), watch(c.time, setup.cap),
+      cycle_ticks(is_fixed()
+                      ? std::llround(1. / (c.loading.frequency * setup.step))
+                      : c.output.samples_per_cycle),
+      n_cycles(c.loading.cycles), exchange(setup.gain)
 {
-  if (c.boundary.lateral == Lateral::membrane)
-    exchange = check_gain(c, *specimen.engine, dt);
+  enter(Stage::preparation);
   engine().set_breaking(false);
   for (int d = 0; d < 3; ++d)
     servo.follow(d, c.preparation.pressure);
+}
+
+double Triaxial::period() const
+{
+  return is_fixed() ? static_cast<double>(cycle_ticks) * setup.step
+                    : 1. / parameters.loading.frequency;
 }
 
 double Triaxial::cycle() const
 {
   if (now < Stage::loading)
     return 0.;
-  return static_cast<double>(in_stage) / static_cast<double>(cycle_steps);
+  return (static_cast<double>(pace.ticks()) + pace.share_done()) /
+         static_cast<double>(cycle_ticks);
 }
 
 void Triaxial::advance()
 {
+  if (now == Stage::done)
+    return;
+  settle_step();
   switch (now)
   {
   case Stage::preparation:
@@ -52,7 +63,8 @@ void Triaxial::advance()
   case Stage::consolidation:
     return consolidate();
   case Stage::loading:
-    return load();
+    load();
+    return follow_probe();
   case Stage::done:
     return;
   }
@@ -62,12 +74,23 @@ void Triaxial::enter(Stage next)
 {
   now = next;
   in_stage = 0;
+  const double step = longest_step();
+  if (next == Stage::preparation)
+    return pace.begin(std::numeric_limits<double>::infinity(), step);
+  if (next == Stage::loading)
+    return pace.begin(period() / static_cast<double>(cycle_ticks), step);
+  // Consolidation: two halves, or as many steps as come near to its length.
+  const double length = parameters.loading.consolidation_time;
+  stage_ticks =
+      is_fixed() ? std::max<std::int64_t>(2, std::llround(length / step)) : 2;
+  pace.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
 }
 
 void Triaxial::prepare()
 {
-  servo.update(engine(), dt);
-  engine().advance(dt);
+  servo.update(engine(), pace.step());
+  engine().advance(pace.step());
+  pace.count();
   ++in_stage;
   if (in_stage % rest_interval == 0 && is_at_rest())
   {
@@ -139,16 +162,17 @@ void Triaxial::build_membrane()
   const int n = parameters.boundary.elements_per_side;
   driver.emplace(parameters.membrane, fem::box_sides(lower, upper, {n, n, n}),
                  engine());
+  watch.forget_membrane();
 }
 
 void Triaxial::consolidate()
 {
   // The first half hands over from the planes to the membrane, or from one
   // pressure to the other; the second half is rest.
-  const auto steps = static_cast<double>(std::max<std::int64_t>(
-      2, std::llround(parameters.loading.consolidation_time / dt)));
+  const double done =
+      static_cast<double>(pace.ticks()) + pace.share_after_step();
   const double share =
-      std::min(1., 2. * static_cast<double>(in_stage + 1) / steps);
+      std::min(1., 2. * done / static_cast<double>(stage_ticks));
   const double from = parameters.preparation.pressure,
                to = parameters.loading.confining_pressure;
   const double isotropic = std::lerp(from, to, share);
@@ -172,11 +196,12 @@ void Triaxial::consolidate()
     for (int d = 0; d < 2; ++d)
       servo.follow(d, isotropic);
   step_boundaries(isotropic);
-  if (static_cast<double>(in_stage) >= steps)
+  if (pace.ticks() >= stage_ticks)
   {
     start_height = plate->height() - lower.z();
     start_volume = volume();
     engine().set_breaking(parameters.breakage.is_active);
+    watch.report(engine(), membrane());
     enter(Stage::loading);
   }
 }
@@ -184,17 +209,19 @@ void Triaxial::consolidate()
 void Triaxial::load()
 {
   const LoadingParameters &loading = parameters.loading;
-  const double phase = static_cast<double>((in_stage + 1) % cycle_steps) /
-                       static_cast<double>(cycle_steps);
+  const double phase = (static_cast<double>(pace.ticks() % cycle_ticks) +
+                        pace.share_after_step()) /
+                       static_cast<double>(cycle_ticks);
   step_boundaries(loading.confining_pressure +
                   loading.amplitude * haversine(phase));
-  if (in_stage >= n_cycles * cycle_steps)
+  if (pace.ticks() >= n_cycles * cycle_ticks)
     now = Stage::done;
 }
 
 void Triaxial::step_boundaries(double axial_stress)
 {
   dem::Engine &stones = engine();
+  const double dt = pace.step();
   plate->begin_step(dt);
   dem::Plane &top = stones.planes()[specimen.box[2][1]];
   top.velocity = plate->velocity() * dem::Vec3::UnitZ();
@@ -212,6 +239,7 @@ void Triaxial::step_boundaries(double axial_stress)
     reaction += driver->rim_reaction();
   }
   plate->end_step(-axial_stress * area, reaction, dt);
+  pace.count();
   ++in_stage;
 }
 
@@ -232,7 +260,6 @@ Sample Triaxial::sample(double roundness) const
   const dem::Particles &stones = engine().particles();
   const dem::ContactNetwork network =
       dem::contact_network(stones, engine().pairs());
-  const dem::EngineEnergy energy = engine().energy();
   Sample s;
   s.time = engine().time();
   s.stage = std::min(2., static_cast<double>(now));
@@ -254,6 +281,13 @@ Sample Triaxial::sample(double roundness) const
   s.n_events = static_cast<double>(engine().n_events());
   s.unbalanced_force_ratio =
       dem::unbalanced_force_ratio(stones, engine().pairs());
+  add_energies(s);
+  return s;
+}
+
+void Triaxial::add_energies(Sample &s) const
+{
+  const dem::EngineEnergy energy = engine().energy();
   s.external_work = energy.plane_work + energy.gravity_work;
   s.kinetic_energy = energy.kinetic;
   s.elastic_energy = energy.elastic;
@@ -282,13 +316,18 @@ Sample Triaxial::sample(double roundness) const
       s.external_work -
       (s.kinetic_energy + s.elastic_energy + s.friction + s.rolling +
        s.damping + s.breakage + s.shape_work + s.membrane_strain_energy);
-  return s;
 }
 
 void Triaxial::save(std::ostream &out) const
 {
   dem::write_value(out, now);
   dem::write_value(out, in_stage);
+  dem::write_value(out, parameters.time);
+  dem::write_value(out, cycle_ticks);
+  dem::write_value(out, pace);
+  dem::write_value(out, stage_ticks);
+  dem::write_value(out, watch.state());
+  dem::write_value(out, probe);
   dem::write_value(out, preparation);
   dem::write_value(out, lower);
   dem::write_value(out, upper);
@@ -307,6 +346,15 @@ void Triaxial::restore(std::istream &in)
 {
   dem::read_value(in, now);
   dem::read_value(in, in_stage);
+  TimeParameters time_then;
+  std::int64_t ticks_then = 0;
+  dem::read_value(in, time_then);
+  dem::read_value(in, ticks_then);
+  dem::read_value(in, pace);
+  dem::read_value(in, stage_ticks);
+  StepRecord record;
+  dem::read_value(in, record);
+  dem::read_value(in, probe);
   dem::read_value(in, preparation);
   dem::read_value(in, lower);
   dem::read_value(in, upper);
@@ -317,9 +365,11 @@ void Triaxial::restore(std::istream &in)
   double mass = parameters.boundary.plate_mass;
   if (has_boundaries && parameters.boundary.lateral == Lateral::membrane)
   {
-    build_membrane();
+    if (!driver) // a probe goes back with the one it has
+      build_membrane();
     mass += driver->rim_mass();
   }
+  watch.set_state(record); // a new membrane would have it asked anew
   engine().restore(in, specimen.library);
   servo.restore(in);
   if (has_boundaries)
@@ -331,7 +381,8 @@ void Triaxial::restore(std::istream &in)
   }
   if (driver)
     driver->restore(in);
-  if (now == Stage::done && in_stage < n_cycles * cycle_steps)
+  resume_pace(time_then, ticks_then);
+  if (now == Stage::done && pace.ticks() < n_cycles * cycle_ticks)
     now = Stage::loading;
 }
 } // namespace spall

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "pace.h"
 #include "sample.h"
 #include "specimen.h"
+#include "step_probe.h"
+#include "step_watch.h"
 
 #include <coupling/membrane_driver.h>
 #include <fem/plate.h>
@@ -31,9 +34,13 @@ public:
   void advance();
 
   Stage stage() const { return now; }
-  double time_step() const { return dt; } ///< [s]
-  /// Steps of one load cycle [-].
-  std::int64_t steps_per_cycle() const { return cycle_steps; }
+  double time_step() const { return pace.step(); } ///< the next one [s]
+  double period() const; ///< of a load cycle, a whole number of ticks [s]
+  /// Ticks since the present stage began, and of one load cycle. Every run
+  /// meets its ticks, whatever its steps; with a fixed step each is one.
+  std::int64_t ticks() const { return pace.ticks(); }
+  bool is_on_tick() const { return pace.is_on_tick(); }
+  std::int64_t ticks_per_cycle() const { return cycle_ticks; }
   /// Steps since the present stage began [-].
   std::int64_t stage_steps() const { return in_stage; }
   /// Fractional load cycle; 0 before loading.
@@ -62,6 +69,16 @@ public:
     double porosity = 0.;                 ///< then [-]
   };
   const Prepared &prepared() const { return preparation; }
+  /// What the steps were, and what they were chosen by.
+  const StepRecord &step_record() const { return watch.state(); }
+  const ProbeState &step_probe() const { return probe; }
+  double watch_seconds() const { return watch.seconds(); }
+  /// Wall-clock of keeping and restoring states for probes [s].
+  double probe_seconds() const { return probing; }
+  /// Lines for the log since the last call.
+  std::vector<std::string> take_notes() { return watch.take_notes(); }
+  /// Breakage events since the last call.
+  std::vector<dem::BreakageEvent> take_events();
   double plate_work() const { return plate ? plate->drive_work() : 0.; }
 
   void save(std::ostream &out) const; ///< full state, bit for bit
@@ -77,14 +94,28 @@ private:
   void place_boundaries();
   void build_membrane();
   void step_boundaries(double axial_stress);
+  bool is_fixed() const;
+  double longest_step() const;
+  void settle_step();
+  void resume_pace(const TimeParameters &then, std::int64_t ticks_then);
+  void start_probe();
+  void follow_probe();
+  void gather(Window &window) const;
+  void close_window(Window &window) const;
+  void add_energies(Sample &sample) const;
   double lateral_stress() const;
   double volume() const;
 
   Case parameters;
   Specimen specimen;
   dem::BoxServo servo;
-  double dt = 0.;
-  std::int64_t cycle_steps = 0;
+  SetupStep setup;
+  StepWatch watch;
+  Pace pace;
+  ProbeState probe;
+  double probing = 0.; ///< wall-clock of going back, for probes [s]
+  std::vector<dem::BreakageEvent> held_events;
+  std::int64_t cycle_ticks = 0, stage_ticks = 0;
   int n_cycles = 0;
   std::optional<coupling::ExchangeGain> exchange;
 

@@ -1,5 +1,6 @@
 #include <coupling/interface_map.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -92,6 +93,46 @@ void InterfaceMap::collect_load(const dem::FacetSurface &surface,
   for (std::size_t k = 0; k < quads.size(); ++k)
     for (const std::int32_t node : quads[k])
       nodal_load[index(node)] += 0.25 * surface.load[n_nodes + k];
+}
+
+void InterfaceMap::refer_to_nodes(const fem::Membrane &membrane,
+                                  dem::SpringNetwork &springs) const
+{
+  const std::size_t n_stones = springs.n_stones();
+  springs.mass.resize(n_stones);
+  springs.mass.insert(springs.mass.end(), membrane.nodal_mass().begin(),
+                      membrane.nodal_mass().end());
+  for (auto &shares : springs.b)
+  {
+    const auto old = shares;
+    if (old[0].body < 0 || index(old[0].body) < n_stones)
+      continue;
+    shares = {};
+    std::size_t n_shares = 0;
+    const auto add = [&](std::int32_t node, double weight)
+    {
+      if (membrane.is_tied(node))
+        return;
+      const auto body = static_cast<std::int32_t>(n_stones) + node;
+      std::size_t place = 0;
+      while (place < n_shares && shares[place].body != body)
+        ++place;
+      // The corners of a triangle lie in one quad: four nodes at most.
+      n_shares = std::max(n_shares, place + 1);
+      shares[place] = {body, shares[place].weight + weight};
+    };
+    for (const dem::FarShare &share : old)
+    {
+      if (share.body < 0)
+        continue;
+      const std::size_t vertex = index(share.body) - n_stones;
+      if (vertex < n_nodes)
+        add(static_cast<std::int32_t>(vertex), share.weight);
+      else
+        for (const std::int32_t node : quads[vertex - n_nodes])
+          add(node, 0.25 * share.weight);
+    }
+  }
 }
 
 InterfaceBalance check_balance(const dem::FacetSurface &surface,

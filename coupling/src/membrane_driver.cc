@@ -1,4 +1,5 @@
 #include <coupling/membrane_driver.h>
+#include <dem/integrate/contact_springs.h>
 
 #include <algorithm>
 #include <chrono>
@@ -89,6 +90,14 @@ ExchangeGain MembraneDriver::gain(const dem::Engine &engine,
   return exchange_gain({contact.normal_stiffness, contact.normal_damping,
                         engine.particles().smallest_mass()},
                        free_mass, membrane.stable_time_step(), time_step);
+}
+
+dem::SpringNetwork MembraneDriver::springs(const dem::Engine &engine,
+                                           double horizon) const
+{
+  dem::SpringNetwork springs = dem::contact_springs(engine, horizon);
+  map.refer_to_nodes(membrane, springs);
+  return springs;
 }
 
 void MembraneDriver::save(std::ostream &out) const

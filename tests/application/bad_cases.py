@@ -87,7 +87,12 @@ VALUES = [
     value("Specimen", "shapes", "no_such_folder", "no such file or folder"),
     value("Specimen", "shapes", "g.csv", "folder"),
     value("Time", "fixed_step", "0.002", "history.csv"),
-    value("Time", "step", "adaptive", "one of fixed, stable"),
+    value("Time", "step", "adaptive", "one of fixed, stable, error"),
+    value("Time", "safety", "1.1", "at most 1"),
+    value("Time", "force_tolerance", "0", "above 0"),
+    value("Time", "force_tolerance", "5 %", "a number"),
+    value("Time", "energy_tolerance", "-0.01", "above 0"),
+    value("Time", "energy_tolerance", "2", "at most 1"),
     value("Material", "file", "granite.prm", "no such file"),
 ]
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A run that was stopped and resumed is the unbroken run, bit for bit.
 
-    resume.py SPALL membrane|rigid
+    resume.py SPALL membrane|rigid [SECTION/KEY=VALUE ...]
 """
 import pathlib
 import signal
@@ -16,9 +16,10 @@ from triaxial_runs import (QUICK, command, differing, report_faults, run,
 TABLES = ["history.csv", "events.csv", "ledger.csv"]
 
 
-def stop_when(is_time, spall, folder, lateral, *options):
+def stop_when(is_time, spall, folder, lateral, *options, settings=()):
     """Sends SIGTERM once `is_time()`; what is wrong with the answer."""
-    words = command(spall, folder, lateral, *options, settings=QUICK)
+    words = command(spall, folder, lateral, *options,
+                    settings=(*QUICK, *settings))
     with subprocess.Popen(words, stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, text=True) as running:
         while running.poll() is None and not is_time():
@@ -52,14 +53,38 @@ def faults_of(name, folder, whole, frames_too=True):
                      if key != "wall_clock_s" and mine.get(key) != value]
 
 
+def other_step_faults(spall, root, lateral, go):
+    """Where a cycle ends a run goes on with another step, elsewhere not."""
+    go("other", "--until", "1")
+    go("other", "--resume", settings=("Time/step=stable",))
+    found, faults = summary(root / "other"), []
+    if found["cycles_1"] != 2. or "longest_step_s" not in found:
+        faults.append("other step: the run did not go on with it")
+    go("within", "--until", "1")
+    state = root / "within" / "checkpoint" / "state.bin"
+    before = time_of(state)
+    faults += stop_when(lambda: time_of(state) != before, spall,
+                        root / "within", lateral, "--resume",
+                        settings=("Loading/cycles=50",))
+    ended = subprocess.run(
+        command(spall, root / "within", lateral, "--resume",
+                settings=(*QUICK, "Loading/cycles=50", "Time/step=stable")),
+        capture_output=True, text=True, check=False)
+    if ended.returncode != 1 or "end of a load cycle" not in ended.stderr:
+        faults.append(f"other step within a cycle: status {ended.returncode}, "
+                      f"{ended.stderr}")
+    return faults
+
+
 def main():
     spall, lateral = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
+    extra = sys.argv[3:]
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
 
         def go(folder, *options, settings=()):
             run(spall, root / folder, lateral, *options,
-                settings=(*QUICK, *settings))
+                settings=(*QUICK, *extra, *settings))
 
         go("whole")
         go("until", "--until", "1")
@@ -78,13 +103,15 @@ def main():
         # Stopped in the preparation, again within the second cycle.
         stopped = root / "stopped"
         faults += stop_when((stopped / "log.txt").exists, spall, stopped,
-                            lateral)
+                            lateral, settings=extra)
         state = stopped / "checkpoint" / "state.bin"
         before = time_of(state)
         faults += stop_when(lambda: time_of(state) != before, spall, stopped,
-                            lateral, "--resume")
+                            lateral, "--resume", settings=extra)
         go("stopped", "--resume")
         faults += faults_of("SIGTERM", stopped, root / "whole")
+        if lateral == "rigid":
+            faults += other_step_faults(spall, root, lateral, go)
     return report_faults(faults)
 
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/boundary/facet_surface.h>
+#include <dem/integrate/stable_step.h>
 #include <fem/membrane.h>
 
 namespace coupling
@@ -25,6 +26,11 @@ public:
   /// Nodal loads from the loads on the vertices [N]; overwrites.
   void collect_load(const dem::FacetSurface &surface,
                     std::vector<Eigen::Vector3d> &nodal_load) const;
+
+  /// Springs whose points are the vertices get the nodes instead: a centre is
+  /// a quarter of each corner; tied nodes are walls.
+  void refer_to_nodes(const fem::Membrane &membrane,
+                      dem::SpringNetwork &springs) const;
 
 private:
   std::size_t n_nodes;

@@ -48,6 +48,10 @@ public:
   const InterfaceBalance &balance() const { return last_balance; }
   /// Gain of the exchange in the present state (see gain.h).
   ExchangeGain gain(const dem::Engine &engine, double time_step) const;
+  /// Of the membrane alone, by Lanczos iteration; costs some ten steps [s].
+  double stable_time_step() const { return membrane.stable_time_step(); }
+  /// dem::contact_springs() with the nodes as points.
+  dem::SpringNetwork springs(const dem::Engine &engine, double horizon) const;
   DriverClock clock() const { return spent; }
 
   void save(std::ostream &out) const; ///< bit for bit

@@ -11,6 +11,17 @@ std::size_t whole_blocks(std::size_t n)
 }
 } // namespace
 
+double SideColumns::local_radius(std::size_t k,
+                                 const Triple<double> &on_body) const
+{
+  const Triple<double> w = on_body - direction[k];
+  const auto h = [this, k](std::size_t c)
+  { return static_cast<double>(hessian[c][k]); };
+  return radius[k] + dot(gradient[k], w) +
+         0.5 * (h(0) * w.x * w.x + h(1) * w.y * w.y + h(2) * w.z * w.z) +
+         h(3) * w.x * w.y + h(4) * w.x * w.z + h(5) * w.y * w.z;
+}
+
 ContactHistory<double> ContactBatch::history(std::size_t k) const
 {
   const double energy_share =

@@ -77,8 +77,11 @@ void note_corner(ContactBatch &batch, std::size_t k, bool is_a)
 
 void forget_side(ContactBatch &batch, std::size_t k, bool is_a)
 {
-  if (batch.layout.has_sides)
-    (is_a ? batch.side_a : batch.side_b).direction.set(k, {});
+  if (!batch.layout.has_sides)
+    return;
+  SideColumns &side = is_a ? batch.side_a : batch.side_b;
+  side.direction.set(k, {});
+  side.radius[k] = 0.;
 }
 
 void mix_prefactors(const ForceContext &context, ContactBatch &batch,

@@ -74,6 +74,54 @@ TEST(InterfaceMap, ForceMomentAndPowerBalance)
   }
 }
 
+// Springs on vertices become springs on nodes: the same motion of the contact
+// from T x as from x, and no more than four nodes.
+TEST(InterfaceMap, SpringsMoveFromVerticesToNodes)
+{
+  fem::Membrane membrane(fem::MembraneParameters(), renumbered(small_box(), 3));
+  membrane.tie({0, 5});
+  const coupling::InterfaceMap map(membrane);
+  dem::FacetSurface surface = map.make_surface(membrane);
+  auto positions = support::random_vectors(membrane.n_nodes(), 1., 4);
+  positions[0] = positions[5] = Vector::Zero();
+  membrane.set_positions(positions);
+  map.send_motion(membrane, surface);
+  dem::SpringNetwork springs;
+  springs.mass.assign(2 + surface.mass.size(), 1.);
+  springs.inertia.assign(2, 1.);
+  const std::array<double, 3> weight{0.2, 0.5, 0.3};
+  for (const auto &triangle : surface.triangles)
+  {
+    springs.a.push_back(1);
+    springs.b.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c)
+      springs.b.back()[c] = {2 + triangle[c], weight[c]};
+  }
+  springs.a.push_back(0);
+  springs.b.push_back({dem::FarShare{1, 1.}}); // two stones: left alone
+  map.refer_to_nodes(membrane, springs);
+  ASSERT_EQ(springs.n_bodies(), 2 + membrane.n_nodes());
+  EXPECT_EQ(springs.mass[2 + 7], membrane.nodal_mass()[7]);
+  for (std::size_t k = 0; k < surface.triangles.size(); ++k)
+  {
+    Vector expected = Vector::Zero(), found = Vector::Zero();
+    for (std::size_t c = 0; c < 3; ++c)
+      expected +=
+          weight[c] *
+          surface.position[static_cast<std::size_t>(surface.triangles[k][c])];
+    for (const dem::FarShare &share : springs.b[k])
+      if (share.body >= 0)
+      {
+        EXPECT_FALSE(membrane.is_tied(share.body - 2));
+        found += share.weight *
+                 membrane.positions()[static_cast<std::size_t>(share.body - 2)];
+      }
+    // Tied nodes are walls; they stand at the origin here.
+    EXPECT_LT((found - expected).norm(), 1e-15);
+  }
+  EXPECT_EQ(springs.b.back()[0].body, 1);
+}
+
 TEST(InterfaceMap, BalanceSeesAWrongLoad)
 {
   fem::Membrane membrane(fem::MembraneParameters(), small_box());

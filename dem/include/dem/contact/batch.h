@@ -45,6 +45,13 @@ struct SideColumns
   std::array<std::vector<float>, 6> hessian; ///< xx, yy, zz, xy, xz, yz [m]
   std::vector<SideCurvature> curvature;
 
+  bool is_known(std::size_t k) const
+  {
+    return !radius.empty() && radius[k] > 0.;
+  }
+  /// r at a unit direction near the one of contact k, from the expansion [m].
+  double local_radius(std::size_t k, const Triple<double> &on_body) const;
+
   template <class Visit, class... Selves>
   static void visit(const Visit &call, bool is_there, Selves &...selves)
   {

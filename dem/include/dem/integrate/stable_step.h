@@ -1,0 +1,70 @@
+#pragma once
+
+#include <dem/vector.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dem
+{
+/// Part of a body in the far side of a contact.
+struct FarShare
+{
+  std::int32_t body = -1; ///< -1: unused
+  double weight = 0.;     ///< of its motion [-]
+};
+
+/// Springs and dashpots of contacts between bodies, in columns: first the
+/// stones, then points without rotation (nodes of a surface). A contact joins
+/// stone `a` at `lever_a` with a stone at `lever_b` (weight 1), with the
+/// weighted mean of points, or, without a share, with a wall at rest.
+struct SpringNetwork
+{
+  std::vector<double> mass;    ///< of all bodies, finite [kg]
+  std::vector<double> inertia; ///< of the stones [kg m^2]
+  /// omega: springs that the points have besides, K <= omega^2 M [rad/s]
+  double point_frequency = 0.;
+
+  std::vector<std::int32_t> a;
+  std::vector<std::array<FarShare, 4>> b;
+  std::vector<Vec3> normal;              ///< unit [-]
+  std::vector<Vec3> lever_a, lever_b;    ///< centre to contact [m]
+  std::vector<double> normal_stiffness;  ///< [N/m]
+  std::vector<double> shear_stiffness;   ///< [N/m]
+  std::vector<double> rolling_stiffness; ///< [N m/rad]
+  std::vector<double> normal_dashpot;    ///< [N s/m]
+  std::vector<double> shear_dashpot;     ///< [N s/m]
+
+  std::size_t n_stones() const { return inertia.size(); }
+  std::size_t n_bodies() const { return mass.size(); }
+  std::size_t n_contacts() const { return a.size(); }
+};
+
+/// A step and the body that sets it.
+struct NetworkStep
+{
+  double step = std::numeric_limits<double>::infinity(); ///< [s]
+  std::int32_t body = -1;
+};
+
+/// Velocity Verlet with dashpots that lag half a step is stable on springs K
+/// and dashpots C, both symmetric and not negative, if and only if
+/// lambda_max(M^-1 (dt^2 K + 2 dt C)) <= 4 (docs/theory/time_step.md).
+///
+/// guaranteed_step() never exceeds the largest such dt: each contact is split
+/// between its bodies, |sum w d|^2 <= sum |w d|^2 / alpha with sum alpha = 1,
+/// and the eigenvalues of single bodies bound the whole. Exact for one stone on
+/// any number of walls and for two stones. Infinite without contacts.
+NetworkStep guaranteed_step(const SpringNetwork &network);
+
+/// The largest stable dt [s] by Lanczos iteration, which comes from below in
+/// the eigenvalue, so from above in dt: no bound, but sharp to 1e-6 where the
+/// iteration has converged. Infinite without contacts.
+double sharp_step(const SpringNetwork &network);
+
+/// The body in words: mass, and what it touches.
+std::string describe_body(const SpringNetwork &network, std::int32_t body);
+} // namespace dem

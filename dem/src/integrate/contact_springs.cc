@@ -1,0 +1,227 @@
+#include <dem/integrate/contact_springs.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem
+{
+namespace
+{
+/// One contact on its way into the columns.
+struct Contact
+{
+  std::int32_t a = 0;
+  std::array<FarShare, 4> b{};
+  Vec3 normal = Vec3::UnitX(), lever_a = Vec3::Zero(), lever_b = Vec3::Zero();
+  double normal_stiffness = 0., shear_stiffness = 0.; ///< [N/m]
+  double rolling_radius = 0.;                         ///< [m]
+  double reduced_mass = 0.;                           ///< of the dashpots [kg]
+  ContactCoefficients coefficients;
+};
+
+void append(SpringNetwork &network, const Contact &c)
+{
+  const ContactCoefficients &f = c.coefficients;
+  // Without friction the shear spring and its dashpot never hold.
+  const double shear = f.friction > 0. ? c.shear_stiffness : 0.;
+  const double rolling = f.rolling_friction > 0. ? c.shear_stiffness : 0.;
+  network.a.push_back(c.a);
+  network.b.push_back(c.b);
+  network.normal.push_back(c.normal);
+  network.lever_a.push_back(c.lever_a);
+  network.lever_b.push_back(c.lever_b);
+  network.normal_stiffness.push_back(c.normal_stiffness);
+  network.shear_stiffness.push_back(shear);
+  network.rolling_stiffness.push_back(rolling * c.rolling_radius *
+                                      c.rolling_radius);
+  network.normal_dashpot.push_back(
+      2. * f.normal_damping * std::sqrt(c.reduced_mass * c.normal_stiffness));
+  network.shear_dashpot.push_back(2. * f.shear_damping *
+                                  std::sqrt(c.reduced_mass * shear));
+}
+
+/// Radius of the stone towards a world direction, as the last step left it.
+double reach_of(const Particles &stones, std::int32_t stone,
+                const SideColumns &side, std::size_t k, const Vec3 &direction)
+{
+  const auto i = static_cast<std::size_t>(stone);
+  const Vec3 on_body = stones.orientation(i).conjugate() * direction;
+  return side.is_known(k)
+             ? side.local_radius(k, {on_body.x(), on_body.y(), on_body.z()})
+             : stones.radius(i);
+}
+
+/// Prefactors of a pair that has not touched yet: the spheres of its radii.
+HertzPrefactors sphere_prefactors(const StoneMaterial &stone, double r_a,
+                                  double r_b)
+{
+  const Elasticity side{stone.shear_modulus, stone.poisson_ratio};
+  return elliptic_table()(
+      mix(side, side),
+      gap_coefficients({1. / r_a, 1. / r_a, 1. / r_b, 1. / r_b, 1.}));
+}
+
+void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
+{
+  const Particles &stones = engine.particles();
+  const ContactBatch &batch = engine.pairs();
+  const StoneMaterial &stone = engine.parameters().stone;
+  const bool is_radial =
+      engine.parameters().geometry.geometry == ContactGeometry::radial;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    const auto i = static_cast<std::size_t>(batch.a[k]),
+               j = static_cast<std::size_t>(batch.b[k]);
+    const Vec3 branch = stones.position(j) - stones.position(i);
+    const double distance = branch.norm();
+    if (distance <= 0.)
+      continue;
+    const Vec3 n = branch / distance;
+    const double r_a = is_radial
+                           ? reach_of(stones, batch.a[k], batch.side_a, k, n)
+                           : stones.radius(i);
+    const double r_b = is_radial
+                           ? reach_of(stones, batch.b[k], batch.side_b, k, -n)
+                           : stones.radius(j);
+    const double overlap =
+        r_a + r_b - distance +
+        horizon * (stones.velocity(j) - stones.velocity(i)).norm();
+    if (overlap <= 0.)
+      continue;
+    const bool is_mixed =
+        batch.layout.has_sides && batch.normal_prefactor[k] > 0.;
+    const HertzPrefactors prefactors =
+        is_mixed ? HertzPrefactors{batch.normal_prefactor[k],
+                                   batch.shear_prefactor[k]}
+                 : sphere_prefactors(stone, r_a, r_b);
+    const NormalSpring<double> spring =
+        hertz_spring(prefactors.normal, prefactors.tangential, overlap);
+    Contact c;
+    c.a = batch.a[k];
+    c.b[0] = {batch.b[k], 1.};
+    c.normal = n;
+    c.lever_a = r_a * n;
+    c.lever_b = -r_b * n;
+    c.normal_stiffness = spring.stiffness;
+    c.shear_stiffness = spring.shear_stiffness;
+    c.rolling_radius = r_a * r_b / (r_a + r_b);
+    c.reduced_mass =
+        stones.mass(i) * stones.mass(j) / (stones.mass(i) + stones.mass(j));
+    c.coefficients = {stone.friction, stone.rolling_friction,
+                      stone.normal_damping, stone.shear_damping};
+    append(network, c);
+  }
+}
+
+/// What a linear wall is to a stone that reaches `reach` towards it.
+Contact wall_contact(const WallMaterial &wall, double reach, const Vec3 &normal)
+{
+  Contact c;
+  c.normal = normal;
+  c.lever_a = reach * normal;
+  c.normal_stiffness = wall.normal_stiffness;
+  c.shear_stiffness = wall.shear_stiffness;
+  c.rolling_radius = reach;
+  c.coefficients = {wall.friction, wall.rolling_friction, wall.normal_damping,
+                    wall.shear_damping};
+  return c;
+}
+
+void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
+{
+  const Particles &stones = engine.particles();
+  const ContactBatch &batch = engine.on_planes();
+  const EngineParameters &parameters = engine.parameters();
+  const bool is_radial =
+      parameters.geometry.wall_geometry == ContactGeometry::radial;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    const auto i = static_cast<std::size_t>(batch.a[k]);
+    const Plane &plane = engine.planes()[static_cast<std::size_t>(batch.b[k])];
+    if (!plane.is_active)
+      continue;
+    const double reach =
+        is_radial ? reach_of(stones, batch.a[k], batch.side_a, k, -plane.normal)
+                  : stones.radius(i);
+    const double gap =
+        (stones.position(i) - plane.point).dot(plane.normal) - reach;
+    if (gap >= horizon * (plane.velocity - stones.velocity(i)).norm())
+      continue;
+    Contact c = wall_contact(parameters.wall, reach, -plane.normal);
+    c.a = batch.a[k];
+    c.reduced_mass = stones.mass(i);
+    append(network, c);
+  }
+}
+
+void add_facets(const Engine &engine, SpringNetwork &network)
+{
+  const Particles &stones = engine.particles();
+  const ContactBatch &batch = engine.on_facets();
+  const FacetSurface &surface = engine.surface();
+  const auto first_point = static_cast<std::int32_t>(stones.size());
+  const bool is_radial =
+      engine.parameters().geometry.wall_geometry == ContactGeometry::radial;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    const FacetSpot &spot = engine.facets().spot[k];
+    if (!batch.is_touching(k) || spot.triangle < 0)
+      continue;
+    const double reach =
+        is_radial ? reach_of(stones, batch.a[k], batch.side_a, k, spot.normal)
+                  : stones.radius(static_cast<std::size_t>(batch.a[k]));
+    Contact c = wall_contact(engine.parameters().surface, reach, spot.normal);
+    c.a = batch.a[k];
+    double over_mass = 1. / stones.mass(static_cast<std::size_t>(c.a));
+    const auto &corner =
+        surface.triangles[static_cast<std::size_t>(spot.triangle)];
+    std::size_t n_shares = 0;
+    for (std::size_t v = 0; v < 3; ++v)
+    {
+      const double mass = surface.mass[static_cast<std::size_t>(corner[v])];
+      if (std::isinf(mass) || spot.weight[v] == 0.)
+        continue;
+      c.b[n_shares++] = {first_point + corner[v], spot.weight[v]};
+      over_mass += spot.weight[v] * spot.weight[v] / mass;
+    }
+    c.reduced_mass = 1. / over_mass;
+    append(network, c);
+  }
+}
+} // namespace
+
+SpringNetwork contact_springs(const Engine &engine, double horizon)
+{
+  SpringNetwork network;
+  network.mass = engine.particles().column(&StoneState::mass);
+  network.inertia = engine.particles().column(&StoneState::inertia);
+  add_pairs(engine, horizon, network);
+  add_planes(engine, horizon, network);
+  if (engine.has_surface())
+  {
+    // Nobody asks for the mass of a prescribed vertex.
+    for (const double mass : engine.surface().mass)
+      network.mass.push_back(std::isinf(mass) ? 1. : mass);
+    add_facets(engine, network);
+  }
+  return network;
+}
+
+double corner_step(const EngineParameters &parameters,
+                   const Particles &particles)
+{
+  const StoneState &lightest = *std::min_element(
+      particles.state.begin(), particles.state.end(),
+      [](const StoneState &a, const StoneState &b) { return a.mass < b.mass; });
+  SpringNetwork network;
+  network.mass = {lightest.mass};
+  network.inertia = {lightest.inertia};
+  for (int d = 0; d < 3; ++d)
+  {
+    Contact c = wall_contact(parameters.wall, lightest.radius, -Vec3::Unit(d));
+    c.reduced_mass = lightest.mass;
+    append(network, c);
+  }
+  return guaranteed_step(network).step;
+}
+} // namespace dem

@@ -1,0 +1,296 @@
+#include "dem_scene.h"
+
+#include <dem/integrate/contact_springs.h>
+#include <dem/integrate/time_step.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+// The step that the contacts of a scene allow is where the engine itself
+// becomes unstable: a small disturbance stays small 0.3 % below it and grows
+// without bound 0.3 % above. A spring or mass that is 1 % wrong moves the step
+// by 0.5 % and is caught.
+namespace
+{
+using dem::Vec3;
+
+constexpr double below = 0.997, above = 1.003;
+/// Without damping a disturbance beats, up to 1 / sqrt(2 x 0.003) = 13 times
+/// (and a little, since the modes of several stones mix).
+constexpr double bounded = 40., unbounded = 1000.;
+
+/// Kinetic speeds of the scene: largest |v| + r |omega| [m/s].
+double fastest(const dem::Engine &engine)
+{
+  double speed = 0.;
+  const dem::Particles &stones = engine.particles();
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    speed = std::max(speed, stones.velocity(i).norm() +
+                                stones.radius(i) * stones.spin(i).norm());
+  return speed;
+}
+
+/// Largest speed of a later hundred steps over that of the first ten, after a
+/// disturbance of all stones at rest, up to `along` [m/s].
+double growth(dem::Engine &engine, double dt, int n_steps,
+              const Vec3 &along = Vec3::Constant(1e-9))
+{
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> share(-1., 1.);
+  dem::Particles &stones = engine.particles();
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    for (int d = 0; d < 3; ++d)
+    {
+      stones.velocity(i)[d] = along[d] * share(generator);
+      stones.spin(i)[d] = along[d] * share(generator) / stones.radius(i);
+    }
+  const auto largest = [&](int n)
+  {
+    double speed = 0.;
+    for (int step = 0; step < n; ++step)
+    {
+      engine.advance(dt);
+      speed = std::max(speed, fastest(engine));
+    }
+    return speed;
+  };
+  const double early = largest(10);
+  support::advance(engine, dt, n_steps);
+  return largest(100) / early;
+}
+
+dem::EngineParameters frictional()
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.wall.normal_stiffness = 1e8;
+  p.wall.shear_stiffness = 0.85e8;
+  p.wall.friction = p.stone.friction = 1e6;
+  return p;
+}
+
+constexpr double radius = 0.01;
+
+/// A ball that its weight presses into the corner of three walls.
+dem::Engine corner_ball(dem::EngineParameters parameters)
+{
+  parameters.gravity = Vec3::Constant(-1e4);
+  dem::Engine engine(parameters);
+  for (int d = 0; d < 3; ++d)
+    engine.add_plane(Vec3::Zero(), Vec3::Unit(d));
+  support::add_sphere(engine, radius, Vec3::Constant(radius));
+  const double mass = engine.particles().mass(0);
+  engine.particles().position(0) -=
+      Vec3::Constant(mass * 1e4 / parameters.wall.normal_stiffness);
+  // The contacts are found; nothing moves.
+  engine.particles().load[0].force = -mass * parameters.gravity;
+  engine.advance(1e-15);
+  engine.come_to_rest();
+  return engine;
+}
+
+/// Largest eigenvalue m lambda of [k_n + 2 k_s, sqrt(3) k_s; ., 2 (k_s + q)]
+/// over m, 2/5 m, with dt^2 k + 2 dt c for every k: displacement across
+/// (1, 1, 1) and the turning that belongs to it.
+double corner_eigenvalue(const dem::WallMaterial &wall, double mass, double dt)
+{
+  const auto spring = [&](double k, double beta)
+  { return dt * dt * k + 4. * dt * beta * std::sqrt(k * mass); };
+  const double normal = spring(wall.normal_stiffness, wall.normal_damping),
+               shear = spring(wall.shear_stiffness, wall.shear_damping);
+  const double rolling =
+      wall.rolling_friction > 0. ? dt * dt * wall.shear_stiffness : 0.;
+  const double a = normal + 2. * shear, d = 5. * (shear + rolling),
+               off = std::sqrt(3. / 0.4) * shear;
+  return (0.5 * (a + d) + std::sqrt(0.25 * (a - d) * (a - d) + off * off)) /
+         mass;
+}
+} // namespace
+
+TEST(EngineNetworkStep, BallInACorner)
+{
+  for (const double rolling : {0., 1e6})
+    for (const double beta : {0., 0.3, 0.62})
+      for (const double local : {0., 0.5})
+      {
+        dem::EngineParameters p = frictional();
+        p.wall.normal_damping = p.wall.shear_damping = beta;
+        p.wall.rolling_friction = rolling;
+        p.local_damping = local;
+        dem::Engine scene = corner_ball(p);
+        const dem::SpringNetwork network = dem::contact_springs(scene, 0.);
+        ASSERT_EQ(network.n_contacts(), 3u);
+        const double step = dem::guaranteed_step(network).step;
+        // The lever is the radius; the overlap is 1e-5 of it.
+        EXPECT_NEAR(corner_eigenvalue(p.wall, scene.particles().mass(0), step),
+                    4., 1e-6);
+        EXPECT_NEAR(dem::sharp_step(network), step, 1e-6 * step);
+        EXPECT_NEAR(dem::corner_step(p, scene.particles()), step, 1e-4 * step);
+        // One wall alone would allow far more.
+        EXPECT_LT(step, 0.75 * dem::critical_step(p, scene.particles()).step);
+        EXPECT_LT(growth(scene, below * step, 2000), bounded);
+        if (local > 0.)
+          continue; // may brake what would grow
+        dem::Engine again = corner_ball(p);
+        EXPECT_GT(growth(again, above * step, 2000), unbounded);
+      }
+}
+
+// omega = 2 sqrt(k/m) cos(pi / (2 (n + 1))): balls in a row between two walls
+// as stiff as the balls are to each other.
+TEST(EngineNetworkStep, ChainBetweenWalls)
+{
+  constexpr int n = 6;
+  constexpr double overlap = 1e-5;
+  dem::EngineParameters p = support::bare_parameters();
+  const double modulus =
+      p.stone.shear_modulus / (1. - p.stone.poisson_ratio); // E*, equal bodies
+  const double k = 2. * modulus * std::sqrt(0.5 * radius * overlap);
+  p.wall.normal_stiffness = k;
+  const double wall_overlap = 2. / 3. * overlap; // F = 2/3 k delta
+  const auto make = [&]
+  {
+    dem::Engine engine(p);
+    for (int i = 0; i < n; ++i)
+      support::add_sphere(
+          engine, radius,
+          {radius - wall_overlap + i * (2. * radius - overlap), 0., 0.});
+    const double end =
+        engine.particles().last().position.x() + radius - wall_overlap;
+    engine.add_plane(Vec3::Zero(), Vec3::UnitX());
+    engine.add_plane(end * Vec3::UnitX(), -Vec3::UnitX());
+    engine.advance(1e-15);
+    engine.come_to_rest();
+    return engine;
+  };
+  dem::Engine engine = make();
+  const dem::SpringNetwork network = dem::contact_springs(engine, 0.);
+  ASSERT_EQ(network.n_contacts(), static_cast<std::size_t>(n + 1));
+  const double mass = engine.particles().mass(0);
+  const double exact =
+      std::sqrt(mass / k) / std::cos(0.5 * std::numbers::pi / (n + 1));
+  const double step = dem::sharp_step(network);
+  EXPECT_NEAR(step, exact, 1e-7 * exact);
+  // The bound is not below the limit of long chains.
+  const double bound = dem::guaranteed_step(network).step;
+  EXPECT_LE(bound, step);
+  EXPECT_GE(bound, std::sqrt(mass / k) * (1. - 1e-7));
+  // A row under pressure buckles: disturbed along its axis only.
+  EXPECT_LT(growth(engine, below * step, 2000, 1e-9 * Vec3::UnitX()), bounded);
+  dem::Engine again = make();
+  EXPECT_GT(growth(again, above * step, 2000, 1e-9 * Vec3::UnitX()), unbounded);
+}
+
+// Two balls that slide and turn against each other: k_s (2/m + 2 l^2/I), held
+// together by smooth walls.
+TEST(EngineNetworkStep, PairInShear)
+{
+  constexpr double overlap = 1e-8;
+  for (const double beta : {0., 0.27})
+  {
+    dem::EngineParameters p = frictional();
+    p.wall.friction = 0.;
+    p.stone.shear_damping = beta;
+    p.stone.rolling_friction = 1e6; // does not act in this mode
+    const double modulus = p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+    const double force =
+        4. / 3. * modulus * std::sqrt(0.5 * radius) * std::pow(overlap, 1.5);
+    p.wall.normal_stiffness = 1e4;
+    const double wall_overlap = force / p.wall.normal_stiffness;
+    const auto make = [&]
+    {
+      dem::Engine engine(p);
+      support::add_sphere(engine, radius, {radius - wall_overlap, 0., 0.});
+      support::add_sphere(engine, radius,
+                          {3. * radius - wall_overlap - overlap, 0., 0.});
+      engine.add_plane(Vec3::Zero(), Vec3::UnitX());
+      engine.add_plane((4. * radius - 2. * wall_overlap - overlap) *
+                           Vec3::UnitX(),
+                       -Vec3::UnitX());
+      engine.advance(1e-15);
+      engine.come_to_rest();
+      return engine;
+    };
+    dem::Engine engine = make();
+    const double mass = engine.particles().mass(0);
+    const double g = p.stone.shear_modulus, nu = p.stone.poisson_ratio;
+    // k_s = 8 G* a, 1/G* = 2 (2 - nu) / G, a = sqrt(R* delta)
+    const double shear = 4. * g / (2. - nu) * std::sqrt(0.5 * radius * overlap);
+    const double exact =
+        2. * std::sqrt(mass / (7. * shear)) *
+        (std::sqrt(1. + 3.5 * beta * beta) - std::sqrt(3.5) * beta);
+    const dem::SpringNetwork network = dem::contact_springs(engine, 0.);
+    const double step = dem::sharp_step(network);
+    // The lever is shorter than the radius by half of 1e-6, and the force of
+    // the contact turns with it: F/d = 3e-7 k_n.
+    EXPECT_NEAR(step, exact, 1e-6 * exact);
+    // Its bound counts the rolling spring, which rests in this mode.
+    const double bound = dem::guaranteed_step(network).step;
+    EXPECT_LE(bound, step);
+    EXPECT_GT(bound, 0.9 * step);
+    EXPECT_LT(growth(engine, below * step, 3000), bounded);
+    dem::Engine again = make();
+    EXPECT_GT(growth(again, above * step, 3000), unbounded);
+  }
+}
+
+namespace
+{
+/// Balls of three sizes that have fallen into a box and come to rest.
+dem::Engine settled(const dem::EngineParameters &parameters)
+{
+  dem::Engine engine(parameters);
+  for (int d = 0; d < 3; ++d)
+  {
+    engine.add_plane(Vec3::Zero(), Vec3::Unit(d));
+    if (d < 2)
+      engine.add_plane(0.06 * Vec3::Unit(d), -Vec3::Unit(d));
+  }
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> shift(-1e-3, 1e-3);
+  for (int i = 0; i < 27; ++i)
+    support::add_sphere(
+        engine, radius * (0.6 + 0.2 * (i % 3)),
+        Vec3(0.011 + 0.019 * (i % 3), 0.011 + 0.019 * (i / 3 % 3),
+             0.011 + 0.02 * (i / 9)) +
+            Vec3(shift(generator), shift(generator), shift(generator)));
+  engine.set_local_damping(0.7);
+  constexpr double dt = 1.5e-5;
+  for (int pass = 0; pass < 12; ++pass)
+  {
+    support::advance(engine, dt, 2000);
+    engine.come_to_rest();
+  }
+  engine.set_local_damping(parameters.local_damping);
+  return engine;
+}
+} // namespace
+
+// All springs and dashpots at work in a packing: the sharp step separates quiet
+// from growth, the guaranteed one is quiet.
+TEST(EngineNetworkStep, PackingAtRest)
+{
+  dem::EngineParameters p = frictional();
+  p.gravity = {0., 0., -500.};
+  p.wall.normal_stiffness = 2e5;
+  p.wall.shear_stiffness = 1.7e5;
+  p.wall.normal_damping = p.wall.shear_damping = 0.3;
+  p.stone.normal_damping = p.stone.shear_damping = 0.2;
+  p.stone.rolling_friction = p.wall.rolling_friction = 1e6;
+  dem::Engine engine = settled(p);
+  const dem::SpringNetwork network = dem::contact_springs(engine, 0.);
+  ASSERT_GT(network.n_contacts(), 27u);
+  const double sharp = dem::sharp_step(network);
+  const double bound = dem::guaranteed_step(network).step;
+  EXPECT_LE(bound, sharp);
+  EXPECT_GT(bound, 0.8 * sharp);
+  constexpr double quiet = 100.;
+  // Well above the speeds of the last settling; short, since balls on balls
+  // roll away by a factor of e in some 140 steps.
+  const Vec3 kick = Vec3::Constant(1e-6);
+  EXPECT_LT(growth(engine, bound, 400, kick), quiet);
+  engine = settled(p);
+  EXPECT_LT(growth(engine, 0.98 * sharp, 400, kick), quiet);
+  engine = settled(p);
+  EXPECT_GT(growth(engine, 1.02 * sharp, 400, kick), 1e6);
+}
