@@ -1,10 +1,8 @@
 #include "bench_report.h"
-#include "bench_scene.h"
 #include "commands.h"
 #include "errors.h"
 #include "specimen.h"
 
-#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -43,6 +41,15 @@ int whole_number(const std::string &option, const std::string &text, int least)
   return value;
 }
 
+/// A file that is written after minutes of work must not fail for its name.
+void require_folder(const std::string &option, const std::string &path)
+{
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    throw InputError("bench: " + option + " " + path +
+                     ": cannot be written, no folder " + folder.string());
+}
+
 void check(const BenchOptions &options)
 {
   if (options.packing.empty())
@@ -53,6 +60,8 @@ void check(const BenchOptions &options)
   if (options.is_breaking && options.shapes.empty())
     throw InputError("bench: --breakage: needs --shapes DIR, spheres do not "
                      "break");
+  require_folder("--json", options.json);
+  require_folder("--save", options.save);
 }
 
 BenchOptions parse_options(Words words)
@@ -107,18 +116,11 @@ void write_text(const std::string &path, const std::string &text)
 void describe(const dem::Engine &engine, BenchResult &result)
 {
   const dem::Particles &stones = engine.particles();
-  result.n_breakable = static_cast<std::size_t>(
-      std::ranges::count(stones.is_breakable, std::uint8_t{1}));
+  result.n_breakable = count_breakable(engine);
   result.solid_fraction = solid_volume(stones) / result.box.prod();
   result.coordination =
       dem::contact_network(engine.pairs(), stones.size()).coordination_number;
   result.unbalanced_ratio = dem::unbalanced_force_ratio(stones, engine.pairs());
-}
-
-void advance(dem::Engine &engine, double time_step, int n_steps)
-{
-  for (int step = 0; step < n_steps; ++step)
-    engine.advance(time_step);
 }
 
 /// Builds the scene anew and times it; every repeat does the same.
@@ -128,10 +130,10 @@ void time_once(const BenchOptions &options, const BenchStones &stones,
   const BenchScene scene = scenes.at(options.scene);
   const auto engine = make_bench_engine(stones, scene, options.is_breaking);
   const MemoryUse built = memory_use();
-  advance(*engine, settling_step(*engine),
-          options.settle < 0 ? settling_steps(scene) : options.settle);
-  start_scene(*engine, scene);
-  advance(*engine, bench_step, warm_up_steps);
+  settle(*engine, scene,
+         options.settle < 0 ? settling_steps(scene) : options.settle);
+  for (int step = 0; step < warm_up_steps; ++step)
+    engine->advance(bench_step);
   const bool is_first = result.samples.empty();
   if (is_first)
     describe(*engine, result);

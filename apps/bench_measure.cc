@@ -4,32 +4,17 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
-#include <span>
 #include <string>
 
 namespace spall
 {
 namespace
 {
-std::int64_t count_touching(const dem::ContactBatch &batch)
-{
-  std::int64_t n = 0;
-  for (std::size_t k = 0; k < batch.size(); ++k)
-    n += batch.is_touching(k);
-  return n;
-}
-
 double cpu_seconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 } // namespace
-
-ContactCount count_contacts(const dem::Engine &engine)
-{
-  return {count_touching(engine.pairs()), count_touching(engine.on_planes()),
-          static_cast<std::int64_t>(engine.pairs().size())};
-}
 
 BenchSample measure(dem::Engine &engine, int n_steps, double time_step)
 {
@@ -55,15 +40,6 @@ BenchSample measure(dem::Engine &engine, int n_steps, double time_step)
   sample.energy_after = engine.energy();
   sample.checksum = position_checksum(engine);
   return sample;
-}
-
-std::uint64_t position_checksum(const dem::Engine &engine)
-{
-  std::uint64_t hash = 14695981039346656037u;
-  for (const dem::Vec3 &x : engine.particles().position)
-    for (const std::byte byte : std::as_bytes(std::span(x.data(), 3)))
-      hash = (hash ^ static_cast<std::uint64_t>(byte)) * 1099511628211u;
-  return hash;
 }
 
 double energy_residual(const dem::EngineEnergy &e)

@@ -1,23 +1,9 @@
 #pragma once
 
-#include <dem/engine.h>
-
-#include <cstdint>
+#include "bench_state.h"
 
 namespace spall
 {
-/// Contacts at one moment.
-struct ContactCount
-{
-  std::int64_t pairs = 0;  ///< touching, stone on stone
-  std::int64_t walls = 0;  ///< touching, stone on plane
-  std::int64_t listed = 0; ///< candidate pairs
-
-  std::int64_t touching() const { return pairs + walls; }
-};
-
-ContactCount count_contacts(const dem::Engine &engine);
-
 /// One timed stretch of steps.
 struct BenchSample
 {
@@ -39,9 +25,6 @@ struct BenchSample
 };
 
 BenchSample measure(dem::Engine &engine, int n_steps, double time_step);
-
-/// FNV-1a over the bytes of all positions: equal if they are, bit for bit.
-std::uint64_t position_checksum(const dem::Engine &engine);
 
 /// Work put in less what is stored and what is lost, since the start [J].
 double energy_residual(const dem::EngineEnergy &energy);

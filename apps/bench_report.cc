@@ -7,6 +7,7 @@
 #include <cinttypes>
 #include <cstdarg>
 #include <cstdio>
+#include <limits>
 
 namespace spall
 {
@@ -28,8 +29,12 @@ using Json = nlohmann::ordered_json;
   return std::string(label.data()) + value.data() + "\n";
 }
 
+/// Memory of the scene; not known if the box was closed before it, since that
+/// leaves freed memory behind.
 double per_stone(const BenchResult &result, double bytes)
 {
+  if (result.closed)
+    return std::numeric_limits<double>::quiet_NaN();
   return (bytes - result.before.now) / static_cast<double>(result.n_stones);
 }
 
@@ -181,9 +186,10 @@ std::string bench_text(const BenchResult &r)
          line("memory", "%.1f MB before, %.1f built, %.1f run, %.1f peak",
               1e-6 * r.before.now, 1e-6 * r.built.now, 1e-6 * r.run.now,
               1e-6 * r.run.peak) +
-         line("per stone", "%.0f bytes built, %.0f run, %.0f peak",
-              per_stone(r, r.built.now), per_stone(r, r.run.now),
-              per_stone(r, r.run.peak)) +
+         (r.closed ? line("per stone", "not known: the box was closed")
+                   : line("per stone", "%.0f bytes built, %.0f run, %.0f peak",
+                          per_stone(r, r.built.now), per_stone(r, r.run.now),
+                          per_stone(r, r.run.peak))) +
          line("checksum", "%s", hexadecimal(s.checksum).c_str());
 }
 

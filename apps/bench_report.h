@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bench_closing.h"
 #include "bench_measure.h"
-#include "bench_scene.h"
 
 #include <optional>
 #include <string>

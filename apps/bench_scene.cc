@@ -1,5 +1,6 @@
 #include "bench_scene.h"
 
+#include "bench_state.h"
 #include "errors.h"
 #include "parameter.h"
 #include "shape_file.h"
@@ -7,17 +8,12 @@
 #include <dem/packing/random.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81;      // [m/s^2]
-constexpr double pressure = 30e3;     // of the closed box [Pa]
-constexpr double closing_speed = 1.;  // of one wall at most [m/s]
-constexpr int closing_steps = 40000;  // at most
-constexpr int closing_interval = 200; // [steps]
+constexpr double gravity = 9.81; // [m/s^2]
 
 /// The peers' material: E = 1.25e9 Pa, nu = 0.25, so G = E / (2 (1 + nu)) =
 /// 5e8 Pa. Restitution e = 0.4 from contact to zero overlap, as the peer
@@ -51,7 +47,18 @@ dem::WallMaterial wall_material()
   return wall;
 }
 
-dem::EngineParameters parameters_of_bench()
+void require_stable(const dem::Engine &engine)
+{
+  const dem::StepLimit limit =
+      dem::critical_step(engine.parameters(), engine.particles());
+  if (bench_step > limit.step)
+    throw InputError("bench: the time step of " + number_text(bench_step) +
+                     " s must be at most " + number_text(limit.step) +
+                     " s for these stones, set by: " + limit.reason);
+}
+} // namespace
+
+dem::EngineParameters bench_parameters()
 {
   dem::EngineParameters parameters;
   parameters.stone = stone_material();
@@ -71,69 +78,9 @@ fill_engine(const BenchStones &stones, const dem::EngineParameters &parameters)
     engine->add_stone(stones.bodies[k], packing.position[k],
                       packing.orientation.empty() ? dem::Quaternion::Identity()
                                                   : packing.orientation[k]);
+  require_stable(*engine);
   return engine;
 }
-
-/// Where the stones of the engine are and how they move: all that this file
-/// reads and writes of its columns.
-void set_velocities(dem::Engine &engine,
-                    const std::vector<dem::Vec3> &velocities)
-{
-  engine.particles().velocity = velocities;
-}
-
-void take_state(const dem::Engine &engine, Packing &packing)
-{
-  packing.position = engine.particles().position;
-  packing.orientation = engine.particles().orientation;
-}
-
-void require_stable(const dem::Engine &engine)
-{
-  const dem::StepLimit limit =
-      dem::critical_step(engine.parameters(), engine.particles());
-  if (bench_step > limit.step)
-    throw InputError("bench: the time step of " + number_text(bench_step) +
-                     " s must be at most " + number_text(limit.step) +
-                     " s for these stones, set by: " + limit.reason);
-}
-
-/// Moves everything away from the origin so that the circumscribed spheres of
-/// stones whose balls touch come apart.
-void spread(BenchStones &stones)
-{
-  Packing &packing = stones.packing;
-  double factor = 1.;
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    factor = std::max(factor, stones.bodies[k].circumscribed_radius /
-                                  packing.radius[k]);
-  packing.box *= factor;
-  for (dem::Vec3 &x : packing.position)
-    x *= factor;
-}
-
-/// The stones come together as fast as the walls, so that the box closes
-/// evenly.
-void close_evenly(dem::Engine &engine, const Packing &packing)
-{
-  const dem::Vec3 centre = 0.5 * packing.box;
-  std::vector<dem::Vec3> velocities;
-  for (const dem::Vec3 &x : packing.position)
-    velocities.push_back(closing_speed * (centre - x).cwiseQuotient(centre));
-  set_velocities(engine, velocities);
-}
-
-bool is_closed(const dem::Engine &engine, const dem::BoxPlanes &box,
-               ClosedBox &reached)
-{
-  reached.stress = dem::box_stress(engine, box);
-  reached.unbalanced_ratio =
-      dem::unbalanced_force_ratio(engine.particles(), engine.pairs());
-  return (reached.stress.array() / pressure - 1.).abs().maxCoeff() < 0.02 &&
-         reached.unbalanced_ratio < 0.01 && reached.unbalanced_ratio > 0.;
-}
-
-} // namespace
 
 BenchStones make_bench_stones(Packing packing, const std::string &shapes)
 {
@@ -157,50 +104,12 @@ BenchStones make_bench_stones(Packing packing, const std::string &shapes)
   return stones;
 }
 
-ClosedBox close_box(BenchStones &stones)
-{
-  spread(stones);
-  dem::EngineParameters parameters = parameters_of_bench();
-  parameters.gravity.setZero();
-  parameters.stone.friction = parameters.stone.rolling_friction = 0.;
-  parameters.wall.friction = parameters.wall.rolling_friction = 0.;
-  parameters.local_damping = 0.7;
-  const std::unique_ptr<dem::Engine> engine = fill_engine(stones, parameters);
-  const dem::BoxPlanes box =
-      dem::add_box(*engine, dem::Vec3::Zero(), stones.packing.box);
-  close_evenly(*engine, stones.packing);
-  dem::BoxServo servo(box, {5e-4, closing_speed});
-  for (int d = 0; d < 3; ++d)
-    servo.follow(d, pressure);
-  ClosedBox reached;
-  require_stable(*engine);
-  reached.step = settling_step(*engine);
-  do
-    for (int step = 0; step < closing_interval; ++step)
-    {
-      servo.update(*engine, reached.step);
-      engine->advance(reached.step);
-    }
-  while (!is_closed(*engine, box, reached) &&
-         engine->n_steps() < closing_steps);
-  reached.n_steps = engine->n_steps();
-  take_state(*engine, stones.packing);
-  dem::Vec3 lower;
-  for (int d = 0; d < 3; ++d)
-    lower[d] = engine->planes()[box[static_cast<std::size_t>(d)][0]].point[d];
-  for (dem::Vec3 &x : stones.packing.position)
-    x -= lower;
-  stones.packing.box = dem::box_size(*engine, box);
-  return reached;
-}
-
 std::unique_ptr<dem::Engine>
 make_bench_engine(const BenchStones &stones, BenchScene scene, bool is_breaking)
 {
-  dem::EngineParameters parameters = parameters_of_bench();
+  dem::EngineParameters parameters = bench_parameters();
   parameters.breakage.is_active = is_breaking;
   std::unique_ptr<dem::Engine> engine = fill_engine(stones, parameters);
-  require_stable(*engine);
   dem::Vec3 upper = stones.packing.box;
   if (scene == BenchScene::collapse)
     upper.x() *= 1.6;
@@ -215,8 +124,13 @@ double settling_step(const dem::Engine &engine)
       0.2 * dem::critical_step(engine.parameters(), engine.particles()).step);
 }
 
-void start_scene(dem::Engine &engine, BenchScene scene)
+void settle(dem::Engine &engine, BenchScene scene, int n_steps)
 {
+  const double step = settling_step(engine);
+  engine.set_local_damping(scene == BenchScene::collapse ? 0. : 0.7);
+  for (int k = 0; k < n_steps; ++k)
+    engine.advance(step);
+  engine.set_local_damping(0.);
   if (scene == BenchScene::jolt)
     set_velocities(engine, std::vector<dem::Vec3>(engine.particles().size(),
                                                   dem::Vec3(0.1, 0., -0.3)));

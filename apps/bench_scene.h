@@ -44,23 +44,16 @@ struct BenchStones
 /// turned at random. Throws InputError.
 BenchStones make_bench_stones(Packing packing, const std::string &shapes);
 
-/// What close_box has reached.
-struct ClosedBox
-{
-  dem::Vec3 stress = dem::Vec3::Zero(); ///< on the walls [Pa]
-  double unbalanced_ratio = 0.;         ///< unbalanced force ratio [-]
-  double step = 0.;                     ///< time step taken [s]
-  std::int64_t n_steps = 0;
-};
+/// Material, walls and gravity of the peer codes, nothing breaks.
+dem::EngineParameters bench_parameters();
 
-/// Moves the stones apart until no two can touch and closes the box round them
-/// again, without friction, rolling resistance and gravity and with local
-/// damping, until the walls bear 30 kPa and the stones are at rest or 40 000
-/// steps are over. Throws InputError if the step is too long for the stones.
-ClosedBox close_box(BenchStones &stones);
+/// The stones in an engine, without walls. Throws InputError if the time step
+/// is too long for them.
+std::unique_ptr<dem::Engine>
+fill_engine(const BenchStones &stones, const dem::EngineParameters &parameters);
 
 /// The scene of the peer codes: stones and six planes, with gravity. Throws
-/// InputError if the time step is too long for the stones.
+/// as fill_engine().
 std::unique_ptr<dem::Engine> make_bench_engine(const BenchStones &stones,
                                                BenchScene scene,
                                                bool is_breaking);
@@ -68,6 +61,7 @@ std::unique_ptr<dem::Engine> make_bench_engine(const BenchStones &stones,
 /// 4e-6 s, shorter for stones of less than 5 mm [s].
 double settling_step(const dem::Engine &engine);
 
-/// What the scene does to the stones after they have settled.
-void start_scene(dem::Engine &engine, BenchScene scene);
+/// Steps of settling_step(), with local damping unless the scene flows; then
+/// what the scene does to the stones.
+void settle(dem::Engine &engine, BenchScene scene, int n_steps);
 } // namespace spall

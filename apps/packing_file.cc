@@ -103,10 +103,10 @@ void add_stone(Packing &packing, const std::string &row,
   if (!is_turned)
     return;
   const dem::Quaternion q(v[4], v[5], v[6], v[7]);
-  if (!(std::abs(q.norm() - 1.) < 1e-6))
+  if (!(std::abs(q.norm() - 1.) < 1e-9))
     throw InputError(place + ": \"" + row +
                      "\": the quaternion must have length 1");
-  packing.orientation.push_back(q.normalized());
+  packing.orientation.push_back(q);
 }
 
 /// Every centre is inside the box.
