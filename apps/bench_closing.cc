@@ -12,14 +12,15 @@ namespace
 {
 constexpr double pressure = 30e3;     // of the closed box [Pa]
 constexpr double closing_speed = 2.;  // of one wall at most [m/s]
-constexpr int closing_steps = 40000;  // at most
-constexpr int relaxing_steps = 8000;  // at least, 20 to 30 ms
+constexpr double closing_time = 0.05; // to be pressed together, at most [s]
+constexpr double falling_time = 0.08; // in which small stones fall [s]
+constexpr double resting_time = 0.15; // to come to rest, at most [s]
 constexpr int closing_interval = 200; // [steps]
 
 /// Smooth walls, stones without friction until they are pressed together.
-dem::EngineParameters closing_parameters()
+dem::EngineParameters closing_parameters(const BenchStones &stones)
 {
-  dem::EngineParameters parameters = bench_parameters();
+  dem::EngineParameters parameters = bench_parameters(stones);
   parameters.stone.friction = 0.;
   parameters.wall.friction = parameters.wall.rolling_friction = 0.;
   parameters.local_damping = 0.7;
@@ -107,25 +108,25 @@ ClosedBox close_box(BenchStones &stones)
 {
   spread(stones);
   const std::unique_ptr<dem::Engine> engine =
-      fill_engine(stones, closing_parameters());
+      fill_engine(stones, closing_parameters(stones));
   const dem::BoxPlanes box =
       dem::add_box(*engine, dem::Vec3::Zero(), stones.packing.box);
   drive_evenly(*engine, box, stones.packing);
   ClosedBox reached;
-  reached.step = settling_step(*engine);
+  reached.step = 1.5 * settling_step(*engine);
   do
     run_interval(*engine, box, nullptr, reached);
-  while (!is_compact(*engine, box, reached) &&
-         reached.n_steps < closing_steps - relaxing_steps);
-  engine->set_friction(bench_parameters().stone.friction);
+  while (!is_compact(*engine, box, reached) && engine->time() < closing_time);
+  engine->set_friction(bench_parameters(stones).stone.friction);
+  engine->set_local_damping(0.3);
   dem::BoxServo servo(box, {5e-4, closing_speed});
   for (int d = 0; d < 3; ++d)
     servo.follow(d, pressure);
-  const std::int64_t least = reached.n_steps + relaxing_steps;
+  const double pressed = engine->time();
   do
     run_interval(*engine, box, &servo, reached);
-  while (reached.n_steps < least ||
-         (!is_at_rest(reached) && reached.n_steps < closing_steps));
+  while (engine->time() < pressed + falling_time ||
+         (!is_at_rest(reached) && engine->time() < pressed + resting_time));
   take_closed(*engine, box, stones.packing);
   return reached;
 }

@@ -17,8 +17,8 @@ struct ClosedBox
 /// again. Without friction, and with local damping, they are pressed together
 /// to three times 30 kPa; then the servo holds 30 kPa, with friction, for
 /// without it stones that overlap along the branch do not come to rest
-/// (docs/decisions/0004-radial-overlap-at-rest.md). Ends when they are at rest,
-/// after 40 000 steps at the latest. Throws InputError if the time step is too
-/// long for the stones.
+/// (docs/decisions/0004-radial-overlap-at-rest.md). Small stones fall
+/// into place for 0.08 s; ends when all are at rest, 0.07 s later at the
+/// latest. Throws InputError if the time step is too long for the stones.
 ClosedBox close_box(BenchStones &stones);
 } // namespace spall

@@ -58,10 +58,12 @@ void require_stable(const dem::Engine &engine)
 }
 } // namespace
 
-dem::EngineParameters bench_parameters()
+dem::EngineParameters bench_parameters(const BenchStones &stones)
 {
   dem::EngineParameters parameters;
   parameters.stone = stone_material();
+  if (stones.bodies.front().series)
+    parameters.stone.rolling_friction = 0.5;
   parameters.wall = parameters.surface = wall_material();
   parameters.gravity = -gravity * dem::Vec3::UnitZ();
   parameters.search_margin = 5e-4; // the skin of the peers
@@ -107,7 +109,7 @@ BenchStones make_bench_stones(Packing packing, const std::string &shapes)
 std::unique_ptr<dem::Engine>
 make_bench_engine(const BenchStones &stones, BenchScene scene, bool is_breaking)
 {
-  dem::EngineParameters parameters = bench_parameters();
+  dem::EngineParameters parameters = bench_parameters(stones);
   parameters.breakage.is_active = is_breaking;
   std::unique_ptr<dem::Engine> engine = fill_engine(stones, parameters);
   dem::Vec3 upper = stones.packing.box;

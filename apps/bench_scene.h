@@ -44,8 +44,10 @@ struct BenchStones
 /// turned at random. Throws InputError.
 BenchStones make_bench_stones(Packing packing, const std::string &shapes);
 
-/// Material, walls and gravity of the peer codes, nothing breaks.
-dem::EngineParameters bench_parameters();
+/// Material, walls and gravity of the peer codes, nothing breaks. Stones with
+/// shapes get a rolling friction of 0.5: at the 0.2 of the spheres they keep
+/// themselves in motion (docs/decisions/0004-radial-overlap-at-rest.md).
+dem::EngineParameters bench_parameters(const BenchStones &stones);
 
 /// The stones in an engine, without walls. Throws InputError if the time step
 /// is too long for them.
