@@ -14,4 +14,5 @@ int check_command(Words words);
 int run_command(Words words);
 int report_command(Words words);
 int shape_command(Words words);
+int bench_command(Words words);
 } // namespace spall

@@ -21,7 +21,7 @@ struct Command
   bool needs_mpi;
 };
 
-constexpr std::array<Command, 5> commands = {
+constexpr std::array<Command, 6> commands = {
     {{"template", "KIND", "print a commented case (kind: dynamic_triaxial)",
       template_command, false},
      {"check", "CASE.prm [--set Section/key=value ...]",
@@ -36,7 +36,12 @@ constexpr std::array<Command, 5> commands = {
      {"shape",
       "fit MESH --order N --out S.json [--max-overhang F] [--unit m|mm|um] "
       "[--source TEXT] [--licence TEXT] | info S.json|MESH [--unit m|mm|um]",
-      "fit and measure stone shapes", shape_command, false}}};
+      "fit and measure stone shapes", shape_command, false},
+     {"bench",
+      "--packing P.csv [--steps N] [--threads N] [--shapes DIR] [--breakage] "
+      "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "
+      "[--save P.csv]",
+      "time the particle engine on a packing", bench_command, false}}};
 
 std::string usage()
 {
@@ -109,7 +114,7 @@ int run_program(const std::vector<std::string> &words)
     if (words[0] == command.name)
       return dispatch(command, Words(words).subspan(1));
   throw InputError(words[0] + ": no such command: must be one of template, "
-                              "check, run, report, shape");
+                              "check, run, report, shape, bench");
 }
 
 /// A message as the one line that a user gets.

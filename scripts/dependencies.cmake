@@ -5,6 +5,7 @@ find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
 
 find_package(deal.II 9.4 REQUIRED CONFIG)
 include(${DEAL_II_TARGET_CONFIG})

@@ -122,13 +122,8 @@ void Engine::set_breaking(bool is_on)
 
 void Engine::advance(double time_step)
 {
-  half_kick(time_step);
   move_planes(time_step);
-  Speeds fastest;
-  {
-    const Timer timer(spent.motion);
-    fastest = drift(stones, steepest, time_step);
-  }
+  const Speeds fastest = move_stones(time_step);
   now += time_step;
   ++step_count;
   keep_lists(fastest, time_step);
@@ -136,10 +131,18 @@ void Engine::advance(double time_step)
     break_corners(time_step);
   load_planes(time_step);
   book_surface_work(time_step);
-  half_kick(time_step);
+  finish_kick(time_step);
 }
 
-void Engine::half_kick(double time_step)
+Speeds Engine::move_stones(double time_step)
+{
+  const Timer timer(spent.motion);
+  return kick_and_drift(
+      stones, {{settings.gravity, settings.local_damping}, steepest, time_step},
+      work);
+}
+
+void Engine::finish_kick(double time_step)
 {
   const Timer timer(spent.motion);
   kick(stones, {settings.gravity, settings.local_damping}, 0.5 * time_step,
@@ -168,17 +171,25 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   travelled += (fastest.moving + boundary) * time_step;
   margin.left -=
       (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
-  if (lists_are_stale || margin.left < 0.)
+  // Seldom, since it counts the contacts.
+  constexpr std::int64_t check_interval = 256;
+  const bool is_checked = (step_count - margin.built_at) % check_interval == 0;
+  if (lists_are_stale || margin.left < 0. ||
+      (is_checked && margin.is_too_wide(list_counts())))
     rebuild_lists();
+}
+
+SearchMargin::Lists Engine::list_counts() const
+{
+  return {step_count, static_cast<std::int64_t>(pair_batch.size()),
+          count_touching(pair_batch),
+          stones.has_shapes ? rebuild_of_shapes : rebuild_of_balls};
 }
 
 void Engine::rebuild_lists()
 {
   const Timer timer(spent.search);
-  margin.renew(settings.search_margin, step_count,
-               static_cast<std::int64_t>(pair_batch.size()),
-               count_touching(pair_batch),
-               stones.has_shapes ? rebuild_of_shapes : rebuild_of_balls);
+  margin.renew(settings.search_margin, list_counts());
   if (stones.size() >= sorted_from)
     sort_in_space();
   rebuild_pairs(stones, settings, margin.width, pair_batch, lost);
@@ -238,11 +249,10 @@ bool Engine::evaluate_contacts(double time_step)
   return run_contacts(context(time_step));
 }
 
-/// Forces of all contacts and the loads on all stones; true if some side asks
-/// for breakage.
+/// Forces of all contacts and the loads on all stones, zero before; true if
+/// some side asks for breakage.
 bool Engine::run_contacts(const ForceContext &all)
 {
-  std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
   ForceSum sum = pair_forces(all, pair_batch, pair_loads, ranges);
   const auto add = [&sum](const ForceSum &part)
   {
@@ -280,6 +290,7 @@ void Engine::break_corners(double time_step)
   {
     ForceContext still = context(0.);
     still.adds_loads_only = true;
+    std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
     run_contacts(still);
   }
 }

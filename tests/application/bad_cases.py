@@ -1,5 +1,6 @@
 """The broken inputs of bad_input.py and what must be said about each."""
 import dataclasses
+import gzip
 import json
 
 from test_meshes import (box_triangles, mushroom_triangles, stl,
@@ -245,4 +246,62 @@ MESHES = [
     Bad("info_missing", ["shape", "info", "nowhere.json"], ["nowhere.json"]),
 ]
 
-CASES = VALUES + SCENE + WORDS + FILES + GRADATIONS + SHAPES + MESHES
+BENCH = ["bench", "--packing", "p.csv"]
+PACKING = "x,y,z,radius\n0.005,0.005,0.005,0.005\n"
+
+
+def packing(name, text, *message, words=()):
+    """A packing for the benchmark, and words after it."""
+    return Bad("bench_" + name, [*BENCH, *words], list(message),
+               files={"p.csv": text})
+
+
+PACKINGS = [
+    packing("header", "x,y,z,r\n", "p.csv:1", "header", "x,y,z,radius"),
+    packing("text", PACKING + "0.005,0.005,0.005,big\n", "p.csv:3", "big",
+            "four numbers"),
+    packing("nan", PACKING + "nan,0.005,0.005,0.005\n", "p.csv:3",
+            "four numbers"),
+    packing("short", PACKING + "0.005,0.005,0.005\n", "p.csv:3",
+            "four numbers"),
+    packing("negative", PACKING + "0.005,0.005,0.005,-0.005\n", "p.csv:3",
+            "-0.005", "above 0"),
+    packing("quaternion", "x,y,z,radius,qw,qx,qy,qz\n1,1,1,1,0,0,0,0\n",
+            "p.csv:2", "length 1"),
+    packing("box", "# box 1 1\n" + PACKING, "p.csv:1", "LX LY LZ"),
+    packing("outside", "# box 1 0.001 1\n" + PACKING, "stone 1", "y = 0.005",
+            "0.001"),
+    packing("empty", "x,y,z,radius\n", "p.csv", "no stones"),
+    packing("unstable", "# box 1 1 1\nx,y,z,radius\n1e-6,1e-6,1e-6,1e-6\n", "1e-06 s",
+            "at most"),
+    packing("steps", PACKING, "--steps 0", "whole number from 1",
+            words=["--steps", "0"]),
+    packing("threads", PACKING, "--threads two", "whole number",
+            words=["--threads", "two"]),
+    packing("repeat", PACKING, "--repeat -1", "whole number",
+            words=["--repeat", "-1"]),
+    packing("settle", PACKING, "--settle -1", "whole number from 0",
+            words=["--settle", "-1"]),
+    packing("scene", PACKING, "--scene flood", "rest, jolt or collapse",
+            words=["--scene", "flood"]),
+    packing("option", PACKING, "--fast", "--steps", words=["--fast"]),
+    packing("no_value", PACKING, "--steps", "value must follow",
+            words=["--steps"]),
+    packing("breakage", PACKING, "--breakage", "--shapes",
+            words=["--breakage"]),
+    packing("shapes", PACKING, "nowhere", "no such folder",
+            words=["--shapes", "nowhere"]),
+    packing("json", PACKING, "--json nowhere/a.json", "cannot be written",
+            words=["--json", "nowhere/a.json"]),
+    packing("save", PACKING, "nowhere/b.csv", "cannot be written",
+            words=["--save", "nowhere/b.csv"]),
+    Bad("bench_missing", BENCH, ["p.csv", "no such file"]),
+    Bad("bench_folder", ["bench", "--packing", "."], ["folder"]),
+    Bad("bench_nothing", ["bench"], ["--packing"]),
+    Bad("bench_cut_off", ["bench", "--packing", "p.csv.gz"],
+        ["p.csv.gz", "cut off"],
+        files={"p.csv.gz": gzip.compress(PACKING.encode())[:-6]}),
+]
+
+CASES = (VALUES + SCENE + WORDS + FILES + GRADATIONS + SHAPES + PACKINGS
+         + MESHES)

@@ -30,7 +30,8 @@ def faults_of(spall, bad):
                  **bad.files}
         for path, text in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            (folder / path).write_text(text)
+            (folder / path).write_bytes(text if isinstance(text, bytes)
+                                        else text.encode())
         before = listing(folder)
         words = [word.replace("{case}", "case.prm") for word in bad.words]
         try:

@@ -28,6 +28,7 @@ GROUPS = [
     ("openmp", r"omp\.h$"),
     ("mpi", r"(mpi\.h$|zoltan)"),
     ("json", r"nlohmann/"),
+    ("zlib", r"zlib\.h$"),
     ("window", r"(EGL/|GL/)"),
     ("system", r"(dlfcn|unistd|fcntl|sys/[a-z]+)(\.h)?$"),
     ("std", r"(experimental/simd|[a-z_0-9]+)$"),
@@ -40,7 +41,7 @@ ALLOWED = {
     "coupling": {"std", "eigen", "openmp", "mpi", "dealii", "trilinos", "vtk",
                  "dem", "fem", "coupling"},
     "apps": {"std", "eigen", "openmp", "mpi", "dealii", "trilinos", "vtk",
-             "dem", "fem", "coupling", "json", "window", "system"},
+             "dem", "fem", "coupling", "json", "zlib", "window", "system"},
 }
 # What single folders of dem may use besides.
 EXTRA = {"io": {"vtk"}, "parallel": {"mpi"}}

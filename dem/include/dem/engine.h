@@ -94,9 +94,11 @@ public:
                const std::vector<std::shared_ptr<const Coefficients>> &library);
 
 private:
-  void half_kick(double time_step);
+  Speeds move_stones(double time_step);
+  void finish_kick(double time_step);
   void move_planes(double time_step);
   void keep_lists(const Speeds &fastest, double time_step);
+  SearchMargin::Lists list_counts() const;
   void rebuild_lists();
   void sort_in_space();
   bool evaluate_contacts(double time_step);

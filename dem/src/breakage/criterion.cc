@@ -16,18 +16,17 @@ Cap cap_of(double overlap, double gaussian_curvature)
   return cap;
 }
 
-DamageStep damage_step(double factor, double energy_before, double energy,
-                       double fracture_energy)
+double cap_slope(double gaussian_curvature)
 {
-  DEM_ASSERT(fracture_energy > 0.);
-  DamageStep step;
-  step.factor =
-      factor + std::max(0., (energy - energy_before) / fracture_energy);
-  if (energy > fracture_energy)
-    step.mode = BreakageMode::instantaneous;
-  else if (step.factor > 1.)
-    step.mode = BreakageMode::cumulative;
-  return step;
+  DEM_ASSERT(gaussian_curvature > 0.);
+  return 2. * std::numbers::pi / std::sqrt(gaussian_curvature);
+}
+
+BreakageMode mode_of(const DamageStep<double> &step)
+{
+  if (step.energy_ratio > 1.)
+    return BreakageMode::instantaneous;
+  return step.factor > 1. ? BreakageMode::cumulative : BreakageMode::none;
 }
 
 double factor_after(BreakageMode mode, double factor)

@@ -115,8 +115,12 @@ double reset(const ForceContext &context, ContactSet &contacts,
                           : place.kind == 1
                               ? reset_wall(context, contacts.planes, batch, k)
                               : reset_wall(context, contacts.facets, batch, k);
-  if (!batch.is_touching(k))
-    find_damage(context, batch, k, 0.);
+  if (batch.layout.has_damage && !batch.is_touching(k))
+  {
+    batch.factor_a[k] = 0.;
+    if (batch.layout.has_partners)
+      batch.factor_b[k] = 0.;
+  }
   return released;
 }
 
@@ -131,8 +135,8 @@ BreakageMode mode_now(ContactBatch &batch, const Request &request,
 {
   if (!batch.is_touching(request.contact))
     return BreakageMode::none;
-  const unsigned bit = request.is_side_a ? 1u : 2u;
-  if ((batch.corner[request.contact] & bit) == 0)
+  if ((request.is_side_a ? batch.corner_a : batch.corner_b)[request.contact] <=
+      0.f)
     return BreakageMode::none;
   if (energy_ratio(batch, request.contact, request.is_side_a, breakage) > 1.)
     return BreakageMode::instantaneous;

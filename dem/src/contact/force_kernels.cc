@@ -3,6 +3,8 @@
 
 #include "lanes.h"
 
+#include <dem/breakage/criterion.h>
+
 namespace dem::kernel
 {
 namespace
@@ -110,6 +112,14 @@ struct Target
   }
 };
 
+/// Where the load on side B goes: to the stone, or to a row of the halo.
+double *partner_load(const Task &task, std::int32_t target)
+{
+  const std::int64_t row = target;
+  return row >= 0 ? task.stones.load + load_row * row
+                  : task.stones.halo + load_row * (-1 - row);
+}
+
 /// Adds six numbers of a lane to a row.
 template <int n_values>
 void add_load(const LaneTable<n_values> &table, int first_value, int lane,
@@ -119,20 +129,50 @@ void add_load(const LaneTable<n_values> &table, int first_value, int lane,
     row[c] += table.value[first_value + c][lane];
 }
 
-/// Contacts that touch or did: asks for the damage of those that need it.
-void find_damage(const Task &task, std::int64_t k, int n_valid,
-                 const Lanes &energy_before, RangeSum &sum)
+/// Overlap and elastic energy of a set of lanes, now and in the last step.
+struct Loading
 {
-  LaneTable<1> before;
-  before.set(0, energy_before);
-  for (int lane = 0; lane < n_valid; ++lane)
-  {
-    const bool has_opened =
-        before.value[0][lane] > 0. && task.contacts.overlap[k + lane] <= 0.;
-    if (has_opened || task.contacts.corner[k + lane] != 0)
-      sum.wants_breakage |= task.surfaces.damage(task.surfaces.owner, k + lane,
-                                                 before.value[0][lane]);
-  }
+  Lanes overlap, energy_before, energy;
+};
+
+/// Eqs. 4 and 5 for one side of the contacts; an open contact loses its factor.
+/// `bit` names the side in the events.
+void damage_side(const Task &task, std::int64_t k, const Loading &loading,
+                 const float *corner, double *factor, unsigned bit,
+                 RangeSum &sum)
+{
+  const LaneMask is_touching = loading.overlap > 0.;
+  const Lanes slope = load(corner + k), old = load(factor + k);
+  const LaneMask is_at_risk = is_touching && slope > 0.;
+  if (!any(is_at_risk) && !any(!is_touching && old != 0.))
+    return;
+  const DamageStep<Lanes> step = damage_step(
+      old, loading.energy_before, loading.energy,
+      select(is_at_risk, task.fracture_energy * slope * loading.overlap,
+             Lanes(1.)));
+  store(select(is_at_risk, step.factor, select(is_touching, old, Lanes(0.))),
+        factor + k);
+  const LaneMask breaks =
+      is_at_risk && (step.factor > 1. || step.energy_ratio > 1.);
+  if (!any(breaks))
+    return;
+  sum.wants_breakage = true;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (breaks[static_cast<std::size_t>(lane)])
+    {
+      std::uint8_t &event = task.contacts.event[k + lane];
+      event = static_cast<std::uint8_t>(event | bit);
+    }
+}
+
+void find_damage(const Task &task, std::int64_t k, const Loading &loading,
+                 RangeSum &sum)
+{
+  const Contacts &contacts = task.contacts;
+  damage_side(task, k, loading, contacts.corner_a, contacts.factor_a, 1u, sum);
+  if (contacts.corner_b)
+    damage_side(task, k, loading, contacts.corner_b, contacts.factor_b, 2u,
+                sum);
 }
 
 // ---------------------------------------------------------------------------
@@ -228,11 +268,9 @@ void scatter_pairs(const Task &task, std::int64_t k, int n_valid,
   table.set(9, load.moment_b);
   for (int lane = 0; lane < n_valid; ++lane)
   {
-    const std::int64_t to = task.contacts.target[k + lane];
     add_load(table, 0, lane, target.row(task, task.contacts.a[k + lane]));
     add_load(table, 6, lane,
-             to >= 0 ? task.stones.load + load_row * to
-                     : task.stones.halo + load_row * (-1 - to));
+             partner_load(task, task.contacts.target[k + lane]));
   }
 }
 
@@ -310,7 +348,8 @@ NormalSpring<Lanes> pair_spring(const Task &task, std::int64_t k,
                  pair.arm_b() * turning - history.rolling},
                 target);
   if (task.has_damage)
-    find_damage(task, k, n_valid, energy_before, target.sum);
+    find_damage(task, k, {pair.overlap, energy_before, history.normal_energy},
+                target.sum);
 }
 
 // ---------------------------------------------------------------------------
@@ -428,7 +467,9 @@ void scatter_walls(const Task &task, std::int64_t k, int n_valid,
                     history.rolling,
                 target);
   if (task.has_damage)
-    find_damage(task, k, n_valid, energy_before, target.sum);
+    find_damage(task, k,
+                {geometry.overlap, energy_before, history.normal_energy},
+                target.sum);
 }
 
 // ---------------------------------------------------------------------------
@@ -466,6 +507,7 @@ void fetch_ahead(const Task &task, std::int64_t k, std::int64_t last)
         stone_row * static_cast<std::int64_t>(task.contacts.b[entry]);
     __builtin_prefetch(row);
     __builtin_prefetch(row + 8);
+    __builtin_prefetch(partner_load(task, task.contacts.target[entry]), 1);
   }
 }
 

@@ -52,7 +52,9 @@ struct Contacts
   Side side_a, side_b;
   const double *normal_prefactor, *shear_prefactor;
   float *twist;
-  const std::uint8_t *corner;
+  double *factor_a, *factor_b;
+  const float *corner_a, *corner_b;
+  std::uint8_t *event;
 };
 
 /// What is rare and costly, done contact by contact outside of the lanes.
@@ -63,9 +65,6 @@ struct Surfaces
   void (*renew)(void *owner, std::int64_t k, int side, const double *direction);
   /// Mixes the prefactors of contact k with this normal.
   void (*mix)(void *owner, std::int64_t k, const double *normal);
-  /// Damage of contact k, whose normal spring held `energy_before` [J]; true
-  /// if a side asks to break.
-  bool (*damage)(void *owner, std::int64_t k, double energy_before);
 };
 
 /// WallRow in numbers.
@@ -90,8 +89,9 @@ struct Task
   bool reads_surface;       ///< sides are kept up to date
   bool is_radial;           ///< overlap from the sides, not from the balls
   bool has_damage;
-  bool adds_loads_only; ///< forces are taken as the last step left them
-  const double *walls;  ///< WallRow
+  double fracture_energy; ///< G_c [J/m^2]
+  bool adds_loads_only;   ///< forces are taken as the last step left them
+  const double *walls;    ///< WallRow
 };
 
 /// One step of the contacts [first, last); `first` is a multiple of the block.

@@ -26,12 +26,6 @@ void mix(void *owner, std::int64_t k, const double *normal)
                  static_cast<std::size_t>(k), Eigen::Map<const Vec3>(normal));
 }
 
-bool damage(void *owner, std::int64_t k, double energy_before)
-{
-  return find_damage(owner_of(owner).context, owner_of(owner).batch,
-                     static_cast<std::size_t>(k), energy_before);
-}
-
 template <class Row>
 auto *numbers(std::vector<Row> &rows)
 {
@@ -76,7 +70,11 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.normal_prefactor.data(),
           batch.shear_prefactor.data(),
           batch.twist.data(),
-          batch.corner.data()};
+          batch.factor_a.data(),
+          batch.factor_b.data(),
+          batch.corner_a.data(),
+          batch.corner_b.data(),
+          batch.event.data()};
 }
 
 static_assert(sizeof(StoneState) == kernel::stone_row * sizeof(double));
@@ -96,13 +94,14 @@ kernel::Task make_task(SurfaceOwner &owner,
   kernel::Task task{};
   task.stones = stones_view(context.particles);
   task.contacts = contacts_view(owner.batch);
-  task.surfaces = {&owner, renew, mix, damage};
+  task.surfaces = {&owner, renew, mix};
   task.coefficients = coefficients;
   task.time_step = context.time_step;
   task.refresh_tolerance = context.parameters.geometry.refresh_tolerance;
   task.reads_surface = owner.batch.layout.has_sides;
   // A still contact takes no damage.
   task.has_damage = owner.batch.layout.has_damage && context.time_step > 0.;
+  task.fracture_energy = context.parameters.breakage.fracture_energy;
   task.adds_loads_only = context.adds_loads_only;
   return task;
 }

@@ -17,27 +17,6 @@ Vec3 first_direction(const ForceContext &context, std::int32_t stone,
   return context.particles.orientation(row_of(stone)) * Vec3(d[0], d[1], d[2]);
 }
 
-/// Energy of a normal spring in the last and in this step.
-struct DamageEnergy
-{
-  double overlap = 0.;          ///< now [m]
-  double before = 0., now = 0.; ///< [J]
-};
-
-bool damage_side(const ForceContext &context, std::int32_t stone,
-                 const SideCurvature &curvature, const DamageEnergy &energy,
-                 double &factor)
-{
-  const BreakageParameters &breakage = context.parameters.breakage;
-  if (curvature.is_corner == 0 ||
-      !context.particles.is_breakable[row_of(stone)])
-    return false;
-  const Cap cap = cap_of(energy.overlap, curvature.gaussian());
-  const DamageStep step = damage_step(factor, energy.before, energy.now,
-                                      breakage.fracture_energy * cap.area);
-  factor = step.factor;
-  return step.mode != BreakageMode::none;
-}
 } // namespace
 
 void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
@@ -63,16 +42,19 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   if (!batch.twist.empty())
     batch.twist[k] = not_mixed;
   if (batch.layout.has_damage)
-    note_corner(batch, k, is_a);
+    note_corner(context.particles, batch, k, is_a);
 }
 
-void note_corner(ContactBatch &batch, std::size_t k, bool is_a)
+void note_corner(const Particles &particles, ContactBatch &batch, std::size_t k,
+                 bool is_a)
 {
-  const SideColumns &side = is_a ? batch.side_a : batch.side_b;
-  const unsigned bit = is_a ? 1u : 2u;
-  const unsigned others = batch.corner[k] & ~bit;
-  batch.corner[k] = static_cast<std::uint8_t>(
-      others | (side.curvature[k].is_corner != 0 ? bit : 0u));
+  const SideCurvature &curvature =
+      (is_a ? batch.side_a : batch.side_b).curvature[k];
+  const std::int32_t stone = is_a ? batch.a[k] : batch.b[k];
+  const bool may_break =
+      curvature.is_corner != 0 && particles.is_breakable[row_of(stone)] != 0;
+  (is_a ? batch.corner_a : batch.corner_b)[k] =
+      may_break ? static_cast<float>(cap_slope(curvature.gaussian())) : 0.f;
 }
 
 void forget_side(ContactBatch &batch, std::size_t k, bool is_a)
@@ -105,30 +87,5 @@ void mix_prefactors(const ForceContext &context, ContactBatch &batch,
   batch.normal_prefactor[k] = prefactors.normal;
   batch.shear_prefactor[k] = prefactors.tangential;
   batch.twist[k] = 0.f;
-}
-
-bool find_damage(const ForceContext &context, ContactBatch &batch,
-                 std::size_t k, double energy_before)
-{
-  const bool has_partner = batch.layout.has_partners;
-  if (!batch.is_touching(k))
-  {
-    batch.event[k] = 0;
-    batch.factor_a[k] = 0.;
-    if (has_partner)
-      batch.factor_b[k] = 0.;
-    return false;
-  }
-  const DamageEnergy energy{batch.overlap[k], energy_before,
-                            batch.history(k).normal_energy};
-  const bool breaks_a =
-      damage_side(context, batch.a[k], batch.side_a.curvature[k], energy,
-                  batch.factor_a[k]);
-  const bool breaks_b =
-      has_partner && damage_side(context, batch.b[k], batch.side_b.curvature[k],
-                                 energy, batch.factor_b[k]);
-  batch.event[k] =
-      static_cast<std::uint8_t>((breaks_a ? 1 : 0) | (breaks_b ? 2 : 0));
-  return breaks_a || breaks_b;
 }
 } // namespace dem

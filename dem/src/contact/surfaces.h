@@ -17,8 +17,9 @@ inline std::size_t row_of(std::int32_t stone)
 void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
                 bool is_a, const Vec3 &direction);
 
-/// Sets ContactBatch::corner of one side of contact k from its curvature.
-void note_corner(ContactBatch &batch, std::size_t k, bool is_a);
+/// Sets ContactBatch::corner_a or corner_b of contact k from its curvature.
+void note_corner(const Particles &particles, ContactBatch &batch, std::size_t k,
+                 bool is_a);
 
 /// Forgets the surface of side A or B of contact k.
 void forget_side(ContactBatch &batch, std::size_t k, bool is_a);
@@ -28,11 +29,12 @@ void forget_side(ContactBatch &batch, std::size_t k, bool is_a);
 void mix_prefactors(const ForceContext &context, ContactBatch &batch,
                     std::size_t k, const Vec3 &normal);
 
-/// Eqs. 4 and 5 for both sides of contact k, whose normal spring held
-/// `energy_before` [J]; an open contact loses its factors. True if a side asks
-/// to break (ContactBatch::event).
-bool find_damage(const ForceContext &context, ContactBatch &batch,
-                 std::size_t k, double energy_before);
+/// Coefficients of a linear wall in the form that the law takes.
+inline ContactCoefficients coefficients_of(const WallMaterial &wall)
+{
+  return {wall.friction, wall.rolling_friction, wall.normal_damping,
+          wall.shear_damping};
+}
 
 /// A batch and what its rare work needs, as the loops pass it back.
 struct SurfaceOwner

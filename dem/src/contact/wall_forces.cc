@@ -11,9 +11,7 @@ static_assert(sizeof(WallRow) == kernel::wall_row * sizeof(double));
 kernel::Task wall_task(SurfaceOwner &owner, const Walls &walls)
 {
   const WallMaterial &wall = walls.material;
-  kernel::Task task =
-      make_task(owner, {wall.friction, wall.rolling_friction,
-                        wall.normal_damping, wall.shear_damping});
+  kernel::Task task = make_task(owner, coefficients_of(wall));
   task.normal_factor = wall.normal_stiffness;
   task.shear_factor = wall.shear_stiffness;
   task.is_radial =

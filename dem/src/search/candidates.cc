@@ -1,3 +1,5 @@
+#include "../contact/surfaces.h"
+
 #include <dem/search/candidates.h>
 #include <dem/search/near_pairs.h>
 
@@ -62,22 +64,21 @@ std::vector<Key> keys_of(const ContactBatch &batch)
 }
 
 /// Marks the corners that the sides know of.
-void note_corners(ContactBatch &batch)
+void note_corners(const Particles &particles, ContactBatch &batch)
 {
-  const auto mark = [&batch](const SideColumns &side, unsigned bit)
+  for (std::size_t k = 0; k < batch.size(); ++k)
   {
-    for (std::size_t k = 0; k < batch.size(); ++k)
-      if (side.curvature[k].is_corner != 0)
-        batch.corner[k] = static_cast<std::uint8_t>(batch.corner[k] | bit);
-  };
-  mark(batch.side_a, 1u);
-  if (batch.layout.has_partners)
-    mark(batch.side_b, 2u);
+    if (batch.side_a.is_known(k))
+      note_corner(particles, batch, k, true);
+    if (batch.layout.has_partners && batch.side_b.is_known(k))
+      note_corner(particles, batch, k, false);
+  }
 }
 
 /// Puts the batch in the order of `keys` (sorted, as the old one is).
-void carry_over(const std::vector<Key> &keys, const BatchLayout &layout,
-                ContactBatch &batch, Dissipation &retired)
+void carry_over(const Particles &particles, const std::vector<Key> &keys,
+                const BatchLayout &layout, ContactBatch &batch,
+                Dissipation &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
   const std::vector<std::int32_t> source =
@@ -90,7 +91,7 @@ void carry_over(const std::vector<Key> &keys, const BatchLayout &layout,
     batch.b[k] = keys[k].second;
   }
   if (is_damage_new)
-    note_corners(batch);
+    note_corners(particles, batch);
 }
 
 /// Triangles filed under the cells of a coarse grid that their boxes touch.
@@ -188,7 +189,7 @@ void rebuild_pairs(const Particles &particles,
 {
   const bool is_radial =
       parameters.geometry.geometry == ContactGeometry::radial;
-  carry_over(near_pairs(particles, is_radial, margin),
+  carry_over(particles, near_pairs(particles, is_radial, margin),
              pair_layout(parameters, particles), batch, retired);
 }
 
@@ -204,7 +205,7 @@ void rebuild_planes(const Particles &particles,
               wall_bound(particles, i, search.geometry) + search.margin)
         keys.emplace_back(static_cast<std::int32_t>(i),
                           static_cast<std::int32_t>(p));
-  carry_over(keys, search.layout, batch, retired);
+  carry_over(particles, keys, search.layout, batch, retired);
 }
 
 void rebuild_facets(const Particles &particles, const FacetSurface &surface,

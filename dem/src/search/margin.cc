@@ -9,31 +9,52 @@ namespace
 {
 /// Cost of a listed pair that does not touch over that of one that does.
 constexpr double open_cost = 0.5;
-/// Widths allowed, in first widths.
-constexpr double narrowest = 0.1, widest = 2.;
+/// Widths allowed and the first, over the usual one.
+constexpr double narrowest = 0.05, widest = 2., first = 0.25;
+
+/// Open pairs per touching one and metre of width [1/m]; 0: not known.
+double density(const SearchMargin::Lists &lists, double width)
+{
+  const std::int64_t n_open = lists.n_listed - lists.n_touching;
+  return lists.n_touching > 0 && width > 0.
+             ? static_cast<double>(n_open) /
+                   (static_cast<double>(lists.n_touching) * width)
+             : 0.;
+}
 } // namespace
 
 // With u the motion per step and p the open pairs per touching one and metre,
 // a step costs open_cost p w + rebuild_cost u / w, least at
 // w^2 = rebuild_cost u / (open_cost p).
-void SearchMargin::renew(double first, std::int64_t step, std::int64_t n_listed,
-                         std::int64_t n_touching, double rebuild_cost)
+double SearchMargin::best_width(const Lists &now) const
 {
-  const auto steps = static_cast<double>(step - built_at);
+  const double motion =
+      (width - left) /
+      static_cast<double>(std::max<std::int64_t>(now.step - built_at, 1));
+  return std::sqrt(now.rebuild_cost * motion / (open_cost * open_pairs));
+}
+
+void SearchMargin::renew(double usual, const Lists &old)
+{
+  open_pairs = density(old, width);
   if (width <= 0.)
-    width = first;
-  else if (steps > 0. && n_touching > 0 && n_listed > n_touching)
-  {
-    const double motion = (width - left) / steps;
-    const double open_pairs = static_cast<double>(n_listed - n_touching) /
-                              static_cast<double>(n_touching) / width;
-    const double best =
-        std::sqrt(rebuild_cost * motion / (open_cost * open_pairs));
+    width = first * usual;
+  else if (open_pairs > 0. && old.step > built_at)
     // Half way, so that one odd interval does not decide.
-    width =
-        std::clamp(std::sqrt(width * best), narrowest * first, widest * first);
-  }
+    width = std::clamp(std::sqrt(width * best_width(old)), narrowest * usual,
+                       widest * usual);
   left = width;
-  built_at = step;
+  built_at = old.step;
+}
+
+bool SearchMargin::is_too_wide(const Lists &now)
+{
+  open_pairs = density(now, width);
+  if (open_pairs <= 0.)
+    return false;
+  const double best = best_width(now);
+  const double waste = open_cost * open_pairs * (width - best) *
+                       static_cast<double>(now.step - built_at);
+  return best < 0.5 * width && waste > 2. * now.rebuild_cost;
 }
 } // namespace dem

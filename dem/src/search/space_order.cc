@@ -47,8 +47,7 @@ void swap_sides(ContactBatch &batch, std::size_t k)
   if (!batch.layout.has_damage)
     return;
   std::swap(batch.factor_a[k], batch.factor_b[k]);
-  const unsigned corner = batch.corner[k];
-  batch.corner[k] = static_cast<std::uint8_t>((corner & 1u) << 1 | corner >> 1);
+  std::swap(batch.corner_a[k], batch.corner_b[k]);
 }
 
 /// Sorts the entries by (a, b).

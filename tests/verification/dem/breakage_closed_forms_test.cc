@@ -62,9 +62,9 @@ TEST(BreakageClosedForms, InstantaneousModeStartsAtFivePiRG)
     const double overlap = overlap_at(share * threshold);
     EXPECT_NEAR(energy(overlap) / breakage_energy(overlap), share, 1e-12);
     // energy before equals energy now: nothing accumulates
-    const DamageStep step = damage_step(0., energy(overlap), energy(overlap),
-                                        breakage_energy(overlap));
-    EXPECT_EQ(step.mode,
+    const DamageStep<double> step = damage_step(
+        0., energy(overlap), energy(overlap), breakage_energy(overlap));
+    EXPECT_EQ(mode_of(step),
               share > 1. ? BreakageMode::instantaneous : BreakageMode::none);
   }
 }
@@ -96,14 +96,14 @@ TEST(BreakageClosedForms, SlowLoadingBreaksInModeOneFirst)
   for (int i = 1; i <= n_steps; ++i)
   {
     const double before = end * (i - 1) / n_steps, now = end * i / n_steps;
-    const DamageStep step =
+    const DamageStep<double> step =
         damage_step(factor, energy(before), energy(now), breakage_energy(now));
     factor = step.factor;
-    if (step.mode == BreakageMode::none)
+    if (mode_of(step) == BreakageMode::none)
       continue;
-    EXPECT_EQ(step.mode, BreakageMode::cumulative);
+    EXPECT_EQ(mode_of(step), BreakageMode::cumulative);
     EXPECT_NEAR(force(now), threshold, 1e-4 * threshold);
-    EXPECT_NEAR(factor_after(step.mode, factor), 0., 1e-4);
+    EXPECT_NEAR(factor_after(mode_of(step), factor), 0., 1e-4);
     return;
   }
   FAIL() << "no event";

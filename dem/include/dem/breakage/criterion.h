@@ -1,6 +1,8 @@
 #pragma once
 
-#include <dem/vector.h>
+#include <dem/triple.h>
+
+#include <algorithm>
 
 namespace dem
 {
@@ -33,17 +35,33 @@ struct Cap
 /// [1/m^2]; `overlap` > 0 [m].
 Cap cap_of(double overlap, double gaussian_curvature);
 
+/// A_i / delta = 2 pi / sqrt(K_G) of a corner [m], Eq. 15.
+double cap_slope(double gaussian_curvature);
+
 /// One step of Eqs. 4 and 5 for one contact side.
+template <class Real>
 struct DamageStep
 {
-  double factor = 0.; ///< cumulative factor after the step [-]
-  BreakageMode mode = BreakageMode::none; ///< II takes precedence over I
+  Real factor = Real(0.); ///< cumulative factor after the step [-]
+  /// Above one: mode I by the factor, mode II by E_e / (G_c A_i) [-].
+  Real energy_ratio = Real(0.);
 };
 
 /// `energy_before`, `energy` are the elastic energies at the old and the new
-/// step [J], `fracture_energy` is G_c A_i of the new step [J].
-DamageStep damage_step(double factor, double energy_before, double energy,
-                       double fracture_energy);
+/// step [J], `fracture_energy` > 0 is G_c A_i of the new step [J].
+template <class Real>
+DEM_LANE_INLINE DamageStep<Real>
+damage_step(const Real &factor, const Real &energy_before, const Real &energy,
+            const Real &fracture_energy)
+{
+  using std::max;
+  const Real share = 1. / fracture_energy;
+  return {factor + max(Real(0.), Real((energy - energy_before) * share)),
+          energy * share};
+}
+
+/// II takes precedence over I.
+BreakageMode mode_of(const DamageStep<double> &step);
 
 /// Eq. 6: mode I takes one off, mode II sets to zero.
 double factor_after(BreakageMode mode, double factor);

@@ -99,8 +99,9 @@ struct ContactBatch
   std::vector<double> normal_prefactor, shear_prefactor;
   std::vector<float> twist; ///< turned about the normal since mixed [rad]
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
-  std::vector<std::uint8_t> corner; ///< bit 0: g = 1 on side A, bit 1: on B
-  std::vector<std::uint8_t> event;  ///< bit 0: side A breaks, bit 1: side B
+  /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
+  std::vector<float> corner_a, corner_b;
+  std::vector<std::uint8_t> event; ///< bit 0: side A breaks, bit 1: side B
 
   std::size_t size() const { return n; }
   bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
@@ -155,7 +156,8 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has_prefactors, batches.twist...);
   call(has.has_damage, batches.factor_a...);
   call(has.has_damage && has.has_partners, batches.factor_b...);
-  call(has.has_damage, batches.corner...);
+  call(has.has_damage, batches.corner_a...);
+  call(has.has_damage && has.has_partners, batches.corner_b...);
   call(has.has_damage, batches.event...);
 }
 } // namespace dem

@@ -9,6 +9,8 @@ struct KickParameters
 {
   Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
   double local_damping = 0.;   ///< D_a of F <- F - D_a |F| sgn(v) [-]
+
+  bool has_gravity() const { return !gravity.isZero(0.); }
 };
 
 /// Work done on every stone since construction [J].
@@ -18,11 +20,6 @@ struct WorkColumns
   std::vector<double> lifted; ///< by gravity
 };
 
-/// v += F dt, omega += M dt for every stone, `time_step` being half a step [s];
-/// local damping per component.
-void kick(Particles &particles, const KickParameters &parameters,
-          double time_step, WorkColumns &work);
-
 /// Fastest stones of a step.
 struct Speeds
 {
@@ -30,6 +27,21 @@ struct Speeds
   double closing = 0.; ///< closing_speed [m/s]
 };
 
-/// x += v dt, q <- exp(omega dt) q (where some stone is not a sphere).
-Speeds drift(Particles &particles, double steepness, double time_step);
+/// What the first half of a step needs to know.
+struct StartOfStep
+{
+  KickParameters kick;
+  double steepness = 0.; ///< c of closing_speed [-]
+  double time_step = 0.; ///< whole [s]
+};
+
+/// v += F/m dt/2, omega += M/I dt/2 with local damping per component, then
+/// x += v dt, q <- exp(omega dt) q (where some stone is not a sphere). Loads
+/// are zero after it.
+Speeds kick_and_drift(Particles &particles, const StartOfStep &start,
+                      WorkColumns &work);
+
+/// The kick alone, over `time_step` [s]: half a step.
+void kick(Particles &particles, const KickParameters &parameters,
+          double time_step, WorkColumns &work);
 } // namespace dem

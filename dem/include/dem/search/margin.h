@@ -12,12 +12,25 @@ struct SearchMargin
 {
   double width = 0.;         ///< of the lists that stand [m]
   double left = 0.;          ///< of it, not yet used up by motion [m]
+  double open_pairs = 0.;    ///< per touching one and metre of width [1/m]
   std::int64_t built_at = 0; ///< step
 
-  /// The lists are made anew at this step. `first` is the width to begin with,
-  /// `n_listed` and `n_touching` are counts of the pairs until now,
-  /// `rebuild_cost` is that of a rebuild in steps.
-  void renew(double first, std::int64_t step, std::int64_t n_listed,
-             std::int64_t n_touching, double rebuild_cost);
+  /// What the lists of this step look like.
+  struct Lists
+  {
+    std::int64_t step = 0, n_listed = 0, n_touching = 0;
+    double rebuild_cost = 0.; ///< in steps
+  };
+
+  /// The lists will be made anew: finds their width. `usual` is a width of the
+  /// right order [m].
+  void renew(double usual, const Lists &old);
+
+  /// Whether narrower lists would have paid for a rebuild by now.
+  bool is_too_wide(const Lists &now);
+
+private:
+  /// Width of least cost at the motion since the last rebuild [m].
+  double best_width(const Lists &now) const;
 };
 } // namespace dem

@@ -20,17 +20,17 @@ TEST(DamageStep, AddsOnlyWhatTheEnergyGains)
 {
   EXPECT_DOUBLE_EQ(damage_step(0.25, 1., 2., 4.).factor, 0.5);
   EXPECT_DOUBLE_EQ(damage_step(0.25, 2., 1., 4.).factor, 0.25);
-  EXPECT_EQ(damage_step(0.25, 1., 2., 4.).mode, BreakageMode::none);
+  EXPECT_EQ(mode_of(damage_step(0.25, 1., 2., 4.)), BreakageMode::none);
 }
 
 TEST(DamageStep, ModesAreStrictAndTwoPrecedesOne)
 {
-  EXPECT_EQ(damage_step(0.5, 1., 3., 4.).mode, BreakageMode::none);
-  EXPECT_EQ(damage_step(0.75, 1., 3., 4.).mode, BreakageMode::cumulative);
-  EXPECT_EQ(damage_step(0., 4., 4., 4.).mode, BreakageMode::none);
-  EXPECT_EQ(damage_step(0., 4., 4.1, 4.).mode, BreakageMode::instantaneous);
-  EXPECT_EQ(damage_step(5., 1., 4.1, 4.).mode, BreakageMode::instantaneous);
-  EXPECT_EQ(damage_step(5., 8., 3., 4.).mode, BreakageMode::cumulative);
+  EXPECT_EQ(mode_of(damage_step(0.5, 1., 3., 4.)), BreakageMode::none);
+  EXPECT_EQ(mode_of(damage_step(0.75, 1., 3., 4.)), BreakageMode::cumulative);
+  EXPECT_EQ(mode_of(damage_step(0., 4., 4., 4.)), BreakageMode::none);
+  EXPECT_EQ(mode_of(damage_step(0., 4., 4.1, 4.)), BreakageMode::instantaneous);
+  EXPECT_EQ(mode_of(damage_step(5., 1., 4.1, 4.)), BreakageMode::instantaneous);
+  EXPECT_EQ(mode_of(damage_step(5., 8., 3., 4.)), BreakageMode::cumulative);
 }
 
 TEST(FactorAfter, IsEquationSix)

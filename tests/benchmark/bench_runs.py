@@ -1,0 +1,41 @@
+"""Calls of `spall bench`, and tables of what they measure."""
+import json
+import os
+import pathlib
+import statistics
+import subprocess
+import tempfile
+
+
+def bench(spall, packing, *words, threads=1):
+    """What `spall bench --json` says, as a dictionary."""
+    with tempfile.TemporaryDirectory() as folder:
+        result = pathlib.Path(folder) / "bench.json"
+        subprocess.run(
+            [str(spall), "bench", "--packing", str(packing), "--threads",
+             str(threads), "--json", str(result), *map(str, words)],
+            check=True, stdout=subprocess.DEVNULL,
+            env={**os.environ, "OMP_NUM_THREADS": str(threads)})
+        return json.loads(result.read_text())
+
+
+def spread(values):
+    """Half the range over the median [-]."""
+    return 0.5 * (max(values) - min(values)) / statistics.median(values)
+
+
+def table(header, rows):
+    """A Markdown table."""
+    lines = ["| " + " | ".join(header) + " |",
+             "|" + "---|" * len(header)]
+    lines += ["| " + " | ".join(str(cell) for cell in row) + " |"
+              for row in rows]
+    return "\n".join(lines)
+
+
+def group(rows, *keys):
+    """Rows by the values of these keys, in order of first appearance."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row[key] for key in keys), []).append(row)
+    return groups

@@ -1,0 +1,152 @@
+// Kernels of the particle engine; each call of a loop body is one item.
+#include "scenes.h"
+
+#include <dem/contact/elliptic.h>
+#include <dem/contact/law.h>
+#include <dem/contact/side.h>
+#include <dem/search/candidates.h>
+
+#include <benchmark/benchmark.h>
+#include <cmath>
+
+namespace
+{
+using benchmark::State;
+using benchmark_scenes::directions;
+
+constexpr int n_inputs = 1024;
+
+/// One step of a touching contact over plain numbers: springs, sliders,
+/// dashpots, energy. The engine works on lanes of them: see engine_step.
+void contact_law(State &state)
+{
+  const dem::ContactCoefficients pair{0.5, 0.2, 0.27, 0.27};
+  std::vector<dem::ContactHistory<double>> history(n_inputs);
+  std::vector<dem::ContactMotion<double>> motion(n_inputs);
+  const std::vector<dem::Vec3> normals = directions(n_inputs);
+  const auto triple = [](const dem::Vec3 &v) {
+    return dem::Triple<double>{v.x(), v.y(), v.z()};
+  };
+  for (std::size_t k = 0; k < n_inputs; ++k)
+  {
+    motion[k].normal = motion[k].normal_before = triple(normals[k]);
+    motion[k].velocity = motion[k].velocity_before =
+        triple(0.01 * normals[(k + 7) % n_inputs]);
+    motion[k].spin = triple(normals[(k + 13) % n_inputs]);
+    motion[k].reduced_mass = 1e-3;
+    motion[k].rolling_radius = 2.5e-3;
+  }
+  dem::Dissipation lost;
+  std::size_t k = 0;
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(
+        dem::advance_contact(motion[k], dem::hertz_spring(4e7, 5e7, 1e-5), pair,
+                             1e-6, history[k], lost));
+    k = (k + 1) % n_inputs;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(contact_law);
+
+void elliptic_prefactors(State &state)
+{
+  const dem::PairElasticity pair =
+      dem::mix({5e8, 0.25, false}, {5e8, 0.25, false});
+  const dem::EllipticTable &table = dem::elliptic_table();
+  std::vector<dem::GapCoefficients> gaps;
+  for (std::size_t k = 0; k < n_inputs; ++k)
+    gaps.push_back(
+        dem::gap_coefficients({200. + static_cast<double>(k), 150., 180., 60.,
+                               std::cos(static_cast<double>(k))}));
+  std::size_t k = 0;
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(table(pair, gaps[k]));
+    k = (k + 1) % n_inputs;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(elliptic_prefactors);
+
+/// Calls `evaluate` with the rounded cube and one direction after the other.
+template <class Evaluate>
+void over_directions(State &state, const Evaluate &evaluate)
+{
+  const dem::Body body = benchmark_scenes::rounded_cube(5e-3);
+  const std::vector<dem::Vec3> ways = directions(n_inputs);
+  std::size_t k = 0;
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(evaluate(body, ways[k]));
+    k = (k + 1) % n_inputs;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+void series_radius(State &state)
+{
+  over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
+                  { return dem::radius(*body.series, s); });
+}
+BENCHMARK(series_radius);
+
+void series_expand(State &state)
+{
+  over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
+                  { return dem::expand(*body.series, s); });
+}
+BENCHMARK(series_expand);
+
+/// Expansion and curvatures of one side of a contact.
+void side_evaluation(State &state)
+{
+  over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
+                  { return dem::evaluate_side(body, s, 10.); });
+}
+BENCHMARK(side_evaluation);
+
+benchmark_scenes::Stones kind_of(const State &state)
+{
+  return state.range(1) != 0 ? benchmark_scenes::Stones::shapes
+                             : benchmark_scenes::Stones::spheres;
+}
+
+/// Candidate pairs anew, with the history of all that stay.
+void list_rebuild(State &state)
+{
+  const auto engine = benchmark_scenes::lattice(
+      static_cast<int>(state.range(0)), kind_of(state));
+  dem::ContactBatch batch = engine->pairs();
+  dem::Dissipation retired;
+  for (auto _ : state)
+    dem::rebuild_pairs(engine->particles(), engine->parameters(),
+                       engine->parameters().search_margin, batch, retired);
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(batch.size()));
+}
+
+/// One frozen step of the engine; an item is one touching pair.
+void engine_step(State &state)
+{
+  const auto engine = benchmark_scenes::lattice(
+      static_cast<int>(state.range(0)), kind_of(state));
+  std::int64_t n_touching = 0;
+  for (std::size_t k = 0; k < engine->pairs().size(); ++k)
+    n_touching += engine->pairs().is_touching(k);
+  for (auto _ : state)
+    engine->advance(benchmark_scenes::frozen_step);
+  state.SetItemsProcessed(state.iterations() * n_touching);
+}
+
+void sizes(benchmark::internal::Benchmark *kernel)
+{
+  kernel->ArgNames({"stones", "shapes"})
+      ->ArgsProduct({{500, 5000}, {0, 1}})
+      ->Unit(benchmark::kMicrosecond);
+}
+BENCHMARK(list_rebuild)->Apply(sizes);
+BENCHMARK(engine_step)->Apply(sizes);
+} // namespace
+
+BENCHMARK_MAIN();
