@@ -64,6 +64,7 @@ void Engine::add_stone(const Body &body, const Vec3 &position,
                        const Quaternion &orientation)
 {
   stones.add(body, position, orientation, settings.stone.density);
+  pair_finder.forget();
   const double diameter = 2. * stones.last().radius;
   stones.is_breakable.back() =
       body.series && diameter >= settings.breakage.min_diameter * (1. - 1e-9);
@@ -171,6 +172,8 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   travelled += (fastest.moving + boundary) * time_step;
   margin.left -=
       (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
+  travel.centres += 2. * fastest.moving * time_step;
+  travel.gaps += 2. * fastest.closing * time_step;
   // Seldom, since it counts the contacts.
   constexpr std::int64_t check_interval = 256;
   const bool is_checked = (step_count - margin.built_at) % check_interval == 0;
@@ -192,7 +195,11 @@ void Engine::rebuild_lists()
   margin.renew(settings.search_margin, list_counts());
   if (stones.size() >= sorted_from)
     sort_in_space();
-  rebuild_pairs(stones, settings, margin.width, pair_batch, lost);
+  const bool is_radial = stones.has_shapes &&
+                         settings.geometry.geometry == ContactGeometry::radial;
+  rebuild_pairs(stones, pair_layout(settings, stones),
+                pair_finder.find(stones, is_radial, margin.width, travel),
+                pair_batch, lost);
   const ContactGeometry geometry = settings.geometry.wall_geometry;
   rebuild_planes(
       stones, walls,
@@ -219,6 +226,7 @@ void Engine::sort_in_space()
   const std::vector<std::int32_t> order =
       space_order(stones.column(&StoneState::position));
   stones.reorder(order);
+  pair_finder.forget();
   reorder_column(work.damped, order);
   reorder_column(work.lifted, order);
   const std::vector<std::int32_t> place = places(order);
@@ -283,6 +291,8 @@ void Engine::break_corners(double time_step)
     fractured += events[e].fracture_energy;
     // No kernel is larger than one: nowhere has the stone grown by more.
     margin.left -= events[e].depth;
+    travel.centres += events[e].depth;
+    travel.gaps += events[e].depth;
   }
   steepest = branch_steepness();
   event_count += static_cast<std::int64_t>(events.size() - before);

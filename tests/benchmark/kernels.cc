@@ -119,9 +119,15 @@ void list_rebuild(State &state)
       static_cast<int>(state.range(0)), kind_of(state));
   dem::ContactBatch batch = engine->pairs();
   dem::Dissipation retired;
+  const double margin = engine->parameters().search_margin;
+  const bool is_radial = engine->particles().has_shapes;
   for (auto _ : state)
-    dem::rebuild_pairs(engine->particles(), engine->parameters(),
-                       engine->parameters().search_margin, batch, retired);
+  {
+    dem::PairFinder finder; // knows nothing yet
+    dem::rebuild_pairs(engine->particles(), batch.layout,
+                       finder.find(engine->particles(), is_radial, margin, {}),
+                       batch, retired);
+  }
   state.SetItemsProcessed(state.iterations() *
                           static_cast<std::int64_t>(batch.size()));
 }

@@ -124,6 +124,8 @@ private:
 
   bool lists_are_stale = true;
   SearchMargin margin;
+  PairFinder pair_finder;
+  Travel travel;
   double steepest = 0.;         ///< c of closing_speed [-]
   double travelled = 0.;        ///< ForceContext::travelled [m]
   double travelled_sorted = 0.; ///< when the stones were last sorted [m]

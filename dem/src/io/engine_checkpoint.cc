@@ -146,6 +146,7 @@ void Engine::restore(std::istream &in, const Library &library)
     visit_batch(*batch, get);
   }
   pair_loads.prepare(pair_batch);
+  pair_finder.forget();
   visit_candidates(facet_candidates, get);
   get(work.damped);
   get(work.lifted);

@@ -183,14 +183,11 @@ void carry_over_slots(const FacetCandidates &before, const BatchLayout &layout,
 }
 } // namespace
 
-void rebuild_pairs(const Particles &particles,
-                   const EngineParameters &parameters, double margin,
-                   ContactBatch &batch, Dissipation &retired)
+void rebuild_pairs(const Particles &particles, const BatchLayout &layout,
+                   const std::vector<PairKey> &near, ContactBatch &batch,
+                   Dissipation &retired)
 {
-  const bool is_radial =
-      parameters.geometry.geometry == ContactGeometry::radial;
-  carry_over(particles, near_pairs(particles, is_radial, margin),
-             pair_layout(parameters, particles), batch, retired);
+  carry_over(particles, near, layout, batch, retired);
 }
 
 void rebuild_planes(const Particles &particles,

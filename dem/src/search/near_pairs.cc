@@ -27,6 +27,17 @@ std::vector<double> reaches(const Particles &particles, bool is_radial)
   return reach;
 }
 
+/// Radius of stone i along a world direction [m].
+double local_radius(const Particles &particles, std::size_t i,
+                    const Vec3 &direction)
+{
+  const Body &body = particles.body[i];
+  if (!body.series)
+    return particles.radius(i);
+  const Vec3 on_body = particles.orientation(i).conjugate() * direction;
+  return body.scale * radius(*body.series, on_body.normalized());
+}
+
 /// Number of the class of each stone, the smallest stones in class 0.
 std::vector<int> classify(const std::vector<double> &reach)
 {
@@ -37,12 +48,29 @@ std::vector<int> classify(const std::vector<double> &reach)
   return number;
 }
 
+/// Gap between the balls, or between the radii along the branch [m].
+double gap_between(const Particles &particles, bool is_radial, std::size_t i,
+                   std::size_t j)
+{
+  const Vec3 branch = particles.position(j) - particles.position(i);
+  const double distance = branch.norm();
+  const double balls = distance - particles.radius(i) - particles.radius(j);
+  if (!is_radial || distance == 0.)
+    return balls;
+  const Vec3 normal = branch / distance;
+  return distance - local_radius(particles, i, normal) -
+         local_radius(particles, j, -normal);
+}
+
+/// All pairs whose bounding spheres come within a margin. Stones are filed by
+/// size: classes of a factor of two with a grid each, so that the cost per
+/// stone does not grow with the ratio of sizes.
 class PairSearch
 {
 public:
   PairSearch(const Particles &stones, bool radial, double gap)
-      : particles(stones), is_radial(radial), margin(gap),
-        reach(reaches(stones, radial)), class_of(classify(reach))
+      : particles(stones), margin(gap), reach(reaches(stones, radial)),
+        class_of(classify(reach))
   {
     classes.resize(static_cast<std::size_t>(
                        *std::max_element(class_of.begin(), class_of.end())) +
@@ -88,33 +116,11 @@ public:
 private:
   bool is_near(std::size_t i, std::size_t j, const Vec3 &branch) const
   {
-    const double square = branch.squaredNorm();
     const double range = reach[i] + reach[j] + margin;
-    if (square >= range * range)
-      return false;
-    if (!is_radial || square == 0.)
-      return true;
-    const double distance = std::sqrt(square);
-    const Body &a = particles.body[i], &b = particles.body[j];
-    if (a.inscribed_radius + b.inscribed_radius + margin > distance)
-      return true;
-    const Vec3 normal = branch / distance;
-    return local_radius(i, normal) + local_radius(j, -normal) + margin >
-           distance;
-  }
-
-  /// Of the stone along a world direction [m].
-  double local_radius(std::size_t i, const Vec3 &direction) const
-  {
-    const Body &body = particles.body[i];
-    if (!body.series)
-      return particles.radius(i);
-    const Vec3 on_body = particles.orientation(i).conjugate() * direction;
-    return body.scale * radius(*body.series, on_body.normalized());
+    return branch.squaredNorm() < range * range;
   }
 
   const Particles &particles;
-  bool is_radial;
   double margin;
   std::vector<double> reach;
   std::vector<int> class_of;
@@ -143,12 +149,44 @@ std::vector<PairKey> sorted(const std::vector<std::vector<PairKey>> &parts,
 }
 } // namespace
 
-std::vector<PairKey> near_pairs(const Particles &particles, bool is_radial,
-                                double margin)
+std::vector<PairKey> PairFinder::find(const Particles &particles,
+                                      bool is_radial, double margin,
+                                      const Travel &travel)
 {
+  // Wide enough for some rebuilds, narrow enough to be short.
+  constexpr double widening = 3.;
   if (particles.size() == 0)
     return {};
-  const PairSearch search(particles, is_radial, margin);
+  if (reach < travel.centres + margin)
+    search(particles, is_radial, widening * margin, travel);
+  constexpr std::size_t part_size = 4096;
+  std::vector<std::vector<PairKey>> parts((candidates.size() + part_size - 1) /
+                                          part_size);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t c = p * part_size;
+         c < std::min(candidates.size(), (p + 1) * part_size); ++c)
+    {
+      Candidate &one = candidates[c];
+      if (one.clear_until - travel.gaps >= margin)
+        continue;
+      const double gap =
+          gap_between(particles, is_radial, static_cast<std::size_t>(one.a),
+                      static_cast<std::size_t>(one.b));
+      one.clear_until = travel.gaps + gap;
+      if (gap < margin)
+        parts[p].emplace_back(one.a, one.b);
+    }
+  std::vector<PairKey> pairs;
+  for (const auto &part : parts)
+    pairs.insert(pairs.end(), part.begin(), part.end());
+  return pairs;
+}
+
+void PairFinder::search(const Particles &particles, bool is_radial,
+                        double range, const Travel &travel)
+{
+  const PairSearch grids(particles, is_radial, range);
   constexpr std::size_t part_size = 256;
   const std::size_t n = particles.size();
   std::vector<std::vector<PairKey>> parts((n + part_size - 1) / part_size);
@@ -156,7 +194,10 @@ std::vector<PairKey> near_pairs(const Particles &particles, bool is_radial,
   for (std::size_t p = 0; p < parts.size(); ++p)
     for (std::size_t i = p * part_size; i < std::min(n, (p + 1) * part_size);
          ++i)
-      search.find(i, parts[p]);
-  return sorted(parts, n);
+      grids.find(i, parts[p]);
+  candidates.clear();
+  for (const PairKey &pair : sorted(parts, n))
+    candidates.push_back({pair.first, pair.second, travel.gaps});
+  reach = travel.centres + range;
 }
 } // namespace dem

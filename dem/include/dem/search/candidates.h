@@ -4,16 +4,16 @@
 #include <dem/contact/forces.h>
 #include <dem/parameters.h>
 #include <dem/particles.h>
+#include <dem/search/near_pairs.h>
 
 namespace dem
 {
-/// Makes the batch hold all pairs of stones with a gap below `margin` [m]
-/// between what the contact geometry compares (balls, or the radii along the
-/// branch), in the order (a, b), a < b; known contacts keep all they carry.
-/// What the springs of dropped contacts held is added to `retired`.
-void rebuild_pairs(const Particles &particles,
-                   const EngineParameters &parameters, double margin,
-                   ContactBatch &batch, Dissipation &retired);
+/// Makes the batch hold these pairs of stones (PairFinder), in their order;
+/// known contacts keep all they carry. What the springs of dropped contacts
+/// held is added to `retired`.
+void rebuild_pairs(const Particles &particles, const BatchLayout &layout,
+                   const std::vector<PairKey> &near, ContactBatch &batch,
+                   Dissipation &retired);
 
 /// How far boundaries are looked for: wall_bound plus the margin.
 struct WallSearch

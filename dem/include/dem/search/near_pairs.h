@@ -11,10 +11,40 @@ namespace dem
 /// Two stones, the one with the lower number first.
 using PairKey = std::pair<std::int32_t, std::int32_t>;
 
-/// All pairs of stones with a gap below `margin` [m], sorted: between the
-/// balls, or with `is_radial` between the radii along the branch. Stones are
-/// filed by size: classes of a factor of two with a grid each, so that the cost
-/// per stone does not grow with the ratio of sizes.
-std::vector<PairKey> near_pairs(const Particles &particles, bool is_radial,
-                                double margin);
+/// Sums over all steps of how far two stones could have come nearer [m].
+struct Travel
+{
+  double centres = 0.; ///< their centres, and so all that is round them
+  double gaps = 0.;    ///< what the contact geometry compares, at most
+};
+
+/// Finds the pairs of stones with a gap below a margin: between the balls, or
+/// with `is_radial` between the radii along the branch. Keeps a wider list of
+/// candidates, each with the travel until which its gap is known to be wide
+/// enough, so that most rebuilds need neither a grid nor a shape. What it finds
+/// does not depend on what it keeps.
+class PairFinder
+{
+public:
+  /// All pairs with a gap below `margin` [m], sorted.
+  std::vector<PairKey> find(const Particles &particles, bool is_radial,
+                            double margin, const Travel &travel);
+
+  /// The stones have got other numbers or were added to.
+  void forget() { reach = -1.; }
+
+private:
+  struct Candidate
+  {
+    std::int32_t a = 0, b = 0;
+    double clear_until = 0.; ///< Travel::gaps where the gap may be closed [m]
+  };
+
+  void search(const Particles &particles, bool is_radial, double range,
+              const Travel &travel);
+
+  std::vector<Candidate> candidates; ///< sorted
+  /// Travel::centres up to which pairs below it less that are all there [m].
+  double reach = -1.;
+};
 } // namespace dem
