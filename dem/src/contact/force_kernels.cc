@@ -494,23 +494,6 @@ void sum_losses(const BlockLosses &lost, Dissipation &sum)
   }
 }
 
-/// Asks for the stones B of a block that comes soon. Stones A stand in order,
-/// so do all columns: the processor fetches those by itself.
-void fetch_ahead(const Task &task, std::int64_t k, std::int64_t last)
-{
-  if (!task.contacts.target || k + block > last)
-    return;
-  for (std::int64_t entry = k; entry < k + block; ++entry)
-  {
-    const double *row =
-        task.stones.state +
-        stone_row * static_cast<std::int64_t>(task.contacts.b[entry]);
-    __builtin_prefetch(row);
-    __builtin_prefetch(row + 8);
-    __builtin_prefetch(partner_load(task, task.contacts.target[entry]), 1);
-  }
-}
-
 template <auto advance>
 void run_range(const Task &task, std::int64_t first, std::int64_t last,
                RangeSum &sum)
@@ -518,8 +501,6 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
   const Target target{task.contacts.a[first], sum};
   BlockLosses lost;
   for (std::int64_t k = first; k < last; k += block)
-  {
-    fetch_ahead(task, k + 2 * block, last);
     for (int part = 0; part < n_parts; ++part)
     {
       const std::int64_t from = k + part * n_lanes;
@@ -528,7 +509,6 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
       if (n_valid > 0)
         advance(task, from, static_cast<int>(n_valid), lost[part], target);
     }
-  }
   sum_losses(lost, sum.lost);
 }
 } // namespace
