@@ -121,7 +121,7 @@ def sizes_table(options, folder):
 
 def threads_table(options, folder):
     rows = []
-    for count in (500, 5000, 30000):
+    for count in (500, 1000, 2000, 5000, 30000):
         path, steps = lattice(folder, count), max(200, 6000000 // count)
         ends = [bench(options.spall, path, "--steps", steps, "--settle", 50,
                       "--repeat", 1 if options.quick else 3, threads=threads)

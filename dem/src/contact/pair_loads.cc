@@ -80,7 +80,8 @@ void PairLoads::clear()
 void PairLoads::add_halo(std::vector<StoneLoad> &load) const
 {
   const auto n = static_cast<std::int64_t>(stone.size());
-#pragma omp parallel for schedule(static)
+  // A few rows are added sooner than threads are woken.
+#pragma omp parallel for schedule(static) if (n >= 2000)
   for (std::int64_t s = 0; s < n; ++s)
   {
     const auto entry = static_cast<std::size_t>(s);

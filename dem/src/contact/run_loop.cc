@@ -113,7 +113,8 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
   const std::int64_t size = range_size(n_contacts);
   const std::int64_t n_ranges = (n_contacts + size - 1) / size;
   ranges.assign(static_cast<std::size_t>(n_ranges), RangeSum{});
-#pragma omp parallel for schedule(static)
+  // A few contacts are done sooner than threads are woken.
+#pragma omp parallel for schedule(static) if (n_contacts >= 256)
   for (std::int64_t r = 0; r < n_ranges; ++r)
     loop(task, r * size, std::min((r + 1) * size, n_contacts),
          ranges[static_cast<std::size_t>(r)]);

@@ -7,6 +7,9 @@ namespace dem
 {
 namespace
 {
+/// Below this many stones a second thread costs more than it saves here.
+constexpr std::int64_t shared_from = 2000;
+
 /// Part of a load that local damping leaves: F - D |F| sgn(v).
 double brake(double load, double damping, double rate)
 {
@@ -100,7 +103,7 @@ template <class Call>
 void for_each_stone(std::size_t n_stones, const Call &call)
 {
   const auto n = static_cast<std::int64_t>(n_stones);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= shared_from)
   for (std::int64_t i = 0; i < n; ++i)
     call(static_cast<std::size_t>(i));
 }
@@ -111,7 +114,9 @@ Speeds kick_and_drift_all(Particles &particles, const StartOfStep &start,
 {
   const auto n = static_cast<std::int64_t>(particles.size());
   double moving = 0., closing = 0.;
-#pragma omp parallel for schedule(static) reduction(max : moving, closing)
+#pragma omp parallel for schedule(static)                                      \
+    reduction(max                                                              \
+              : moving, closing) if (n >= shared_from)
   for (std::int64_t entry = 0; entry < n; ++entry)
   {
     const auto i = static_cast<std::size_t>(entry);
