@@ -68,11 +68,11 @@ Specimen make_specimen(const Case &parameters)
   const Gradation gradation = read_gradation(
       find_path(parameters, "Specimen", "gradation", s.gradation));
   Specimen specimen;
-  specimen.library = load_shapes(parameters);
+  specimen.shapes = load_shapes(parameters);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
   const std::vector<dem::Body> stones = dem::draw_stones(
       {gradation.diameter, gradation.passing},
-      s.solid_fraction * s.side * s.side * s.side, specimen.library, random);
+      s.solid_fraction * s.side * s.side * s.side, specimen.shapes, random);
   if (stones.empty())
     throw InputError(parameters.file +
                      ": Specimen/side = " + std::to_string(s.side) +

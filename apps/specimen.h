@@ -17,7 +17,7 @@ using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
 /// The random cloud of stones in its box, before compaction.
 struct Specimen
 {
-  ShapeLibrary library;                ///< shared shapes, in order of file name
+  ShapeLibrary shapes;                 ///< shared shapes, in order of file name
   std::unique_ptr<dem::Engine> engine; ///< stones and six planes
   dem::BoxPlanes box;
 };

@@ -334,7 +334,7 @@ void Triaxial::save(std::ostream &out) const
   for (const double value :
        {area, pressure, plane_work_gone, start_height, start_volume})
     dem::write_value(out, value);
-  engine().save(out, specimen.library);
+  engine().save(out, specimen.shapes);
   servo.save(out);
   if (plate)
     dem::write_value(out, plate->state());
@@ -370,7 +370,7 @@ void Triaxial::restore(std::istream &in)
     mass += driver->rim_mass();
   }
   watch.set_state(record); // a new membrane would have it asked anew
-  engine().restore(in, specimen.library);
+  engine().restore(in, specimen.shapes);
   servo.restore(in);
   if (has_boundaries)
   {

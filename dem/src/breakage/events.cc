@@ -138,10 +138,9 @@ BreakageMode mode_now(ContactBatch &batch, const Request &request,
   if ((request.is_side_a ? batch.corner_a : batch.corner_b)[request.contact] <=
       0.f)
     return BreakageMode::none;
-  if (energy_ratio(batch, request.contact, request.is_side_a, breakage) > 1.)
-    return BreakageMode::instantaneous;
-  return factor_of(batch, request) > 1. ? BreakageMode::cumulative
-                                        : BreakageMode::none;
+  return mode_of(
+      {factor_of(batch, request),
+       energy_ratio(batch, request.contact, request.is_side_a, breakage)});
 }
 
 std::int64_t other_of(const Particles &particles, const ContactBatch &batch,

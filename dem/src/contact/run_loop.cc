@@ -78,7 +78,6 @@ kernel::Contacts contacts_view(ContactBatch &batch)
 }
 
 static_assert(sizeof(StoneState) == kernel::stone_row * sizeof(double));
-
 static_assert(sizeof(StoneLoad) == kernel::load_row * sizeof(double));
 
 kernel::Stones stones_view(Particles &stones)

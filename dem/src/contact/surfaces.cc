@@ -16,7 +16,6 @@ Vec3 first_direction(const ForceContext &context, std::int32_t stone,
   const auto &d = curvature.first_direction;
   return context.particles.orientation(row_of(stone)) * Vec3(d[0], d[1], d[2]);
 }
-
 } // namespace
 
 void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,

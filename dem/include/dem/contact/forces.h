@@ -71,8 +71,8 @@ ForceSum pair_forces(const ForceContext &context, ContactBatch &batch,
 /// The walls of one kind as their contacts see them: `b` is the row.
 struct Walls
 {
-  const WallMaterial &material;
-  const std::vector<WallRow> &rows;
+  const WallMaterial &material;     ///< of all of them
+  const std::vector<WallRow> &rows; ///< as they stand in this step
 };
 
 /// Stone against wall: linear springs. Loads are added to the stones.
