@@ -17,7 +17,7 @@ namespace
 struct BenchOptions
 {
   std::string packing, shapes, json, save;
-  std::string scene = "rest";
+  std::string scene = "rest", geometry = "radial";
   int steps = 1000, threads = 1, repeat = 1;
   int settle = -1; ///< -1: as the scene needs
   bool is_breaking = false;
@@ -27,6 +27,11 @@ const std::map<std::string, BenchScene> scenes = {
     {"rest", BenchScene::rest},
     {"jolt", BenchScene::jolt},
     {"collapse", BenchScene::collapse}};
+
+const std::map<std::string, dem::ContactGeometry> geometries = {
+    {"ball", dem::ContactGeometry::ball},
+    {"radial", dem::ContactGeometry::radial},
+    {"surface", dem::ContactGeometry::surface}};
 
 int whole_number(const std::string &option, const std::string &text, int least)
 {
@@ -57,6 +62,9 @@ void check(const BenchOptions &options)
   if (!scenes.contains(options.scene))
     throw InputError("bench: --scene " + options.scene +
                      ": must be rest, jolt or collapse");
+  if (!geometries.contains(options.geometry))
+    throw InputError("bench: --geometry " + options.geometry +
+                     ": must be ball, radial or surface");
   if (options.is_breaking && options.shapes.empty())
     throw InputError("bench: --breakage: needs --shapes DIR, spheres do not "
                      "break");
@@ -68,11 +76,9 @@ BenchOptions parse_options(Words words)
 {
   BenchOptions options;
   const std::map<std::string, std::string *> texts = {
-      {"--packing", &options.packing},
-      {"--shapes", &options.shapes},
-      {"--scene", &options.scene},
-      {"--json", &options.json},
-      {"--save", &options.save}};
+      {"--packing", &options.packing}, {"--shapes", &options.shapes},
+      {"--scene", &options.scene},     {"--geometry", &options.geometry},
+      {"--json", &options.json},       {"--save", &options.save}};
   const std::map<std::string, int *> counts = {{"--steps", &options.steps},
                                                {"--threads", &options.threads},
                                                {"--repeat", &options.repeat},
@@ -86,8 +92,8 @@ BenchOptions parse_options(Words words)
     else if (!is_text && !is_count)
       throw InputError("bench: " + word +
                        ": must be one of --packing, --steps, --threads, "
-                       "--shapes, --breakage, --scene, --repeat, --json, "
-                       "--settle, --save");
+                       "--shapes, --geometry, --breakage, --scene, --repeat, "
+                       "--json, --settle, --save");
     else if (k + 1 == words.size() || words[k + 1].empty())
       throw InputError("bench: " + word + ": a value must follow");
     else if (is_text)
@@ -149,6 +155,7 @@ BenchStones prepare(const BenchOptions &options, BenchResult &result)
   Packing packing = read_packing(options.packing);
   const bool is_closed = !packing.orientation.empty();
   BenchStones stones = make_bench_stones(std::move(packing), options.shapes);
+  stones.geometry = geometries.at(options.geometry);
   if (!options.shapes.empty() && !is_closed)
   {
     std::cout << "closing the box round " << stones.packing.size()
@@ -169,7 +176,7 @@ int bench_command(Words words)
   const BenchStones stones = prepare(options, result);
   result.packing = std::filesystem::path(options.packing).filename().string();
   result.scene = options.scene;
-  result.geometry = options.shapes.empty() ? "sphere" : "radial";
+  result.geometry = options.shapes.empty() ? "sphere" : options.geometry;
   result.n_stones = stones.packing.size();
   result.threads = options.threads;
   result.is_breaking = options.is_breaking;

@@ -12,7 +12,8 @@ namespace spall
 /// What one call of `spall bench` has found.
 struct BenchResult
 {
-  std::string packing, scene, geometry; ///< geometry: sphere or radial
+  std::string packing, scene,
+      geometry; ///< geometry: sphere, or that of --geometry
   std::size_t n_stones = 0, n_breakable = 0;
   int threads = 1;
   bool is_breaking = false;

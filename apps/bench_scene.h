@@ -37,6 +37,7 @@ struct BenchStones
 {
   Packing packing;
   std::vector<dem::Body> bodies;
+  dem::ContactGeometry geometry = dem::ContactGeometry::radial;
 };
 
 /// Spheres, or stones that take the shapes of the folder in turn, their ball

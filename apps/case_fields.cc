@@ -136,11 +136,12 @@ void add_contact(List &list, dem::GeometryParameters &c)
   list.in("Contact");
   list.add({"geometry", "-",
             "ball: overlap of the ball carriers; radial: of the local radii "
-            "along the branch."},
-           c.geometry, {"ball", "radial"});
+            "along the branch; surface: of the true surfaces, at every place "
+            "where they meet, with the inertia tensors of the stones."},
+           c.geometry, {"ball", "radial", "surface"});
   list.add({"wall_geometry", "-",
             "The same for stones on plates, rigid sides and the membrane."},
-           c.wall_geometry, {"ball", "radial"});
+           c.wall_geometry, {"ball", "radial", "surface"});
   list.add(
       {"refresh_tolerance", "rad",
        "The expansion of a shape is renewed when the contact direction has "

@@ -86,10 +86,14 @@ Specimen make_specimen(const Case &parameters)
   const dem::Vec3 lower = dem::Vec3::Zero(),
                   upper = dem::Vec3::Constant(
                       std::cbrt(volume / s.initial_solid_fraction));
+  const dem::GeometryParameters &geometry = parameters.contact;
+  const bool sees_surfaces =
+      geometry.geometry == dem::ContactGeometry::surface ||
+      geometry.wall_geometry == dem::ContactGeometry::surface;
   std::vector<dem::Placement> places;
   try
   {
-    places = dem::insert_stones(stones, lower, upper, random);
+    places = dem::insert_stones(stones, {lower, upper, sees_surfaces}, random);
   }
   catch (const std::runtime_error &error)
   {

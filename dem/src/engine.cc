@@ -49,7 +49,8 @@ std::int64_t count_touching(const ContactBatch &batch)
 constexpr std::size_t sorted_from = 2048;
 
 /// Steps that a rebuild of the lists is worth.
-constexpr double rebuild_of_balls = 8., rebuild_of_shapes = 30.;
+constexpr double rebuild_of_balls = 8., rebuild_of_shapes = 30.,
+                 rebuild_of_surfaces = 500.;
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -63,6 +64,8 @@ Engine::Engine(const EngineParameters &parameters)
 void Engine::add_stone(const Body &body, const Vec3 &position,
                        const Quaternion &orientation)
 {
+  stones.follows_surfaces =
+      settings.geometry.geometry == ContactGeometry::surface;
   stones.add(body, position, orientation, settings.stone.density);
   pair_finder.forget();
   const double diameter = 2. * stones.last().radius;
@@ -109,8 +112,7 @@ void Engine::come_to_rest()
 {
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
-    work.damped[i] += 0.5 * stones.mass(i) * stones.velocity(i).squaredNorm() +
-                      0.5 * stones.inertia(i) * stones.spin(i).squaredNorm();
+    work.damped[i] += stones.kinetic_energy(i);
     stones.velocity(i) = stones.spin(i) = Vec3::Zero();
   }
 }
@@ -166,6 +168,7 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   for (const Plane &plane : walls)
     if (plane.is_active)
       boundary = std::max(boundary, plane.velocity.squaredNorm());
+  planes_travelled += std::sqrt(boundary) * time_step;
   for (const Vec3 &velocity : facet_surface.velocity)
     boundary = std::max(boundary, velocity.squaredNorm());
   boundary = std::sqrt(boundary);
@@ -186,7 +189,9 @@ SearchMargin::Lists Engine::list_counts() const
 {
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
           count_touching(pair_batch),
-          stones.has_shapes ? rebuild_of_shapes : rebuild_of_balls};
+          pair_geometry() == ContactGeometry::surface ? rebuild_of_surfaces
+          : stones.has_shapes                         ? rebuild_of_shapes
+                                                      : rebuild_of_balls};
 }
 
 void Engine::rebuild_lists()
@@ -195,25 +200,62 @@ void Engine::rebuild_lists()
   margin.renew(settings.search_margin, list_counts());
   if (stones.size() >= sorted_from)
     sort_in_space();
-  const bool is_radial = stones.has_shapes &&
-                         settings.geometry.geometry == ContactGeometry::radial;
-  rebuild_pairs(stones, pair_layout(settings, stones),
-                pair_finder.find(stones, is_radial, margin.width, travel),
-                pair_batch, lost);
-  const ContactGeometry geometry = settings.geometry.wall_geometry;
-  rebuild_planes(
-      stones, walls,
-      {wall_layout(settings, settings.wall, stones), geometry, margin.width},
-      plane_batch, lost);
+  rebuild_pair_list();
+  rebuild_plane_list();
   if (has_surface())
     rebuild_facets(stones, facet_surface,
-                   {wall_layout(settings, settings.surface, stones), geometry,
-                    margin.width},
+                   {wall_layout(settings, settings.surface, stones),
+                    settings.geometry.wall_geometry, margin.width},
                    facet_candidates, facet_batch, lost);
   pair_loads.prepare(pair_batch);
   steepest = branch_steepness();
   lists_are_stale = false;
   ++rebuild_count;
+}
+
+ContactGeometry Engine::pair_geometry() const
+{
+  return stones.has_shapes ? settings.geometry.geometry : ContactGeometry::ball;
+}
+
+SpotSearchInput Engine::spot_search(const ForceContext &still,
+                                    const BatchLayout &layout) const
+{
+  // Searched twice as far as the next look at the lists needs, so that only
+  // stones that move are searched again then.
+  return {
+      still, maps, layout, 2. * margin.width, margin.width, rebuild_count == 0};
+}
+
+void Engine::rebuild_pair_list()
+{
+  const BatchLayout layout = pair_layout(settings, stones);
+  if (layout.has_spots)
+  {
+    maps.update(stones);
+    const ForceContext still = context(0.);
+    spots.renew_pairs(spot_search(still, layout), travel, pair_batch, lost);
+    return;
+  }
+  rebuild_pairs(stones, layout,
+                pair_finder.find(stones, pair_geometry(), margin.width, travel),
+                pair_batch, lost);
+}
+
+void Engine::rebuild_plane_list()
+{
+  const BatchLayout layout = wall_layout(settings, settings.wall, stones);
+  if (layout.has_spots)
+  {
+    maps.update(stones);
+    const ForceContext still = context(0.);
+    spots.renew_planes(spot_search(still, layout), walls, planes_travelled,
+                       plane_batch, lost);
+    return;
+  }
+  rebuild_planes(stones, walls,
+                 {layout, settings.geometry.wall_geometry, margin.width},
+                 plane_batch, lost);
 }
 
 void Engine::sort_in_space()
@@ -227,6 +269,7 @@ void Engine::sort_in_space()
       space_order(stones.column(&StoneState::position));
   stones.reorder(order);
   pair_finder.forget();
+  spots.renumber(places(order));
   reorder_column(work.damped, order);
   reorder_column(work.lifted, order);
   const std::vector<std::int32_t> place = places(order);
@@ -266,11 +309,18 @@ bool Engine::run_contacts(const ForceContext &all)
   {
     sum.lost += part.lost;
     sum.wants_breakage |= part.wants_breakage;
+    sum.has_strayed |= part.has_strayed;
+    sum.n_jumps += part.n_jumps;
+    sum.n_ended += part.n_ended;
   };
   add(wall_forces(all, {settings.wall, plane_walls}, plane_batch, ranges));
   if (has_surface())
     add(wall_forces(all, {settings.surface, facet_walls}, facet_batch, ranges));
   lost += sum.lost;
+  spots.events.n_jumps += sum.n_jumps;
+  spots.events.n_ended += sum.n_ended;
+  // Two contacts may be one now, and what is gone may be found elsewhere.
+  lists_are_stale |= sum.has_strayed;
   return sum.wants_breakage;
 }
 
@@ -340,8 +390,7 @@ EngineEnergy Engine::energy() const
     energy.elastic += elastic_energy(*batch);
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
-    energy.kinetic += 0.5 * stones.mass(i) * stones.velocity(i).squaredNorm() +
-                      0.5 * stones.inertia(i) * stones.spin(i).squaredNorm();
+    energy.kinetic += stones.kinetic_energy(i);
     energy.damping += work.damped[i];
     energy.gravity_work += work.lifted[i];
   }

@@ -30,6 +30,7 @@ void Particles::add(const Body &stone, const Vec3 &at, const Quaternion &turned,
   initial_mass.push_back(fresh.mass);
   is_breakable.push_back(0);
   load.emplace_back();
+  travelled.push_back(0.);
 }
 
 void Particles::update_mass(std::size_t k, double density)
@@ -38,6 +39,35 @@ void Particles::update_mass(std::size_t k, double density)
   stone.radius = mean_radius(body[k]);
   stone.mass = density * body[k].volume;
   stone.inertia = 0.4 * stone.mass * stone.radius * stone.radius;
+}
+
+Vec3 Particles::angular_momentum(std::size_t k) const
+{
+  if (!follows_surfaces)
+    return inertia(k) * spin(k);
+  const Quaternion to_world = orientation(k) * body[k].principal;
+  return to_world * (mass(k) * body[k].gyration)
+                        .cwiseProduct(to_world.conjugate() * spin(k));
+}
+
+Vec3 Particles::over_inertia(std::size_t k, const Vec3 &moment) const
+{
+  if (!follows_surfaces)
+    return moment / inertia(k);
+  const Quaternion to_world = orientation(k) * body[k].principal;
+  return to_world * (to_world.conjugate() * moment)
+                        .cwiseQuotient(mass(k) * body[k].gyration);
+}
+
+double Particles::kinetic_energy(std::size_t k) const
+{
+  return 0.5 * mass(k) * velocity(k).squaredNorm() +
+         0.5 * spin(k).dot(angular_momentum(k));
+}
+
+double Particles::smallest_moment(std::size_t k) const
+{
+  return follows_surfaces ? mass(k) * body[k].gyration.minCoeff() : inertia(k);
 }
 
 void Particles::reorder(const std::vector<std::int32_t> &order)

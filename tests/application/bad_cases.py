@@ -68,7 +68,7 @@ VALUES = [
     value("Membrane", "thickness", "0", "above 0"),
     value("MembraneContact", "rolling_friction", "0.1", "no rotational"),
     value("Boundary", "lateral", "balloon", "one of membrane, rigid"),
-    value("Contact", "geometry", "surface_of_doom", "one of ball, radial"),
+    value("Contact", "geometry", "surface_of_doom", "one of ball, radial, surface"),
     value("Breakage", "is_active", "maybe", "true or false"),
     value("Breakage", "min_ball_radius", "0.02", "Breakage/min_diameter"),
     value("Case", "kind", "los_angles", "dynamic_triaxial"),

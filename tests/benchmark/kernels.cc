@@ -120,12 +120,14 @@ void list_rebuild(State &state)
   dem::ContactBatch batch = engine->pairs();
   dem::Dissipation retired;
   const double margin = engine->parameters().search_margin;
-  const bool is_radial = engine->particles().has_shapes;
+  const dem::ContactGeometry geometry = engine->particles().has_shapes
+                                            ? dem::ContactGeometry::radial
+                                            : dem::ContactGeometry::ball;
   for (auto _ : state)
   {
     dem::PairFinder finder; // knows nothing yet
     dem::rebuild_pairs(engine->particles(), batch.layout,
-                       finder.find(engine->particles(), is_radial, margin, {}),
+                       finder.find(engine->particles(), geometry, margin, {}),
                        batch, retired);
   }
   state.SetItemsProcessed(state.iterations() *

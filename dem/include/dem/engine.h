@@ -6,6 +6,7 @@
 #include <dem/measure/assembly.h>
 #include <dem/search/candidates.h>
 #include <dem/search/margin.h>
+#include <dem/search/spot_lists.h>
 
 #include <iosfwd>
 #include <memory>
@@ -77,6 +78,8 @@ public:
   double time() const { return now; } ///< [s]
   std::int64_t n_steps() const { return step_count; }
   std::int64_t n_rebuilds() const { return rebuild_count; }
+  /// Of contacts that follow the true surfaces, since construction.
+  const SpotEvents &spot_events() const { return spots.events; }
   EngineEnergy energy() const;
   EngineClock clock() const { return spent; }
   /// Events since the last call.
@@ -100,6 +103,11 @@ private:
   void keep_lists(const Speeds &fastest, double time_step);
   SearchMargin::Lists list_counts() const;
   void rebuild_lists();
+  void rebuild_pair_list();
+  void rebuild_plane_list();
+  ContactGeometry pair_geometry() const;
+  SpotSearchInput spot_search(const ForceContext &still,
+                              const BatchLayout &layout) const;
   void sort_in_space();
   bool evaluate_contacts(double time_step);
   bool run_contacts(const ForceContext &all);
@@ -125,9 +133,12 @@ private:
   bool lists_are_stale = true;
   SearchMargin margin;
   PairFinder pair_finder;
+  StoneMaps maps; ///< of true surfaces
+  SpotLists spots;
   Travel travel;
   double steepest = 0.;         ///< c of closing_speed [-]
   double travelled = 0.;        ///< ForceContext::travelled [m]
+  double planes_travelled = 0.; ///< the fastest at each step [m]
   double travelled_sorted = 0.; ///< when the stones were last sorted [m]
   double now = 0.;
   std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;

@@ -45,6 +45,11 @@ struct Particles
   std::vector<std::uint8_t> is_breakable;
   std::vector<StoneLoad> load;
   bool has_shapes = false; ///< some stone is not a sphere
+  /// Stones meet with their true surfaces: they turn with the inertia tensors
+  /// of their bodies, not of balls, and `travelled` is kept.
+  bool follows_surfaces = false;
+  /// How far any point of the stone may have come since construction [m].
+  std::vector<double> travelled;
 
   std::size_t size() const { return id.size(); }
 
@@ -81,7 +86,12 @@ struct Particles
       all.push_back(one.*field);
     return all;
   }
-  double smallest_mass() const;   ///< [kg]
+  /// Inertia tensor times spin, and the inverse of the tensor times a moment.
+  Vec3 angular_momentum(std::size_t k) const;                 ///< [N m s]
+  Vec3 over_inertia(std::size_t k, const Vec3 &moment) const; ///< [rad/s^2]
+  double kinetic_energy(std::size_t k) const;                 ///< [J]
+  double smallest_moment(std::size_t k) const;                ///< [kg m^2]
+  double smallest_mass() const;                               ///< [kg]
   double smallest_radius() const; ///< of the balls [m]
   double largest_radius() const;  ///< of the balls [m]
 
@@ -101,6 +111,7 @@ struct Particles
     call(self.initial_mass);
     call(self.is_breakable);
     call(self.load);
+    call(self.travelled);
   }
 
   /// Entry k becomes entry order[k].

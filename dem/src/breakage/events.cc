@@ -170,24 +170,17 @@ Spall spall_at(const ContactBatch &batch, const Request &request)
   return spall;
 }
 
-/// Kinetic energy of a stone [J].
-double kinetic_energy(const Particles &particles, std::size_t i)
-{
-  return 0.5 * particles.mass(i) * particles.velocity(i).squaredNorm() +
-         0.5 * particles.inertia(i) * particles.spin(i).squaredNorm();
-}
-
 /// The new body takes the place of the old one; returns the kinetic energy of
 /// what left.
 double replace_body(const ForceContext &context, Particles &particles,
                     std::size_t i, const Body &body)
 {
-  const double before = kinetic_energy(particles, i);
+  const double before = particles.kinetic_energy(i);
   particles.body[i] = body;
   particles.update_mass(i, context.parameters.stone.density);
   if (particles.radius(i) < context.parameters.breakage.min_ball_radius)
     particles.is_breakable[i] = 0;
-  return before - kinetic_energy(particles, i);
+  return before - particles.kinetic_energy(i);
 }
 } // namespace
 
@@ -230,6 +223,7 @@ int break_stones(const ForceContext &context, Particles &particles,
     event.removed_volume = result.removed_volume;
     event.width = result.width;
     event.depth = result.depth;
+    particles.travelled[i] += result.depth;
     event.kinetic_energy = replace_body(context, particles, i, result.body);
     event.ball_radius = particles.radius(i);
     for (const Place &place : forget_surface(contacts, request.stone))

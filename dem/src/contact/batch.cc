@@ -11,6 +11,12 @@ std::size_t whole_blocks(std::size_t n)
 }
 } // namespace
 
+Vec3 SideColumns::spot(std::size_t k) const
+{
+  const Triple<double> at = direction[k] + offset[k];
+  return Vec3(at.x, at.y, at.z).normalized();
+}
+
 double SideColumns::local_radius(std::size_t k,
                                  const Triple<double> &on_body) const
 {

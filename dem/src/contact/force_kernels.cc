@@ -1,6 +1,5 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
-#include "pair_lanes.h"
-#include "wall_lanes.h"
+#include "surface_lanes.h"
 
 namespace dem::kernel
 {
@@ -54,6 +53,8 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
 namespace SPALL_INSTRUCTION_SET
 {
 extern const Loops loops;
-const Loops loops = {run_range<advance_pairs>, run_range<advance_walls>};
+const Loops loops = {run_range<advance_pairs>, run_range<advance_walls>,
+                     run_range<advance_surface_pairs>,
+                     run_range<advance_surface_walls>};
 } // namespace SPALL_INSTRUCTION_SET
 } // namespace dem::kernel

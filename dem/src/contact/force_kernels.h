@@ -31,13 +31,14 @@ struct Vectors
   Number *x, *y, *z;
 };
 
-/// SideColumns, read only: renewed by Surfaces.
+/// SideColumns, renewed by Surfaces.
 struct Side
 {
   Vectors<const float> direction;
   const double *radius;
   Vectors<const float> gradient;
   const float *hessian[6];
+  Vectors<float> offset; ///< null unless contacts follow their surfaces
 };
 
 /// ContactBatch; columns that its layout leaves out are null.
@@ -52,6 +53,7 @@ struct Contacts
   Side side_a, side_b;
   const double *normal_prefactor, *shear_prefactor;
   float *twist;
+  double *slack; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
   const float *corner_a, *corner_b;
   std::uint8_t *event;
@@ -65,6 +67,8 @@ struct Surfaces
   void (*renew)(void *owner, std::int64_t k, int side, const double *direction);
   /// Mixes the prefactors of contact k with this normal.
   void (*mix)(void *owner, std::int64_t k, const double *normal);
+  /// Looks anew for the place of contact k, which its steps have lost.
+  void (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
 };
 
 /// WallRow in numbers.
@@ -73,6 +77,10 @@ inline constexpr int wall_row = 16;
 /// A wall farther than this many ball radii is none: the surface of the stone
 /// towards it is not looked at.
 inline constexpr double far_wall = 1e3;
+
+/// ContactBatch::slack from here on: the contact has lost its place and stays
+/// open until the lists are made anew [m].
+inline constexpr double closed_slack = 1e9;
 
 /// What a loop reads besides the contacts; coefficients are of its batch.
 struct Task
@@ -100,7 +108,7 @@ using Loop = void (*)(const Task &task, std::int64_t first, std::int64_t last,
 
 struct Loops
 {
-  Loop pairs, walls;
+  Loop pairs, walls, surface_pairs, surface_walls;
 };
 
 /// Those of the instruction set in use.

@@ -28,6 +28,12 @@ kernel::Task pair_task(SurfaceOwner &owner)
                    parameters.geometry.geometry == ContactGeometry::radial;
   return task;
 }
+
+kernel::Loop pair_loop(const ContactBatch &batch)
+{
+  return batch.layout.has_spots ? kernel::loops().surface_pairs
+                                : kernel::loops().pairs;
+}
 } // namespace
 
 BatchLayout pair_layout(const EngineParameters &parameters,
@@ -37,6 +43,8 @@ BatchLayout pair_layout(const EngineParameters &parameters,
   layout.has_rolling = parameters.stone.rolling_friction > 0.;
   layout.has_sides = particles.has_shapes;
   layout.has_partners = true;
+  layout.has_spots = layout.has_sides &&
+                     parameters.geometry.geometry == ContactGeometry::surface;
   layout.has_damage = particles.has_shapes && parameters.breakage.is_active;
   return layout;
 }
@@ -48,8 +56,7 @@ ForceSum pair_forces(const ForceContext &context, ContactBatch &batch,
   kernel::Task task = pair_task(owner);
   loads.clear();
   task.stones.halo = reinterpret_cast<double *>(loads.halo_rows());
-  const ForceSum sum =
-      run_loop(kernel::loops().pairs, task, batch.size(), ranges);
+  const ForceSum sum = run_loop(pair_loop(batch), task, batch.size(), ranges);
   loads.add_halo(context.particles.load);
   return sum;
 }
@@ -57,6 +64,6 @@ ForceSum pair_forces(const ForceContext &context, ContactBatch &batch,
 double reset_pair(const ForceContext &context, ContactBatch &batch,
                   std::size_t k)
 {
-  return run_still(context, batch, k, kernel::loops().pairs, pair_task);
+  return run_still(context, batch, k, pair_loop(batch), pair_task);
 }
 } // namespace dem

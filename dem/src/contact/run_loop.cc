@@ -1,4 +1,4 @@
-#include "surfaces.h"
+#include "follow.h"
 
 #include <dem/contact/pair_loads.h>
 
@@ -26,6 +26,17 @@ void mix(void *owner, std::int64_t k, const double *normal)
                  static_cast<std::size_t>(k), Eigen::Map<const Vec3>(normal));
 }
 
+void relocate(void *owner, std::int64_t k, RangeSum *sum)
+{
+  const SurfaceOwner &of = owner_of(owner);
+  const auto contact = static_cast<std::size_t>(k);
+  if (of.batch.layout.has_partners)
+    relocate_pair(of.context, of.batch, contact, *sum);
+  else
+    relocate_wall(of.context, of.batch, contact,
+                  of.walls[row_of(of.batch.b[contact])], *sum);
+}
+
 template <class Row>
 auto *numbers(std::vector<Row> &rows)
 {
@@ -33,7 +44,7 @@ auto *numbers(std::vector<Row> &rows)
   return reinterpret_cast<double *>(rows.data());
 }
 
-kernel::Side side_view(const SideColumns &side)
+kernel::Side side_view(SideColumns &side)
 {
   const auto vectors = [](const TripleColumn<float> &column)
   {
@@ -41,7 +52,11 @@ kernel::Side side_view(const SideColumns &side)
                                         column.z.data()};
   };
   kernel::Side view{
-      vectors(side.direction), side.radius.data(), vectors(side.gradient), {}};
+      vectors(side.direction),
+      side.radius.data(),
+      vectors(side.gradient),
+      {},
+      {side.offset.x.data(), side.offset.y.data(), side.offset.z.data()}};
   for (std::size_t c = 0; c < 6; ++c)
     view.hessian[c] = side.hessian[c].data();
   return view;
@@ -70,6 +85,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.normal_prefactor.data(),
           batch.shear_prefactor.data(),
           batch.twist.data(),
+          batch.slack.data(),
           batch.factor_a.data(),
           batch.factor_b.data(),
           batch.corner_a.data(),
@@ -93,7 +109,7 @@ kernel::Task make_task(SurfaceOwner &owner,
   kernel::Task task{};
   task.stones = stones_view(context.particles);
   task.contacts = contacts_view(owner.batch);
-  task.surfaces = {&owner, renew, mix};
+  task.surfaces = {&owner, renew, mix, relocate};
   task.coefficients = coefficients;
   task.time_step = context.time_step;
   task.refresh_tolerance = context.parameters.geometry.refresh_tolerance;
@@ -127,6 +143,9 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
       row[c] += range.load[c];
     sum.lost += range.lost;
     sum.wants_breakage |= range.wants_breakage;
+    sum.has_strayed |= range.has_strayed;
+    sum.n_jumps += range.n_jumps;
+    sum.n_ended += range.n_ended;
   }
   return sum;
 }

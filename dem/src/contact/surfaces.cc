@@ -38,6 +38,8 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   for (std::size_t c = 0; c < 6; ++c)
     side.hessian[c][k] = static_cast<float>(entries[c]);
   side.curvature[k] = fresh.curvature;
+  if (batch.layout.has_spots)
+    side.offset.set(k, {});
   if (!batch.twist.empty())
     batch.twist[k] = not_mixed;
   if (batch.layout.has_damage)
@@ -61,7 +63,9 @@ void forget_side(ContactBatch &batch, std::size_t k, bool is_a)
   if (!batch.layout.has_sides)
     return;
   SideColumns &side = is_a ? batch.side_a : batch.side_b;
-  side.direction.set(k, {});
+  // A contact that follows its surface starts from there.
+  if (!batch.layout.has_spots)
+    side.direction.set(k, {});
   side.radius[k] = 0.;
 }
 

@@ -41,6 +41,7 @@ struct SurfaceOwner
 {
   const ForceContext &context;
   ContactBatch &batch;
+  std::span<const WallRow> walls = {}; ///< that the contacts name
 };
 
 /// The columns as the loops see them; `owner` must outlive the task.

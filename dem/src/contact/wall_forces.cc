@@ -20,6 +20,12 @@ kernel::Task wall_task(SurfaceOwner &owner, const Walls &walls)
   task.walls = reinterpret_cast<const double *>(walls.rows.data());
   return task;
 }
+
+kernel::Loop wall_loop(const ContactBatch &batch)
+{
+  return batch.layout.has_spots ? kernel::loops().surface_walls
+                                : kernel::loops().walls;
+}
 } // namespace
 
 BatchLayout wall_layout(const EngineParameters &parameters,
@@ -28,26 +34,31 @@ BatchLayout wall_layout(const EngineParameters &parameters,
   BatchLayout layout;
   layout.has_rolling = wall.rolling_friction > 0.;
   layout.has_damage = particles.has_shapes && parameters.breakage.is_active;
+  const ContactGeometry geometry = parameters.geometry.wall_geometry;
   layout.has_sides = layout.has_damage || (particles.has_shapes &&
-                                           parameters.geometry.wall_geometry ==
-                                               ContactGeometry::radial);
+                                           geometry != ContactGeometry::ball);
+  layout.has_spots =
+      particles.has_shapes && geometry == ContactGeometry::surface;
   return layout;
 }
 
 ForceSum wall_forces(const ForceContext &context, const Walls &walls,
                      ContactBatch &batch, std::vector<RangeSum> &ranges)
 {
-  SurfaceOwner owner{context, batch};
-  return run_loop(kernel::loops().walls, wall_task(owner, walls), batch.size(),
+  SurfaceOwner owner{context, batch, walls.rows};
+  return run_loop(wall_loop(batch), wall_task(owner, walls), batch.size(),
                   ranges);
 }
 
 double reset_wall(const ForceContext &context, const Walls &walls,
                   ContactBatch &batch, std::size_t k)
 {
-  return run_still(context, batch, k, kernel::loops().walls,
+  return run_still(context, batch, k, wall_loop(batch),
                    [&walls](SurfaceOwner &owner)
-                   { return wall_task(owner, walls); });
+                   {
+                     owner.walls = walls.rows;
+                     return wall_task(owner, walls);
+                   });
 }
 
 void plane_rows(const std::vector<Plane> &planes, std::vector<WallRow> &rows)

@@ -1,3 +1,4 @@
+#include <dem/contact/common_normal.h>
 #include <dem/integrate/contact_springs.h>
 
 #include <algorithm>
@@ -61,6 +62,54 @@ HertzPrefactors sphere_prefactors(const StoneMaterial &stone, double r_a,
       gap_coefficients({1. / r_a, 1. / r_a, 1. / r_b, 1. / r_b, 1.}));
 }
 
+/// How two stones, or a stone and a wall, stand to each other at one contact.
+struct Stand
+{
+  Vec3 normal = Vec3::UnitX();
+  Vec3 lever_a = Vec3::Zero(), lever_b = Vec3::Zero(); ///< to the contact [m]
+  double overlap = 0.;                                 ///< < 0: a gap [m]
+};
+
+/// Where the true surface of a stone has its contact, world frame.
+SurfacePoint point_of(const Particles &stones, std::int32_t stone,
+                      const SideColumns &side, std::size_t k)
+{
+  const auto i = static_cast<std::size_t>(stone);
+  return turned(surface_point(stones.body[i], side.spot(k)),
+                stones.rotation(i));
+}
+
+Stand true_stand(const Particles &stones, const ContactBatch &batch,
+                 std::size_t k)
+{
+  const SurfacePoint a = point_of(stones, batch.a[k], batch.side_a, k);
+  const SurfacePoint b = point_of(stones, batch.b[k], batch.side_b, k);
+  const Vec3 branch = stones.position(static_cast<std::size_t>(batch.b[k])) -
+                      stones.position(static_cast<std::size_t>(batch.a[k]));
+  return {a.normal, a.position, b.position,
+          (a.position - branch - b.position).dot(a.normal) - batch.slack[k]};
+}
+
+/// Along the branch, by balls or local radii; no overlap if centres coincide.
+Stand branch_stand(const Particles &stones, const ContactBatch &batch,
+                   std::size_t k, bool is_radial)
+{
+  const auto i = static_cast<std::size_t>(batch.a[k]),
+             j = static_cast<std::size_t>(batch.b[k]);
+  const Vec3 branch = stones.position(j) - stones.position(i);
+  const double distance = branch.norm();
+  if (distance <= 0.)
+    return {};
+  const Vec3 n = branch / distance;
+  const double r_a = is_radial
+                         ? reach_of(stones, batch.a[k], batch.side_a, k, n)
+                         : stones.radius(i);
+  const double r_b = is_radial
+                         ? reach_of(stones, batch.b[k], batch.side_b, k, -n)
+                         : stones.radius(j);
+  return {n, r_a * n, -r_b * n, r_a + r_b - distance};
+}
+
 void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
@@ -72,21 +121,14 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
   {
     const auto i = static_cast<std::size_t>(batch.a[k]),
                j = static_cast<std::size_t>(batch.b[k]);
-    const Vec3 branch = stones.position(j) - stones.position(i);
-    const double distance = branch.norm();
-    if (distance <= 0.)
-      continue;
-    const Vec3 n = branch / distance;
-    const double r_a = is_radial
-                           ? reach_of(stones, batch.a[k], batch.side_a, k, n)
-                           : stones.radius(i);
-    const double r_b = is_radial
-                           ? reach_of(stones, batch.b[k], batch.side_b, k, -n)
-                           : stones.radius(j);
+    const Stand stand = batch.layout.has_spots
+                            ? true_stand(stones, batch, k)
+                            : branch_stand(stones, batch, k, is_radial);
+    const double r_a = stand.lever_a.norm(), r_b = stand.lever_b.norm();
     const double overlap =
-        r_a + r_b - distance +
+        stand.overlap +
         horizon * (stones.velocity(j) - stones.velocity(i)).norm();
-    if (overlap <= 0.)
+    if (overlap <= 0. || r_a + r_b <= 0.)
       continue;
     const bool is_mixed =
         batch.layout.has_sides && batch.normal_prefactor[k] > 0.;
@@ -99,9 +141,9 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
     Contact c;
     c.a = batch.a[k];
     c.b[0] = {batch.b[k], 1.};
-    c.normal = n;
-    c.lever_a = r_a * n;
-    c.lever_b = -r_b * n;
+    c.normal = stand.normal;
+    c.lever_a = stand.lever_a;
+    c.lever_b = stand.lever_b;
     c.normal_stiffness = spring.stiffness;
     c.shear_stiffness = spring.shear_stiffness;
     c.rolling_radius = r_a * r_b / (r_a + r_b);
@@ -113,18 +155,33 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
   }
 }
 
-/// What a linear wall is to a stone that reaches `reach` towards it.
-Contact wall_contact(const WallMaterial &wall, double reach, const Vec3 &normal)
+/// What a linear wall is to a stone that touches it with this lever.
+Contact wall_contact(const WallMaterial &wall, const Vec3 &lever,
+                     const Vec3 &normal)
 {
   Contact c;
   c.normal = normal;
-  c.lever_a = reach * normal;
+  c.lever_a = lever;
   c.normal_stiffness = wall.normal_stiffness;
   c.shear_stiffness = wall.shear_stiffness;
-  c.rolling_radius = reach;
+  c.rolling_radius = lever.norm();
   c.coefficients = {wall.friction, wall.rolling_friction, wall.normal_damping,
                     wall.shear_damping};
   return c;
+}
+
+/// From the centre to where the stone of contact k meets a wall.
+Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
+                const Vec3 &normal)
+{
+  const Particles &stones = engine.particles();
+  if (batch.layout.has_spots && batch.side_a.is_known(k))
+    return point_of(stones, batch.a[k], batch.side_a, k).position;
+  const bool is_radial =
+      engine.parameters().geometry.wall_geometry == ContactGeometry::radial;
+  return (is_radial ? reach_of(stones, batch.a[k], batch.side_a, k, normal)
+                    : stones.radius(static_cast<std::size_t>(batch.a[k]))) *
+         normal;
 }
 
 void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
@@ -132,22 +189,18 @@ void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
   const Particles &stones = engine.particles();
   const ContactBatch &batch = engine.on_planes();
   const EngineParameters &parameters = engine.parameters();
-  const bool is_radial =
-      parameters.geometry.wall_geometry == ContactGeometry::radial;
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const auto i = static_cast<std::size_t>(batch.a[k]);
     const Plane &plane = engine.planes()[static_cast<std::size_t>(batch.b[k])];
     if (!plane.is_active)
       continue;
-    const double reach =
-        is_radial ? reach_of(stones, batch.a[k], batch.side_a, k, -plane.normal)
-                  : stones.radius(i);
+    const Vec3 lever = wall_lever(engine, batch, k, -plane.normal);
     const double gap =
-        (stones.position(i) - plane.point).dot(plane.normal) - reach;
+        (stones.position(i) + lever - plane.point).dot(plane.normal);
     if (gap >= horizon * (plane.velocity - stones.velocity(i)).norm())
       continue;
-    Contact c = wall_contact(parameters.wall, reach, -plane.normal);
+    Contact c = wall_contact(parameters.wall, lever, -plane.normal);
     c.a = batch.a[k];
     c.reduced_mass = stones.mass(i);
     append(network, c);
@@ -160,17 +213,13 @@ void add_facets(const Engine &engine, SpringNetwork &network)
   const ContactBatch &batch = engine.on_facets();
   const FacetSurface &surface = engine.surface();
   const auto first_point = static_cast<std::int32_t>(stones.size());
-  const bool is_radial =
-      engine.parameters().geometry.wall_geometry == ContactGeometry::radial;
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const FacetSpot &spot = engine.facets().spot[k];
     if (!batch.is_touching(k) || spot.triangle < 0)
       continue;
-    const double reach =
-        is_radial ? reach_of(stones, batch.a[k], batch.side_a, k, spot.normal)
-                  : stones.radius(static_cast<std::size_t>(batch.a[k]));
-    Contact c = wall_contact(engine.parameters().surface, reach, spot.normal);
+    const Vec3 lever = wall_lever(engine, batch, k, spot.normal);
+    Contact c = wall_contact(engine.parameters().surface, lever, spot.normal);
     c.a = batch.a[k];
     double over_mass = 1. / stones.mass(static_cast<std::size_t>(c.a));
     const auto &corner =
@@ -194,7 +243,8 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
 {
   SpringNetwork network;
   network.mass = engine.particles().column(&StoneState::mass);
-  network.inertia = engine.particles().column(&StoneState::inertia);
+  for (std::size_t i = 0; i < engine.particles().size(); ++i)
+    network.inertia.push_back(engine.particles().smallest_moment(i));
   add_pairs(engine, horizon, network);
   add_planes(engine, horizon, network);
   if (engine.has_surface())
@@ -218,7 +268,8 @@ double corner_step(const EngineParameters &parameters,
   network.inertia = {lightest.inertia};
   for (int d = 0; d < 3; ++d)
   {
-    Contact c = wall_contact(parameters.wall, lightest.radius, -Vec3::Unit(d));
+    Contact c = wall_contact(parameters.wall, -lightest.radius * Vec3::Unit(d),
+                             -Vec3::Unit(d));
     c.reduced_mass = lightest.mass;
     append(network, c);
   }

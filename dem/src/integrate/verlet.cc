@@ -1,3 +1,4 @@
+#include <dem/integrate/rotation.h>
 #include <dem/integrate/verlet.h>
 #include <dem/search/candidates.h>
 
@@ -37,29 +38,19 @@ double kick_vector(const Vec3 &load, double dt_over_inertia, double damping,
   return taken;
 }
 
-/// exp(rotation vector) as a quaternion.
-Quaternion exponential(const Vec3 &rotation)
+/// The moment that local damping leaves turns the stone with its whole inertia
+/// tensor; returns what damping took.
+template <bool is_damped>
+double kick_spin(Particles &particles, std::size_t i, double damping, double dt)
 {
-  const double half_square = 0.25 * rotation.squaredNorm(); // of half the angle
-  double cosine = 0., factor = 0.;                          // sin(x/2) / x
-  if (half_square < 2.5e-3)
-  {
-    // The next terms are below 1e-15.
-    cosine = 1. - half_square *
-                      (1. / 2. -
-                       half_square * (1. / 24. - half_square * (1. / 720.)));
-    factor = 0.5 - half_square *
-                       (1. / 12. - half_square * (1. / 240. -
-                                                  half_square * (1. / 10080.)));
-  }
-  else
-  {
-    const double half = std::sqrt(half_square);
-    cosine = std::cos(half);
-    factor = 0.5 * std::sin(half) / half;
-  }
-  const Vec3 axis = factor * rotation;
-  return {cosine, axis.x(), axis.y(), axis.z()};
+  Vec3 &spin = particles.spin(i);
+  const Vec3 before = spin, &moment = particles.load[i].moment;
+  Vec3 braked = moment;
+  if constexpr (is_damped)
+    for (int d = 0; d < 3; ++d)
+      braked[d] = brake(moment[d], damping, before[d]);
+  spin += dt * particles.over_inertia(i, braked);
+  return is_damped ? (moment - braked).dot(0.5 * dt * (before + spin)) : 0.;
 }
 
 /// Half a kick of stone i with what acts on it.
@@ -74,13 +65,28 @@ void kick_stone(Particles &particles, std::size_t i,
   double taken = kick_vector<is_damped>(
       load.force + weight, time_step / stone.mass, parameters.local_damping,
       time_step, stone.velocity);
-  taken +=
-      kick_vector<is_damped>(load.moment, time_step / stone.inertia,
-                             parameters.local_damping, time_step, stone.spin);
+  taken += particles.follows_surfaces
+               ? kick_spin<is_damped>(particles, i, parameters.local_damping,
+                                      time_step)
+               : kick_vector<is_damped>(load.moment, time_step / stone.inertia,
+                                        parameters.local_damping, time_step,
+                                        stone.spin);
   if (is_damped)
     work.damped[i] += taken;
   if (parameters.has_gravity())
     work.lifted[i] += weight.dot(before + stone.velocity) * 0.5 * time_step;
+}
+
+/// Turns stone i freely with its whole inertia tensor.
+void turn_stone(Particles &particles, std::size_t i, double time_step)
+{
+  StoneState &stone = particles.state[i];
+  const Body &body = particles.body[i];
+  Rotor rotor{stone.mass * body.gyration, stone.orientation * body.principal,
+              stone.spin};
+  turn_freely(rotor, time_step);
+  stone.spin = rotor.spin;
+  stone.orientation = rotor.to_world * body.principal.conjugate();
 }
 
 /// Moves stone i; `moving` of what it returns is squared.
@@ -93,8 +99,13 @@ Speeds drift_stone(Particles &particles, std::size_t i, double steepness,
   if (!particles.has_shapes)
     return speeds;
   Quaternion &q = stone.orientation;
-  q = (exponential(time_step * stone.spin) * q).normalized();
+  if (particles.follows_surfaces)
+    turn_stone(particles, i, time_step);
+  else
+    q = (exponential(time_step * stone.spin) * q).normalized();
   speeds.closing = closing_speed(particles, i, steepness);
+  if (particles.follows_surfaces)
+    particles.travelled[i] += time_step * speeds.closing;
   return speeds;
 }
 

@@ -27,6 +27,8 @@ void save_body(std::ostream &out, const Body &body, const Library &library)
   for (const double value : {body.scale, body.volume, body.inscribed_radius,
                              body.circumscribed_radius, body.max_slope})
     write_value(out, value);
+  write_value(out, body.gyration);
+  write_value(out, body.principal.coeffs());
 }
 
 void restore_body(std::istream &in, Body &body, const Library &library)
@@ -49,6 +51,8 @@ void restore_body(std::istream &in, Body &body, const Library &library)
   for (double *value : {&body.scale, &body.volume, &body.inscribed_radius,
                         &body.circumscribed_radius, &body.max_slope})
     read_value(in, *value);
+  read_value(in, body.gyration);
+  read_value(in, body.principal.coeffs());
 }
 
 template <class Surface, class Visit>
@@ -98,6 +102,8 @@ void Engine::visit_state(Self &self, const Visit &visit)
   visit(self.event_count);
   visit(self.refused_count);
   visit(self.lost);
+  visit(self.travel);
+  visit(self.planes_travelled);
 }
 
 void Engine::save(std::ostream &out, const Library &library) const
@@ -118,7 +124,9 @@ void Engine::save(std::ostream &out, const Library &library) const
   put(work.damped);
   put(work.lifted);
   put(surface_load_before);
-  visit_state(*this, [&out](const auto &value) { write_value(out, value); });
+  const auto put_value = [&out](const auto &value) { write_value(out, value); };
+  visit_state(*this, put_value);
+  SpotLists::visit(spots, put_value, put);
 }
 
 void Engine::restore(std::istream &in, const Library &library)
@@ -127,6 +135,8 @@ void Engine::restore(std::istream &in, const Library &library)
   Particles::visit(stones, get);
   stones.body.resize(stones.id.size());
   stones.has_shapes = false;
+  stones.follows_surfaces =
+      settings.geometry.geometry == ContactGeometry::surface;
   for (Body &body : stones.body)
   {
     restore_body(in, body, library);
@@ -151,7 +161,9 @@ void Engine::restore(std::istream &in, const Library &library)
   get(work.damped);
   get(work.lifted);
   get(surface_load_before);
-  visit_state(*this, [&in](auto &value) { read_value(in, value); });
+  const auto get_value = [&in](auto &value) { read_value(in, value); };
+  visit_state(*this, get_value);
+  SpotLists::visit(spots, get_value, get);
   events.clear();
 }
 } // namespace dem

@@ -1,8 +1,10 @@
 #include <dem/packing/insertion.h>
+#include <dem/search/spots.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -92,44 +94,88 @@ private:
   std::vector<std::vector<std::size_t>> members;
 };
 
-bool fits_box(const Body &body, const Placement &place, const Vec3 &lower,
-              const Vec3 &upper)
+bool fits_box(const Body &body, const Placement &place, const InsertionBox &box)
 {
   for (int d = 0; d < 3; ++d)
   {
     const Vec3 axis = Vec3::Unit(d);
-    if (place.position[d] - lower[d] < reach(body, place, -axis) ||
-        upper[d] - place.position[d] < reach(body, place, axis))
+    const double down = box.sees_surfaces ? body.circumscribed_radius
+                                          : reach(body, place, -axis);
+    const double up = box.sees_surfaces ? body.circumscribed_radius
+                                        : reach(body, place, axis);
+    if (place.position[d] - box.lower[d] < down ||
+        box.upper[d] - place.position[d] < up)
       return false;
   }
   return true;
 }
+
+/// Stones and where they are so far.
+class PlacedStones
+{
+public:
+  PlacedStones(std::span<const Body> bodies, bool surfaces)
+      : stones(bodies), sees_surfaces(surfaces)
+  {
+    for (const Body &body : stones)
+      if (sees_surfaces && !maps.contains(body.series.get()))
+        maps.try_emplace(body.series.get(), body.series);
+  }
+
+  /// Whether the next stone overlaps none that is there.
+  bool is_free(std::size_t j, const Placement &place) const
+  {
+    const std::size_t i = places.size();
+    const Vec3 branch = places[j].position - place.position;
+    const double distance = branch.norm();
+    if (distance >
+        stones[i].circumscribed_radius + stones[j].circumscribed_radius)
+      return true;
+    const Vec3 u = branch / distance;
+    if (distance <=
+        reach(stones[i], place, u) + reach(stones[j], places[j], -u))
+      return false;
+    return !sees_surfaces || !overlaps(i, place, j);
+  }
+
+  std::vector<Placement> places;
+
+private:
+  bool overlaps(std::size_t i, const Placement &place, std::size_t j) const
+  {
+    const Quaternion to_own = place.orientation.conjugate();
+    const RelativePose pose{
+        to_own * (places[j].position - place.position),
+        (to_own * places[j].orientation).toRotationMatrix()};
+    // The nodes of the maps miss the nearest place by a little.
+    const double margin =
+        0.05 * std::min(mean_radius(stones[i]), mean_radius(stones[j]));
+    return may_touch({{stones[i], maps.at(stones[i].series.get())},
+                      {stones[j], maps.at(stones[j].series.get())},
+                      pose},
+                     margin);
+  }
+
+  std::span<const Body> stones;
+  bool sees_surfaces;
+  std::map<const Coefficients *, RadiusMap> maps; ///< by series
+};
 } // namespace
 
 std::vector<Placement> insert_stones(std::span<const Body> stones,
-                                     const Vec3 &lower, const Vec3 &upper,
-                                     Random &random)
+                                     const InsertionBox &box, Random &random)
 {
   constexpr int n_tries = 20000;
   double largest = 0.;
   for (const Body &body : stones)
     largest = std::max(largest, body.circumscribed_radius);
-  Cells cells(lower, upper, 2. * largest);
-  std::vector<Placement> places;
+  Cells cells(box.lower, box.upper, 2. * largest);
+  PlacedStones placed(stones, box.sees_surfaces);
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
     Placement place;
     const auto is_free = [&](std::size_t j)
-    {
-      const Vec3 branch = places[j].position - place.position;
-      const double distance = branch.norm();
-      if (distance >
-          stones[i].circumscribed_radius + stones[j].circumscribed_radius)
-        return true;
-      const Vec3 u = branch / distance;
-      return distance >
-             reach(stones[i], place, u) + reach(stones[j], places[j], -u);
-    };
+    { return placed.is_free(j, place); };
     int tries = 0;
     do
     {
@@ -139,13 +185,14 @@ std::vector<Placement> insert_stones(std::span<const Body> stones,
             std::to_string(stones.size()) +
             " in the box: lower Specimen/initial_solid_fraction");
       for (int d = 0; d < 3; ++d)
-        place.position[d] = std::lerp(lower[d], upper[d], random.uniform());
+        place.position[d] =
+            std::lerp(box.lower[d], box.upper[d], random.uniform());
       place.orientation = random.rotation();
-    } while (!fits_box(stones[i], place, lower, upper) ||
+    } while (!fits_box(stones[i], place, box) ||
              !cells.all_near(place.position, is_free));
-    places.push_back(place);
+    placed.places.push_back(place);
     cells.add(place.position, i);
   }
-  return places;
+  return placed.places;
 }
 } // namespace dem

@@ -1,4 +1,5 @@
 #include "../contact/surfaces.h"
+#include "carry_over.h"
 
 #include <dem/search/candidates.h>
 #include <dem/search/near_pairs.h>
@@ -41,38 +42,12 @@ std::vector<std::int32_t> match(const std::vector<Key> &old_keys,
   return source;
 }
 
-/// What the springs of a touching contact hold is lost when it is dropped.
-void retire_contact(const ContactBatch &batch, std::size_t k,
-                    Dissipation &retired)
-{
-  if (!batch.is_touching(k))
-    return;
-  const ContactHistory<double> history = batch.history(k);
-  const double rolling =
-      0.5 * dot(history.rolling, history.rolling) * history.rolling_compliance;
-  retired.rolling += rolling;
-  retired.friction += tangential_energy(history) - rolling;
-  retired.shape_work += history.normal_energy;
-}
-
 std::vector<Key> keys_of(const ContactBatch &batch)
 {
   std::vector<Key> keys(batch.size());
   for (std::size_t k = 0; k < batch.size(); ++k)
     keys[k] = {batch.a[k], batch.b[k]};
   return keys;
-}
-
-/// Marks the corners that the sides know of.
-void note_corners(const Particles &particles, ContactBatch &batch)
-{
-  for (std::size_t k = 0; k < batch.size(); ++k)
-  {
-    if (batch.side_a.is_known(k))
-      note_corner(particles, batch, k, true);
-    if (batch.layout.has_partners && batch.side_b.is_known(k))
-      note_corner(particles, batch, k, false);
-  }
 }
 
 /// Puts the batch in the order of `keys` (sorted, as the old one is).
@@ -183,6 +158,30 @@ void carry_over_slots(const FacetCandidates &before, const BatchLayout &layout,
 }
 } // namespace
 
+void retire_contact(const ContactBatch &batch, std::size_t k,
+                    Dissipation &retired)
+{
+  if (!batch.is_touching(k))
+    return;
+  const ContactHistory<double> history = batch.history(k);
+  const double rolling =
+      0.5 * dot(history.rolling, history.rolling) * history.rolling_compliance;
+  retired.rolling += rolling;
+  retired.friction += tangential_energy(history) - rolling;
+  retired.shape_work += history.normal_energy;
+}
+
+void note_corners(const Particles &particles, ContactBatch &batch)
+{
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    if (batch.side_a.is_known(k))
+      note_corner(particles, batch, k, true);
+    if (batch.layout.has_partners && batch.side_b.is_known(k))
+      note_corner(particles, batch, k, false);
+  }
+}
+
 void rebuild_pairs(const Particles &particles, const BatchLayout &layout,
                    const std::vector<PairKey> &near, ContactBatch &batch,
                    Dissipation &retired)
@@ -252,6 +251,9 @@ double closing_speed(const Particles &particles, std::size_t k,
                      double steepness)
 {
   const Body &body = particles.body[k];
+  if (particles.follows_surfaces)
+    return particles.velocity(k).norm() +
+           body.circumscribed_radius * particles.spin(k).norm();
   return (1. + steepness) * particles.velocity(k).norm() +
          std::max(body.max_slope,
                   body.series ? body.circumscribed_radius : 0.) *

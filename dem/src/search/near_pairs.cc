@@ -17,9 +17,10 @@ struct SizeClass
 };
 
 /// How far a stone can meet others from its centre.
-std::vector<double> reaches(const Particles &particles, bool is_radial)
+std::vector<double> reaches(const Particles &particles,
+                            ContactGeometry geometry)
 {
-  if (!is_radial)
+  if (geometry == ContactGeometry::ball)
     return particles.column(&StoneState::radius);
   std::vector<double> reach(particles.size());
   for (std::size_t i = 0; i < reach.size(); ++i)
@@ -49,13 +50,13 @@ std::vector<int> classify(const std::vector<double> &reach)
 }
 
 /// Gap between the balls, or between the radii along the branch [m].
-double gap_between(const Particles &particles, bool is_radial, std::size_t i,
-                   std::size_t j)
+double gap_between(const Particles &particles, ContactGeometry geometry,
+                   std::size_t i, std::size_t j)
 {
   const Vec3 branch = particles.position(j) - particles.position(i);
   const double distance = branch.norm();
   const double balls = distance - particles.radius(i) - particles.radius(j);
-  if (!is_radial || distance == 0.)
+  if (geometry == ContactGeometry::ball || distance == 0.)
     return balls;
   const Vec3 normal = branch / distance;
   return distance - local_radius(particles, i, normal) -
@@ -68,8 +69,8 @@ double gap_between(const Particles &particles, bool is_radial, std::size_t i,
 class PairSearch
 {
 public:
-  PairSearch(const Particles &stones, bool radial, double gap)
-      : particles(stones), margin(gap), reach(reaches(stones, radial)),
+  PairSearch(const Particles &stones, ContactGeometry geometry, double gap)
+      : particles(stones), margin(gap), reach(reaches(stones, geometry)),
         class_of(classify(reach))
   {
     classes.resize(static_cast<std::size_t>(
@@ -147,10 +148,25 @@ std::vector<PairKey> sorted(const std::vector<std::vector<PairKey>> &parts,
     std::sort(all.begin() + start[i], all.begin() + start[i + 1]);
   return all;
 }
+/// All pairs whose bounding spheres come within a range, sorted.
+std::vector<PairKey> within(const Particles &particles,
+                            ContactGeometry geometry, double range)
+{
+  const PairSearch grids(particles, geometry, range);
+  constexpr std::size_t part_size = 256;
+  const std::size_t n = particles.size();
+  std::vector<std::vector<PairKey>> parts((n + part_size - 1) / part_size);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t i = p * part_size; i < std::min(n, (p + 1) * part_size);
+         ++i)
+      grids.find(i, parts[p]);
+  return sorted(parts, n);
+}
 } // namespace
 
 std::vector<PairKey> PairFinder::find(const Particles &particles,
-                                      bool is_radial, double margin,
+                                      ContactGeometry geometry, double margin,
                                       const Travel &travel)
 {
   // Wide enough for some rebuilds, narrow enough to be short.
@@ -158,7 +174,7 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
   if (particles.size() == 0)
     return {};
   if (reach < travel.centres + margin)
-    search(particles, is_radial, widening * margin, travel);
+    search(particles, geometry, widening * margin, travel);
   constexpr std::size_t part_size = 4096;
   std::vector<std::vector<PairKey>> parts((candidates.size() + part_size - 1) /
                                           part_size);
@@ -171,7 +187,7 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
       if (one.clear_until - travel.gaps >= margin)
         continue;
       const double gap =
-          gap_between(particles, is_radial, static_cast<std::size_t>(one.a),
+          gap_between(particles, geometry, static_cast<std::size_t>(one.a),
                       static_cast<std::size_t>(one.b));
       one.clear_until = travel.gaps + gap;
       if (gap < margin)
@@ -183,21 +199,17 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
   return pairs;
 }
 
-void PairFinder::search(const Particles &particles, bool is_radial,
+void PairFinder::search(const Particles &particles, ContactGeometry geometry,
                         double range, const Travel &travel)
 {
-  const PairSearch grids(particles, is_radial, range);
-  constexpr std::size_t part_size = 256;
-  const std::size_t n = particles.size();
-  std::vector<std::vector<PairKey>> parts((n + part_size - 1) / part_size);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    for (std::size_t i = p * part_size; i < std::min(n, (p + 1) * part_size);
-         ++i)
-      grids.find(i, parts[p]);
   candidates.clear();
-  for (const PairKey &pair : sorted(parts, n))
+  for (const PairKey &pair : within(particles, geometry, range))
     candidates.push_back({pair.first, pair.second, travel.gaps});
   reach = travel.centres + range;
+}
+
+std::vector<PairKey> near_spheres(const Particles &particles, double margin)
+{
+  return within(particles, ContactGeometry::surface, margin);
 }
 } // namespace dem

@@ -42,8 +42,8 @@ void swap_sides(ContactBatch &batch, std::size_t k)
     if (is_there)
       std::swap(first[k], second[k]);
   };
-  SideColumns::visit(swap_entry, batch.layout.has_sides, batch.side_a,
-                     batch.side_b);
+  SideColumns::visit(swap_entry, batch.layout, batch.layout.has_sides,
+                     batch.side_a, batch.side_b);
   if (!batch.layout.has_damage)
     return;
   std::swap(batch.factor_a[k], batch.factor_b[k]);
@@ -60,8 +60,10 @@ void sort_entries(ContactBatch &batch)
     const auto entry = static_cast<std::size_t>(k);
     return std::pair(batch.a[entry], batch.b[entry]);
   };
-  std::sort(source.begin(), source.end(),
-            [&key](std::int32_t k, std::int32_t l) { return key(k) < key(l); });
+  // Contacts of one pair keep their order.
+  std::stable_sort(source.begin(), source.end(),
+                   [&key](std::int32_t k, std::int32_t l)
+                   { return key(k) < key(l); });
   batch.rearrange(batch.layout, source);
 }
 

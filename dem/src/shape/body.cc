@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,6 +35,27 @@ void require_order(const Coefficients &coefficients)
         std::to_string(max_order));
 }
 
+/// Principal moments over the mass, from 1/5 int r^5 s s^T (MODEL 3.6).
+void set_gyration(std::span<const double> radii, const SphereQuadrature &rule,
+                  Body &body)
+{
+  Mat3 second = Mat3::Zero();
+  for (std::size_t k = 0; k < radii.size(); ++k)
+  {
+    const Vec3 x = radii[k] * rule.direction[k];
+    second += rule.weight[k] / 5. * radii[k] * radii[k] * radii[k] * x *
+              x.transpose();
+  }
+  second /= body.volume;
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(
+      second.trace() * Mat3::Identity() - second);
+  Mat3 frame = axes.eigenvectors();
+  if (frame.determinant() < 0.)
+    frame.col(0) *= -1.;
+  body.gyration = axes.eigenvalues();
+  body.principal = Quaternion(frame).normalized();
+}
+
 /// Everything but the series, from the nodes.
 Body measured(const Coefficients &coefficients)
 {
@@ -48,6 +70,7 @@ Body measured(const Coefficients &coefficients)
   body.circumscribed_radius = radius_margin * *highest;
   body.max_slope =
       slope_margin * *std::max_element(slopes.begin(), slopes.end());
+  set_gyration(radii, rule, body);
   return body;
 }
 } // namespace
@@ -59,6 +82,7 @@ Body make_sphere(double radius)
   body.volume = 4. / 3. * std::numbers::pi * std::pow(radius, 3);
   body.inscribed_radius = radius;
   body.circumscribed_radius = radius;
+  body.gyration.setConstant(0.4 * radius * radius);
   return body;
 }
 
@@ -80,6 +104,7 @@ Body resized(const Body &body, double radius)
   result.inscribed_radius *= factor;
   result.circumscribed_radius *= factor;
   result.max_slope *= factor;
+  result.gyration *= factor * factor;
   return result;
 }
 

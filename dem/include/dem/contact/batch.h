@@ -33,6 +33,16 @@ struct TripleColumn
   }
 };
 
+/// Which optional columns a batch has: only what its scene needs.
+struct BatchLayout
+{
+  bool has_rolling = false;  ///< a rolling spring
+  bool has_sides = false;    ///< the surface of the stone(s)
+  bool has_partners = false; ///< B is a stone
+  bool has_damage = false;   ///< cumulative factors and events
+  bool has_spots = false;    ///< contacts follow their surfaces
+};
+
 /// What contacts remember of the surface of the stone on one side: the
 /// second-order expansion of r about one body direction and the curvatures
 /// there (MODEL 11.2). The direction is zero where nothing is known. Empty
@@ -44,16 +54,22 @@ struct SideColumns
   TripleColumn<float> gradient;              ///< surface gradient of r [m]
   std::array<std::vector<float>, 6> hessian; ///< xx, yy, zz, xy, xz, yz [m]
   std::vector<SideCurvature> curvature;
+  /// Where the contact is now: at u + offset, u being `direction`, if contacts
+  /// follow their surfaces [-]
+  TripleColumn<float> offset;
 
   bool is_known(std::size_t k) const
   {
     return !radius.empty() && radius[k] > 0.;
   }
+  /// Where contact k is on the surface, unit [-].
+  Vec3 spot(std::size_t k) const;
   /// r at a unit direction near the one of contact k, from the expansion [m].
   double local_radius(std::size_t k, const Triple<double> &on_body) const;
 
   template <class Visit, class... Selves>
-  static void visit(const Visit &call, bool is_there, Selves &...selves)
+  static void visit(const Visit &call, const BatchLayout &has, bool is_there,
+                    Selves &...selves)
   {
     TripleColumn<float>::visit(call, is_there, selves.direction...);
     call(is_there, selves.radius...);
@@ -61,16 +77,9 @@ struct SideColumns
     for (std::size_t c = 0; c < 6; ++c)
       call(is_there, selves.hessian[c]...);
     call(is_there, selves.curvature...);
+    TripleColumn<float>::visit(call, is_there && has.has_spots,
+                               selves.offset...);
   }
-};
-
-/// Which optional columns a batch has: only what its scene needs.
-struct BatchLayout
-{
-  bool has_rolling = false;  ///< a rolling spring
-  bool has_sides = false;    ///< the surface of the stone(s)
-  bool has_partners = false; ///< B is a stone
-  bool has_damage = false;   ///< cumulative factors and events
 };
 
 /// Contacts and contacts-to-be of one kind in columns; entry k of every column
@@ -98,6 +107,9 @@ struct ContactBatch
   /// Stone against stone with sides: C_H, k_s / sqrt(delta) [N/m^(3/2)]
   std::vector<double> normal_prefactor, shear_prefactor;
   std::vector<float> twist; ///< turned about the normal since mixed [rad]
+  /// Overlap that the contact had when it was found: it does not count [m]
+  std::vector<double> slack;
+  std::vector<std::uint8_t> strayed;      ///< has come to another place
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<float> corner_a, corner_b;
@@ -149,11 +161,13 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(true, batches.normal_force...);
   call(true, batches.shear_compliance...);
   call(has.has_rolling, batches.rolling_compliance...);
-  SideColumns::visit(call, has.has_sides, batches.side_a...);
-  SideColumns::visit(call, has_prefactors, batches.side_b...);
+  SideColumns::visit(call, has, has.has_sides, batches.side_a...);
+  SideColumns::visit(call, has, has_prefactors, batches.side_b...);
   call(has_prefactors, batches.normal_prefactor...);
   call(has_prefactors, batches.shear_prefactor...);
   call(has_prefactors, batches.twist...);
+  call(has.has_spots, batches.slack...);
+  call(has.has_spots, batches.strayed...);
   call(has.has_damage, batches.factor_a...);
   call(has.has_damage && has.has_partners, batches.factor_b...);
   call(has.has_damage, batches.corner_a...);

@@ -50,6 +50,9 @@ struct ForceSum
 {
   Dissipation lost;
   bool wants_breakage = false;
+  bool has_strayed = false; ///< as RangeSum
+  int n_jumps = 0;
+  int n_ended = 0;
 };
 
 /// A boundary as one stone meets it at one contact: the plane through `point`.

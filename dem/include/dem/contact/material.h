@@ -27,8 +27,9 @@ struct WallMaterial
 
 enum class ContactGeometry
 {
-  ball,  ///< overlap of the ball carriers
-  radial ///< overlap of the local radii along the branch (the article)
+  ball,   ///< overlap of the ball carriers
+  radial, ///< overlap of the local radii along the branch (the article)
+  surface ///< the true surfaces at their common normals
 };
 
 struct GeometryParameters

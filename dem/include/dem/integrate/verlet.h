@@ -36,7 +36,8 @@ struct StartOfStep
 };
 
 /// v += F/m dt/2, omega += M/I dt/2 with local damping per component, then
-/// x += v dt, q <- exp(omega dt) q (where some stone is not a sphere). Loads
+/// x += v dt, q <- exp(omega dt) q (where some stone is not a sphere), or a
+/// free turn of the whole inertia tensor (Particles::follows_surfaces). Loads
 /// are zero after it.
 Speeds kick_and_drift(Particles &particles, const StartOfStep &start,
                       WorkColumns &work);

@@ -14,10 +14,18 @@ struct Placement
   Quaternion orientation = Quaternion::Identity();
 };
 
+/// Where stones may lie.
+struct InsertionBox
+{
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Ones(); ///< [m]
+  /// No overlap of the true surfaces either, nor of the circumscribed spheres
+  /// with a face.
+  bool sees_surfaces = false;
+};
+
 /// Random sequential insertion of the stones, in their order, into the box
-/// [lower, upper] without overlap along any branch line or towards any face.
+/// without overlap along any branch line or towards any face.
 /// Throws std::runtime_error if a stone finds no place in 20 000 tries.
 std::vector<Placement> insert_stones(std::span<const Body> stones,
-                                     const Vec3 &lower, const Vec3 &upper,
-                                     Random &random);
+                                     const InsertionBox &box, Random &random);
 } // namespace dem

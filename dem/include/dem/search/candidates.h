@@ -36,7 +36,8 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
 /// Upper bound of the speed at which this stone can close the gap to a body at
 /// rest, its turning included [m/s]: (1 + c)|v| + max(L, r)|omega| with L the
 /// steepest slope of r and c, for local radii along the branch, the largest
-/// L / r_ins of all stones; 0 for balls.
+/// L / r_ins of all stones; 0 for balls. Of a true surface no point is faster
+/// than |v| + r|omega|.
 double closing_speed(const Particles &particles, std::size_t k,
                      double steepness);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/contact/material.h>
 #include <dem/particles.h>
 
 #include <cstdint>
@@ -18,8 +19,12 @@ struct Travel
   double gaps = 0.;    ///< what the contact geometry compares, at most
 };
 
+/// All pairs of stones whose circumscribed spheres come within a margin [m],
+/// sorted.
+std::vector<PairKey> near_spheres(const Particles &particles, double margin);
+
 /// Finds the pairs of stones with a gap below a margin: between the balls, or
-/// with `is_radial` between the radii along the branch. Keeps a wider list of
+/// between the radii along the branch. Keeps a wider list of
 /// candidates, each with the travel until which its gap is known to be wide
 /// enough, so that most rebuilds need neither a grid nor a shape. What it finds
 /// does not depend on what it keeps.
@@ -27,8 +32,9 @@ class PairFinder
 {
 public:
   /// All pairs with a gap below `margin` [m], sorted.
-  std::vector<PairKey> find(const Particles &particles, bool is_radial,
-                            double margin, const Travel &travel);
+  std::vector<PairKey> find(const Particles &particles,
+                            ContactGeometry geometry, double margin,
+                            const Travel &travel);
 
   /// The stones have got other numbers or were added to.
   void forget() { reach = -1.; }
@@ -40,8 +46,8 @@ private:
     double clear_until = 0.; ///< Travel::gaps where the gap may be closed [m]
   };
 
-  void search(const Particles &particles, bool is_radial, double range,
-              const Travel &travel);
+  void search(const Particles &particles, ContactGeometry geometry,
+              double range, const Travel &travel);
 
   std::vector<Candidate> candidates; ///< sorted
   /// Travel::centres up to which pairs below it less that are all there [m].

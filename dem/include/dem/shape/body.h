@@ -19,6 +19,10 @@ struct Body
   double inscribed_radius = 0.;     ///< min of r over the quadrature nodes [m]
   double circumscribed_radius = 0.; ///< nothing of the stone is outside [m]
   double max_slope = 0.;            ///< |grad_S r| is nowhere larger [m]
+  /// Principal moments of inertia about the origin of the series over the mass
+  /// [m^2], and the frame of their axes in the body frame.
+  Vec3 gyration = Vec3::Zero();
+  Quaternion principal = Quaternion::Identity();
 };
 
 /// A sphere of this radius [m].

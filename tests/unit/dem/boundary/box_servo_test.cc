@@ -39,8 +39,8 @@ TEST(BoxServo, CompactsSpheresToTheirStress)
   const auto bodies =
       dem::draw_stones({{8e-3, 14e-3}, {0., 1.}}, 5e-5, {}, random);
   const double side = std::cbrt(5e-5 / 0.3);
-  const auto places = dem::insert_stones(bodies, dem::Vec3::Zero(),
-                                         dem::Vec3::Constant(side), random);
+  const auto places = dem::insert_stones(
+      bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
   dem::Engine engine(packing_parameters());
   for (std::size_t k = 0; k < bodies.size(); ++k)
     engine.add_stone(bodies[k], places[k].position, places[k].orientation);

@@ -13,14 +13,26 @@
 // come together in any order of ranges.
 namespace
 {
-/// Stones of many sizes that are thrown about in a box.
-dem::Engine shaken_box(bool is_shaped, std::size_t n)
+enum class Kind
 {
+  spheres,
+  radial,
+  surface
+};
+
+/// Stones of many sizes that are thrown about in a box.
+dem::Engine shaken_box(Kind kind, std::size_t n)
+{
+  const bool is_shaped = kind != Kind::spheres;
+  const bool is_surface = kind == Kind::surface;
   dem::EngineParameters p;
   p.gravity = {0., 0., -9.81};
   p.stone.rolling_friction = 0.2;
   p.wall.rolling_friction = 0.1;
-  p.geometry.wall_geometry = dem::ContactGeometry::radial;
+  p.geometry.wall_geometry =
+      is_surface ? dem::ContactGeometry::surface : dem::ContactGeometry::radial;
+  if (is_surface)
+    p.geometry.geometry = dem::ContactGeometry::surface;
   p.breakage.fracture_energy = 10.;
   p.breakage.is_active = is_shaped;
   const auto series =
@@ -37,8 +49,9 @@ dem::Engine shaken_box(bool is_shaped, std::size_t n)
             [](const dem::Body &a, const dem::Body &b)
             { return a.volume > b.volume; });
   const double side = 0.016 * std::cbrt(static_cast<double>(n));
-  const auto places = dem::insert_stones(bodies, dem::Vec3::Zero(),
-                                         dem::Vec3::Constant(side), random);
+  const auto places = dem::insert_stones(
+      bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side), is_surface},
+      random);
   dem::Engine engine(p);
   for (std::size_t k = 0; k < n; ++k)
   {
@@ -66,16 +79,16 @@ bool is_same(const dem::Engine &a, const dem::Engine &b)
 TEST(ContactLoops, EveryInstructionSetGivesTheSameDigits)
 {
   const dem::InstructionSet widest = dem::widest_instruction_set();
-  for (const bool is_shaped : {false, true})
+  for (const Kind kind : {Kind::spheres, Kind::radial, Kind::surface})
   {
     dem::use_instruction_set(dem::InstructionSet::baseline);
-    dem::Engine reference = shaken_box(is_shaped, 150);
+    dem::Engine reference = shaken_box(kind, 150);
     support::advance(reference, 2e-6, 2500);
     EXPECT_GT(reference.energy().friction, 0.);
     for (int set = 1; set <= static_cast<int>(widest); ++set)
     {
       dem::use_instruction_set(static_cast<dem::InstructionSet>(set));
-      dem::Engine engine = shaken_box(is_shaped, 150);
+      dem::Engine engine = shaken_box(kind, 150);
       support::advance(engine, 2e-6, 2500);
       EXPECT_TRUE(is_same(engine, reference))
           << dem::name_of(dem::instruction_set());
@@ -91,7 +104,7 @@ TEST(ContactLoops, EveryInstructionSetGivesTheSameDigits)
 // of it, and each id keeps its body.
 TEST(ContactLoops, SortingInSpaceKeepsStonesAndEnergy)
 {
-  dem::Engine engine = shaken_box(false, 2200);
+  dem::Engine engine = shaken_box(Kind::spheres, 2200);
   std::vector<double> radius(engine.particles().size());
   for (std::size_t k = 0; k < radius.size(); ++k)
     radius[k] = engine.particles().radius(k);
@@ -110,7 +123,7 @@ TEST(ContactLoops, SortingInSpaceKeepsStonesAndEnergy)
 // stones is what planes and gravity give, whatever the halo rows.
 TEST(ContactLoops, PairsPushBothStonesAlike)
 {
-  dem::Engine engine = shaken_box(false, 1500);
+  dem::Engine engine = shaken_box(Kind::spheres, 1500);
   support::advance(engine, 2e-6, 3000);
   dem::Vec3 sum = dem::Vec3::Zero();
   double size = 0.;

@@ -63,8 +63,8 @@ struct Scene
                                   : dem::make_body(library()[k % 2],
                                                    0.004 + 2e-5 * double(k)));
     dem::Random random(2);
-    const auto places = dem::insert_stones(bodies, dem::Vec3::Zero(),
-                                           dem::Vec3(side, side, side), random);
+    const auto places = dem::insert_stones(
+        bodies, {dem::Vec3::Zero(), dem::Vec3(side, side, side)}, random);
     for (std::size_t k = 0; k < bodies.size(); ++k)
     {
       engine.add_stone(bodies[k], places[k].position, places[k].orientation);

@@ -37,7 +37,7 @@ TEST(Insertion, NothingOverlaps)
     const std::vector<dem::Body> bodies = stones(is_shaped);
     dem::Random random(5);
     const std::vector<dem::Placement> places =
-        dem::insert_stones(bodies, lower, upper, random);
+        dem::insert_stones(bodies, {lower, upper}, random);
     ASSERT_EQ(places.size(), bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
@@ -66,7 +66,7 @@ TEST(Insertion, SeedSettlesThePlaces)
   const auto insert = [&](std::uint64_t seed)
   {
     dem::Random random(seed);
-    return dem::insert_stones(bodies, lower, upper, random);
+    return dem::insert_stones(bodies, {lower, upper}, random);
   };
   const auto first = insert(5), again = insert(5), other = insert(6);
   for (std::size_t k = 0; k < first.size(); ++k)
@@ -81,6 +81,6 @@ TEST(Insertion, FullBoxIsRefused)
 {
   const std::vector<dem::Body> bodies(30, dem::make_sphere(0.01));
   dem::Random random(1);
-  EXPECT_THROW(dem::insert_stones(bodies, lower, upper, random),
+  EXPECT_THROW(dem::insert_stones(bodies, {lower, upper}, random),
                std::runtime_error);
 }

@@ -30,8 +30,8 @@ struct Gas
       bodies.push_back(is_shaped ? dem::make_body(series, radius)
                                  : dem::make_sphere(radius));
     }
-    const auto places = dem::insert_stones(bodies, dem::Vec3::Zero(),
-                                           dem::Vec3::Constant(side), random);
+    const auto places = dem::insert_stones(
+        bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
     const auto some = [&]
     {
       return dem::Vec3(random.uniform() - 0.5, random.uniform() - 0.5,

@@ -48,7 +48,7 @@ TEST(NearPairs, AreThoseOfBruteForceForSizesNineToOne)
   for (int call = 0; call < 12; ++call)
   {
     const double margin = call % 3 == 0 ? 2e-3 : 1e-3;
-    EXPECT_EQ(finder.find(stones, false, margin, travel),
+    EXPECT_EQ(finder.find(stones, dem::ContactGeometry::ball, margin, travel),
               by_brute_force(stones, margin))
         << "call " << call;
     for (dem::StoneState &stone : stones.state)
@@ -63,5 +63,5 @@ TEST(NearPairs, AreThoseOfBruteForceForSizesNineToOne)
 TEST(NearPairs, NoStonesNoPairs)
 {
   dem::PairFinder finder;
-  EXPECT_TRUE(finder.find({}, false, 1e-3, {}).empty());
+  EXPECT_TRUE(finder.find({}, dem::ContactGeometry::ball, 1e-3, {}).empty());
 }

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <dem/shape/body.h>
+#include <dem/shape/spherical_harmonics.h>
+#include <dem/triple.h>
+
+namespace dem
+{
+/// A point of the surface x = r(s) s of a stone with the normal and the shape
+/// operator there.
+struct SurfacePoint
+{
+  Vec3 position = Vec3::Zero(); ///< from the centre of the stone [m]
+  Vec3 normal = Vec3::UnitZ();  ///< outward [-]
+  Mat3 bend = Mat3::Zero();     ///< dn = bend dx; positive if convex [1/m]
+};
+
+/// The surface at a unit direction of the body frame, exact.
+SurfacePoint surface_point(const Body &body, const Vec3 &direction);
+
+/// The same in the frame that `rotation` turns the body frame into.
+SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation);
+
+/// B as A sees it: both in the body frame of A.
+struct RelativePose
+{
+  Vec3 position = Vec3::Zero();     ///< centre of B [m]
+  Mat3 rotation = Mat3::Identity(); ///< body frame of B to that of A
+};
+
+/// A place where two surfaces have a common normal, or nearly so.
+struct Spot
+{
+  Vec3 on_a = Vec3::UnitZ(); ///< unit direction in the body frame of A [-]
+  Vec3 on_b = Vec3::UnitZ(); ///< of B [-]
+  /// delta: along the normal, > 0 where the stones overlap [m]
+  double overlap = 0.;
+  bool is_found = false; ///< the search has converged to a lens of contact
+};
+
+/// Follows the common normal of two stones (x_A - x_B = delta n, n_A = -n_B =
+/// n, MODEL 4.1 iii) from a start by Newton steps with both shape operators, as
+/// long as a lens T(y) = delta - y.(K_A + K_B) y / 2 needs it. Not found if
+/// there is no lens of positive curvature near the start.
+Spot polish(const Body &a, const Body &b, const RelativePose &pose,
+            const Spot &start);
+
+/// A point of a stone that is farthest along a normal among its neighbours.
+struct Support
+{
+  Vec3 direction = Vec3::UnitZ(); ///< unit, body frame [-]
+  double height = 0.;             ///< along the normal, from the centre [m]
+  bool is_found = false;
+};
+
+/// Climbs to the support point along a unit vector of the body frame.
+Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start);
+} // namespace dem

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <dem/boundary/plane.h>
+#include <dem/contact/forces.h>
+#include <dem/search/near_pairs.h>
+#include <dem/search/stone_maps.h>
+
+namespace dem
+{
+/// What happened to contacts that follow the true surfaces, since construction.
+struct SpotEvents
+{
+  std::int64_t n_scans = 0;  ///< pairs searched for places
+  std::int64_t n_late = 0;   ///< found when they overlapped already
+  std::int64_t n_jumps = 0;  ///< under load, led to another place in one step
+  std::int64_t n_ended = 0;  ///< under load, lost their place: a lens went flat
+  std::int64_t n_merged = 0; ///< had come to the place of another one
+  std::int64_t n_unlisted = 0; ///< one too many for the pair
+
+  SpotEvents &operator+=(const SpotEvents &part);
+};
+
+/// Most places that a pair, or a stone on a plane, may touch at.
+inline constexpr std::size_t most_spots = 8;
+
+/// Two bodies that may touch, stone before stone or plane.
+struct WatchedPair
+{
+  PairKey key;
+  /// Travel of both together up to which no place but the listed ones can come
+  /// into contact [m].
+  double due = 0.;
+  /// Between the hulls of two stones when last looked at, body frame of the
+  /// first; zero: not known [-]
+  Vec3 between = Vec3::Zero();
+};
+
+/// What the lists of places are made from.
+struct SpotSearchInput
+{
+  const ForceContext &context;
+  const StoneMaps &maps;
+  BatchLayout layout;
+  double margin = 0.;    ///< places within it are listed [m]
+  double notice = 0.;    ///< travel until the lists are looked at again [m]
+  bool is_first = false; ///< overlaps that are there now count in full
+};
+
+/// Keeps the lists of the places where stones meet, or nearly do, by pair.
+/// Every pair is searched anew when its own stones have moved as far as the
+/// last search is good for, or when a contact of it has lost its place.
+/// Contacts keep all they carry and their order; a new one that overlaps
+/// already starts with no force.
+class SpotLists
+{
+public:
+  /// Stone against stone.
+  void renew_pairs(const SpotSearchInput &input, const Travel &travel,
+                   ContactBatch &batch, Dissipation &retired);
+  /// Stones against planes that have moved by `planes_travelled` in all [m].
+  void renew_planes(const SpotSearchInput &input,
+                    const std::vector<Plane> &planes, double planes_travelled,
+                    ContactBatch &batch, Dissipation &retired);
+
+  /// The stones have got other numbers.
+  void renumber(const std::vector<std::int32_t> &place);
+  SpotEvents events;
+
+  /// Calls call(value) or call(column) for all that a checkpoint keeps.
+  template <class Self, class Value, class Column>
+  static void visit(Self &self, const Value &value, const Column &column)
+  {
+    value(self.events);
+    value(self.reach);
+    column(self.pairs);
+    column(self.supports);
+  }
+
+private:
+  std::vector<WatchedPair> pairs, supports; ///< sorted
+  double reach = -1.; ///< Travel::centres that `pairs` is good for [m]
+};
+} // namespace dem

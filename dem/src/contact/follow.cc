@@ -1,0 +1,111 @@
+#include "follow.h"
+
+#include <algorithm>
+
+namespace dem
+{
+namespace
+{
+/// A place farther than this part of the radius from the last is another one.
+constexpr double jump = 0.05;
+
+/// The stone on one side of contact k.
+std::size_t stone_of(const ContactBatch &batch, std::size_t k, bool is_a)
+{
+  return row_of(is_a ? batch.a[k] : batch.b[k]);
+}
+
+/// Sets the overlap from which contact k counts, so that a new place takes up
+/// no more energy than the old one had.
+void renew_slack(ContactBatch &batch, std::size_t k, double overlap)
+{
+  batch.slack[k] = std::max(0., overlap - batch.overlap[k]);
+}
+
+/// It stays open until the lists are made anew.
+void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
+{
+  sum.n_ended += batch.is_touching(k);
+  sum.has_strayed = true;
+  batch.slack[k] = kernel::closed_slack;
+}
+
+/// Where contact k is looked for first; `towards` if it was nowhere yet.
+Vec3 first_guess(const SideColumns &side, std::size_t k, const Vec3 &towards)
+{
+  const Triple<double> u = side.direction[k];
+  return dot(u, u) > 0. ? side.spot(k) : towards;
+}
+} // namespace
+
+RelativePose relative_pose(const Particles &particles, std::size_t a,
+                           std::size_t b)
+{
+  const Mat3 to_a = particles.rotation(a).transpose();
+  return {to_a * (particles.position(b) - particles.position(a)),
+          to_a * particles.rotation(b)};
+}
+
+Spot spot_of(const ContactBatch &batch, std::size_t k)
+{
+  return {batch.side_a.spot(k), batch.side_b.spot(k), 0., true};
+}
+
+void place_pair(const ForceContext &context, ContactBatch &batch, std::size_t k,
+                const Spot &spot)
+{
+  renew_side(context, batch, k, true, spot.on_a);
+  renew_side(context, batch, k, false, spot.on_b);
+}
+
+void relocate_pair(const ForceContext &context, ContactBatch &batch,
+                   std::size_t k, RangeSum &sum)
+{
+  const Particles &particles = context.particles;
+  const std::size_t i = stone_of(batch, k, true), j = stone_of(batch, k, false);
+  const Body &a = particles.body[i], &b = particles.body[j];
+  const Spot start = spot_of(batch, k);
+  const Spot found = polish(a, b, relative_pose(particles, i, j), start);
+  if (!found.is_found || found.overlap > deepest_overlap * mean_radius(a))
+  {
+    end_contact(batch, k, sum);
+    return;
+  }
+  const bool is_jump = (found.on_a - start.on_a).norm() > jump ||
+                       (found.on_b - start.on_b).norm() > jump;
+  // After an event the contact is where it was, on the new surface.
+  if (is_jump)
+  {
+    sum.n_jumps += batch.is_touching(k);
+    sum.has_strayed = true;
+    batch.strayed[k] = 1;
+    renew_slack(batch, k, found.overlap);
+  }
+  place_pair(context, batch, k, found);
+}
+
+void relocate_wall(const ForceContext &context, ContactBatch &batch,
+                   std::size_t k, const WallRow &wall, RangeSum &sum)
+{
+  const Particles &particles = context.particles;
+  const std::size_t i = stone_of(batch, k, true);
+  const Vec3 normal = particles.orientation(i).conjugate() * wall.normal;
+  const Vec3 start = first_guess(batch.side_a, k, normal);
+  const Support found = find_support(particles.body[i], normal, start);
+  if (!found.is_found)
+  {
+    end_contact(batch, k, sum);
+    return;
+  }
+  if (batch.side_a.is_known(k) && (found.direction - start).norm() > jump)
+  {
+    sum.n_jumps += batch.is_touching(k);
+    sum.has_strayed = true;
+    batch.strayed[k] = 1;
+    renew_slack(batch, k,
+                found.height -
+                    wall.normal.dot(wall.point - particles.position(i)));
+  }
+  renew_side(context, batch, k, true, found.direction);
+}
+} // namespace dem

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "surfaces.h"
+
+#include <dem/contact/common_normal.h>
+
+namespace dem
+{
+/// Lenses deeper than this part of the radius are none: the common normal of
+/// far sides of two stones.
+inline constexpr double deepest_overlap = 0.3;
+
+RelativePose relative_pose(const Particles &particles, std::size_t a,
+                           std::size_t b);
+
+/// Where contact k of two stones is; the overlap is not filled in.
+Spot spot_of(const ContactBatch &batch, std::size_t k);
+
+/// Evaluates both sides of contact k there.
+void place_pair(const ForceContext &context, ContactBatch &batch, std::size_t k,
+                const Spot &spot);
+
+/// Looks for the common normal of contact k from where it was, as carefully as
+/// it takes; if there is none left, the contact stays open until the lists are
+/// made anew. A place aside is counted as a jump and gives no energy.
+void relocate_pair(const ForceContext &context, ContactBatch &batch,
+                   std::size_t k, RangeSum &sum);
+/// Likewise the support point towards a wall.
+void relocate_wall(const ForceContext &context, ContactBatch &batch,
+                   std::size_t k, const WallRow &wall, RangeSum &sum);
+} // namespace dem

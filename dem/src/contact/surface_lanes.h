@@ -1,0 +1,361 @@
+#pragma once
+
+#include "lane_surface.h"
+#include "pair_lanes.h"
+#include "wall_lanes.h"
+
+/// Stones that meet with their true surfaces: every contact follows its common
+/// normal by one Newton step per time step, in lanes.
+namespace dem::kernel
+{
+namespace
+{
+/// Notes where the contact is now: the point x of the surface in the body frame
+/// as an offset from the direction u of the expansion, x / (x.u) - u.
+void follow_side(const Task &task, const Side &side, std::int64_t k, int which,
+                 const LaneVector &point, const LaneMask &is_followed)
+{
+  const LaneVector u = load_vector(side.direction, k);
+  const Lanes along = dot(point, u);
+  const LaneMask is_valid = is_followed && along > 0.;
+  const LaneVector offset = 1. / select(is_valid, along, Lanes(1.)) * point - u;
+  const LaneVector before = load_vector(side.offset, k);
+  const LaneVector kept{select(is_valid, offset.x, before.x),
+                        select(is_valid, offset.y, before.y),
+                        select(is_valid, offset.z, before.z)};
+  store_vector(kept, side.offset, k);
+  const LaneMask is_stale =
+      is_valid &&
+      dot(kept, kept) > task.refresh_tolerance * task.refresh_tolerance;
+  if (!any(is_stale))
+    return;
+  LaneTable<3> table;
+  table.set(0, u + kept);
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (is_stale[static_cast<std::size_t>(lane)])
+    {
+      const double direction[3] = {table.value[0][lane], table.value[1][lane],
+                                   table.value[2][lane]};
+      task.surfaces.renew(task.surfaces.owner, k + lane, which, direction);
+    }
+}
+
+LaneVector planar_in_body(const LaneBend &bend, const LanePlanar &v)
+{
+  return v.x * bend.first.vector + v.y * bend.second.vector;
+}
+
+LaneVector planar_in_world(const LaneFrame &frame, const LanePlanar &v)
+{
+  return v.x * frame.first + v.y * frame.second;
+}
+
+/// Has the contacts of some lanes looked for anew, one by one.
+void relocate(const Task &task, std::int64_t k, const LaneMask &is_lost,
+              RangeSum &sum)
+{
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (is_lost[static_cast<std::size_t>(lane)])
+      task.surfaces.relocate(task.surfaces.owner, k + lane, &sum);
+}
+
+/// Overlap that counts: `slack` was there when the contact was found, and is
+/// given back as the contact opens.
+Lanes counted_overlap(const Task &task, std::int64_t k, const Lanes &overlap)
+{
+  const Lanes depth = stdx::max(overlap, Lanes(0.));
+  const Lanes slack = load(task.contacts.slack + k);
+  const LaneMask is_given_back = slack > depth && slack < closed_slack;
+  store(select(is_given_back, depth, slack), task.contacts.slack + k);
+  return stdx::max(depth - slack, Lanes(0.));
+}
+
+LaneMask valid_lanes(int n_valid)
+{
+  const Lanes place([](auto lane) { return static_cast<double>(lane); });
+  return place < static_cast<double>(n_valid);
+}
+
+/// Contacts of one set of lanes as they lie, at their common normals.
+struct SurfaceGeometry
+{
+  LaneVector normal, normal_before;
+  LaneVector arm_a, arm_b; ///< from the centres to the contact
+  Lanes overlap;           ///< counted; 0 where open
+};
+
+/// Two surfaces before the Newton step.
+struct SurfacePair
+{
+  LaneSurface on_a, on_b;
+  LaneFrame frame;
+  LaneBend bend_a, bend_b;
+  LaneStep step;
+};
+
+SurfacePair approach_pair(const Task &task, std::int64_t k, const StoneLanes &a,
+                          const StoneLanes &b)
+{
+  const Contacts &contacts = task.contacts;
+  SurfacePair pair;
+  pair.on_a = locate_surface(contacts.side_a, k, a);
+  pair.on_b = locate_surface(contacts.side_b, k, b);
+  pair.frame = across(pair.on_a.normal);
+  const LaneVector apart = a.vector(at_position) + pair.on_a.arm -
+                           b.vector(at_position) - pair.on_b.arm;
+  pair.bend_a = bend_of(contacts.side_a, k, pair.on_a, pair.frame);
+  pair.bend_b = bend_of(contacts.side_b, k, pair.on_b, pair.frame);
+  pair.step = step_to_normal(
+      pair.bend_a, pair.bend_b, in_frame(pair.frame, apart),
+      in_frame(pair.frame, pair.on_b.normal), dot(apart, pair.on_a.normal));
+  pair.step.is_sound = pair.step.is_sound &&
+                       is_short(pair.step.on_a, pair.on_a.radius) &&
+                       is_short(pair.step.on_b, pair.on_b.radius) &&
+                       load(contacts.side_a.radius + k) > 0. &&
+                       load(contacts.side_b.radius + k) > 0.;
+  return pair;
+}
+
+LaneVector normalised(const LaneVector &v)
+{
+  return 1. / stdx::sqrt(dot(v, v)) * v;
+}
+
+/// Follows the pairs to their common normals.
+SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
+                                     const StoneLanes &a, const StoneLanes &b,
+                                     const LaneMask &is_valid, RangeSum &sum)
+{
+  const Contacts &contacts = task.contacts;
+  const LaneMask is_open = load(contacts.slack + k) >= closed_slack;
+  SurfacePair pair = approach_pair(task, k, a, b);
+  const LaneMask is_lost = is_valid && !is_open && !pair.step.is_sound;
+  if (any(is_lost))
+  {
+    relocate(task, k, is_lost, sum);
+    pair = approach_pair(task, k, a, b);
+  }
+  const LaneStep &step = pair.step;
+  const LaneMask is_there = is_valid && step.is_sound;
+  SurfaceGeometry geometry;
+  geometry.overlap =
+      counted_overlap(task, k, select(is_there, step.overlap, Lanes(0.)));
+  const LanePlanar turn = pair.bend_a.matrix * step.on_a;
+  geometry.normal =
+      normalised(pair.on_a.normal + planar_in_world(pair.frame, turn));
+  geometry.normal_before =
+      pair.on_a.normal -
+      cross(Lanes(task.time_step) * a.vector(at_spin), pair.on_a.normal);
+  geometry.arm_a = pair.on_a.arm + planar_in_world(pair.frame, step.on_a) -
+                   0.5 * step.overlap * geometry.normal;
+  geometry.arm_b =
+      geometry.arm_a + a.vector(at_position) - b.vector(at_position);
+  if (!task.adds_loads_only)
+  {
+    follow_side(task, contacts.side_a, k, 0,
+                pair.on_a.radius * pair.on_a.direction +
+                    planar_in_body(pair.bend_a, step.on_a),
+                is_there);
+    follow_side(task, contacts.side_b, k, 1,
+                pair.on_b.radius * pair.on_b.direction +
+                    planar_in_body(pair.bend_b, step.on_b),
+                is_there);
+  }
+  return geometry;
+}
+
+/// Motion of side B against side A of one set of lanes.
+ContactMotion<Lanes> surface_motion(const StoneLanes &a, const StoneLanes &b,
+                                    const SurfaceGeometry &geometry)
+{
+  const LaneVector spin_a = a.vector(at_spin), spin_b = b.vector(at_spin);
+  const LaneQuad moving_a = a.quad(at_velocity), moving_b = b.quad(at_velocity);
+  ContactMotion<Lanes> motion;
+  motion.normal = geometry.normal;
+  motion.normal_before = geometry.normal_before;
+  motion.velocity = motion.velocity_before =
+      moving_b.vector + cross(spin_b, geometry.arm_b) - moving_a.vector -
+      cross(spin_a, geometry.arm_a);
+  motion.spin = spin_b - spin_a;
+  motion.reduced_mass =
+      moving_a.number * moving_b.number / (moving_a.number + moving_b.number);
+  const Lanes r_a = stdx::sqrt(dot(geometry.arm_a, geometry.arm_a));
+  const Lanes r_b = stdx::sqrt(dot(geometry.arm_b, geometry.arm_b));
+  motion.rolling_radius =
+      r_a * r_b / select(geometry.overlap > 0., r_a + r_b, Lanes(1.));
+  return motion;
+}
+
+/// One step of `n_valid` contacts from k.
+[[gnu::flatten]] void advance_surface_pairs(const Task &task, std::int64_t k,
+                                            int n_valid, Losses<Lanes> &lost,
+                                            const Target &target)
+{
+  const Contacts &contacts = task.contacts;
+  const StoneLanes a(task.stones.state, contacts.a + k),
+      b(task.stones.state, contacts.b + k);
+  const SurfaceGeometry pair =
+      locate_surface_pairs(task, k, a, b, valid_lanes(n_valid), target.sum);
+  const Lanes overlap_before = load(contacts.overlap + k);
+  if (!any(pair.overlap > 0. || overlap_before > 0.))
+    return; // all is zero and stays so
+  ContactHistory<Lanes> history =
+      load_history(contacts, k, overlap_before, hertz_energy_share);
+  const Lanes energy_before = history.normal_energy;
+  LaneVector force;
+  if (task.adds_loads_only)
+    force = kept_force(history, pair.normal);
+  else
+  {
+    const ContactMotion<Lanes> motion = surface_motion(a, b, pair);
+    refresh_prefactors(task, k, {pair.normal, {}, {}, {}, pair.overlap},
+                       dot(motion.spin, pair.normal));
+    force = advance_contact(motion,
+                            hertz_spring(load(contacts.normal_prefactor + k),
+                                         load(contacts.shear_prefactor + k),
+                                         pair.overlap),
+                            task.coefficients, task.time_step, history, lost);
+    store_history(history, contacts, k);
+    store(pair.overlap, contacts.overlap + k);
+  }
+  scatter_pairs(task, k, n_valid,
+                {force, cross(pair.arm_a, force) + history.rolling, -force,
+                 -cross(pair.arm_b, force) - history.rolling},
+                target);
+  if (task.has_damage)
+    find_damage(task, k, {pair.overlap, energy_before, history.normal_energy},
+                target.sum);
+}
+
+/// A surface before a wall, before the Newton step.
+struct SurfaceAtWall
+{
+  LaneSurface on_a;
+  LaneFrame frame;
+  LaneBend bend;
+  LanePlanar step;
+  Lanes overlap; ///< where the step leads; < 0: a gap
+  LaneMask is_sound;
+};
+
+/// The support point: K_A a = -m with m the part of n_A across the wall's
+/// normal n.
+SurfaceAtWall approach_wall(const Task &task, std::int64_t k,
+                            const StoneLanes &a, const WallLanes &wall)
+{
+  const Side &side = task.contacts.side_a;
+  const LaneVector normal = wall.vector(at_normal);
+  SurfaceAtWall at;
+  at.on_a = locate_surface(side, k, a);
+  at.frame = across(normal);
+  at.bend = bend_of(side, k, at.on_a, at.frame);
+  const LanePlanar m = in_frame(at.frame, at.on_a.normal);
+  const LaneMatrix &bend = at.bend.matrix;
+  const Lanes determinant = bend.determinant();
+  at.is_sound = bend.xx > 0. && determinant > 0. &&
+                load(side.radius + k) > 0. && dot(at.on_a.normal, normal) > 0.;
+  const Lanes inverse = 1. / select(at.is_sound, determinant, Lanes(1.));
+  at.step = {inverse * (bend.xy * m.y - bend.yy * m.x),
+             inverse * (bend.xy * m.x - bend.xx * m.y)};
+  at.is_sound = at.is_sound && is_short(at.step, at.on_a.radius);
+  at.overlap =
+      dot(a.vector(at_position) + at.on_a.arm - wall.vector(at_point), normal) -
+      0.5 * dot(m, at.step);
+  return at;
+}
+
+/// Contacts of one set of lanes with walls, at their support points.
+struct SupportGeometry
+{
+  LaneVector arm; ///< from the centre to the contact
+  Lanes overlap;  ///< counted; 0 where open
+};
+
+SupportGeometry locate_support(const Task &task, std::int64_t k,
+                               const StoneLanes &a, const WallLanes &wall,
+                               const LaneMask &is_valid, RangeSum &sum)
+{
+  const LaneVector normal = wall.vector(at_normal);
+  const LaneMask is_open = load(task.contacts.slack + k) >= closed_slack;
+  SurfaceAtWall at = approach_wall(task, k, a, wall);
+  const Lanes distance =
+      dot(wall.vector(at_point) - a.vector(at_position), normal);
+  const LaneMask is_near =
+      is_valid && !is_open && distance < far_wall * a.number(at_radius);
+  const LaneMask is_lost = is_near && !at.is_sound;
+  if (any(is_lost))
+  {
+    relocate(task, k, is_lost, sum);
+    at = approach_wall(task, k, a, wall);
+  }
+  const LaneMask is_there = is_near && at.is_sound;
+  SupportGeometry geometry;
+  geometry.overlap =
+      counted_overlap(task, k, select(is_there, at.overlap, Lanes(0.)));
+  const LaneVector aside = at.on_a.arm + planar_in_world(at.frame, at.step);
+  // On the normal the contact is half way into the wall.
+  geometry.arm =
+      aside + (distance + 0.5 * at.overlap - dot(aside, normal)) * normal;
+  if (!task.adds_loads_only)
+    follow_side(task, task.contacts.side_a, k, 0,
+                at.on_a.radius * at.on_a.direction +
+                    planar_in_body(at.bend, at.step),
+                is_there);
+  return geometry;
+}
+
+/// Motion of the walls against the stones of one set of lanes.
+ContactMotion<Lanes> support_motion(const StoneLanes &a, const WallLanes &wall,
+                                    const SupportGeometry &geometry)
+{
+  const LaneVector spin = a.vector(at_spin);
+  const LaneQuad moving = a.quad(at_velocity);
+  const LaneVector own = moving.vector + cross(spin, geometry.arm);
+  ContactMotion<Lanes> motion;
+  motion.normal = wall.vector(at_normal);
+  motion.normal_before = wall.vector(at_normal_before);
+  motion.velocity = wall.vector(at_wall_velocity) - own;
+  motion.velocity_before = wall.vector(at_velocity_before) - own;
+  motion.spin = -spin;
+  motion.reduced_mass =
+      moving.number / (1. + moving.number * wall.number(at_inverse_mass));
+  motion.rolling_radius = stdx::sqrt(dot(geometry.arm, geometry.arm));
+  return motion;
+}
+
+[[gnu::flatten]] void advance_surface_walls(const Task &task, std::int64_t k,
+                                            int n_valid, Losses<Lanes> &lost,
+                                            const Target &target)
+{
+  const Contacts &contacts = task.contacts;
+  const StoneLanes a(task.stones.state, contacts.a + k);
+  const WallLanes wall(task.walls, contacts.b + k);
+  const SupportGeometry geometry =
+      locate_support(task, k, a, wall, valid_lanes(n_valid), target.sum);
+  const Lanes overlap_before = load(contacts.overlap + k);
+  if (!any(geometry.overlap > 0. || overlap_before > 0.))
+    return;
+  ContactHistory<Lanes> history =
+      load_history(contacts, k, overlap_before, linear_energy_share);
+  const Lanes energy_before = history.normal_energy;
+  LaneVector force;
+  if (task.adds_loads_only)
+    force = kept_force(history, wall.vector(at_normal));
+  else
+  {
+    force = advance_contact(
+        support_motion(a, wall, geometry),
+        linear_spring(task.normal_factor, task.shear_factor, geometry.overlap),
+        task.coefficients, task.time_step, history, lost);
+    store_history(history, contacts, k);
+    store(geometry.overlap, contacts.overlap + k);
+  }
+  scatter_walls(task, k, n_valid, force,
+                cross(geometry.arm, force) + history.rolling, target);
+  if (task.has_damage)
+    find_damage(task, k,
+                {geometry.overlap, energy_before, history.normal_energy},
+                target.sum);
+}
+} // namespace
+} // namespace dem::kernel

@@ -1,0 +1,113 @@
+#include <dem/shape/quadrature.h>
+#include <dem/shape/radius_map.h>
+
+#include <utility>
+
+namespace dem
+{
+namespace
+{
+/// The nodes as a rule to sum series over; its weights are never read.
+const SphereQuadrature &node_rule()
+{
+  static const SphereQuadrature rule = []
+  {
+    constexpr DirectionGrid grid = RadiusMap::nodes;
+    SphereQuadrature made = make_quadrature(grid.n_polar, grid.n_azimuth);
+    for (int i = 0; i < grid.n_polar; ++i)
+      made.ring_cosine[static_cast<std::size_t>(i)] = grid.direction(i, 0).z();
+    for (int node = 0; node < grid.size(); ++node)
+      made.direction[static_cast<std::size_t>(node)] =
+          grid.direction(node / grid.n_azimuth, node % grid.n_azimuth);
+    return made;
+  }();
+  return rule;
+}
+
+std::vector<double> sampled_radii(const Coefficients *series)
+{
+  return series ? node_radii(*series, node_rule())
+                : std::vector<double>(
+                      static_cast<std::size_t>(RadiusMap::nodes.size()), 1.);
+}
+} // namespace
+
+RadiusMap::RadiusMap(std::shared_ptr<const Coefficients> sampled)
+    : series(std::move(sampled))
+{
+  const std::vector<double> radii = sampled_radii(series.get());
+  radius = GridValues(nodes, radii);
+  for (std::size_t node = 0; node < radii.size(); ++node)
+    points.push_back((radii[node] * node_rule().direction[node]).cast<float>());
+  measure_hull();
+}
+
+int RadiusMap::highest_node(const Eigen::Vector3f &direction) const
+{
+  int best = 0;
+  const auto compare = [&](int node)
+  {
+    if (point(node).dot(direction) > point(best).dot(direction))
+      best = node;
+  };
+  for (int i = 0; i < nodes.n_polar; i += 2)
+    for (int k = 0; k < nodes.n_azimuth; k += 2)
+      compare(i * nodes.n_azimuth + k);
+  const int ring = best / nodes.n_azimuth, column = best % nodes.n_azimuth;
+  for (int down = -1; down <= 1; ++down)
+    for (int right = -1; right <= 1; ++right)
+      compare(nodes.neighbour(ring, column, down, right));
+  return best;
+}
+
+void RadiusMap::measure_hull()
+{
+  std::vector<double> heights;
+  float largest = 0.f;
+  for (int i = 0; i < sides.n_polar; ++i)
+    for (int k = 0; k < sides.n_azimuth; ++k)
+    {
+      const Eigen::Vector3f direction = sides.direction(i, k).cast<float>();
+      summit.push_back(highest_node(direction));
+      heights.push_back(point(summit.back()).dot(direction));
+      largest = std::max(largest, point(summit.back()).norm());
+    }
+  hull = GridValues(sides, heights);
+  // Between two sides 0.13 rad apart a point rises by (0.13 / 2)^2 / 2 in
+  // either direction, and corners between nodes by about as much.
+  hull_slack = 0.01 * largest;
+}
+
+RadiusMap::Look RadiusMap::towards(const Vec3 &direction) const
+{
+  const DirectionGrid::Place at = nodes.locate(direction);
+  const double top = radius.at(at.ring, at.column);
+  const double bottom = radius.at(at.ring + 1, at.column);
+  const double along_top = radius.at(at.ring, at.column + 1) - top;
+  const double along_bottom = radius.at(at.ring + 1, at.column + 1) - bottom;
+  const double upper = top + at.right * along_top,
+               lower = bottom + at.right * along_bottom;
+  const double r = upper + at.down * (lower - upper);
+  constexpr double per_radian = nodes.n_polar * std::numbers::inv_pi;
+  const double polar = (lower - upper) * per_radian;
+  const double azimuthal =
+      (along_top + at.down * (along_bottom - along_top)) * per_radian;
+  const double slope_square =
+      polar * polar + azimuthal * azimuthal / at.sine_square;
+  return {r, r / std::sqrt(r * r + slope_square)};
+}
+
+RadiusMap::Height RadiusMap::height(const Vec3 &direction) const
+{
+  const DirectionGrid::Place at = sides.locate(direction);
+  const double upper = (1. - at.right) * hull.at(at.ring, at.column) +
+                       at.right * hull.at(at.ring, at.column + 1);
+  const double lower = (1. - at.right) * hull.at(at.ring + 1, at.column) +
+                       at.right * hull.at(at.ring + 1, at.column + 1);
+  const int ring = std::clamp(at.ring + (at.down > 0.5), 0, sides.n_polar - 1);
+  const int side =
+      ring * sides.n_azimuth + (at.column + (at.right > 0.5)) % sides.n_azimuth;
+  return {(1. - at.down) * upper + at.down * lower + hull_slack,
+          summit[static_cast<std::size_t>(side)]};
+}
+} // namespace dem
