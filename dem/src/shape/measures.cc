@@ -23,9 +23,11 @@ CornerSums corner_sums(std::span<const double> coefficients,
                        const SphereQuadrature &rule, double inscribed_radius)
 {
   CornerSums sums;
+  std::vector<RadialExpansion> expansions(rule.direction.size());
+  expand(coefficients, rule.direction, expansions);
   for (std::size_t k = 0; k < rule.direction.size(); ++k)
   {
-    const RadialExpansion at = expand(coefficients, rule.direction[k]);
+    const RadialExpansion &at = expansions[k];
     const double slope = at.gradient.norm();
     const double area =
         rule.weight[k] * at.radius * std::hypot(at.radius, slope);
