@@ -34,8 +34,9 @@ constexpr std::array<Command, 6> commands = {
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command, false},
      {"shape",
-      "fit MESH --order N --out S.json [--max-overhang F] [--unit m|mm|um] "
-      "[--source TEXT] [--licence TEXT] | info S.json|MESH [--unit m|mm|um]",
+      "fit MESH --order N --out S.json [--from rays|vertices] "
+      "[--max-overhang F] [--unit m|mm|um] [--json FILE] [--source TEXT] "
+      "[--licence TEXT] | info S.json|MESH [--unit m|mm|um] [--json FILE]",
       "fit and measure stone shapes", shape_command, false},
      {"bench",
       "--packing P.csv [--steps N] [--threads N] [--shapes DIR] [--breakage] "
