@@ -1,5 +1,7 @@
 #include "convex_hull.h"
 
+#include <dem/packing/random.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -23,7 +25,7 @@ struct Face
 
 /// The point with the largest value.
 template <class Measure>
-Index farthest(std::span<const Vec3> points, const Measure &measure)
+Index farthest(const std::vector<Vec3> &points, const Measure &measure)
 {
   Index best = 0;
   for (Index i = 1; i < points.size(); ++i)
@@ -32,10 +34,27 @@ Index farthest(std::span<const Vec3> points, const Measure &measure)
   return best;
 }
 
+/// Four points in one plane are no case of their own once each is moved by a
+/// random part of this share of the extent [-].
+constexpr double joggle = 1e-7;
+
+std::vector<Vec3> joggled(std::span<const Vec3> points)
+{
+  std::vector<Vec3> moved(points.begin(), points.end());
+  double extent = 0.;
+  for (const Vec3 &point : moved)
+    extent = std::max(extent, (point - moved[0]).cwiseAbs().maxCoeff());
+  Random random(1);
+  for (Vec3 &point : moved)
+    for (double &x : point)
+      x += joggle * extent * (random.uniform() - 0.5);
+  return moved;
+}
+
 class Hull
 {
 public:
-  explicit Hull(std::span<const Vec3> all) : points(all)
+  explicit Hull(std::span<const Vec3> all) : points(joggled(all))
   {
     if (!points.empty() && start())
       for (const Index i : mixed_order())
@@ -66,9 +85,8 @@ private:
     const Vec3 normal = along.cross(points[c] - points[a]);
     const Index d = farthest(points, [&](const Vec3 &p)
                              { return std::abs((p - points[a]).dot(normal)); });
-    tolerance = 1e-12 * along.norm();
     const double height = (points[d] - points[a]).dot(normal);
-    if (!(std::abs(height) > tolerance * normal.norm()))
+    if (!(std::abs(height) > 10. * joggle * along.norm() * normal.norm()))
       return false;
     const auto [second, third] = height < 0. ? Edge(b, c) : Edge(c, b);
     add(a, second, third);
@@ -103,7 +121,7 @@ private:
     std::vector<Edge> edges;
     const auto is_visible = [&](const Face &face)
     {
-      if (face.normal.dot(points[i]) - face.offset <= tolerance)
+      if (face.normal.dot(points[i]) <= face.offset)
         return false;
       for (Index k = 0; k < 3; ++k)
         edges.emplace_back(face.corner[k], face.corner[(k + 1) % 3]);
@@ -117,9 +135,8 @@ private:
         add(from, to, i);
   }
 
-  std::span<const Vec3> points;
+  std::vector<Vec3> points;
   std::vector<Face> faces;
-  double tolerance = 0.; ///< [m]
 };
 } // namespace
 

@@ -6,7 +6,7 @@
 
 namespace dem::detail
 {
-/// Volume of the convex hull by inserting point after point; zero if all lie
-/// in one plane. Points closer to a face than 1e-12 of the extent are inside.
+/// Volume of the convex hull by inserting point after point, to 1e-6; zero if
+/// all lie in one plane.
 double convex_hull_volume(std::span<const Vec3> points);
 } // namespace dem::detail
