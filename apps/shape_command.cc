@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "errors.h"
 #include "shape_file.h"
+#include "shape_generate.h"
 #include "shape_report.h"
 #include "shape_words.h"
 
@@ -128,6 +129,8 @@ int shape_command(Words words)
     return fit_command(parsed);
   if (words[0] == "info")
     return info_command(parsed);
+  if (words[0] == "generate")
+    return generate_shapes(parsed);
   fail_shape_usage(words[0] + " is unknown, ");
 }
 } // namespace spall

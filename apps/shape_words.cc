@@ -137,6 +137,8 @@ void fail_shape_usage(const std::string &what)
       "shape: " + what +
       "needs fit MESH --order N --out S.json [--from rays|vertices] "
       "[--max-overhang F] [--unit m|mm|um] [--json FILE] [--source TEXT] "
-      "[--licence TEXT], or info S.json|MESH [--unit m|mm|um] [--json FILE]");
+      "[--licence TEXT], or info S.json|MESH [--unit m|mm|um] [--json FILE], "
+      "or generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
+      "[--order N] [--json FILE]");
 }
 } // namespace spall

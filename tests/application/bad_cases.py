@@ -229,6 +229,7 @@ def fit(name, file, text, *message, order="8"):
                files={file: text} if text is not None else {})
 
 
+GENERATE = ["--count", "1", "--seed", "1", "--out", "d"]
 MESHES = [
     fit("open", "m.stl", stl(box_triangles(2)), "open"),
     fit("torus", "m.stl", stl(torus_triangles()), "centroid"),
@@ -250,6 +251,17 @@ MESHES = [
     Bad("fit_without_out", ["shape", "fit", "m.stl", "--order", "8"],
         ["--out"], files={"m.stl": stl(box_triangles())}),
     Bad("shape_unknown", ["shape", "polish", "m.stl"], ["polish"]),
+    *[Bad("generate_" + name, ["shape", "generate", *words], list(message),
+          files={**{f"two/{i}.json": json.dumps(ROUND) for i in range(2)},
+                 "full/x": "x"})
+      for name, words, message in [
+          ("seed", ["two", "--count", "1", "--out", "d"], ["--seed K"]),
+          ("sample", ["two", *GENERATE], ["2 shapes", "at least 3"]),
+          ("missing", ["nowhere", *GENERATE], ["nowhere", "no such folder"]),
+          ("count", ["two", "--count", "0", "--seed", "1", "--out", "d"],
+           ["--count is 0", "1 .. 100000"]),
+          ("full", ["two", "--count", "1", "--seed", "1", "--out", "full"],
+           ["full", "not empty"])]],
     Bad("info_missing", ["shape", "info", "nowhere.json"], ["nowhere.json"]),
 ]
 
