@@ -175,6 +175,24 @@ TEST(Fit, RefusesOrdersOutOfRange)
   EXPECT_EQ(message_of(cube(), 30), "");
 }
 
+// The series of an order is the start of those above it, and the rule is exact
+// for their products: what is left of r can only become less.
+TEST(Fit, EveryOrderLeavesLess)
+{
+  const TriangleMesh mesh = cube();
+  const ShapeFit whole = fit_shape(mesh, max_order);
+  double before = 1.;
+  for (int order = 1; order <= max_order; ++order)
+  {
+    const ShapeFit fit = fit_shape(mesh, order);
+    ASSERT_EQ(fit.coefficients.size(), std::size_t(n_coefficients(order)));
+    EXPECT_LE(fit.residual_rms, before * (1. + 1e-9)) << order;
+    EXPECT_NEAR(fit.coefficients[1], whole.coefficients[1], 1e-14);
+    before = fit.residual_rms;
+  }
+  EXPECT_LT(before, 0.006);
+}
+
 // Bent upward in proportion to the distance from the axis, the lower wall of
 // the groove hangs over.
 TEST(Fit, SaysWhatAnOverhangCosts)
