@@ -10,14 +10,15 @@ namespace detail
 struct LogShape;
 }
 
-/// New stones with the statistics of a sample. Every stone of the sample is
-/// scaled to one volume and turned into its principal frame, and log r is
-/// expanded. Its mirror images count as stones as well: so the coefficients
-/// fall into eight classes by parity in x, y, z, which are independent, and all
-/// but the even class have mean zero. Degrees 2 to 4 are normal within their
-/// class with the covariance of the sample; in the even class with them goes
-/// the logarithm of the amplitude of the higher degrees, which have random
-/// phases and the mean spectrum of the sample.
+/// New stones with the statistics of a sample (docs/theory/shape.md). In its
+/// principal frame log r of a stone is that of its ellipsoid of inertia and a
+/// series. Mirror images count as stones as well: so the coefficients fall into
+/// eight classes by parity in x, y, z, which are independent, and all but the
+/// even class have mean zero. Degrees 1 to 4 are normal within their class with
+/// the covariance of the sample; in the even class with them go elongation,
+/// flatness and the logarithm of the amplitude of the higher degrees, which
+/// have random phases and the mean spectrum of the sample. The values of the
+/// series get the mean quantiles of the sample.
 class ShapeGenerator
 {
 public:
@@ -38,7 +39,7 @@ private:
   /// Numbers that are drawn together: mean + factor * normal numbers.
   struct Normal
   {
-    std::vector<int> place; ///< in a row of coefficients; -1: roughness
+    std::vector<int> place; ///< in a row of coefficients; negative: no harmonic
     Eigen::VectorXd mean;
     Eigen::MatrixXd factor; ///< a root of the covariance
   };
@@ -49,7 +50,7 @@ private:
 
   int order;
   double radius = 0.;            ///< [m]
-  std::vector<Normal> classes;   ///< of degrees 2 to 4
+  std::vector<Normal> classes;   ///< of degrees 1 to 4
   std::vector<double> quantiles; ///< mean of the sample, see LogShape
   std::vector<double> spectrum;  ///< share of a degree above 4 in the energy
 };
