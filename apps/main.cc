@@ -34,9 +34,12 @@ constexpr std::array<Command, 6> commands = {
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command, false},
      {"shape",
-      "fit MESH --order N --out S.json [--max-overhang F] [--unit m|mm|um] "
-      "[--source TEXT] [--licence TEXT] | info S.json|MESH [--unit m|mm|um]",
-      "fit and measure stone shapes", shape_command, false},
+      "fit MESH --order N --out S.json [--from rays|vertices] "
+      "[--max-overhang F] [--unit m|mm|um] [--json FILE] [--source TEXT] "
+      "[--licence TEXT] | info S.json|MESH [--unit m|mm|um] [--json FILE] | "
+      "generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
+      "[--order N] [--json FILE]",
+      "fit, measure and generate stone shapes", shape_command, false},
      {"bench",
       "--packing P.csv [--steps N] [--threads N] [--shapes DIR] [--breakage] "
       "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "

@@ -18,8 +18,9 @@ for mesh in "$meshes"/MA111-7-*.stl; do
   esac
   mkdir -p "$out"
   degree=$(basename "$mesh" | sed 's/.*_n\([0-9]*\)_5120\.stl$/\1/')
-  "$spall" shape fit "$mesh" --order 20 --unit mm --out "$out/$particle.json" \
-    --source "NIST VCCTL (github jwbullard/VCCTL, a173d91, aggregate/MA111-7-coarse), limestone particle $particle, X-ray CT; series of degree $degree as a mesh of 5120 triangles, fitted by Spall" \
+  # the points of these meshes lie on the source's series, the facets inside
+  "$spall" shape fit "$mesh" --order 20 --unit mm --from vertices --out "$out/$particle.json" \
+    --source "NIST VCCTL (github jwbullard/VCCTL, a173d91, aggregate/MA111-7-coarse), limestone particle $particle, X-ray CT; series of degree $degree as a mesh of 5120 triangles, fitted to its points by Spall" \
     --licence "MIT, see data/shapes/LICENSE-nist" |
     awk -v name="$particle" '
       /^series/ { is_series = 1 }

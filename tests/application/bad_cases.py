@@ -229,6 +229,7 @@ def fit(name, file, text, *message, order="8"):
                files={file: text} if text is not None else {})
 
 
+GENERATE = ["--count", "1", "--seed", "1", "--out", "d"]
 MESHES = [
     fit("open", "m.stl", stl(box_triangles(2)), "open"),
     fit("torus", "m.stl", stl(torus_triangles()), "centroid"),
@@ -240,9 +241,27 @@ MESHES = [
     fit("order_high", "m.stl", stl(box_triangles()), "31", order="31"),
     fit("order_negative", "m.stl", stl(box_triangles()), "-1", order="-1"),
     fit("order_text", "m.stl", stl(box_triangles()), "many", order="many"),
+    Bad("fit_from", ["shape", "fit", "m.stl", "--order", "8", "--out", "s.json",
+                     "--from", "edges"], ["--from", "edges", "rays or vertices"],
+        files={"m.stl": stl(box_triangles())}),
+    Bad("fit_few_vertices", ["shape", "fit", "m.stl", "--order", "8", "--out",
+                             "s.json", "--from", "vertices"],
+        ["m.stl", "8 points", "81 coefficients"],
+        files={"m.stl": stl(box_triangles())}),
     Bad("fit_without_out", ["shape", "fit", "m.stl", "--order", "8"],
         ["--out"], files={"m.stl": stl(box_triangles())}),
     Bad("shape_unknown", ["shape", "polish", "m.stl"], ["polish"]),
+    *[Bad("generate_" + name, ["shape", "generate", *words], list(message),
+          files={**{f"two/{i}.json": json.dumps(ROUND) for i in range(2)},
+                 "full/x": "x"})
+      for name, words, message in [
+          ("seed", ["two", "--count", "1", "--out", "d"], ["--seed K"]),
+          ("sample", ["two", *GENERATE], ["2 shapes", "at least 3"]),
+          ("missing", ["nowhere", *GENERATE], ["nowhere", "no such folder"]),
+          ("count", ["two", "--count", "0", "--seed", "1", "--out", "d"],
+           ["--count is 0", "1 .. 100000"]),
+          ("full", ["two", "--count", "1", "--seed", "1", "--out", "full"],
+           ["full", "not empty"])]],
     Bad("info_missing", ["shape", "info", "nowhere.json"], ["nowhere.json"]),
 ]
 

@@ -5,6 +5,7 @@
 #include <dem/contact/law.h>
 #include <dem/contact/side.h>
 #include <dem/search/candidates.h>
+#include <dem/shape/patch.h>
 
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -69,11 +70,21 @@ void elliptic_prefactors(State &state)
 }
 BENCHMARK(elliptic_prefactors);
 
+/// The rounded cube, cut at the order that the argument names.
+dem::Body cube_of_order(const State &state)
+{
+  const dem::Body cube = benchmark_scenes::rounded_cube(5e-3);
+  const auto n = dem::n_coefficients(static_cast<int>(state.range(0)));
+  return dem::make_body(std::make_shared<const dem::Coefficients>(
+                            cube.series->begin(), cube.series->begin() + n),
+                        5e-3);
+}
+
 /// Calls `evaluate` with the rounded cube and one direction after the other.
 template <class Evaluate>
 void over_directions(State &state, const Evaluate &evaluate)
 {
-  const dem::Body body = benchmark_scenes::rounded_cube(5e-3);
+  const dem::Body body = cube_of_order(state);
   const std::vector<dem::Vec3> ways = directions(n_inputs);
   std::size_t k = 0;
   for (auto _ : state)
@@ -84,19 +95,48 @@ void over_directions(State &state, const Evaluate &evaluate)
   state.SetItemsProcessed(state.iterations());
 }
 
+void orders(benchmark::internal::Benchmark *kernel)
+{
+  kernel->ArgName("order")->Arg(8)->Arg(20);
+}
+
 void series_radius(State &state)
 {
   over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
                   { return dem::radius(*body.series, s); });
 }
-BENCHMARK(series_radius);
+BENCHMARK(series_radius)->Apply(orders);
 
 void series_expand(State &state)
 {
   over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
                   { return dem::expand(*body.series, s); });
 }
-BENCHMARK(series_expand);
+BENCHMARK(series_expand)->Apply(orders);
+
+/// All directions in one call; an item is one direction.
+void series_expand_many(State &state)
+{
+  const dem::Body body = cube_of_order(state);
+  const std::vector<dem::Vec3> ways = directions(n_inputs);
+  std::vector<dem::RadialExpansion> expansions(n_inputs);
+  for (auto _ : state)
+  {
+    dem::expand(*body.series, ways, expansions);
+    benchmark::DoNotOptimize(expansions.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * n_inputs);
+}
+BENCHMARK(series_expand_many)->Apply(orders);
+
+void series_curvatures(State &state)
+{
+  over_directions(
+      state, [](const dem::Body &body, const dem::Vec3 &s)
+      { return dem::principal_curvatures(dem::expand(*body.series, s)); });
+}
+BENCHMARK(series_curvatures)->Apply(orders);
 
 /// Expansion and curvatures of one side of a contact.
 void side_evaluation(State &state)
@@ -104,7 +144,7 @@ void side_evaluation(State &state)
   over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
                   { return dem::evaluate_side(body, s, 10.); });
 }
-BENCHMARK(side_evaluation);
+BENCHMARK(side_evaluation)->Apply(orders);
 
 benchmark_scenes::Stones kind_of(const State &state)
 {

@@ -1,4 +1,5 @@
 #include "closed_mesh.h"
+#include "radial_samples.h"
 #include "ray_hits.h"
 
 #include <dem/shape/fit.h>
@@ -16,6 +17,8 @@ namespace dem
 {
 namespace
 {
+using detail::RadialSamples;
+
 void require_order(int order)
 {
   if (order < 1 || order > max_order)
@@ -70,42 +73,29 @@ void add_overhang(const std::vector<detail::RayHits> &hits,
   fit.overhang_loss = filled / fit.mesh_volume;
 }
 
-/// a_j = sum_k w_k r_k Y_j(s_k): least squares, as the harmonics are
-/// orthonormal under the rule.
-std::vector<double> project(const std::vector<detail::RayHits> &hits,
-                            const SphereQuadrature &rule, int order)
+void add_residual(const RadialSamples &samples, ShapeFit &fit)
 {
-  std::vector<double> coefficients(std::size_t(n_coefficients(order)), 0.);
-  std::vector<double> harmonics(coefficients.size());
-  for (std::size_t k = 0; k < hits.size(); ++k)
-  {
-    evaluate_harmonics(order, rule.direction[k], harmonics);
-    for (std::size_t j = 0; j < harmonics.size(); ++j)
-      coefficients[j] += rule.weight[k] * hits[k].outermost * harmonics[j];
-  }
-  return coefficients;
-}
-
-void add_residual(const std::vector<detail::RayHits> &hits,
-                  const SphereQuadrature &rule, ShapeFit &fit)
-{
-  const std::vector<double> radii = node_radii(fit.coefficients, rule);
   const double mean = fit.coefficients[0] * ball_radius_factor;
   double square = 0.;
-  for (std::size_t k = 0; k < hits.size(); ++k)
+  for (std::size_t k = 0; k < samples.radius.size(); ++k)
   {
-    const double residual = (radii[k] - hits[k].outermost) / mean;
-    square += rule.weight[k] / (4. * std::numbers::pi) * residual * residual;
+    const double residual =
+        (radius(fit.coefficients, samples.direction[k]) - samples.radius[k]) /
+        mean;
+    square += samples.weight[k] / (4. * std::numbers::pi) * residual * residual;
     fit.residual_max = std::max(fit.residual_max, std::abs(residual));
   }
   fit.residual_rms = std::sqrt(square);
+  const std::vector<double> radii =
+      node_radii(fit.coefficients, standard_quadrature());
   if (!(*std::min_element(radii.begin(), radii.end()) > 0.))
     throw std::invalid_argument("mesh is too thin for this order: the series "
                                 "has a radius below zero");
 }
 } // namespace
 
-ShapeFit fit_shape(const TriangleMesh &mesh, int order, double max_overhang)
+ShapeFit fit_shape(const TriangleMesh &mesh, int order,
+                   const FitOptions &options)
 {
   require_order(order);
   detail::ClosedMesh closed = detail::close_mesh(mesh);
@@ -119,9 +109,13 @@ ShapeFit fit_shape(const TriangleMesh &mesh, int order, double max_overhang)
   const std::vector<detail::RayHits> hits =
       detail::cast_rays(closed.mesh, rule);
   add_overhang(hits, rule, fit);
-  require_star(closed, fit, max_overhang);
-  fit.coefficients = project(hits, rule, order);
-  add_residual(hits, rule, fit);
+  require_star(closed, fit, options.max_overhang);
+  const bool has_rays = options.samples == FitSamples::rays;
+  const RadialSamples samples = has_rays ? detail::ray_samples(hits, rule)
+                                         : detail::vertex_samples(closed.mesh);
+  fit.coefficients = has_rays ? detail::project(samples, order)
+                              : detail::least_squares(samples, order);
+  add_residual(samples, fit);
   return fit;
 }
 } // namespace dem

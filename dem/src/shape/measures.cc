@@ -16,6 +16,7 @@ struct CornerSums
   double area = 0.;          ///< of all nodes [m^2]
   double corner_area = 0.;   ///< of nodes with g = 1 [m^2]
   double corner_radius = 0.; ///< area times 1 / kappa_max there [m^3]
+  double saddle_angle = 0.;  ///< of nodes with kappa_min < 0 [sr]
   double max_slope = 0.;     ///< [m]
 };
 
@@ -23,14 +24,18 @@ CornerSums corner_sums(std::span<const double> coefficients,
                        const SphereQuadrature &rule, double inscribed_radius)
 {
   CornerSums sums;
+  std::vector<RadialExpansion> expansions(rule.direction.size());
+  expand(coefficients, rule.direction, expansions);
   for (std::size_t k = 0; k < rule.direction.size(); ++k)
   {
-    const RadialExpansion at = expand(coefficients, rule.direction[k]);
+    const RadialExpansion &at = expansions[k];
     const double slope = at.gradient.norm();
     const double area =
         rule.weight[k] * at.radius * std::hypot(at.radius, slope);
-    const double curvature = principal_curvatures(at).maximum;
+    const PrincipalCurvatures kappa = principal_curvatures(at);
+    const double curvature = kappa.maximum;
     sums.area += area;
+    sums.saddle_angle += kappa.minimum < 0. ? rule.weight[k] : 0.;
     sums.max_slope = std::max(sums.max_slope, slope);
     if (is_corner(curvature, inscribed_radius))
     {
@@ -85,6 +90,7 @@ ShapeMeasures measure_shape(std::span<const double> coefficients,
   measures.sphericity =
       std::cbrt(36. * std::numbers::pi * std::pow(measures.volume, 2)) /
       sums.area;
+  measures.saddle_fraction = sums.saddle_angle / (4. * std::numbers::pi);
   measures.corner_fraction = sums.corner_area / sums.area;
   measures.roundness = roundness_of(sums, *lowest);
   return measures;

@@ -23,11 +23,17 @@ Frame tangent_frame(const Vec3 &s)
 }
 
 /// Unit vector in the plane along the principal direction of the larger
-/// eigenvalue of [[a, b], [b, c]]; half the double angle.
+/// eigenvalue of [[a, b], [b, c]]: of its two forms the one without
+/// cancellation. Square roots only: same digits on every machine.
 Eigen::Vector2d larger_direction(double a, double b, double c)
 {
-  const double angle = 0.5 * std::atan2(2. * b, a - c);
-  return {std::cos(angle), std::sin(angle)};
+  const double half = 0.5 * (a - c);
+  const double far = std::abs(half) + std::sqrt(half * half + b * b);
+  const double length = std::sqrt(far * far + b * b);
+  if (!(length > 0.)) // equal eigenvalues: any direction
+    return {1., 0.};
+  return half >= 0. ? Eigen::Vector2d(far, b) / length
+                    : Eigen::Vector2d(b, far) / length;
 }
 } // namespace
 
@@ -38,7 +44,7 @@ PrincipalCurvatures principal_curvatures(const RadialExpansion &expansion)
 {
   const Vec3 &s = expansion.direction, &g = expansion.gradient;
   const double r = expansion.radius, slope = g.norm();
-  const double w = std::hypot(r, slope);
+  const double w = std::sqrt(r * r + slope * slope);
   Frame frame = tangent_frame(s);
   if (slope > 1e-12 * std::abs(r)) // else any frame is principal of I
     frame = {g / slope, s.cross(g) / slope};
@@ -51,7 +57,8 @@ PrincipalCurvatures principal_curvatures(const RadialExpansion &expansion)
   const double b = -h12 / (w * w);
   const double c = (r * r - r * h22) / (w * r * r);
 
-  const double mean = 0.5 * (a + c), half_gap = std::hypot(0.5 * (a - c), b);
+  const double mean = 0.5 * (a + c);
+  const double half_gap = std::sqrt(0.25 * (a - c) * (a - c) + b * b);
   const Eigen::Vector2d v = larger_direction(a, b, c);
   // back through I^(-1/2), then onto the surface: x_1 = slope s + r t_1
   const double along = v[0] / w, across = v[1] / r;

@@ -97,6 +97,7 @@ TEST(ShapeClosedForms, TruncatedCubeRingsAsTheModelSays)
     // the table has two digits
     EXPECT_NEAR(std::sqrt(square) / mean, row[1], 0.03 * row[1]);
     EXPECT_NEAR(saddle, row[2], 0.01);
+    EXPECT_NEAR(measure_shape(a, rule).saddle_fraction, saddle, 1e-12);
   }
 }
 

@@ -14,6 +14,19 @@ struct TriangleMesh
   std::vector<std::array<std::int32_t, 3>> triangles; ///< point numbers
 };
 
+/// Where a fit takes r from.
+enum class FitSamples
+{
+  rays,    ///< nodes of the standard rule; the outermost hit on the facets
+  vertices ///< points of the mesh, for meshes whose points lie on the surface
+};
+
+struct FitOptions
+{
+  FitSamples samples = FitSamples::rays;
+  double max_overhang = 0.02; ///< share of directions [-]
+};
+
 /// What a fit says about itself.
 struct ShapeFit
 {
@@ -21,7 +34,7 @@ struct ShapeFit
   Vec3 centroid = Vec3::Zero();     ///< of the mesh, in its own frame [m]
   double mesh_volume = 0.;          ///< [m^3]
   double mesh_area = 0.;            ///< [m^2]
-  double residual_rms = 0.;         ///< of r over the rays / mean radius [-]
+  double residual_rms = 0.;         ///< of r at the samples / mean radius [-]
   double residual_max = 0.;         ///< [-]
   double overhang_fraction = 0.; ///< share of directions hit more than once [-]
   double overhang_loss =
@@ -31,12 +44,12 @@ struct ShapeFit
 /// Merges coincident points (STL) and drops degenerate triangles.
 TriangleMesh weld(const TriangleMesh &mesh);
 
-/// Least squares by quadrature: rays from the volume centroid through the
-/// nodes of the standard rule, the outermost hit counts. The mesh is welded
-/// first and turned outward. Throws std::invalid_argument with one clear line
-/// if the mesh is open (number of open edges), empty, has more than one body,
-/// does not contain its centroid, or is not star-shaped beyond
-/// `max_overhang` (says the share of directions and the volume lost).
+/// Least squares for r about the volume centroid. The mesh is welded first and
+/// turned outward. Throws std::invalid_argument with one clear line if the mesh
+/// is open (number of open edges), empty, has more than one body, does not
+/// contain its centroid, or is not star-shaped beyond `max_overhang` (says the
+/// share of directions and the volume lost); from vertices also if a triangle
+/// faces the centroid or there are not two points for every coefficient.
 ShapeFit fit_shape(const TriangleMesh &mesh, int order,
-                   double max_overhang = 0.02);
+                   const FitOptions &options = {});
 } // namespace dem

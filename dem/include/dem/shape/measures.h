@@ -18,6 +18,7 @@ struct ShapeMeasures
   double mean_radius = 0.;          ///< a_00 / sqrt(4 pi) [m]
   double max_slope = 0.;            ///< max of |grad_S r| over the nodes [m]
   double sphericity = 0.;           ///< Wadell: (36 pi V^2)^(1/3) / S [-]
+  double saddle_fraction = 0.;      ///< share of directions, kappa_min < 0 [-]
   double corner_fraction = 0.;      ///< share of the area with g = 1 [-]
   double roundness = 1.;            ///< R_g of Eq. 30, area weights [-]
 };

@@ -19,11 +19,11 @@ double ellipsoid(const Vec3 &s)
 }
 
 std::string message_of(const TriangleMesh &mesh, int order = 8,
-                       double max_overhang = 0.02)
+                       const FitOptions &options = {})
 {
   try
   {
-    fit_shape(mesh, order, max_overhang);
+    fit_shape(mesh, order, options);
   }
   catch (const std::invalid_argument &error)
   {
@@ -175,6 +175,24 @@ TEST(Fit, RefusesOrdersOutOfRange)
   EXPECT_EQ(message_of(cube(), 30), "");
 }
 
+// The series of an order is the start of those above it, and the rule is exact
+// for their products: what is left of r can only become less.
+TEST(Fit, EveryOrderLeavesLess)
+{
+  const TriangleMesh mesh = cube();
+  const ShapeFit whole = fit_shape(mesh, max_order);
+  double before = 1.;
+  for (int order = 1; order <= max_order; ++order)
+  {
+    const ShapeFit fit = fit_shape(mesh, order);
+    ASSERT_EQ(fit.coefficients.size(), std::size_t(n_coefficients(order)));
+    EXPECT_LE(fit.residual_rms, before * (1. + 1e-9)) << order;
+    EXPECT_NEAR(fit.coefficients[1], whole.coefficients[1], 1e-14);
+    before = fit.residual_rms;
+  }
+  EXPECT_LT(before, 0.006);
+}
+
 // Bent upward in proportion to the distance from the axis, the lower wall of
 // the groove hangs over.
 TEST(Fit, SaysWhatAnOverhangCosts)
@@ -186,8 +204,42 @@ TEST(Fit, SaysWhatAnOverhangCosts)
   const std::string message = message_of(mesh);
   EXPECT_NE(message.find("not star-shaped"), std::string::npos) << message;
   EXPECT_NE(message.find("% of the directions"), std::string::npos) << message;
-  const ShapeFit fit = fit_shape(mesh, 8, 1.);
+  const ShapeFit fit = fit_shape(mesh, 8, {.max_overhang = 1.});
   EXPECT_GT(fit.overhang_fraction, 0.02);
   EXPECT_GT(fit.overhang_loss, 0.);
   EXPECT_LT(fit.overhang_loss, fit.overhang_fraction);
+}
+
+// The points lie on the ellipsoid, the facets inside: the fit to the points
+// gives back what the facets lose, 3.6e-3 of the volume here. (The meridians of
+// 40 rings would be those of the rays.)
+TEST(Fit, FromVerticesUndoesTheLossOfFlatFacets)
+{
+  const TriangleMesh mesh = radial_mesh(36, ellipsoid);
+  const double volume = 4. / 3. * std::numbers::pi * axes.prod();
+  const auto volume_of = [](const ShapeFit &fit)
+  { return measure_shape(fit.coefficients, standard_quadrature()).volume; };
+  const ShapeFit rays = fit_shape(mesh, 16);
+  const ShapeFit points =
+      fit_shape(mesh, 16, {.samples = FitSamples::vertices});
+  EXPECT_LT(volume_of(rays), (1. - 1e-3) * volume);
+  EXPECT_NEAR(volume_of(rays), rays.mesh_volume, 1e-4 * volume);
+  // order 16 holds this ellipsoid to 1e-7
+  EXPECT_NEAR(volume_of(points), volume, 1e-6 * volume);
+  for (const Vec3 &s : random_directions(200, 1))
+    EXPECT_NEAR(radius(points.coefficients, s), ellipsoid(s), 1e-5 * axes.x());
+  EXPECT_LT(points.residual_max, 1e-5);
+}
+
+TEST(Fit, FromVerticesSaysWhatItNeeds)
+{
+  const FitOptions vertices = {.samples = FitSamples::vertices};
+  const std::string few = message_of(cube(), 8, vertices);
+  EXPECT_NE(few.find("8 points"), std::string::npos) << few;
+  TriangleMesh bent = radial_mesh(60, spool);
+  for (Vec3 &point : bent.points)
+    point.z() += 1.5 * (point.x() * point.x() + point.y() * point.y());
+  const std::string inward = message_of(
+      bent, 8, {.samples = FitSamples::vertices, .max_overhang = 1.});
+  EXPECT_NE(inward.find("do not face outward"), std::string::npos) << inward;
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <dem/shape/body.h>
+#include <dem/shape/fit.h>
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// One figure of a shape: its key in JSON ends with the unit.
+struct ShapeFact
+{
+  std::string key, label, unit;
+  double value = 0.;
+};
+
+struct ShapeFacts
+{
+  std::string title; ///< key of the group in JSON
+  std::vector<ShapeFact> facts;
+};
+
+/// All measures of a series; takes a third of a second.
+ShapeFacts series_facts(const dem::Coefficients &coefficients);
+
+/// What a fit says of itself, and the series against the mesh; `seconds` is
+/// what it took [s].
+ShapeFacts fit_facts(const dem::ShapeFit &fit, double seconds);
+
+void print_facts(const ShapeFacts &facts);
+
+/// {title: {key: value}}. Throws InputError if the file cannot be written.
+void write_facts(const std::string &path,
+                 const std::vector<ShapeFacts> &groups);
+} // namespace spall

@@ -1,0 +1,255 @@
+// Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
+#include "expansion_kernels.h"
+
+#include "../contact/lanes.h"
+
+#include <cstring>
+
+namespace dem::kernel
+{
+namespace
+{
+/// (x + i y)^m stands at `group + m`; the two before m = 0 are zero.
+struct Powers
+{
+  alignas(64) double real[group + padded_row];
+  alignas(64) double imaginary[group + padded_row];
+};
+
+inline void set_product(Powers &power, int m, int a, int b)
+{
+  const double c = power.real[group + a], d = power.imaginary[group + a];
+  const double p = power.real[group + b], q = power.imaginary[group + b];
+  power.real[group + m] = c * p - d * q;
+  power.imaginary[group + m] = c * q + d * p;
+}
+
+/// m = 1 .. 8 by products of products, then eight at a time.
+inline void fill(Powers &power, double x, double y, int order)
+{
+  for (int m = -2; m <= 0; ++m)
+    power.real[group + m] = power.imaginary[group + m] = 0.;
+  power.real[group] = 1.;
+  power.real[group + 1] = x;
+  power.imaginary[group + 1] = y;
+  for (int m = 2; m <= group; ++m)
+    set_product(power, m, m / 2, m - m / 2);
+  const Lanes c = power.real[2 * group], d = power.imaginary[2 * group];
+  for (int m = group; m <= order; m += n_lanes)
+  {
+    const Lanes p = load(power.real + m), q = load(power.imaginary + m);
+    store(c * p - d * q, power.real + group + m);
+    store(c * q + d * p, power.imaginary + group + m);
+  }
+}
+
+/// The lanes have first[0], first[-1], first[-2], ...
+inline Lanes load_reversed(const double *first)
+{
+  using Raw [[gnu::vector_size(sizeof(double) * n_lanes)]] = double;
+  using Places [[gnu::vector_size(sizeof(double) * n_lanes)]] = long long;
+  Places turned = {};
+  for (int lane = 0; lane < n_lanes; ++lane)
+    turned[lane] = n_lanes - 1 - lane;
+  Raw raw;
+  std::memcpy(&raw, first - (n_lanes - 1), sizeof raw);
+  raw = __builtin_shuffle(raw, turned);
+  double values[n_lanes];
+  std::memcpy(values, &raw, sizeof raw);
+  return load(values);
+}
+
+/// p_nm, its derivative by z and half its second one, of two degrees.
+struct Climb
+{
+  Lanes value = 0., slope = 0., bend = 0.;
+  Lanes value_before = 0., slope_before = 0., bend_before = 0.;
+
+  /// To the next degree; `start` is 1 at the order that begins with it.
+  void step(const Lanes &z, const Lanes &fall, const Lanes &start)
+  {
+    const Lanes next_bend = slope + z * bend - fall * bend_before;
+    const Lanes next_slope = value + z * slope - fall * slope_before;
+    const Lanes next_value = z * value - fall * value_before + start;
+    bend_before = bend;
+    slope_before = slope;
+    value_before = value;
+    bend = next_bend;
+    slope = next_slope;
+    value = next_value;
+  }
+};
+
+/// Sums over the degrees, order by order: factors of cos and sin.
+struct DegreeSums
+{
+  Lanes cosine = 0., sine = 0.;
+
+  void add(const Lanes &c, const Lanes &s, const Lanes &by)
+  {
+    cosine += c * by;
+    sine += s * by;
+  }
+};
+
+struct OrderSums
+{
+  DegreeSums value, slope, bend;
+};
+
+/// Of the orders m, m + 1, ... of the lanes.
+inline OrderSums sum_degrees(const ExpansionTable &table,
+                             const SeriesRows &series, double height, int m)
+{
+  const Lanes z = height;
+  OrderSums sums;
+  Climb climb;
+  for (int n = m; n <= series.order; ++n)
+  {
+    climb.step(z, load(table.fall[n] + m), load(table.first[n] + m));
+    const Lanes scale = load(table.scale[n] + m);
+    const Lanes c = scale * load(series.degree[n] + m);
+    const Lanes s = scale * load_reversed(series.degree[n] - m);
+    sums.value.add(c, s, climb.value);
+    sums.slope.add(c, s, climb.slope);
+    sums.bend.add(c, s, climb.bend);
+  }
+  return sums;
+}
+
+/// Real part and, with the sign of a derivative by y, imaginary part of
+/// f (c - i s) (p + i q).
+inline Lanes along(const DegreeSums &sum, const Lanes &p, const Lanes &q)
+{
+  return sum.cosine * p + sum.sine * q;
+}
+
+inline Lanes across(const DegreeSums &sum, const Lanes &p, const Lanes &q)
+{
+  return sum.sine * p - sum.cosine * q;
+}
+
+using JetLanes = Lanes[n_jet];
+
+/// Derivatives by x and y lower the power of x + i y.
+inline void add_orders(const ExpansionTable &table, const Powers &power,
+                       const OrderSums &sums, int m, JetLanes &jet)
+{
+  const double *real = power.real + group + m;
+  const double *imaginary = power.imaginary + group + m;
+  const Lanes once = load(table.m + m), twice = load(table.m_times + m);
+  const Lanes p = load(real), q = load(imaginary);
+  const Lanes p1 = once * load(real - 1), q1 = once * load(imaginary - 1);
+  const Lanes p2 = twice * load(real - 2), q2 = twice * load(imaginary - 2);
+  jet[jet_value] += along(sums.value, p, q);
+  jet[jet_x] += along(sums.value, p1, q1);
+  jet[jet_y] += across(sums.value, p1, q1);
+  jet[jet_z] += along(sums.slope, p, q);
+  jet[jet_xx] += along(sums.value, p2, q2);
+  jet[jet_xy] += across(sums.value, p2, q2);
+  jet[jet_xz] += along(sums.slope, p1, q1);
+  jet[jet_yz] += across(sums.slope, p1, q1);
+  jet[jet_zz] += Lanes(2.) * along(sums.bend, p, q);
+}
+
+/// Orders are summed by their place in a group of 8, then the 8 places: same
+/// digits for every width.
+void expand_one(const ExpansionTable &table, const SeriesRows &series,
+                const double *s, double *jet)
+{
+  Powers power;
+  fill(power, s[0], s[1], series.order);
+  alignas(64) double places[n_jet][group];
+  for (int first = 0; first < group; first += n_lanes)
+  {
+    JetLanes lanes;
+    for (Lanes &sum : lanes)
+      sum = 0.;
+    for (int m = first; m <= series.order; m += group)
+      add_orders(table, power, sum_degrees(table, series, s[2], m), m, lanes);
+    for (int k = 0; k < n_jet; ++k)
+      store(lanes[k], places[k] + first);
+  }
+  for (int k = 0; k < n_jet; ++k)
+  {
+    const double *place = places[k];
+    jet[k] = ((place[0] + place[4]) + (place[2] + place[6])) +
+             ((place[1] + place[5]) + (place[3] + place[7]));
+  }
+}
+
+/// (x + i y)^m and the two powers below.
+struct PowerSteps
+{
+  Lanes p[3] = {Lanes(1.), Lanes(0.), Lanes(0.)};
+  Lanes q[3] = {Lanes(0.), Lanes(0.), Lanes(0.)};
+
+  void step(const Lanes &x, const Lanes &y)
+  {
+    p[2] = p[1];
+    q[2] = q[1];
+    p[1] = p[0];
+    q[1] = q[0];
+    p[0] = x * p[1] - y * q[1];
+    q[0] = x * q[1] + y * p[1];
+  }
+};
+
+/// One column of coefficients; `entry` goes on to the next one.
+inline OrderSums sum_column(const ColumnEntry *&entry, const Lanes &z, int n)
+{
+  OrderSums sums;
+  Lanes value = 1., before = 0.;
+  for (const ColumnEntry *const end = entry + n; entry != end; ++entry)
+  {
+    sums.value.add(entry->value[0], entry->value[1], value);
+    sums.slope.add(entry->slope[0], entry->slope[1], value);
+    sums.bend.add(entry->bend[0], entry->bend[1], value);
+    const Lanes next = z * value - entry->fall * before;
+    before = value;
+    value = next;
+  }
+  return sums;
+}
+
+inline void add_column(const OrderSums &sums, const PowerSteps &power, int m,
+                       JetLanes &jet)
+{
+  const Lanes *p = power.p, *q = power.q;
+  const Lanes once = m, below = m - 1, twice = m * (m - 1);
+  jet[jet_value] += along(sums.value, p[0], q[0]);
+  jet[jet_x] += once * along(sums.value, p[1], q[1]);
+  jet[jet_y] += once * across(sums.value, p[1], q[1]);
+  jet[jet_z] += along(sums.slope, p[1], q[1]);
+  jet[jet_xx] += twice * along(sums.value, p[2], q[2]);
+  jet[jet_xy] += twice * across(sums.value, p[2], q[2]);
+  jet[jet_xz] += below * along(sums.slope, p[2], q[2]);
+  jet[jet_yz] += below * across(sums.slope, p[2], q[2]);
+  jet[jet_zz] += along(sums.bend, p[2], q[2]);
+}
+
+/// A direction per lane.
+void expand_many(const Columns &columns, const Directions &s, double *jet)
+{
+  for (std::ptrdiff_t i = 0; i < s.n; i += n_lanes)
+  {
+    const Lanes x = load(s.x + i), y = load(s.y + i), z = load(s.z + i);
+    JetLanes lanes;
+    for (Lanes &sum : lanes)
+      sum = 0.;
+    const ColumnEntry *entry = columns.entry;
+    PowerSteps power;
+    for (int m = 0; m <= columns.order; ++m, power.step(x, y))
+      add_column(sum_column(entry, z, columns.order + 1 - m), power, m, lanes);
+    for (int k = 0; k < n_jet; ++k)
+      store(lanes[k], jet + k * s.n + i);
+  }
+}
+} // namespace
+
+namespace SPALL_INSTRUCTION_SET
+{
+extern const Expansions expansions;
+const Expansions expansions = {expand_one, expand_many};
+} // namespace SPALL_INSTRUCTION_SET
+} // namespace dem::kernel

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""spall shape: a mesh is fitted and measured, stones are generated.
+
+    shape.py SPALL
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from test_meshes import box_triangles, stl
+
+SHAPES = pathlib.Path(__file__).resolve().parents[2] / "data" / "shapes"
+
+
+def shape(spall, folder, *words):
+    subprocess.run([spall, "shape", *map(str, words)], cwd=folder, check=True,
+                   stdout=subprocess.PIPE)
+
+
+def near(found, expected, tolerance, what):
+    if abs(found - expected) <= tolerance * abs(expected):
+        return []
+    return [f"{what} is {found}, expected {expected} within {tolerance}"]
+
+
+def fit_faults(spall, folder):
+    """A cube, whose edges a series of order 20 rounds by a few per cent."""
+    (folder / "cube.stl").write_text(stl(box_triangles()))
+    shape(spall, folder, "fit", "cube.stl", "--order", 20, "--out", "s.json",
+          "--json", "f.json")
+    fit = json.loads((folder / "f.json").read_text())
+    shape(spall, folder, "info", "s.json", "--json", "i.json")
+    info = json.loads((folder / "i.json").read_text())
+    mesh, series = fit["mesh"], fit["series"]
+    faults = [] if info["series"] == series else ["info differs from fit"]
+    side = mesh["volume_m3"] ** (1 / 3)
+    return (faults
+            + near(mesh["area_m2"], 6 * side**2, 1e-12, "area of the cube")
+            + near(series["volume_m3"], side**3, 0.003, "volume")
+            + near(series["length_m"], 3**0.5 * side, 0.05, "diagonal")
+            + near(series["inscribed_radius_m"], side / 2, 0.03, "inscribed")
+            + near(series["inscribed_radius_free_m"], side / 2, 0.03, "free")
+            + near(series["principal_inertia_1_m5"], side**5 / 6, 0.01,
+                   "inertia")
+            + ([] if mesh["overhang_percent"] == 0 else ["overhang"])
+            + ([] if series["ringing_rms_1"] > 1e-3 else ["no ringing"])
+            + ([] if 0.9 < series["convexity_1"] < 1. else ["convexity"]))
+
+
+def generate_faults(spall, folder):
+    sample = [SHAPES / "limestone", SHAPES / "limestone_blocky"]
+    for out, count, seed in (("a", 3, 1), ("b", 2, 1), ("c", 2, 2)):
+        shape(spall, folder, "generate", *sample, "--count", count, "--seed",
+              seed, "--order", 12, "--out", out, "--json", out + ".json")
+    texts = {out: [path.read_text() for path in sorted((folder / out).iterdir())]
+             for out in "abc"}
+    numbers = {out: [json.loads(text)["coefficients"] for text in texts[out]]
+               for out in "abc"}
+    table = json.loads((folder / "a.json").read_text())
+    faults = [] if texts["a"][:2] == texts["b"] else ["not the same by seed"]
+    faults += ["another seed, the same stones"] \
+        if numbers["b"][0] == numbers["c"][0] else []
+    faults += [] if [len(texts[out]) for out in "abc"] == [3, 2, 2] \
+        else ["wrong number of stones"]
+    faults += [] if all("MIT" in json.loads(text)["licence"]
+                        for text in texts["a"]) else ["licence is lost"]
+    return faults + near(table["stones"]["sphericity_1"],
+                         table["sample"]["sphericity_1"], 0.15, "sphericity")
+
+
+def main():
+    spall = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        faults = fit_faults(spall, folder) + generate_faults(spall, folder)
+    print("\n".join(faults) or "passed")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
