@@ -42,71 +42,92 @@ const SparseFactor &Solid::State::factor(const SystemWeights &weights)
   return *kept.factor;
 }
 
+/// From the balance of forces now; fixed and hanging nodes have none.
+void Solid::State::start_accelerations()
+{
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    for (int c = 0; c < 3; ++c)
+      now.acceleration[k](c) =
+          supports.unknown(k, c) < 0
+              ? 0.
+              : (force(k) - dashpot[k] * now.velocity[k])(c) / mass[k];
+  now.has_acceleration = true;
+}
+
+/// K (end (u + beta v) + (1 - end) (u_0 + beta v_0)) [N]: elastic and viscous
+/// force at the time where the rule takes them.
+NodeField Solid::State::mixed_force(const NodeField &start,
+                                    const NodeField &speed, double end) const
+{
+  const double beta = parameters.stiffness_damping;
+  NodeField mixed(mass.size()), result(mass.size());
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    mixed[k] = end * (now.displacement[k] + beta * now.velocity[k]) +
+               (1. - end) * (start[k] + beta * speed[k]);
+  supports.spread(mixed);
+  elastic.multiply(mixed, result);
+  supports.collect(result);
+  return result;
+}
+
+/// New accelerations from the predicted motion in `now` and the old one.
+void Solid::State::solve_accelerations(const ImplicitStep &step,
+                                       const NodeField &start,
+                                       const NodeField &speed)
+{
+  const double end = 1. - step.rule.alpha_f;
+  const double beta = parameters.stiffness_damping;
+  const SparseFactor &system =
+      factor({1. - step.rule.alpha_m, end * step.rule.gamma * step.time_step,
+              end * (step.rule.beta * step.time_step + beta * step.rule.gamma) *
+                  step.time_step});
+  const NodeField internal = mixed_force(start, speed, end);
+  NodeField load(step.load.begin(), step.load.end());
+  supports.collect(load);
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    load[k] =
+        end * load[k] + step.rule.alpha_f * now.load[k] -
+        step.rule.alpha_m * mass[k] * now.acceleration[k] -
+        dashpot[k] * (end * now.velocity[k] + step.rule.alpha_f * speed[k]) -
+        internal[k];
+  from_unknowns(supports, system.solve(to_unknowns(supports, load)),
+                now.acceleration);
+}
+
 void Solid::advance(std::span<const Vector> load, double time_step,
                     const ImplicitRule &rule)
 {
   check_solid_step(time_step);
   check_solid_loads(load.size(), state->mass.size());
   SolidMotion &now = state->now;
-  const SolidSupports &supports = state->supports;
-  const double damping = state->parameters.stiffness_damping;
-  const double end = 1. - rule.alpha_f;
-  const SparseFactor &factor = state->factor(
-      {1. - rule.alpha_m, end * rule.gamma * time_step,
-       end * (rule.beta * time_step + damping * rule.gamma) * time_step});
   state->put_supports_in_motion();
-  const std::size_t n = state->mass.size();
   if (!now.has_acceleration)
-    for (std::size_t k = 0; k < n; ++k)
-      for (int c = 0; c < 3; ++c)
-        now.acceleration[k](c) =
-            supports.unknown(k, c) < 0
-                ? 0.
-                : (state->force(k) - state->dashpot[k] * now.velocity[k])(c) /
-                      state->mass[k];
-  now.has_acceleration = true;
+    state->start_accelerations();
 
   // Predicted without the new accelerations; the matrix adds their share.
-  NodeField start = now.displacement, speed = now.velocity, mixed(n);
-  for (std::size_t k = 0; k < n; ++k)
+  const NodeField start = now.displacement, speed = now.velocity;
+  for (std::size_t k = 0; k < start.size(); ++k)
   {
     now.displacement[k] +=
         time_step *
         (speed[k] + (0.5 - rule.beta) * time_step * now.acceleration[k]);
     now.velocity[k] += (1. - rule.gamma) * time_step * now.acceleration[k];
-    mixed[k] = end * (now.displacement[k] + damping * now.velocity[k]) +
-               rule.alpha_f * (start[k] + damping * speed[k]);
   }
-  supports.spread(mixed);
-  NodeField internal(n);
-  state->elastic.multiply(mixed, internal);
-  supports.collect(internal);
-  NodeField old_load = now.load, next(n, Vector::Zero());
-  NodeField new_load(load.begin(), load.end());
-  supports.collect(new_load);
-  for (std::size_t k = 0; k < n; ++k)
-    next[k] =
-        end * new_load[k] + rule.alpha_f * old_load[k] -
-        rule.alpha_m * state->mass[k] * now.acceleration[k] -
-        state->dashpot[k] * (end * now.velocity[k] + rule.alpha_f * speed[k]) -
-        internal[k];
-  from_unknowns(supports, factor.solve(to_unknowns(supports, next)),
-                now.acceleration);
+  state->solve_accelerations({load, time_step, rule}, start, speed);
 
-  // Forces at the start of the step do their half of the work first.
-  NodeField predicted = now.displacement, predicted_speed = now.velocity;
-  now.velocity = speed;
-  for (std::size_t k = 0; k < n; ++k)
+  NodeField end_speed = now.velocity;
+  for (std::size_t k = 0; k < start.size(); ++k)
   {
-    predicted[k] += rule.beta * time_step * time_step * now.acceleration[k];
-    predicted_speed[k] += rule.gamma * time_step * now.acceleration[k];
-    now.moved[k] = predicted[k] - start[k];
+    now.displacement[k] +=
+        rule.beta * time_step * time_step * now.acceleration[k];
+    end_speed[k] += rule.gamma * time_step * now.acceleration[k];
+    now.moved[k] = now.displacement[k] - start[k];
   }
+  now.velocity = speed; // the forces at the start do their half of the work
   state->book_half_step();
-  now.displacement = predicted;
-  now.velocity = predicted_speed;
-  supports.spread(now.displacement);
-  supports.spread(now.velocity);
+  now.velocity = end_speed;
+  state->supports.spread(now.displacement);
+  state->supports.spread(now.velocity);
   state->set_load(load);
   state->update_forces();
   state->book_half_step();

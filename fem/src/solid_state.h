@@ -28,6 +28,14 @@ struct KeptFactor
   std::optional<SparseFactor> factor;
 };
 
+/// One implicit step, as advance is asked for it.
+struct ImplicitStep
+{
+  std::span<const Eigen::Vector3d> load; ///< at its end [N]
+  double time_step = 0.;                 ///< [s]
+  ImplicitRule rule;
+};
+
 struct Solid::State
 {
   State(const SolidParameters &parameters, const SolidMesh &mesh);
@@ -47,6 +55,11 @@ struct Solid::State
   void update_forces();
   /// Half the work of the present forces over now.moved.
   void book_half_step();
+  void start_accelerations();
+  NodeField mixed_force(const NodeField &start, const NodeField &speed,
+                        double end) const;
+  void solve_accelerations(const ImplicitStep &step, const NodeField &start,
+                           const NodeField &speed);
   double strain_energy() const;
   double largest_frequency() const;
   std::uint64_t fingerprint() const;

@@ -249,6 +249,73 @@ TEST(SolidDamping, DecayOfTheFirstMode)
     }
 }
 
+/// One cell on a held bottom, its sides held: a mass on a spring, let go.
+class Oscillator
+{
+public:
+  Oscillator()
+      : solid(fem::SolidParameters{{clay}, 0., 0.},
+              support::box({1., 1., 1.}, {1, 1, 1}))
+  {
+    for (std::int32_t side = 0; side < 4; ++side)
+      solid.fix(side, {true, true, false});
+    solid.fix(fem::z_lower, {true, true, true});
+    solid.settle(top_load(solid, Vector(0., 0., 1e3)));
+    start = top();
+    // K = rho c_p^2 A / h over half of the mass.
+    frequency = std::sqrt(2.) * fem::pressure_wave_speed(clay);
+  }
+  double top() const
+  {
+    return solid
+        .displacements()[static_cast<std::size_t>(
+            support::node_at(solid.mesh(), Vector(1., 1., 1.)))]
+        .z();
+  }
+  /// n steps of this length [1 / frequency].
+  void run(int n_steps, double length, const fem::ImplicitRule &rule)
+  {
+    const auto loads = support::no_loads(solid);
+    if (top() == start)
+      solid.advance(loads, 1e-9 / frequency);
+    for (int k = 0; k < n_steps; ++k)
+      solid.advance(loads, length / frequency, rule);
+  }
+
+  fem::Solid solid;
+  double start = 0., frequency = 0.;
+};
+
+TEST(SolidImplicit, GeneralisedAlphaIsOfSecondOrder)
+{
+  const auto error = [](int n_steps, double radius)
+  {
+    Oscillator oscillator;
+    oscillator.run(n_steps, 4. / n_steps, fem::generalised_alpha(radius));
+    return oscillator.top() / oscillator.start - std::cos(4.);
+  };
+  for (const double radius : {0., 0.5, 0.8, 1.})
+  {
+    EXPECT_NEAR(error(100, radius) / error(200, radius), 4., 0.2);
+    EXPECT_LT(std::abs(error(200, radius)), 2e-3);
+  }
+}
+
+// Far beyond its period a mode shrinks to the given share with every step, but
+// for a factor n^2 of the triple root.
+TEST(SolidImplicit, GeneralisedAlphaDampsFastModes)
+{
+  for (const double radius : {0.5, 0.8})
+  {
+    Oscillator oscillator;
+    oscillator.run(40, 1e4, fem::generalised_alpha(radius));
+    const double early = std::abs(oscillator.top());
+    oscillator.run(40, 1e4, fem::generalised_alpha(radius));
+    const double share = std::log(std::abs(oscillator.top()) / early) / 40.;
+    EXPECT_NEAR(share - 2. * std::log(2.) / 40., std::log(radius), 5e-3);
+  }
+}
+
 /// All terms at work: a graded, refined box, hanging nodes, a moving side,
 /// dashpots, Rayleigh damping, a load. Largest change of the balance over the
 /// largest energy.
