@@ -36,6 +36,11 @@ void check_parameters(const MembraneParameters &p)
   positive("density", p.density);
   require(p.poisson_ratio > -1. && p.poisson_ratio <= 0.5, "poisson_ratio",
           p.poisson_ratio, "must be above -1 and at most 0.5");
+  require(p.law != MembraneLaw::neo_hooke || p.poisson_ratio == 0.5,
+          "poisson_ratio", p.poisson_ratio,
+          "must be 0.5 with the neo-Hookean law, which is incompressible");
+  require(std::isfinite(p.tension) && p.tension >= 0., "tension", p.tension,
+          "must not be negative");
   require(std::isfinite(p.mass_damping) && p.mass_damping >= 0., "mass_damping",
           p.mass_damping, "must not be negative");
 }
@@ -51,9 +56,12 @@ Sheet make_sheet(const MembraneParameters &p, const MembraneSpace &space)
 {
   check_parameters(p);
   Sheet sheet = space.make_sheet();
-  sheet.material = {p.youngs_modulus * p.thickness /
-                        (1. - p.poisson_ratio * p.poisson_ratio),
-                    p.poisson_ratio};
+  sheet.material.stiffness =
+      p.youngs_modulus * p.thickness / (1. - p.poisson_ratio * p.poisson_ratio);
+  sheet.material.poisson_ratio = p.poisson_ratio;
+  if (p.law == MembraneLaw::neo_hooke)
+    sheet.material.shear = p.youngs_modulus * p.thickness / 3.;
+  sheet.material.tension = p.tension;
   return sheet;
 }
 

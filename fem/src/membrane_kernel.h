@@ -11,12 +11,18 @@
 
 namespace fem
 {
-/// St Venant-Kirchhoff in plane stress, per unit of reference area:
-/// S = c ((1 - nu) E + nu tr(E) I) with c = E h / (1 - nu^2).
+/// Per unit of reference area, with a tension T that is there at the start
+/// and stays: S = S_law + T I, W = W_law + T tr(E).
+/// St Venant-Kirchhoff in plane stress:
+/// S_law = c ((1 - nu) E + nu tr(E) I) with c = E h / (1 - nu^2).
+/// Incompressible neo-Hooke, C = 1 + 2 E: W_law = mu h / 2 (tr C + 1 / det C
+/// - 3), S_law = mu h (I - adj(C) / det(C)^2).
 struct SheetMaterial
 {
-  double stiffness = 0.;     ///< c [N/m]
-  double poisson_ratio = 0.; ///< nu [-]
+  double stiffness = 0.;     ///< c [N/m], of St Venant-Kirchhoff
+  double poisson_ratio = 0.; ///< nu [-], of St Venant-Kirchhoff
+  double shear = 0.;         ///< mu h [N/m]; above 0 for neo-Hooke
+  double tension = 0.;       ///< T [N/m]
 };
 
 /// What one quadrature point needs of the reference surface.

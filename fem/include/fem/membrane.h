@@ -9,6 +9,12 @@
 
 namespace fem
 {
+enum class MembraneLaw : std::int64_t
+{
+  st_venant_kirchhoff, ///< up to stretches of some tens of per cent
+  neo_hooke            ///< incompressible, mu = E / 3; poisson_ratio is 0.5
+};
+
 struct MembraneParameters
 {
   double youngs_modulus = 1.4e6; ///< E [Pa]
@@ -16,6 +22,10 @@ struct MembraneParameters
   double thickness = 1e-3;       ///< undeformed [m]
   double density = 1100.;        ///< undeformed [kg/m^3]
   double mass_damping = 0.;      ///< alpha: -alpha m v on free nodes [1/s]
+  MembraneLaw law = MembraneLaw::st_venant_kirchhoff;
+  /// Tension in the reference surface, the same in all directions, that is
+  /// there before any stretch [N/m]; its energy counts from there.
+  double tension = 0.;
 };
 
 /// Energies and dissipation since construction or set_positions [J]. The
@@ -34,7 +44,7 @@ struct MembraneEnergy
 };
 
 /// Membrane of codimension one without bending stiffness: total Lagrangian,
-/// St Venant-Kirchhoff in plane stress, large displacements, lumped mass,
+/// plane stress, large displacements, lumped mass,
 /// follower pressure on the outside. Mesh, dofs, masses and output by deal.II;
 /// velocity Verlet in time, split in begin_step and end_step so that contact
 /// forces at the new positions enter in between. Serial.
