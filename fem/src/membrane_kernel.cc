@@ -218,35 +218,60 @@ void evaluate_forces(const BatchedSheet &sheet,
   }
 }
 
+namespace
+{
+/// Of one element: the derivative along d at x.
+std::array<Vector, 4>
+local_tangent(const Sheet &sheet, const SheetElement &element, double pressure,
+              const std::array<Vector, 4> &x, const std::array<Vector, 4> &d)
+{
+  std::array<Vector, 4> local = zeros();
+  for (std::size_t q = 0; q < 4; ++q)
+  {
+    const SheetPoint &point = element.point[q];
+    const Tangents f = tangents(point, x), df = tangents(point, d);
+    const Symmetric e = strain(f);
+    const Symmetric de{f.first.dot(df.first), f.second.dot(df.second),
+                       0.5 * (f.first.dot(df.second) + f.second.dot(df.first))};
+    add_divergence(point, flux(stress_change(sheet.material, e, de), f), 1.,
+                   local);
+    add_divergence(point, flux(stress(sheet.material, e), df), 1., local);
+    add_load(sheet.value[q],
+             pressure * point.weight *
+                 (df.first.cross(f.second) + f.first.cross(df.second)),
+             local);
+  }
+  return local;
+}
+} // namespace
+
 void apply_tangent(const Sheet &sheet, std::span<const Vector> positions,
                    double pressure, std::span<const Vector> direction,
                    std::span<Vector> out)
 {
   std::fill(out.begin(), out.end(), Vector::Zero());
   for (const SheetElement &element : sheet.elements)
+    scatter(element,
+            local_tangent(sheet, element, pressure, gather(element, positions),
+                          gather(element, direction)),
+            out);
+}
+
+SheetTangent element_tangent(const Sheet &sheet, std::size_t element,
+                             std::span<const Vector> positions, double pressure)
+{
+  const SheetElement &quad = sheet.elements[element];
+  const std::array<Vector, 4> x = gather(quad, positions);
+  SheetTangent matrix;
+  for (Eigen::Index column = 0; column < 12; ++column)
   {
-    const std::array<Vector, 4> x = gather(element, positions);
-    const std::array<Vector, 4> d = gather(element, direction);
-    std::array<Vector, 4> local = zeros();
-    for (std::size_t q = 0; q < 4; ++q)
-    {
-      const SheetPoint &point = element.point[q];
-      const Tangents f = tangents(point, x), df = tangents(point, d);
-      const Symmetric s = stress(sheet.material, strain(f));
-      const Symmetric de{f.first.dot(df.first), f.second.dot(df.second),
-                         0.5 *
-                             (f.first.dot(df.second) + f.second.dot(df.first))};
-      add_divergence(point,
-                     flux(stress_change(sheet.material, strain(f), de), f), 1.,
-                     local);
-      add_divergence(point, flux(s, df), 1., local);
-      add_load(sheet.value[q],
-               pressure * point.weight *
-                   (df.first.cross(f.second) + f.first.cross(df.second)),
-               local);
-    }
-    scatter(element, local, out);
+    std::array<Vector, 4> unit = zeros();
+    unit[static_cast<std::size_t>(column / 3)](column % 3) = 1.;
+    const auto image = local_tangent(sheet, quad, pressure, x, unit);
+    for (std::size_t v = 0; v < 4; ++v)
+      matrix.block<3, 1>(3 * static_cast<Eigen::Index>(v), column) = image[v];
   }
+  return matrix;
 }
 
 double mean_element_force(const Sheet &sheet, std::span<const Vector> positions)

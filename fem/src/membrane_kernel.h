@@ -94,6 +94,13 @@ void apply_tangent(const Sheet &sheet,
                    std::span<const Eigen::Vector3d> direction,
                    std::span<Eigen::Vector3d> out);
 
+/// The same derivative for one element as a matrix: row and column 3 v + i
+/// belong to component i of its node v [N/m].
+using SheetTangent = Eigen::Matrix<double, 12, 12>;
+SheetTangent element_tangent(const Sheet &sheet, std::size_t element,
+                             std::span<const Eigen::Vector3d> positions,
+                             double pressure);
+
 /// Mean size of the force of an element on one of its nodes [N].
 double mean_element_force(const Sheet &sheet,
                           std::span<const Eigen::Vector3d> positions);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <fem/implicit_rule.h>
 #include <fem/surface_mesh.h>
 
+#include <cstdint>
 #include <iosfwd>
 #include <memory>
 #include <span>
@@ -76,6 +78,13 @@ public:
   /// Damping is explicit in the first half and implicit in the second, stable
   /// for any alpha. Throws std::runtime_error when the energy is not finite.
   void end_step(std::span<const Eigen::Vector3d> load, double time_step);
+
+  /// One implicit step of any length to loads that hold at its end: Newton's
+  /// method with the exact tangent of material, tension and pressure. Throws
+  /// std::runtime_error if it does not converge in 30 corrections; the state is
+  /// then as before. With a spectral radius of 0 and long steps: equilibrium.
+  void advance(std::span<const Eigen::Vector3d> load, double time_step,
+               const ImplicitRule &rule = average_acceleration());
 
   /// Longest stable step of the membrane alone, 2 / omega_max by Lanczos
   /// iteration with the exact tangent (material, tension and pressure) of the

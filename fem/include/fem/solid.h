@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fem/implicit_rule.h>
 #include <fem/solid_mesh.h>
 
 #include <iosfwd>
@@ -28,21 +29,6 @@ struct SolidParameters
   double mass_damping = 0.;      ///< Rayleigh alpha: force -alpha m v [1/s]
   double stiffness_damping = 0.; ///< Rayleigh beta: force -beta K v [s]
 };
-
-/// Weights of the implicit step: M a + C v + K u = f with a taken alpha_m, the
-/// rest alpha_f of a step before its end; Newmark's beta and gamma.
-struct ImplicitRule
-{
-  double alpha_m = 0., alpha_f = 0., beta = 0.25, gamma = 0.5;
-};
-/// Average acceleration: second order, unconditionally stable, no loss.
-inline ImplicitRule average_acceleration()
-{
-  return {};
-}
-/// Second order, unconditionally stable, amplitude of the fastest modes times
-/// `spectral_radius` in [0, 1] per step (Chung and Hulbert 1993).
-ImplicitRule generalised_alpha(double spectral_radius);
 
 /// Energies and dissipation since construction [J]. The balance strain +
 /// kinetic + damping + absorbed - load_work - support_work is constant: to
