@@ -45,12 +45,14 @@ Patch make_patch(const SolidMesh &mesh, const SolidFields &fields,
 void write_solid_vtu(const std::string &path, const SolidMesh &mesh,
                      const SolidFields &fields)
 {
+  std::ofstream file(path);
+  if (!file)
+    throw std::runtime_error("cannot write " + path);
   std::vector<Patch> patches;
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
     patches.push_back(make_patch(mesh, fields, k));
   const auto vector =
       dealii::DataComponentInterpretation::component_is_part_of_vector;
-  std::ofstream file(path);
   dealii::DataOutBase::write_vtu(patches, names,
                                  {{0, 2, "displacement_m", vector},
                                   {3, 5, "velocity_m_s", vector},

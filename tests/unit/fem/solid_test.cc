@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
 #include <sstream>
 
 namespace
@@ -122,6 +124,91 @@ TEST(SolidMesh, GivesLayersByHeight)
   fem::SolidMesh mesh = support::box({1., 1., 3.}, {1, 1, 3});
   fem::assign_layers(mesh, std::vector{1., 2.});
   EXPECT_EQ(mesh.layer, (std::vector<std::int32_t>{0, 1, 1}));
+}
+
+// Two hexahedra of two physical volumes, the top of one marked as 7.
+TEST(SolidMesh, ReadsGmshFiles)
+{
+  const std::string path = testing::TempDir() + "two_cells.msh";
+  std::ofstream(path) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                         "$Nodes\n12\n"
+                         "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+                         "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
+                         "9 0 0 3\n10 1 0 3\n11 1 1 3\n12 0 1 3\n"
+                         "$EndNodes\n$Elements\n3\n"
+                         "1 3 2 7 1 9 10 11 12\n"
+                         "2 5 2 0 1 1 2 3 4 5 6 7 8\n"
+                         "3 5 2 1 2 5 6 7 8 9 10 11 12\n"
+                         "$EndElements\n";
+  const fem::SolidMesh mesh = fem::read_solid_mesh(path);
+  EXPECT_EQ(mesh.nodes.size(), 12u);
+  EXPECT_EQ(mesh.layer, (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(mesh.faces.size(), 10u);
+  const fem::SolidSurface top = fem::boundary_surface(mesh, 7);
+  EXPECT_EQ(top.mesh.quads.size(), 1u);
+  for (const Vector &node : top.mesh.nodes)
+    EXPECT_EQ(node.z(), 3.);
+  double area = 0.;
+  for (const Vector &load : fem::traction_loads(
+           mesh, 7, [](const Vector &) { return Vector(0., 0., 1.); }))
+    area += load.z();
+  EXPECT_NEAR(area, 1., 1e-12);
+  const fem::SolidOperator elastic(mesh, std::vector{soil, soil});
+  double mass = 0.;
+  for (const double m : elastic.mass())
+    mass += m;
+  EXPECT_NEAR(mass, 3. * soil.density, 1e-9);
+
+  std::ofstream(path) << "no mesh\n";
+  EXPECT_THROW(fem::read_solid_mesh(path), std::invalid_argument);
+  EXPECT_THROW(fem::read_solid_mesh(path + "none"), std::invalid_argument);
+  std::remove(path.c_str());
+}
+
+// What touches the top sees it move, and its loads arrive at the body.
+TEST(SolidSurface, SendsMotionAndLoads)
+{
+  fem::Solid solid({}, support::box({1., 1., 1.}, {2, 2, 2}));
+  solid.fix(fem::z_lower, {true, true, true});
+  const fem::SolidSurface top =
+      fem::boundary_surface(solid.mesh(), fem::z_upper);
+  EXPECT_EQ(top.node.size(), 9u);
+  const auto loads = support::random_vectors(9, 100., 3);
+  auto body_loads = support::no_loads(solid);
+  fem::add_loads(top, loads, body_loads);
+  solid.advance(body_loads, 1e-3);
+  std::vector<Vector> positions(9), velocities(9);
+  fem::send_motion(solid, top, positions, velocities);
+  double work = 0.;
+  for (std::size_t k = 0; k < 9; ++k)
+  {
+    const auto node = static_cast<std::size_t>(top.node[k]);
+    EXPECT_EQ(velocities[k], solid.velocities()[node]);
+    work += 0.5 * loads[k].dot(positions[k] - top.mesh.nodes[k]);
+  }
+  // Positions of 1 m lose what is below 1e-16 of motions of 1e-6 m.
+  EXPECT_NEAR(work, solid.energy().load_work, 1e-8 * std::abs(work));
+  for (const auto &quad : top.mesh.quads)
+  {
+    const auto at = [&](std::size_t v)
+    { return top.mesh.nodes[static_cast<std::size_t>(quad[v])]; };
+    EXPECT_GT((at(2) - at(0)).cross(at(3) - at(1)).z(), 0.);
+  }
+}
+
+TEST(Solid, WritesItsFrames)
+{
+  fem::Solid solid({}, support::box({1., 1., 1.}, {2, 1, 1}));
+  const std::string path = testing::TempDir() + "solid.vtu";
+  solid.write_vtu(path);
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_NE(text.str().find("displacement_m"), std::string::npos);
+  EXPECT_NE(text.str().find("NumberOfCells=\"2\""), std::string::npos);
+  EXPECT_THROW(solid.write_vtu("/no/such/folder/solid.vtu"),
+               std::runtime_error);
+  std::remove(path.c_str());
 }
 
 TEST(SolidMesh, RoundBlockFillsItsVolume)
