@@ -16,6 +16,12 @@ target_compile_definitions(dep_dealii INTERFACE
 target_link_libraries(dep_dealii INTERFACE
   $<IF:$<CONFIG:Debug>,deal.ii.g,deal.ii>)
 
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+add_library(dep_cholmod INTERFACE)
+target_include_directories(dep_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(dep_cholmod INTERFACE Eigen3::Eigen ${CHOLMOD_LIBRARY})
+
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel
   IOXML IOXMLParser IOGeometry IOPLY IOImage IOExport

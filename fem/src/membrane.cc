@@ -1,10 +1,7 @@
 #include "enclosed_volume.h"
-#include "membrane_motion.h"
-#include "membrane_space.h"
+#include "membrane_state.h"
 #include "mesh_checks.h"
 #include "stable_step.h"
-
-#include <fem/membrane.h>
 
 #include <cmath>
 #include <limits>
@@ -36,6 +33,11 @@ void check_parameters(const MembraneParameters &p)
   positive("density", p.density);
   require(p.poisson_ratio > -1. && p.poisson_ratio <= 0.5, "poisson_ratio",
           p.poisson_ratio, "must be above -1 and at most 0.5");
+  require(p.law != MembraneLaw::neo_hooke || p.poisson_ratio == 0.5,
+          "poisson_ratio", p.poisson_ratio,
+          "must be 0.5 with the neo-Hookean law, which is incompressible");
+  require(std::isfinite(p.tension) && p.tension >= 0., "tension", p.tension,
+          "must not be negative");
   require(std::isfinite(p.mass_damping) && p.mass_damping >= 0., "mass_damping",
           p.mass_damping, "must not be negative");
 }
@@ -51,48 +53,31 @@ Sheet make_sheet(const MembraneParameters &p, const MembraneSpace &space)
 {
   check_parameters(p);
   Sheet sheet = space.make_sheet();
-  sheet.material = {p.youngs_modulus * p.thickness /
-                        (1. - p.poisson_ratio * p.poisson_ratio),
-                    p.poisson_ratio};
+  sheet.material.stiffness =
+      p.youngs_modulus * p.thickness / (1. - p.poisson_ratio * p.poisson_ratio);
+  sheet.material.poisson_ratio = p.poisson_ratio;
+  if (p.law == MembraneLaw::neo_hooke)
+    sheet.material.shear = p.youngs_modulus * p.thickness / 3.;
+  sheet.material.tension = p.tension;
   return sheet;
 }
 
-void check_time_step(double time_step)
+} // namespace
+
+void check_membrane_step(double time_step)
 {
   require(std::isfinite(time_step) && time_step > 0., "time step", time_step,
           "must be positive");
 }
 
-void check_size(const char *what, std::size_t given, std::size_t n_nodes)
+void check_membrane_size(const char *what, std::size_t given,
+                         std::size_t n_nodes)
 {
   if (given != n_nodes)
     throw std::invalid_argument("membrane: " + std::to_string(given) + " " +
                                 what + " for " + std::to_string(n_nodes) +
                                 " nodes");
 }
-} // namespace
-
-struct Membrane::State
-{
-  State(const MembraneParameters &p, const SurfaceMesh &reference);
-
-  std::size_t checked_node(std::int32_t node) const;
-  std::size_t tied_node(std::int32_t node) const;
-  Vector force(std::size_t k) const;
-  void set_velocity(std::size_t k, const Vector &velocity);
-  void book_half_step(std::size_t k);
-  void start_from(std::span<const Vector> positions);
-
-  const MembraneParameters parameters;
-  const SurfaceMesh mesh;
-  const MembraneSpace space;
-  const std::vector<std::vector<std::int32_t>> rims;
-  const std::uint64_t identity;
-  const Sheet sheet;
-  const BatchedSheet batched; ///< the same, for the steps
-  std::vector<double> mass;   ///< [kg]
-  MembraneMotion now;
-};
 
 Membrane::State::State(const MembraneParameters &p,
                        const SurfaceMesh &reference)
@@ -155,7 +140,8 @@ void Membrane::State::start_from(std::span<const Vector> positions)
 {
   const std::vector<Vector> zeros(positions.size(), Vector::Zero());
   now.position.assign(positions.begin(), positions.end());
-  now.velocity = now.moved = now.load = zeros;
+  now.velocity = now.moved = now.load = now.acceleration = zeros;
+  now.has_acceleration = 0;
   now.done = MembraneEnergy();
   evaluate_forces(batched, now.position, now.forces);
 }
@@ -193,7 +179,7 @@ void Membrane::set_pressure(double pressure)
 
 void Membrane::set_positions(std::span<const Vector> positions)
 {
-  check_size("positions", positions.size(), n_nodes());
+  check_membrane_size("positions", positions.size(), n_nodes());
   for (const Vector &position : positions)
     if (!position.allFinite())
       throw std::invalid_argument("membrane: a position is not finite");
@@ -202,8 +188,9 @@ void Membrane::set_positions(std::span<const Vector> positions)
 
 void Membrane::begin_step(double time_step)
 {
-  check_time_step(time_step);
+  check_membrane_step(time_step);
   MembraneMotion &now = state->now;
+  now.has_acceleration = 0;
   for (std::size_t k = 0; k < n_nodes(); ++k)
   {
     const Vector start = now.velocity[k];
@@ -221,8 +208,8 @@ void Membrane::begin_step(double time_step)
 
 void Membrane::end_step(std::span<const Vector> load, double time_step)
 {
-  check_time_step(time_step);
-  check_size("loads", load.size(), n_nodes());
+  check_membrane_step(time_step);
+  check_membrane_size("loads", load.size(), n_nodes());
   MembraneMotion &now = state->now;
   std::copy(load.begin(), load.end(), now.load.begin());
   evaluate_forces(state->batched, now.position, now.forces);

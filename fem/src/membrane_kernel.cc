@@ -46,16 +46,63 @@ Symmetric strain(const Tangents &f)
           0.5 * (f.second.squaredNorm() - 1.), 0.5 * f.first.dot(f.second)};
 }
 
-Symmetric stress(const SheetMaterial &m, const Symmetric &e)
+Symmetric right_cauchy_green(const Symmetric &e)
+{
+  return {1. + 2. * e.xx, 1. + 2. * e.yy, 2. * e.xy};
+}
+
+double determinant(const Symmetric &c)
+{
+  return c.xx * c.yy - c.xy * c.xy;
+}
+
+Symmetric kirchhoff_stress(const SheetMaterial &m, const Symmetric &e)
 {
   return {m.stiffness * (e.xx + m.poisson_ratio * e.yy),
           m.stiffness * (e.yy + m.poisson_ratio * e.xx),
           m.stiffness * (1. - m.poisson_ratio) * e.xy};
 }
 
+Symmetric stress(const SheetMaterial &m, const Symmetric &e)
+{
+  Symmetric s = kirchhoff_stress(m, e);
+  if (m.shear > 0.)
+  {
+    const Symmetric c = right_cauchy_green(e);
+    const double squared = 1. / (determinant(c) * determinant(c));
+    s = {m.shear * (1. - c.yy * squared), m.shear * (1. - c.xx * squared),
+         m.shear * c.xy * squared};
+  }
+  return {s.xx + m.tension, s.yy + m.tension, s.xy};
+}
+
+/// Change of the stress with a change `de` of the strain.
+Symmetric stress_change(const SheetMaterial &m, const Symmetric &e,
+                        const Symmetric &de)
+{
+  if (!(m.shear > 0.))
+    return kirchhoff_stress(m, de);
+  const Symmetric c = right_cauchy_green(e);
+  const double det = determinant(c), squared = 1. / (det * det);
+  const double growth =
+      2. * (c.yy * de.xx + c.xx * de.yy - 2. * c.xy * de.xy) / det;
+  const double factor = 2. * m.shear * squared;
+  return {factor * (c.yy * growth - de.yy), factor * (c.xx * growth - de.xx),
+          factor * (de.xy - c.xy * growth)};
+}
+
 double contract(const Symmetric &a, const Symmetric &b)
 {
   return a.xx * b.xx + a.yy * b.yy + 2. * a.xy * b.xy;
+}
+
+double energy_density(const SheetMaterial &m, const Symmetric &e)
+{
+  const double start = m.tension * (e.xx + e.yy);
+  if (!(m.shear > 0.))
+    return start + 0.5 * contract(kirchhoff_stress(m, e), e);
+  const Symmetric c = right_cauchy_green(e);
+  return start + 0.5 * m.shear * (c.xx + c.yy + 1. / determinant(c) - 3.);
 }
 
 /// S_ab F_a for b = 1, 2.
@@ -130,6 +177,9 @@ BatchedSheet::BatchedSheet(const Sheet &sheet, BatchKernel chosen)
 {
   law.stiffness = sheet.material.stiffness;
   law.poisson_ratio = sheet.material.poisson_ratio;
+  law.is_neo_hookean = sheet.material.shear > 0.;
+  law.shear = sheet.material.shear;
+  law.tension = sheet.material.tension;
   for (std::size_t q = 0; q < 4; ++q)
     std::copy(sheet.value[q].begin(), sheet.value[q].end(), law.value[q]);
   for (const SheetElement &element : sheet.elements)
@@ -168,33 +218,60 @@ void evaluate_forces(const BatchedSheet &sheet,
   }
 }
 
+namespace
+{
+/// Of one element: the derivative along d at x.
+std::array<Vector, 4>
+local_tangent(const Sheet &sheet, const SheetElement &element, double pressure,
+              const std::array<Vector, 4> &x, const std::array<Vector, 4> &d)
+{
+  std::array<Vector, 4> local = zeros();
+  for (std::size_t q = 0; q < 4; ++q)
+  {
+    const SheetPoint &point = element.point[q];
+    const Tangents f = tangents(point, x), df = tangents(point, d);
+    const Symmetric e = strain(f);
+    const Symmetric de{f.first.dot(df.first), f.second.dot(df.second),
+                       0.5 * (f.first.dot(df.second) + f.second.dot(df.first))};
+    add_divergence(point, flux(stress_change(sheet.material, e, de), f), 1.,
+                   local);
+    add_divergence(point, flux(stress(sheet.material, e), df), 1., local);
+    add_load(sheet.value[q],
+             pressure * point.weight *
+                 (df.first.cross(f.second) + f.first.cross(df.second)),
+             local);
+  }
+  return local;
+}
+} // namespace
+
 void apply_tangent(const Sheet &sheet, std::span<const Vector> positions,
                    double pressure, std::span<const Vector> direction,
                    std::span<Vector> out)
 {
   std::fill(out.begin(), out.end(), Vector::Zero());
   for (const SheetElement &element : sheet.elements)
+    scatter(element,
+            local_tangent(sheet, element, pressure, gather(element, positions),
+                          gather(element, direction)),
+            out);
+}
+
+SheetTangent element_tangent(const Sheet &sheet, std::size_t element,
+                             std::span<const Vector> positions, double pressure)
+{
+  const SheetElement &quad = sheet.elements[element];
+  const std::array<Vector, 4> x = gather(quad, positions);
+  SheetTangent matrix;
+  for (Eigen::Index column = 0; column < 12; ++column)
   {
-    const std::array<Vector, 4> x = gather(element, positions);
-    const std::array<Vector, 4> d = gather(element, direction);
-    std::array<Vector, 4> local = zeros();
-    for (std::size_t q = 0; q < 4; ++q)
-    {
-      const SheetPoint &point = element.point[q];
-      const Tangents f = tangents(point, x), df = tangents(point, d);
-      const Symmetric s = stress(sheet.material, strain(f));
-      const Symmetric de{f.first.dot(df.first), f.second.dot(df.second),
-                         0.5 *
-                             (f.first.dot(df.second) + f.second.dot(df.first))};
-      add_divergence(point, flux(stress(sheet.material, de), f), 1., local);
-      add_divergence(point, flux(s, df), 1., local);
-      add_load(sheet.value[q],
-               pressure * point.weight *
-                   (df.first.cross(f.second) + f.first.cross(df.second)),
-               local);
-    }
-    scatter(element, local, out);
+    std::array<Vector, 4> unit = zeros();
+    unit[static_cast<std::size_t>(column / 3)](column % 3) = 1.;
+    const auto image = local_tangent(sheet, quad, pressure, x, unit);
+    for (std::size_t v = 0; v < 4; ++v)
+      matrix.block<3, 1>(3 * static_cast<Eigen::Index>(v), column) = image[v];
   }
+  return matrix;
 }
 
 double mean_element_force(const Sheet &sheet, std::span<const Vector> positions)
@@ -227,11 +304,11 @@ SheetState element_state(const Sheet &sheet, std::size_t element,
     const Tangents f = tangents(point, x);
     const Symmetric e = strain(f);
     const Symmetric s = stress(sheet.material, e);
-    const Symmetric c{2. * e.xx + 1., 2. * e.yy + 1., 2. * e.xy};
+    const Symmetric c = right_cauchy_green(e);
     reference += point.weight;
     present += point.weight * f.first.cross(f.second).norm();
     trace += point.weight * contract(s, c);
-    energy += 0.5 * point.weight * contract(s, e);
+    energy += point.weight * energy_density(sheet.material, e);
   }
   // tr(sigma) h da = S:C dA; a collapsed quad carries no tension.
   return {present / reference, present > 0. ? 0.5 * trace / present : 0.,

@@ -11,12 +11,18 @@
 
 namespace fem
 {
-/// St Venant-Kirchhoff in plane stress, per unit of reference area:
-/// S = c ((1 - nu) E + nu tr(E) I) with c = E h / (1 - nu^2).
+/// Per unit of reference area, with a tension T that is there at the start
+/// and stays: S = S_law + T I, W = W_law + T tr(E).
+/// St Venant-Kirchhoff in plane stress:
+/// S_law = c ((1 - nu) E + nu tr(E) I) with c = E h / (1 - nu^2).
+/// Incompressible neo-Hooke, C = 1 + 2 E: W_law = mu h / 2 (tr C + 1 / det C
+/// - 3), S_law = mu h (I - adj(C) / det(C)^2).
 struct SheetMaterial
 {
-  double stiffness = 0.;     ///< c [N/m]
-  double poisson_ratio = 0.; ///< nu [-]
+  double stiffness = 0.;     ///< c [N/m], of St Venant-Kirchhoff
+  double poisson_ratio = 0.; ///< nu [-], of St Venant-Kirchhoff
+  double shear = 0.;         ///< mu h [N/m]; above 0 for neo-Hooke
+  double tension = 0.;       ///< T [N/m]
 };
 
 /// What one quadrature point needs of the reference surface.
@@ -87,6 +93,13 @@ void apply_tangent(const Sheet &sheet,
                    std::span<const Eigen::Vector3d> positions, double pressure,
                    std::span<const Eigen::Vector3d> direction,
                    std::span<Eigen::Vector3d> out);
+
+/// The same derivative for one element as a matrix: row and column 3 v + i
+/// belong to component i of its node v [N/m].
+using SheetTangent = Eigen::Matrix<double, 12, 12>;
+SheetTangent element_tangent(const Sheet &sheet, std::size_t element,
+                             std::span<const Eigen::Vector3d> positions,
+                             double pressure);
 
 /// Mean size of the force of an element on one of its nodes [N].
 double mean_element_force(const Sheet &sheet,

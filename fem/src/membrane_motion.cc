@@ -8,7 +8,7 @@ namespace fem
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x31304d454d4c5053; // "SPLMEM01"
+constexpr std::uint64_t magic = 0x32304d454d4c5053; // "SPLMEM02"
 
 /// The same list of fields for writing and reading.
 template <typename Motion, typename Field>
@@ -17,6 +17,8 @@ void for_each_field(Motion &motion, const Field &field)
   const std::size_t n = motion.position.size();
   field(motion.position.data(), n);
   field(motion.velocity.data(), n);
+  field(motion.acceleration.data(), n);
+  field(&motion.has_acceleration, std::size_t{1});
   field(motion.moved.data(), n);
   field(motion.load.data(), n);
   field(motion.is_tied.data(), n);
@@ -41,6 +43,7 @@ MembraneMotion empty_motion(std::size_t n)
   const std::vector<Eigen::Vector3d> zeros(n, Eigen::Vector3d::Zero());
   MembraneMotion motion;
   motion.position = motion.velocity = motion.moved = motion.load = zeros;
+  motion.acceleration = zeros;
   motion.forces.internal = motion.forces.area = zeros;
   motion.is_tied.assign(n, 0);
   return motion;

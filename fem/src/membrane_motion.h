@@ -11,9 +11,12 @@ struct MembraneMotion
 {
   std::vector<Eigen::Vector3d> position; ///< [m]
   std::vector<Eigen::Vector3d> velocity; ///< [m/s]
-  std::vector<Eigen::Vector3d> moved;    ///< in the step that is open [m]
-  std::vector<Eigen::Vector3d> load;     ///< from outside, of last end_step [N]
+  /// Of the last implicit step, if nothing else came since [m/s^2].
+  std::vector<Eigen::Vector3d> acceleration;
+  std::vector<Eigen::Vector3d> moved; ///< in the step that is open [m]
+  std::vector<Eigen::Vector3d> load;  ///< from outside, of last end_step [N]
   std::vector<std::uint8_t> is_tied;
+  std::uint8_t has_acceleration = 0;
   SheetForces forces;   ///< at the positions of the last end_step
   double pressure = 0.; ///< on the outer face [Pa]
   MembraneEnergy done;  ///< works and dissipation; strain, kinetic unused

@@ -61,26 +61,60 @@ FEM_INLINE void tangents(const SheetBatch &batch,
     }
 }
 
+template <typename Lanes>
+struct Stress
+{
+  Lanes xx, yy, xy, energy;
+};
+
+/// St Venant-Kirchhoff in plane stress, from C = F^T F.
+template <typename Lanes>
+FEM_INLINE void kirchhoff(const BatchLaw &law, const Lanes &cxx,
+                          const Lanes &cyy, const Lanes &cxy, Stress<Lanes> &s)
+{
+  const Lanes exx = 0.5 * (cxx - 1.);
+  const Lanes eyy = 0.5 * (cyy - 1.);
+  const Lanes exy = 0.5 * cxy;
+  s.xx = law.stiffness * (exx + law.poisson_ratio * eyy);
+  s.yy = law.stiffness * (eyy + law.poisson_ratio * exx);
+  s.xy = law.stiffness * (1. - law.poisson_ratio) * exy;
+  s.energy = 0.5 * (s.xx * exx + s.yy * eyy + 2. * (s.xy * exy));
+}
+
+/// Incompressible: S = mu h (1 - adj(C) / det(C)^2).
+template <typename Lanes>
+FEM_INLINE void neo_hooke(const BatchLaw &law, const Lanes &cxx,
+                          const Lanes &cyy, const Lanes &cxy, Stress<Lanes> &s)
+{
+  const Lanes thinning = 1. / (cxx * cyy - cxy * cxy);
+  const Lanes squared = thinning * thinning;
+  s.xx = law.shear * (1. - cyy * squared);
+  s.yy = law.shear * (1. - cxx * squared);
+  s.xy = law.shear * cxy * squared;
+  s.energy = 0.5 * law.shear * ((cxx + cyy) + (thinning - 3.));
+}
+
 /// flux[b] = w S_ab F_a; returns the energy in `energy`.
 template <typename Lanes>
 FEM_INLINE void fluxes(const BatchLaw &law, const Lanes &weight,
                        const Lanes (*f)[3], Lanes (*flux)[3], Lanes &energy)
 {
-  Lanes exx, eyy, exy;
-  dot(exx, f[0], f[0]);
-  dot(eyy, f[1], f[1]);
-  dot(exy, f[0], f[1]);
-  exx = 0.5 * (exx - 1.);
-  eyy = 0.5 * (eyy - 1.);
-  exy = 0.5 * exy;
-  const Lanes sxx = law.stiffness * (exx + law.poisson_ratio * eyy);
-  const Lanes syy = law.stiffness * (eyy + law.poisson_ratio * exx);
-  const Lanes sxy = law.stiffness * (1. - law.poisson_ratio) * exy;
-  energy = 0.5 * weight * (sxx * exx + syy * eyy + 2. * (sxy * exy));
+  Lanes cxx, cyy, cxy;
+  dot(cxx, f[0], f[0]);
+  dot(cyy, f[1], f[1]);
+  dot(cxy, f[0], f[1]);
+  Stress<Lanes> s;
+  if (law.is_neo_hookean)
+    neo_hooke(law, cxx, cyy, cxy, s);
+  else
+    kirchhoff(law, cxx, cyy, cxy, s);
+  s.xx += law.tension;
+  s.yy += law.tension;
+  energy = weight * (s.energy + 0.5 * law.tension * ((cxx + cyy) - 2.));
   for (int i = 0; i < 3; ++i)
   {
-    flux[0][i] = weight * (sxx * f[0][i] + sxy * f[1][i]);
-    flux[1][i] = weight * (sxy * f[0][i] + syy * f[1][i]);
+    flux[0][i] = weight * (s.xx * f[0][i] + s.xy * f[1][i]);
+    flux[1][i] = weight * (s.xy * f[0][i] + s.yy * f[1][i]);
   }
 }
 

@@ -20,10 +20,14 @@ struct alignas(64) SheetBatch
   int n_used = 0;
 };
 
+/// See SheetMaterial.
 struct BatchLaw
 {
+  bool is_neo_hookean = false;
   double stiffness = 0.;     ///< c [N/m]
   double poisson_ratio = 0.; ///< nu [-]
+  double shear = 0.;         ///< mu h [N/m]
+  double tension = 0.;       ///< T [N/m]
   double value[4][4] = {};   ///< of the shape functions, [point][node] [-]
 };
 

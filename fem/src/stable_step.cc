@@ -29,18 +29,6 @@ std::vector<double> inverse_root(const SheetInertia &inertia)
   return root;
 }
 
-/// Some of every mode, the same in every run.
-Field start_vector(std::size_t n)
-{
-  std::mt19937 generator(1);
-  const auto number = [&generator]
-  { return static_cast<double>(generator()) / generator.max() - 0.5; };
-  Field field(n);
-  for (Eigen::Vector3d &entry : field)
-    for (int c = 0; c < 3; ++c)
-      entry(c) = number();
-  return field;
-}
 /// Entries of the tridiagonal matrix of the Lanczos iteration so far.
 struct Tridiagonal
 {
@@ -58,10 +46,23 @@ struct Tridiagonal
   }
 };
 
-/// Largest eigenvalue of the symmetric operator by Lanczos iteration without
-/// orthogonalisation: copies of an eigenvalue do no harm to the largest one.
-template <typename Operator>
-double largest_eigenvalue(const Operator &apply, Field direction)
+} // namespace
+
+Field start_field(std::size_t n)
+{
+  std::mt19937 generator(1);
+  const auto number = [&generator]
+  { return static_cast<double>(generator()) / generator.max() - 0.5; };
+  Field field(n);
+  for (Eigen::Vector3d &entry : field)
+    for (int c = 0; c < 3; ++c)
+      entry(c) = number();
+  return field;
+}
+
+/// Without orthogonalisation: copies of an eigenvalue do no harm to the
+/// largest one.
+double largest_eigenvalue(const FieldOperator &apply, Field direction)
 {
   Tridiagonal matrix;
   Field before(direction.size(), Eigen::Vector3d::Zero());
@@ -87,7 +88,6 @@ double largest_eigenvalue(const Operator &apply, Field direction)
   }
   return eigenvalue;
 }
-} // namespace
 
 double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
                          std::span<const Eigen::Vector3d> positions,
@@ -107,7 +107,7 @@ double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
     scale(image);
     return image;
   };
-  Field start = start_vector(positions.size());
+  Field start = start_field(positions.size());
   scale(start); // nothing on tied nodes
   return std::sqrt(std::max(0., largest_eigenvalue(apply, start)));
 }

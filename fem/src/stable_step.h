@@ -2,6 +2,8 @@
 
 #include "membrane_kernel.h"
 
+#include <functional>
+
 namespace fem
 {
 struct SheetInertia
@@ -17,4 +19,14 @@ struct SheetInertia
 double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
                          std::span<const Eigen::Vector3d> positions,
                          double pressure);
+
+/// Largest eigenvalue of a symmetric operator on fields of vectors, by Lanczos
+/// iteration from `start`, which lies in the space the operator acts in.
+using FieldOperator = std::function<std::vector<Eigen::Vector3d>(
+    const std::vector<Eigen::Vector3d> &)>;
+double largest_eigenvalue(const FieldOperator &apply,
+                          std::vector<Eigen::Vector3d> start);
+
+/// A field with some of every mode, the same in every run.
+std::vector<Eigen::Vector3d> start_field(std::size_t n_nodes);
 } // namespace fem

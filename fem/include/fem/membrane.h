@@ -1,7 +1,9 @@
 #pragma once
 
+#include <fem/implicit_rule.h>
 #include <fem/surface_mesh.h>
 
+#include <cstdint>
 #include <iosfwd>
 #include <memory>
 #include <span>
@@ -9,6 +11,12 @@
 
 namespace fem
 {
+enum class MembraneLaw : std::int64_t
+{
+  st_venant_kirchhoff, ///< up to stretches of some tens of per cent
+  neo_hooke            ///< incompressible, mu = E / 3; poisson_ratio is 0.5
+};
+
 struct MembraneParameters
 {
   double youngs_modulus = 1.4e6; ///< E [Pa]
@@ -16,6 +24,10 @@ struct MembraneParameters
   double thickness = 1e-3;       ///< undeformed [m]
   double density = 1100.;        ///< undeformed [kg/m^3]
   double mass_damping = 0.;      ///< alpha: -alpha m v on free nodes [1/s]
+  MembraneLaw law = MembraneLaw::st_venant_kirchhoff;
+  /// Tension in the reference surface, the same in all directions, that is
+  /// there before any stretch [N/m]; its energy counts from there.
+  double tension = 0.;
 };
 
 /// Energies and dissipation since construction or set_positions [J]. The
@@ -34,7 +46,7 @@ struct MembraneEnergy
 };
 
 /// Membrane of codimension one without bending stiffness: total Lagrangian,
-/// St Venant-Kirchhoff in plane stress, large displacements, lumped mass,
+/// plane stress, large displacements, lumped mass,
 /// follower pressure on the outside. Mesh, dofs, masses and output by deal.II;
 /// velocity Verlet in time, split in begin_step and end_step so that contact
 /// forces at the new positions enter in between. Serial.
@@ -66,6 +78,13 @@ public:
   /// Damping is explicit in the first half and implicit in the second, stable
   /// for any alpha. Throws std::runtime_error when the energy is not finite.
   void end_step(std::span<const Eigen::Vector3d> load, double time_step);
+
+  /// One implicit step of any length to loads that hold at its end: Newton's
+  /// method with the exact tangent of material, tension and pressure. Throws
+  /// std::runtime_error if it does not converge in 30 corrections; the state is
+  /// then as before. With a spectral radius of 0 and long steps: equilibrium.
+  void advance(std::span<const Eigen::Vector3d> load, double time_step,
+               const ImplicitRule &rule = average_acceleration());
 
   /// Longest stable step of the membrane alone, 2 / omega_max by Lanczos
   /// iteration with the exact tangent (material, tension and pressure) of the

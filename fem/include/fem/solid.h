@@ -1,0 +1,123 @@
+#pragma once
+
+#include <fem/implicit_rule.h>
+#include <fem/solid_mesh.h>
+
+#include <iosfwd>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fem
+{
+/// Linear elastic, isotropic.
+struct SolidLayer
+{
+  double youngs_modulus = 50e6; ///< E [Pa]
+  double poisson_ratio = 0.3;   ///< nu [-], below 0.5
+  double density = 1800.;       ///< [kg/m^3]
+};
+
+/// Speeds of plane waves [m/s].
+double pressure_wave_speed(const SolidLayer &layer);
+double shear_wave_speed(const SolidLayer &layer);
+
+struct SolidParameters
+{
+  std::vector<SolidLayer> layers{SolidLayer{}}; ///< by number of the layer
+  double mass_damping = 0.;      ///< Rayleigh alpha: force -alpha m v [1/s]
+  double stiffness_damping = 0.; ///< Rayleigh beta: force -beta K v [s]
+};
+
+/// Energies and dissipation since construction [J]. The balance strain +
+/// kinetic + damping + absorbed - load_work - support_work is constant: to
+/// round-off in quasi-static steps and with average acceleration, to second
+/// order in the time step in explicit ones.
+struct SolidEnergy
+{
+  double strain = 0.;       ///< stored now
+  double kinetic = 0.;      ///< now
+  double damping = 0.;      ///< dissipated by Rayleigh damping
+  double absorbed = 0.;     ///< carried away through absorbing boundaries
+  double load_work = 0.;    ///< done by the loads
+  double support_work = 0.; ///< done by whatever moves the supports
+};
+
+/// Longest step of begin_step and end_step, and why. Stiffness damping
+/// shortens both.
+struct StepLimit
+{
+  double time_step = 0.; ///< 2 / omega_max by Lanczos iteration [s]
+  /// 2 / omega of the fastest single cell: no mode of the body is faster [s].
+  double guaranteed = 0.;
+  std::string reason; ///< the fastest cell, in words
+};
+
+/// Elastic body at small strains on eight-node cells with incompatible modes,
+/// lumped mass. Three ways to move it, which may follow one another: explicit
+/// (begin_step, end_step), implicit (advance), without inertia (settle).
+/// Displacements and loads are one vector per node of the mesh. Serial.
+class Solid
+{
+public:
+  /// Throws std::invalid_argument on parameters or meshes that make no sense.
+  Solid(const SolidParameters &parameters, const SolidMesh &mesh);
+  ~Solid();
+  Solid(Solid &&) noexcept;
+
+  /// These components follow the support from now on; at rest unless moved.
+  void fix(std::int32_t boundary, const std::array<bool, 3> &components);
+  void fix_node(std::int32_t node, const std::array<bool, 3> &components);
+  /// Velocity of the fixed components of a node in the coming steps [m/s].
+  void set_support_velocity(std::int32_t node, const Eigen::Vector3d &velocity);
+  /// Where settle puts the fixed components of a node [m].
+  void set_support_displacement(std::int32_t node,
+                                const Eigen::Vector3d &displacement);
+
+  /// Dashpots rho c_p along the normal and rho c_s across it per area: no
+  /// reflection of waves that meet the boundary at right angles (Lysmer and
+  /// Kuhlemeyer 1969). They hold nothing at rest.
+  void absorb(std::int32_t boundary);
+
+  /// Explicit, as Membrane does it: half kick and drift; then forces at the
+  /// new positions with these loads [N], and the second half kick. Dashpots
+  /// and mass damping are implicit in the second half; stiffness damping is
+  /// half a step late. Throws std::runtime_error when the energy is not finite.
+  void begin_step(double time_step);
+  void end_step(std::span<const Eigen::Vector3d> load, double time_step);
+  StepLimit stable_time_step() const;
+
+  /// One implicit step to loads that hold at its end. The matrix is factored
+  /// again only when the step, the rule or the supports have changed.
+  void advance(std::span<const Eigen::Vector3d> load, double time_step,
+               const ImplicitRule &rule = average_acceleration());
+
+  /// Equilibrium under these loads without inertia; velocities become zero.
+  /// Throws std::runtime_error if the supports do not hold the body.
+  void settle(std::span<const Eigen::Vector3d> load);
+
+  const SolidMesh &mesh() const;
+  std::span<const Eigen::Vector3d> displacements() const; ///< [m]
+  std::span<const Eigen::Vector3d> velocities() const;    ///< [m/s]
+  std::span<const double> nodal_mass() const; ///< lumped [kg]; 0 if hanging
+  SolidEnergy energy() const;
+  /// Force that a node puts on its support: elastic, viscous and load [N]; the
+  /// inertia of the node is left out.
+  Eigen::Vector3d reaction(std::int32_t node) const;
+  /// Stress in the middle of a cell, tension positive: xx, yy, zz, yz, zx, xy
+  /// [Pa].
+  std::array<double, 6> stress(std::size_t cell) const;
+
+  /// Displacement, velocity and load of the nodes, stress of the cells.
+  void write_vtu(const std::string &path) const;
+
+  void save(std::ostream &out) const; ///< full state, bit for bit
+  void load(std::istream &in); ///< throws std::runtime_error if it does not fit
+
+private:
+  friend class CondensedSolid;
+  struct State;
+  std::unique_ptr<State> state;
+};
+} // namespace fem

@@ -1,0 +1,198 @@
+#include "membrane_state.h"
+
+#include <Eigen/Sparse>
+#include <Eigen/SparseLU>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace fem
+{
+namespace
+{
+using Vector = Eigen::Vector3d;
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// Numbers of the free components, three to a node; -1 where a node is tied.
+std::vector<int> number_unknowns(std::span<const std::uint8_t> is_tied)
+{
+  std::vector<int> number(is_tied.size(), -1);
+  int n_free = 0;
+  for (std::size_t k = 0; k < is_tied.size(); ++k)
+    if (!is_tied[k])
+      number[k] = 3 * n_free++;
+  return number;
+}
+
+void add_element(const SheetElement &element, const SheetTangent &tangent,
+                 const std::vector<int> &number,
+                 std::vector<Eigen::Triplet<double>> &entries)
+{
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 12; ++column)
+    {
+      const auto node = [&](int i)
+      {
+        return static_cast<std::size_t>(
+            element.node[static_cast<std::size_t>(i / 3)]);
+      };
+      const int r = number[node(row)], c = number[node(column)];
+      if (r >= 0 && c >= 0)
+        entries.emplace_back(r + row % 3, c + column % 3, tangent(row, column));
+    }
+}
+
+double size(const std::vector<Vector> &field)
+{
+  double sum = 0.;
+  for (const Vector &entry : field)
+    sum += entry.squaredNorm();
+  return std::sqrt(sum);
+}
+} // namespace
+
+void Membrane::State::start_accelerations()
+{
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    now.acceleration[k] =
+        now.is_tied[k] ? Vector::Zero()
+                       : Vector(force(k) / mass[k] -
+                                parameters.mass_damping * now.velocity[k]);
+  now.has_acceleration = 1;
+}
+
+std::vector<Vector> Membrane::State::residual(const MembraneStep &step) const
+{
+  std::vector<Vector> result(mass.size(), Vector::Zero());
+  const double am = step.rule.alpha_m, af = step.rule.alpha_f;
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    if (!now.is_tied[k])
+      result[k] =
+          mass[k] *
+              ((1. - am) * now.acceleration[k] + am * step.acceleration[k] +
+               parameters.mass_damping *
+                   ((1. - af) * now.velocity[k] + af * step.velocity[k])) -
+          (1. - af) * force(k) - af * step.force[k];
+  return result;
+}
+
+void Membrane::State::correct(const MembraneStep &step,
+                              const std::vector<Vector> &residual_now)
+{
+  const std::vector<int> number = number_unknowns(now.is_tied);
+  const double end = 1. - step.rule.alpha_f, dt = step.time_step;
+  const double inertia = ((1. - step.rule.alpha_m) / dt +
+                          end * step.rule.gamma * parameters.mass_damping) /
+                         (step.rule.beta * dt);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < sheet.elements.size(); ++k)
+    add_element(sheet.elements[k],
+                end * element_tangent(sheet, k, now.position, now.pressure),
+                number, entries);
+  int n = 0;
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    for (int i = 0; i < 3 && number[k] >= 0; ++i, ++n)
+      entries.emplace_back(number[k] + i, number[k] + i, inertia * mass[k]);
+
+  Matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd right(n);
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    if (number[k] >= 0)
+      right.segment<3>(number[k]) = -residual_now[k];
+  Eigen::SparseLU<Matrix> factors(matrix);
+  if (factors.info() != Eigen::Success)
+    throw std::runtime_error("membrane: the matrix of an implicit step cannot "
+                             "be factored; a shorter step may help");
+  const Eigen::VectorXd change = factors.solve(right);
+  for (std::size_t k = 0; k < mass.size(); ++k)
+  {
+    if (number[k] < 0)
+      continue;
+    now.position[k] += change.segment<3>(number[k]);
+    now.acceleration[k] =
+        (now.position[k] - step.predicted[k]) / (step.rule.beta * dt * dt);
+    now.velocity[k] =
+        step.velocity[k] + dt * ((1. - step.rule.gamma) * step.acceleration[k] +
+                                 step.rule.gamma * now.acceleration[k]);
+  }
+}
+
+/// Size of a residual that counts as none: of the forces, and of the positions
+/// whose small changes the accelerations are [N].
+double Membrane::State::round_off(const MembraneStep &step) const
+{
+  const double n_roots = std::sqrt(static_cast<double>(mass.size()));
+  const double forces = n_roots * mean_element_force(sheet, now.position) +
+                        size(now.load) +
+                        std::abs(now.pressure) * size(now.forces.area);
+  double squared = 0.;
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    squared += mass[k] * mass[k] * now.position[k].squaredNorm();
+  return 1e-10 * forces +
+         1e-15 * std::sqrt(squared) /
+             (step.rule.beta * step.time_step * step.time_step);
+}
+
+/// Half of the work with the forces and velocities before the step, half with
+/// those after it.
+void Membrane::State::book_step_from(const MembraneMotion &before)
+{
+  MembraneMotion after = before;
+  std::swap(now, after);
+  for (std::size_t k = 0; k < mass.size(); ++k)
+  {
+    now.moved[k] = after.position[k] - before.position[k];
+    book_half_step(k);
+  }
+  after.moved = now.moved;
+  after.done = now.done;
+  std::swap(now, after);
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    book_half_step(k);
+}
+
+void Membrane::advance(std::span<const Vector> load, double time_step,
+                       const ImplicitRule &rule)
+{
+  check_membrane_step(time_step);
+  check_membrane_size("loads", load.size(), n_nodes());
+  MembraneMotion &now = state->now;
+  const MembraneMotion before = now;
+  if (!now.has_acceleration)
+    state->start_accelerations();
+  MembraneStep step{time_step,        rule, now.position, now.velocity,
+                    now.acceleration, {},   now.position};
+  for (std::size_t k = 0; k < n_nodes(); ++k)
+  {
+    step.force.push_back(state->force(k));
+    const Vector drift = time_step * now.velocity[k];
+    if (now.is_tied[k])
+      now.position[k] += drift;
+    step.predicted[k] +=
+        drift + (0.5 - rule.beta) * time_step * time_step * now.acceleration[k];
+    now.acceleration[k] = (now.position[k] - step.predicted[k]) /
+                          (rule.beta * time_step * time_step);
+    now.velocity[k] += time_step * ((1. - rule.gamma) * step.acceleration[k] +
+                                    rule.gamma * now.acceleration[k]);
+  }
+  std::copy(load.begin(), load.end(), now.load.begin());
+  for (int round = 0; round <= 30; ++round)
+  {
+    evaluate_forces(state->batched, now.position, now.forces);
+    const std::vector<Vector> residual = state->residual(step);
+    if (size(residual) <= state->round_off(step))
+    {
+      state->book_step_from(before);
+      return;
+    }
+    if (!std::isfinite(size(residual)))
+      break;
+    state->correct(step, residual);
+  }
+  now = before;
+  throw std::runtime_error("membrane: no equilibrium of an implicit step of " +
+                           std::to_string(time_step) +
+                           " s; a shorter step may help");
+}
+} // namespace fem

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "membrane_motion.h"
+#include "membrane_space.h"
+
+#include <fem/membrane.h>
+
+namespace fem
+{
+/// What an implicit step starts from.
+struct MembraneStep
+{
+  double time_step = 0.; ///< [s]
+  ImplicitRule rule;
+  std::vector<Eigen::Vector3d> position, velocity, acceleration, force;
+  std::vector<Eigen::Vector3d> predicted; ///< positions without new a [m]
+};
+
+/// Throw std::invalid_argument.
+void check_membrane_step(double time_step);
+void check_membrane_size(const char *what, std::size_t given,
+                         std::size_t n_nodes);
+
+struct Membrane::State
+{
+  State(const MembraneParameters &p, const SurfaceMesh &reference);
+
+  std::size_t checked_node(std::int32_t node) const;
+  std::size_t tied_node(std::int32_t node) const;
+  Eigen::Vector3d force(std::size_t k) const;
+  void set_velocity(std::size_t k, const Eigen::Vector3d &velocity);
+  void book_half_step(std::size_t k);
+  void start_from(std::span<const Eigen::Vector3d> positions);
+  double round_off(const MembraneStep &step) const;
+  void book_step_from(const MembraneMotion &before);
+  void start_accelerations();
+  /// Inertia and damping less the forces of the step, free nodes only [N].
+  std::vector<Eigen::Vector3d> residual(const MembraneStep &step) const;
+  /// One correction of the positions by the consistent tangent.
+  void correct(const MembraneStep &step,
+               const std::vector<Eigen::Vector3d> &residual);
+
+  const MembraneParameters parameters;
+  const SurfaceMesh mesh;
+  const MembraneSpace space;
+  const std::vector<std::vector<std::int32_t>> rims;
+  const std::uint64_t identity;
+  const Sheet sheet;
+  const BatchedSheet batched; ///< the same, for the steps
+  std::vector<double> mass;   ///< [kg]
+  MembraneMotion now;
+};
+} // namespace fem

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <fem/solid.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+
+namespace fem
+{
+/// Row and column 3 v + c belong to component c of corner v.
+using CellMatrix = Eigen::Matrix<double, 24, 24, Eigen::RowMajor>;
+using CellCorners = std::array<Eigen::Vector3d, 8>;
+
+/// Stiffness of the eight-node cell with incompatible modes [N/m]: the
+/// trilinear displacement and, inside each cell, 1 - xi^2, 1 - eta^2 and
+/// 1 - zeta^2 times nine amplitudes that are eliminated (Wilson 1973). Their
+/// gradients are taken with the Jacobian of the centre (Taylor, Beresford,
+/// Wilson 1976), so that the patch test holds on any cells. 2 x 2 x 2 Gauss.
+/// Throws std::invalid_argument where the Jacobian is not positive.
+CellMatrix cell_stiffness(const CellCorners &corners, const SolidLayer &layer);
+
+/// Lumped masses rho int N_v dV of the corners [kg].
+std::array<double, 8> cell_mass(const CellCorners &corners, double density);
+
+/// Stress at the centre, where the incompatible modes have no gradient:
+/// xx, yy, zz, yz, zx, xy, tension positive [Pa].
+Eigen::Matrix<double, 6, 1>
+centre_stress(const CellCorners &corners, const SolidLayer &layer,
+              const std::array<Eigen::Vector3d, 8> &displacement);
+} // namespace fem

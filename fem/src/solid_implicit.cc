@@ -1,0 +1,157 @@
+#include "solid_state.h"
+
+namespace fem
+{
+namespace
+{
+using Vector = Eigen::Vector3d;
+
+bool operator==(const SystemWeights &a, const SystemWeights &b)
+{
+  return a.mass == b.mass && a.dashpot == b.dashpot &&
+         a.stiffness == b.stiffness;
+}
+} // namespace
+
+const SparseFactor &Solid::State::factor(const SystemWeights &weights)
+{
+  const int version = supports.version() + n_dashpot_changes;
+  if (!kept.factor || kept.version != version || !(kept.weights == weights))
+  {
+    kept.factor.reset(); // its memory first
+    kept.factor.emplace(assemble(parts(), weights));
+    kept.weights = weights;
+    kept.version = version;
+  }
+  return *kept.factor;
+}
+
+/// From the balance of forces now; fixed and hanging nodes have none.
+void Solid::State::start_accelerations()
+{
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    for (int c = 0; c < 3; ++c)
+      now.acceleration[k](c) =
+          supports.unknown(k, c) < 0
+              ? 0.
+              : (force(k) - dashpot[k] * now.velocity[k])(c) / mass[k];
+  now.has_acceleration = true;
+}
+
+/// K (end (u + beta v) + (1 - end) (u_0 + beta v_0)) [N]: elastic and viscous
+/// force at the time where the rule takes them.
+NodeField Solid::State::mixed_force(const NodeField &start,
+                                    const NodeField &speed, double end) const
+{
+  const double beta = parameters.stiffness_damping;
+  NodeField mixed(mass.size()), result(mass.size());
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    mixed[k] = end * (now.displacement[k] + beta * now.velocity[k]) +
+               (1. - end) * (start[k] + beta * speed[k]);
+  supports.spread(mixed);
+  elastic.multiply(mixed, result);
+  supports.collect(result);
+  return result;
+}
+
+/// New accelerations from the predicted motion in `now` and the old one.
+void Solid::State::solve_accelerations(const ImplicitStep &step,
+                                       const NodeField &start,
+                                       const NodeField &speed)
+{
+  const double end = 1. - step.rule.alpha_f;
+  const double beta = parameters.stiffness_damping;
+  const SparseFactor &system =
+      factor({1. - step.rule.alpha_m, end * step.rule.gamma * step.time_step,
+              end * (step.rule.beta * step.time_step + beta * step.rule.gamma) *
+                  step.time_step});
+  const NodeField internal = mixed_force(start, speed, end);
+  NodeField load(step.load.begin(), step.load.end());
+  supports.collect(load);
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    load[k] =
+        end * load[k] + step.rule.alpha_f * now.load[k] -
+        step.rule.alpha_m * mass[k] * now.acceleration[k] -
+        dashpot[k] * (end * now.velocity[k] + step.rule.alpha_f * speed[k]) -
+        internal[k];
+  from_unknowns(supports, system.solve(to_unknowns(supports, load)),
+                now.acceleration);
+}
+
+void Solid::advance(std::span<const Vector> load, double time_step,
+                    const ImplicitRule &rule)
+{
+  check_solid_step(time_step);
+  check_solid_loads(load.size(), state->mass.size());
+  SolidMotion &now = state->now;
+  state->put_supports_in_motion();
+  if (!now.has_acceleration)
+    state->start_accelerations();
+
+  // Predicted without the new accelerations; the matrix adds their share.
+  const NodeField start = now.displacement, speed = now.velocity;
+  for (std::size_t k = 0; k < start.size(); ++k)
+  {
+    now.displacement[k] +=
+        time_step *
+        (speed[k] + (0.5 - rule.beta) * time_step * now.acceleration[k]);
+    now.velocity[k] += (1. - rule.gamma) * time_step * now.acceleration[k];
+  }
+  state->solve_accelerations({load, time_step, rule}, start, speed);
+
+  NodeField end_speed = now.velocity;
+  for (std::size_t k = 0; k < start.size(); ++k)
+  {
+    now.displacement[k] +=
+        rule.beta * time_step * time_step * now.acceleration[k];
+    end_speed[k] += rule.gamma * time_step * now.acceleration[k];
+    now.moved[k] = now.displacement[k] - start[k];
+  }
+  now.velocity = speed; // the forces at the start do their half of the work
+  state->book_half_step();
+  now.velocity = end_speed;
+  state->supports.spread(now.displacement);
+  state->supports.spread(now.velocity);
+  state->set_load(load);
+  state->update_forces();
+  state->book_half_step();
+}
+
+void Solid::settle(std::span<const Vector> load)
+{
+  check_solid_loads(load.size(), state->mass.size());
+  SolidMotion &now = state->now;
+  const SolidSupports &supports = state->supports;
+  const SparseFactor &factor = state->factor({0., 0., 1.});
+  now.done.damping += energy().kinetic; // brought to rest
+  const std::size_t n = state->mass.size();
+  now.velocity.assign(n, Vector::Zero());
+  now.acceleration = now.viscous = now.velocity;
+  now.has_acceleration = true;
+
+  NodeField start = now.displacement, target = now.displacement, internal(n);
+  for (std::size_t k = 0; k < n; ++k)
+    for (int c = 0; c < 3; ++c)
+      if (supports.is_fixed(k, c))
+        target[k](c) = now.support_displacement[k](c);
+  supports.spread(target);
+  state->elastic.multiply(target, internal);
+  supports.collect(internal);
+  NodeField residual(load.begin(), load.end());
+  supports.collect(residual);
+  for (std::size_t k = 0; k < n; ++k)
+    residual[k] -= internal[k];
+  NodeField change(n, Vector::Zero());
+  from_unknowns(supports, factor.solve(to_unknowns(supports, residual)),
+                change);
+  for (std::size_t k = 0; k < n; ++k)
+    now.moved[k] = target[k] + change[k] - start[k];
+  supports.spread(now.moved);
+  state->book_half_step();
+  for (std::size_t k = 0; k < n; ++k)
+    now.displacement[k] = start[k] + now.moved[k];
+  state->set_load(load);
+  state->update_forces();
+  state->book_half_step();
+}
+} // namespace fem

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "solid_system.h"
+
+#include <fem/solid.h>
+
+#include <optional>
+
+namespace fem
+{
+/// What changes with time. Loads and forces of hanging nodes are with their
+/// parents.
+struct SolidMotion
+{
+  NodeField displacement, velocity, acceleration; ///< [m], [m/s], [m/s^2]
+  NodeField moved;                                ///< in the present step [m]
+  NodeField load, elastic, viscous;               ///< f, K u and beta K v [N]
+  NodeField support_velocity, support_displacement;
+  SolidEnergy done; ///< works and dissipation so far [J]
+  bool has_acceleration = false;
+};
+
+/// Factors of the last implicit or quasi-static matrix, and what it was.
+struct KeptFactor
+{
+  SystemWeights weights;
+  int version = -1; ///< of the supports and dashpots
+  std::optional<SparseFactor> factor;
+};
+
+/// One implicit step, as advance is asked for it.
+struct ImplicitStep
+{
+  std::span<const Eigen::Vector3d> load; ///< at its end [N]
+  double time_step = 0.;                 ///< [s]
+  ImplicitRule rule;
+};
+
+struct Solid::State
+{
+  State(const SolidParameters &parameters, const SolidMesh &mesh);
+
+  SolidParts parts() const { return {mesh, elastic, supports, mass, dashpot}; }
+  /// Dashpots and mass damping on the free components.
+  void update_dashpots();
+  const SparseFactor &factor(const SystemWeights &weights);
+
+  /// All but the dashpots and mass damping [N].
+  Eigen::Vector3d force(std::size_t k) const
+  {
+    return now.load[k] - now.elastic[k] - now.viscous[k];
+  }
+  void put_supports_in_motion();
+  void set_load(std::span<const Eigen::Vector3d> load);
+  void update_forces();
+  /// Half the work of the present forces over now.moved.
+  void book_half_step();
+  void start_accelerations();
+  NodeField mixed_force(const NodeField &start, const NodeField &speed,
+                        double end) const;
+  void solve_accelerations(const ImplicitStep &step, const NodeField &start,
+                           const NodeField &speed);
+  double strain_energy() const;
+  double largest_frequency() const;
+  std::uint64_t fingerprint() const;
+
+  const SolidParameters parameters;
+  const SolidMesh mesh;
+  const SolidOperator elastic;
+  SolidSupports supports;
+  std::vector<double> mass;              ///< with that of hanging nodes [kg]
+  std::vector<Eigen::Matrix3d> absorber; ///< of absorbing boundaries [kg/s]
+  std::vector<Eigen::Matrix3d> dashpot;  ///< with mass damping, free part only
+  std::vector<char> has_absorber;
+  SolidMotion now;
+  KeptFactor kept;
+  int n_dashpot_changes = 0;
+};
+
+/// Throws std::invalid_argument with the name of what makes no sense.
+void check_solid(const SolidParameters &parameters, const SolidMesh &mesh);
+void check_solid_step(double time_step);
+void check_solid_loads(std::size_t n_given, std::size_t n_nodes);
+
+struct SolidFields
+{
+  std::span<const Eigen::Vector3d> displacement, velocity, load;
+  std::vector<std::array<double, 6>> stress; ///< of the cells [Pa]
+};
+/// Throws std::runtime_error if the file cannot be written.
+void write_solid_vtu(const std::string &path, const SolidMesh &mesh,
+                     const SolidFields &fields);
+} // namespace fem

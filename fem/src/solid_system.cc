@@ -1,0 +1,123 @@
+#include "solid_system.h"
+
+#include <Eigen/CholmodSupport>
+
+#include <stdexcept>
+
+namespace fem
+{
+namespace
+{
+using Triplets = std::vector<Eigen::Triplet<double>>;
+using Shares = std::vector<SolidSupports::Share>;
+
+void add_product(const Shares &rows, const Shares &columns, double value,
+                 Triplets &entries)
+{
+  for (const auto &row : rows)
+    for (const auto &column : columns)
+      if (row.unknown >= column.unknown)
+        entries.emplace_back(row.unknown, column.unknown,
+                             value * row.weight * column.weight);
+}
+
+void add_cell(const SolidParts &parts, std::size_t cell, double weight,
+              Triplets &entries)
+{
+  const CellMatrix &stiffness = parts.elastic.stiffness(cell);
+  std::array<Shares, 24> shares;
+  for (std::size_t i = 0; i < 24; ++i)
+    shares[i] = parts.supports.shares(
+        static_cast<std::size_t>(parts.mesh.cells[cell][i / 3]),
+        static_cast<int>(i % 3));
+  for (std::size_t i = 0; i < 24; ++i)
+    for (std::size_t j = 0; j < 24; ++j)
+      add_product(shares[i], shares[j],
+                  weight * stiffness(static_cast<Eigen::Index>(i),
+                                     static_cast<Eigen::Index>(j)),
+                  entries);
+}
+
+void add_node(const SolidParts &parts, std::size_t node,
+              const SystemWeights &weights, Triplets &entries)
+{
+  const Eigen::Matrix3d sum =
+      weights.mass * parts.mass[node] * Eigen::Matrix3d::Identity() +
+      weights.dashpot * parts.dashpot[node];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j)
+    {
+      const std::int32_t row = parts.supports.unknown(node, i);
+      const std::int32_t column = parts.supports.unknown(node, j);
+      if (row >= 0 && column >= 0)
+        entries.emplace_back(row, column, sum(i, j));
+    }
+}
+
+template <typename Action>
+void for_each_unknown(const SolidSupports &supports, std::size_t n_nodes,
+                      const Action &action)
+{
+  for (std::size_t k = 0; k < n_nodes; ++k)
+    for (int c = 0; c < 3; ++c)
+      if (const std::int32_t unknown = supports.unknown(k, c); unknown >= 0)
+        action(unknown, k, c);
+}
+} // namespace
+
+SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights)
+{
+  Triplets entries;
+  entries.reserve(300 * parts.mesh.cells.size() + 6 * parts.mesh.nodes.size());
+  for (std::size_t k = 0; k < parts.mesh.cells.size(); ++k)
+    add_cell(parts, k, weights.stiffness, entries);
+  for (std::size_t k = 0; k < parts.mesh.nodes.size(); ++k)
+    add_node(parts, k, weights, entries);
+  const auto n = static_cast<Eigen::Index>(parts.supports.n_unknowns());
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::VectorXd to_unknowns(const SolidSupports &supports,
+                            std::span<const Eigen::Vector3d> field)
+{
+  Eigen::VectorXd values(static_cast<Eigen::Index>(supports.n_unknowns()));
+  for_each_unknown(supports, field.size(),
+                   [&](std::int32_t unknown, std::size_t k, int c)
+                   { values(unknown) = field[k](c); });
+  return values;
+}
+
+void from_unknowns(const SolidSupports &supports, const Eigen::VectorXd &values,
+                   std::span<Eigen::Vector3d> field)
+{
+  for_each_unknown(supports, field.size(),
+                   [&](std::int32_t unknown, std::size_t k, int c)
+                   { field[k](c) = values(unknown); });
+}
+
+struct SparseFactor::Factors
+{
+  Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> cholesky;
+};
+
+SparseFactor::SparseFactor(const SparseMatrix &lower)
+    : factors(std::make_unique<Factors>())
+{
+  factors->cholesky.cholmod().print = 0; // what is wrong is thrown
+  factors->cholesky.compute(lower);
+  if (factors->cholesky.info() != Eigen::Success)
+    throw std::runtime_error("solid: the matrix of its " +
+                             std::to_string(lower.rows()) +
+                             " unknowns is not positive definite: do the "
+                             "supports hold the body?");
+}
+SparseFactor::~SparseFactor() = default;
+
+Eigen::MatrixXd
+SparseFactor::solve(const Eigen::MatrixXd &right_hand_sides) const
+{
+  return factors->cholesky.solve(right_hand_sides);
+}
+} // namespace fem

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "solid_operator.h"
+#include "solid_supports.h"
+
+#include <Eigen/Sparse>
+
+#include <memory>
+
+namespace fem
+{
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Everything linear about a body: a sum of these three on its unknowns.
+struct SystemWeights
+{
+  double mass = 0.;
+  double dashpot = 0.;
+  double stiffness = 0.;
+};
+
+/// The parts that the sum is made of.
+struct SolidParts
+{
+  const SolidMesh &mesh;
+  const SolidOperator &elastic;
+  const SolidSupports &supports;
+  std::span<const double> mass; ///< of the nodes that do not hang [kg]
+  std::span<const Eigen::Matrix3d> dashpot; ///< of the same nodes [kg/s]
+};
+
+/// Lower triangle of the sum, on the unknowns of the supports.
+SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights);
+
+/// Free components of a field in the order of the unknowns, and back; fixed
+/// and hanging ones are left as they are.
+Eigen::VectorXd to_unknowns(const SolidSupports &supports,
+                            std::span<const Eigen::Vector3d> field);
+void from_unknowns(const SolidSupports &supports, const Eigen::VectorXd &values,
+                   std::span<Eigen::Vector3d> field);
+
+/// Cholesky factors of a symmetric, positive definite matrix (CHOLMOD,
+/// supernodal). Throws std::runtime_error if it is not definite.
+class SparseFactor
+{
+public:
+  explicit SparseFactor(const SparseMatrix &lower);
+  ~SparseFactor();
+  Eigen::MatrixXd solve(const Eigen::MatrixXd &right_hand_sides) const;
+
+private:
+  struct Factors;
+  std::unique_ptr<Factors> factors;
+};
+} // namespace fem
