@@ -40,7 +40,9 @@ PrincipalCurvatures principal_curvatures(const RadialExpansion &expansion)
   const double r = expansion.radius, slope = g.norm();
   const double w = std::hypot(r, slope);
   Frame frame = tangent_frame(s);
-  if (slope > 1e-12 * std::abs(r)) // else any frame is principal of I
+  // Below, any frame is principal of I to (g / r)^2, and the direction of g
+  // may be round-off.
+  if (slope > 1e-7 * std::abs(r))
     frame = {g / slope, s.cross(g) / slope};
 
   const Mat3 &h = expansion.hessian;
