@@ -1,3 +1,4 @@
+#include <dem/boundary/drum_contacts.h>
 #include <dem/engine.h>
 #include <dem/integrate/verlet.h>
 #include <dem/search/space_order.h>
@@ -53,21 +54,23 @@ constexpr double rebuild_of_balls = 8., rebuild_of_shapes = 30.;
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
-    : settings(parameters),
-      elasticity(
-          mix({parameters.stone.shear_modulus, parameters.stone.poisson_ratio},
-              {parameters.stone.shear_modulus, parameters.stone.poisson_ratio}))
+    : settings(parameters), elasticity(parameters)
 {
 }
 
 void Engine::add_stone(const Body &body, const Vec3 &position,
-                       const Quaternion &orientation)
+                       const Quaternion &orientation, std::uint8_t material)
 {
-  stones.add(body, position, orientation, settings.stone.density);
+  stones.add(body, position, orientation,
+             material == 0 ? settings.stone.density
+                           : settings.other_solids.at(material - 1u).density);
+  stones.material.back() = material;
+  stones.has_materials |= material != 0;
   pair_finder.forget();
   const double diameter = 2. * stones.last().radius;
   stones.is_breakable.back() =
-      body.series && diameter >= settings.breakage.min_diameter * (1. - 1e-9);
+      body.series && material == 0 &&
+      diameter >= settings.breakage.min_diameter * (1. - 1e-9);
   work.damped.push_back(0.);
   work.lifted.push_back(0.);
   lists_are_stale = true;
@@ -84,6 +87,12 @@ void Engine::deactivate_plane(std::size_t plane)
 {
   walls[plane].is_active = false;
   walls[plane].force = Vec3::Zero();
+  lists_are_stale = true;
+}
+
+void Engine::set_drum(const Drum &drum)
+{
+  barrel = drum;
   lists_are_stale = true;
 }
 
@@ -131,6 +140,7 @@ void Engine::advance(double time_step)
   if (evaluate_contacts(time_step))
     break_corners(time_step);
   load_planes(time_step);
+  load_drum(time_step);
   book_surface_work(time_step);
   finish_kick(time_step);
 }
@@ -158,6 +168,8 @@ void Engine::move_planes(double time_step)
     // Trapezoidal rule: this half with the old force, load_planes the other.
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
   }
+  barrel.angle += time_step * barrel.spin;
+  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
 }
 
 void Engine::keep_lists(const Speeds &fastest, double time_step)
@@ -168,7 +180,10 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
       boundary = std::max(boundary, plane.velocity.squaredNorm());
   for (const Vec3 &velocity : facet_surface.velocity)
     boundary = std::max(boundary, velocity.squaredNorm());
-  boundary = std::sqrt(boundary);
+  // Of a drum the shelf alone comes nearer to a stone.
+  const double rim =
+      barrel.shelf_height > 0. ? barrel.spin * barrel.radius : 0.;
+  boundary = std::sqrt(std::max(boundary, rim * rim));
   travelled += (fastest.moving + boundary) * time_step;
   margin.left -=
       (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
@@ -205,6 +220,11 @@ void Engine::rebuild_lists()
       stones, walls,
       {wall_layout(settings, settings.wall, stones), geometry, margin.width},
       plane_batch, lost);
+  if (barrel.is_there())
+    rebuild_drum(
+        stones, barrel,
+        {wall_layout(settings, settings.wall, stones), geometry, margin.width},
+        drum_batch, lost);
   if (has_surface())
     rebuild_facets(stones, facet_surface,
                    {wall_layout(settings, settings.surface, stones), geometry,
@@ -232,6 +252,7 @@ void Engine::sort_in_space()
   const std::vector<std::int32_t> place = places(order);
   renumber_pairs(place, pair_batch);
   renumber_planes(place, plane_batch);
+  renumber_planes(place, drum_batch);
   renumber_facets(place, facet_candidates, facet_batch);
 }
 
@@ -251,6 +272,8 @@ bool Engine::evaluate_contacts(double time_step)
 {
   const Timer timer(spent.contacts);
   plane_rows(walls, plane_walls);
+  if (barrel.is_there())
+    find_drum(stones, barrel, drum_batch, drum_walls);
   if (has_surface())
     find_facets(context(time_step), facet_surface, *topology, facet_batch,
                 facet_candidates, facet_walls);
@@ -268,6 +291,8 @@ bool Engine::run_contacts(const ForceContext &all)
     sum.wants_breakage |= part.wants_breakage;
   };
   add(wall_forces(all, {settings.wall, plane_walls}, plane_batch, ranges));
+  if (barrel.is_there())
+    add(wall_forces(all, {settings.wall, drum_walls}, drum_batch, ranges));
   if (has_surface())
     add(wall_forces(all, {settings.surface, facet_walls}, facet_batch, ranges));
   lost += sum.lost;
@@ -280,8 +305,10 @@ void Engine::break_corners(double time_step)
   ContactSet contacts{pair_batch,
                       plane_batch,
                       facet_batch,
+                      drum_batch,
                       {settings.wall, plane_walls},
-                      {settings.surface, facet_walls}};
+                      {settings.surface, facet_walls},
+                      {settings.wall, drum_walls}};
   const std::size_t before = events.size();
   refused_count +=
       break_stones(context(time_step), stones, contacts, now, events);
@@ -316,6 +343,14 @@ void Engine::load_planes(double time_step)
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
 }
 
+void Engine::load_drum(double time_step)
+{
+  if (!barrel.is_there())
+    return;
+  barrel.torque = drum_torque(barrel, drum_batch, drum_walls);
+  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
+}
+
 void Engine::book_surface_work(double time_step)
 {
   if (!has_surface())
@@ -336,7 +371,8 @@ EngineEnergy Engine::energy() const
   energy.rolling = lost.rolling;
   energy.damping = lost.damping;
   energy.shape_work = lost.shape_work;
-  for (const ContactBatch *batch : {&pair_batch, &plane_batch, &facet_batch})
+  for (const ContactBatch *batch :
+       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
     energy.elastic += elastic_energy(*batch);
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
@@ -349,6 +385,7 @@ EngineEnergy Engine::energy() const
   energy.fracture = fractured;
   for (const Plane &plane : walls)
     energy.plane_work += plane.work;
+  energy.drum_work = barrel.work;
   energy.surface_work = pushed;
   return energy;
 }

@@ -43,8 +43,10 @@ struct Particles
   std::vector<Body> body;
   std::vector<double> initial_mass; ///< before any breakage [kg]
   std::vector<std::uint8_t> is_breakable;
+  std::vector<std::uint8_t> material; ///< 0: EngineParameters::stone
   std::vector<StoneLoad> load;
-  bool has_shapes = false; ///< some stone is not a sphere
+  bool has_shapes = false;    ///< some stone is not a sphere
+  bool has_materials = false; ///< some stone is not of material 0
 
   std::size_t size() const { return id.size(); }
 
@@ -100,6 +102,7 @@ struct Particles
     call(self.state);
     call(self.initial_mass);
     call(self.is_breakable);
+    call(self.material);
     call(self.load);
   }
 
