@@ -22,8 +22,8 @@ struct Command
 };
 
 constexpr std::array<Command, 6> commands = {
-    {{"template", "KIND", "print a commented case (kind: dynamic_triaxial)",
-      template_command, false},
+    {{"template", "KIND", "print a commented case of a kind", template_command,
+      false},
      {"check", "CASE.prm [--set Section/key=value ...]",
       "validate; print particles, stable step, gain, memory, time",
       check_command, true},
