@@ -139,7 +139,7 @@ struct DrumParameters
   double radius = 0.35;          ///< inner [m]
   double length = 0.5;           ///< inner [m]
   double shelf_height = 0.09;    ///< into the drum; 0: no shelf [m]
-  double shelf_thickness = 0.02; ///< [m]
+  double shelf_thickness = 0.025; ///< [m]
   double turns_per_minute = 32.;
   double turns = 2000.;       ///< in all [-]
   double settling_time = 0.5; ///< fall under gravity before the first turn [s]
