@@ -136,9 +136,9 @@ struct ChargeParameters
 
 struct DrumParameters
 {
-  double radius = 0.35;          ///< inner [m]
-  double length = 0.5;           ///< inner [m]
-  double shelf_height = 0.09;    ///< into the drum; 0: no shelf [m]
+  double radius = 0.35;           ///< inner [m]
+  double length = 0.5;            ///< inner [m]
+  double shelf_height = 0.09;     ///< into the drum; 0: no shelf [m]
   double shelf_thickness = 0.025; ///< [m]
   double turns_per_minute = 32.;
   double turns = 2000.;       ///< in all [-]
