@@ -7,13 +7,20 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace spall
 {
 enum class CaseKind
 {
-  dynamic_triaxial
+  dynamic_triaxial,
+  single_particle,
+  los_angeles
 };
+
+/// By the number of CaseKind.
+inline const std::vector<std::string> kind_names = {
+    "dynamic_triaxial", "single_particle", "los_angeles"};
 
 enum class Lateral
 {
@@ -94,10 +101,61 @@ struct OutputParameters
   SurfaceFrames surfaces = SurfaceFrames::ends;
 };
 
+/// The stone of the single-particle test.
+struct ParticleParameters
+{
+  /// a shape file
+  std::string shape = "shapes/limestone_blocky/MA111-7-coarse-00104.json";
+  double diameter = 0.03; ///< twice the ball radius [m]
+  int order = 20;         ///< N_s: at most this many degrees of the file
+  /// Body direction that points up, of any length.
+  double axis_x = 0., axis_y = 0., axis_z = 1.;
+  int seed = 1; ///< of a random orientation instead; 0: the axis counts
+};
+
+/// The two rigid platens.
+struct PressParameters
+{
+  double displacement = 2e-3; ///< of the upper platen, in all [m]
+  double speed = 5e-3;        ///< of the upper platen [m/s]
+  int rows = 1000;            ///< of history.csv, about
+};
+
+/// What is in the Los Angeles drum.
+struct ChargeParameters
+{
+  double mass = 10.; ///< of the stones [kg]
+  /// CSV: diameter_m, passing_1
+  std::string gradation = "gradations/los_angeles_20_45mm.csv";
+  std::string shapes = "shapes/limestone_blocky";
+  int seed = 1;
+  int balls = 12;           ///< steel balls
+  double ball_mass = 5.;    ///< of all balls [kg]
+  dem::SolidMaterial steel; ///< of the balls
+};
+
+struct DrumParameters
+{
+  double radius = 0.35;           ///< inner [m]
+  double length = 0.5;            ///< inner [m]
+  double shelf_height = 0.09;     ///< into the drum; 0: no shelf [m]
+  double shelf_thickness = 0.025; ///< [m]
+  double turns_per_minute = 32.;
+  double turns = 2000.;       ///< in all [-]
+  double settling_time = 0.5; ///< fall under gravity before the first turn [s]
+  int rows_per_turn = 4;
+  int frames_per_turn = 0;
+  int checkpoint_every = 1; ///< turns; 0: only at the end
+};
+
 struct Case
 {
   CaseKind kind = CaseKind::dynamic_triaxial;
   std::string title = "dynamic triaxial test";
+  ParticleParameters particle;
+  PressParameters press;
+  ChargeParameters charge;
+  DrumParameters drum;
   SpecimenParameters specimen;
   PreparationParameters preparation;
   std::string material; ///< file with the next three and breakage; may be empty
@@ -121,4 +179,7 @@ struct Case
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
 };
+
+/// A case of this kind with its defaults.
+Case default_case(CaseKind kind);
 } // namespace spall

@@ -5,6 +5,7 @@
 #include "gradation.h"
 #include "parameter.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace spall
@@ -22,6 +23,16 @@ struct Fault
   throw InputError(place(fault.section, fault.key) + ": " + fault.section +
                    "/" + fault.key + " = " + fault.value + ": " +
                    fault.allowed);
+}
+
+/// A folder of shapes, or none.
+void check_shapes(const Case &c, const Place &place, const std::string &section,
+                  const std::string &shapes)
+{
+  if (!shapes.empty() &&
+      !std::filesystem::is_directory(find_path(c, section, "shapes", shapes)))
+    refuse(place, {section, "shapes", shapes,
+                   "must be a folder of shape files, or empty for spheres"});
 }
 
 void check_specimen(const Case &c, const Place &place)
@@ -42,13 +53,7 @@ void check_specimen(const Case &c, const Place &place)
                    "must be at least twice the largest stone of the "
                    "gradation, " +
                        number_text(largest) + " m"});
-  if (!s.shapes.empty())
-  {
-    const std::string folder = find_path(c, "Specimen", "shapes", s.shapes);
-    if (!std::filesystem::is_directory(folder))
-      refuse(place, {"Specimen", "shapes", s.shapes,
-                     "must be a folder of shape files, or empty for spheres"});
-  }
+  check_shapes(c, place, "Specimen", s.shapes);
 }
 
 void check_breakage(const Case &c, const Place &place)
@@ -76,12 +81,69 @@ void check_time(const Case &c, const Place &place)
                    "must be at most Output/samples_per_cycle = " +
                        std::to_string(c.output.samples_per_cycle)});
 }
+
+void check_particle(const Case &c, const Place &place)
+{
+  const ParticleParameters &p = c.particle;
+  if (!p.shape.empty())
+    find_path(c, "Particle", "shape", p.shape);
+  if (p.seed == 0 && p.axis_x == 0. && p.axis_y == 0. && p.axis_z == 0.)
+    refuse(place, {"Particle", "axis_z", "0",
+                   "must not be zero along with axis_x and axis_y"});
+  if (c.press.displacement >= p.diameter)
+    refuse(place,
+           {"Press", "displacement", number_text(c.press.displacement),
+            "must be below Particle/diameter = " + number_text(p.diameter)});
+}
+
+void check_drum(const Case &c, const Place &place)
+{
+  if (c.charge.gradation.empty())
+    refuse(place, {"Charge", "gradation", "",
+                   "must name a CSV file diameter_m,passing_1"});
+  const Gradation curve =
+      read_gradation(find_path(c, "Charge", "gradation", c.charge.gradation));
+  check_shapes(c, place, "Charge", c.charge.shapes);
+  if (c.wall.rolling_friction > 0.)
+    refuse(place,
+           {"Wall", "rolling_friction", number_text(c.wall.rolling_friction),
+            "must be 0: the rolling law takes walls not to turn"});
+  const DrumParameters &d = c.drum;
+  if (d.shelf_height > 0.29 * d.radius)
+    refuse(place, {"Drum", "shelf_height", number_text(d.shelf_height),
+                   "must be at most 0.29 Drum/radius = " +
+                       number_text(0.29 * d.radius) +
+                       " (the charge is put between the shelf and the axis)"});
+  if (const double largest = curve.diameter.back();
+      std::min(2. * d.radius, d.length) < 4. * largest)
+    refuse(place, {"Drum", "radius", number_text(d.radius),
+                   "the drum must be four times as wide and long as the "
+                   "largest stone of the gradation, " +
+                       number_text(largest) + " m"});
+}
+
+void check_lab_time(const Case &c, const Place &place)
+{
+  if (c.time.step == StepRule::error)
+    refuse(place, {"Time", "step", "error",
+                   "must be fixed or stable for this kind of test"});
+}
 } // namespace
 
 void check_case(const Case &parameters, const Place &place)
 {
-  check_specimen(parameters, place);
   check_breakage(parameters, place);
-  check_time(parameters, place);
+  switch (parameters.kind)
+  {
+  case CaseKind::dynamic_triaxial:
+    check_specimen(parameters, place);
+    return check_time(parameters, place);
+  case CaseKind::single_particle:
+    check_particle(parameters, place);
+    return check_lab_time(parameters, place);
+  case CaseKind::los_angeles:
+    check_drum(parameters, place);
+    return check_lab_time(parameters, place);
+  }
 }
 } // namespace spall

@@ -1,5 +1,7 @@
 #include "case_fields.h"
 
+#include <dem/shape/spherical_harmonics.h>
+
 #include <algorithm>
 
 namespace spall
@@ -92,6 +94,80 @@ void add_preparation(List &list, PreparationParameters &p)
       p.max_time, above(0., 1e4));
 }
 
+void add_particle(List &list, ParticleParameters &p)
+{
+  list.in("Particle");
+  list.add({"shape", "-", "Shape file; empty: a sphere, which never breaks."},
+           p.shape);
+  list.add({"diameter", "m", "Twice the ball radius, d."}, p.diameter,
+           above(0., 10.));
+  list.add({"order", "-", "N_s: what the file has beyond is cut off."}, p.order,
+           between(1, dem::max_order));
+  list.add({"axis_x", "-", "Body direction that points up (seed 0)."}, p.axis_x,
+           between(-1e6, 1e6));
+  list.add({"axis_y", "-", "Likewise."}, p.axis_y, between(-1e6, 1e6));
+  list.add({"axis_z", "-", "Likewise."}, p.axis_z, between(-1e6, 1e6));
+  list.add({"seed", "-", "Of a random orientation; 0: by the axis."}, p.seed,
+           between(0, 2147483647));
+}
+
+void add_press(List &list, PressParameters &p)
+{
+  list.in("Press");
+  list.add({"displacement", "m", "Of the upper platen, in all."},
+           p.displacement, above(0., 1.));
+  list.add({"speed", "m/s",
+            "Of the upper platen. The test has 8.3e-6 (0.5 mm/min); any speed "
+            "whose double changes nothing will do."},
+           p.speed, above(0., 10.));
+  list.add({"rows", "-", "Of history.csv; one more at each event."}, p.rows,
+           between(10, 1e7));
+}
+
+void add_charge(List &list, ChargeParameters &c)
+{
+  list.in("Charge");
+  list.add({"mass", "kg", "Of the stones."}, c.mass, above(0., 1e4));
+  list.add({"gradation", "-",
+            "CSV file diameter_m,passing_1: share of the mass that passes."},
+           c.gradation);
+  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, c.shapes);
+  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, c.seed,
+           between(0, 2147483647));
+  list.add({"balls", "-", "Number of steel balls."}, c.balls, between(0, 1000));
+  list.add({"ball_mass", "kg", "Of all balls together."}, c.ball_mass,
+           above(0., 1e4));
+  list.add({"ball_density", "kg/m^3", "Steel."}, c.steel.density,
+           above(0., 3e4));
+  list.add({"ball_shear_modulus", "Pa",
+            "Steel. Friction and damping of the balls are those of Stone."},
+           c.steel.shear_modulus, above(0., 1e13));
+  list.add({"ball_poisson_ratio", "-", "Steel."}, c.steel.poisson_ratio,
+           below(0., 0.5));
+}
+
+void add_drum(List &list, DrumParameters &d)
+{
+  list.in("Drum");
+  list.add({"radius", "m", "Inner."}, d.radius, above(0., 100.));
+  list.add({"length", "m", "Inner."}, d.length, above(0., 100.));
+  list.add({"shelf_height", "m", "Of the shelf, into the drum; 0: no shelf."},
+           d.shelf_height, between(0., 100.));
+  list.add({"shelf_thickness", "m", "Of the shelf."}, d.shelf_thickness,
+           above(0., 100.));
+  list.add({"turns_per_minute", "1/min", "31 to 33 in the test."},
+           d.turns_per_minute, above(0., 1e4));
+  list.add({"turns", "-", "In all."}, d.turns, above(0., 1e7));
+  list.add({"settling_time", "s", "Fall under gravity before the first turn."},
+           d.settling_time, between(0., 100.));
+  list.add({"rows_per_turn", "-", "Rows of history.csv."}, d.rows_per_turn,
+           between(1, 1e6));
+  list.add({"frames_per_turn", "-", "Frames for ParaView; 0: first and last."},
+           d.frames_per_turn, between(0, 1e4));
+  list.add({"checkpoint_every", "-", "Turns; 0: only at the end."},
+           d.checkpoint_every, between(0, 1e7));
+}
+
 void add_stone(List &list, dem::StoneMaterial &s)
 {
   list.in("Stone");
@@ -168,6 +244,10 @@ void add_breakage(List &list, dem::BreakageParameters &b)
       {"kernel_floor", "-",
        "c: the kernel is at least c / order wide, what the series carries."},
       b.kernel_floor, between(1., 10.));
+  list.add({"quadrature_rings", "-",
+            "n: 2 n^2 nodes (N_q) measure a stone anew after an event.",
+            "exact volumes need 3 order < 2 n"},
+           b.quadrature_rings, between(4, 400));
 }
 
 void add_membrane(List &list, fem::MembraneParameters &m)
@@ -252,23 +332,43 @@ void add_output(List &list, OutputParameters &o)
 }
 } // namespace
 
+bool Section::is_of(CaseKind kind) const
+{
+  return kinds.empty() || std::ranges::find(kinds, kind) != kinds.end();
+}
+
 const std::vector<Section> &sections()
 {
+  using enum CaseKind;
   static const std::vector<Section> list = {
       {"Case", "What is run."},
-      {"Specimen", "The stones and the room they fill."},
-      {"Preparation", "Compaction of the random cloud by servo walls."},
+      {"Particle", "The stone between the platens.", {single_particle}},
+      {"Press",
+       "Two rigid platens; the upper one comes down.",
+       {single_particle}},
+      {"Charge", "Stones and steel balls in the drum.", {los_angeles}},
+      {"Drum", "The Los Angeles drum and how long it turns.", {los_angeles}},
+      {"Specimen", "The stones and the room they fill.", {dynamic_triaxial}},
+      {"Preparation",
+       "Compaction of the random cloud by servo walls.",
+       {dynamic_triaxial}},
       {"Material", "Values of Stone, Wall, MembraneContact and Breakage."},
       {"Stone", "Stone against stone: rolling-resistant Hertz."},
-      {"Wall", "Stone against plates and rigid sides: linear springs."},
-      {"MembraneContact", "Stone against membrane: linear springs."},
+      {"Wall", "Stone against plates, rigid sides, platens and drum."},
+      {"MembraneContact",
+       "Stone against membrane: linear springs.",
+       {dynamic_triaxial}},
       {"Contact", "What counts as overlap."},
       {"Breakage", "Energy criterion of micro-breakage."},
-      {"Membrane", "The finite-element membrane round the specimen."},
-      {"Boundary", "What holds the specimen."},
-      {"Loading", "Confinement and haversine on the top plate."},
+      {"Membrane",
+       "The finite-element membrane round the specimen.",
+       {dynamic_triaxial}},
+      {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
+      {"Loading",
+       "Confinement and haversine on the top plate.",
+       {dynamic_triaxial}},
       {"Time", "Time integration."},
-      {"Output", "What is written, and how often."},
+      {"Output", "What is written, and how often.", {dynamic_triaxial}},
       {"Run", "The machine."}};
   return list;
 }
@@ -277,17 +377,26 @@ std::vector<Parameter> parameters_of(Case &of)
 {
   List list;
   list.in("Case");
-  list.add({"kind", "-", "Kind of test."}, of.kind, {"dynamic_triaxial"});
+  list.add({"kind", "-", "Kind of test."}, of.kind, kind_names);
   list.add({"title", "-", "Heading of the report."}, of.title);
+  add_particle(list, of.particle);
+  add_press(list, of.press);
+  add_charge(list, of.charge);
+  add_drum(list, of.drum);
   add_specimen(list, of.specimen);
   add_preparation(list, of.preparation);
   list.in("Material");
   list.add({"file", "-",
-            "File with these four sections; what the case itself sets wins. "
+            "File with any of Stone, Wall, MembraneContact and Breakage; what "
+            "the case itself sets wins. "
             "Empty: none."},
            of.material);
   add_stone(list, of.stone);
   list.in("Wall");
+  list.add({"law", "-",
+            "linear: the springs below; hertz: stone on a rigid plate, with "
+            "the curvatures of the stone."},
+           of.wall.law, {"linear", "hertz"});
   add_wall(list, of.wall, between(0., 10.), "");
   list.in("MembraneContact");
   add_wall(list, of.membrane_contact, between(0., 0.),
@@ -310,5 +419,26 @@ bool is_material_section(const std::string &section)
 {
   return section == "Stone" || section == "Wall" ||
          section == "MembraneContact" || section == "Breakage";
+}
+
+Case default_case(CaseKind kind)
+{
+  Case c;
+  c.kind = kind;
+  if (kind == CaseKind::dynamic_triaxial)
+    return c;
+  c.wall.law = dem::WallLaw::hertz;
+  c.contact.wall_geometry = dem::ContactGeometry::radial;
+  if (kind == CaseKind::single_particle)
+    c.title = "single particle between platens";
+  else
+  {
+    c.title = "Los Angeles abrasion test";
+    // Radii along the branch feed stones that spin with energy.
+    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    c.time.step = StepRule::stable;
+    c.time.local_damping = 0.; // stones fly
+  }
+  return c;
 }
 } // namespace spall

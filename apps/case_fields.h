@@ -8,6 +8,9 @@ namespace spall
 struct Section
 {
   std::string name, sentence;
+  std::vector<CaseKind> kinds = {}; ///< that have it; empty: all
+
+  bool is_of(CaseKind kind) const;
 };
 
 /// The sections of a case in the order of printing.

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -183,9 +184,42 @@ Override parse_override(const std::string &text)
           text.substr(equal + 1)};
 }
 
+namespace
+{
+/// What the file or the command line says; the first kind if neither does, or
+/// says nonsense, which is refused later.
+CaseKind kind_of(const std::string &file, std::span<const Override> overrides)
+{
+  std::string name;
+  for (const Assignment &a : read_assignments(file))
+    if (a.section == "Case" && a.key == "kind")
+      name = a.value;
+  for (const Override &o : overrides)
+    if (o.section == "Case" && o.key == "kind")
+      name = o.value;
+  const auto found = std::ranges::find(kind_names, name);
+  return found == kind_names.end()
+             ? CaseKind{}
+             : static_cast<CaseKind>(found - kind_names.begin());
+}
+
+/// Throws InputError for a section that cases of this kind do not have.
+void check_sections(const Case &parameters, const Places &places)
+{
+  for (const Section &section : sections())
+    if (!section.is_of(parameters.kind))
+      for (const auto &[name, place] : places)
+        if (name.starts_with(section.name + "/"))
+          throw InputError(
+              place + ": " + name + ": a case of kind " +
+              kind_names[static_cast<std::size_t>(parameters.kind)] +
+              " has no section " + section.name);
+}
+} // namespace
+
 Case read_case(const std::string &file, std::span<const Override> overrides)
 {
-  Case result;
+  Case result = default_case(kind_of(file, overrides));
   result.file = file;
   const std::vector<Parameter> list = parameters_of(result);
   Places places;
@@ -194,6 +228,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   take_file(handler, file, list, places);
   take_overrides(handler, overrides, list, places);
 
+  check_sections(result, places);
   const std::string named = get(handler, "Material", "file");
   if (!named.empty())
   {

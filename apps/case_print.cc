@@ -2,6 +2,7 @@
 #include "case_file.h"
 #include "errors.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace spall
@@ -36,10 +37,13 @@ std::string describe(const Parameter &parameter)
   return text;
 }
 
-void print_case(std::ostream &out, const std::vector<Parameter> &list)
+void print_case(std::ostream &out, Case of)
 {
+  const std::vector<Parameter> list = parameters_of(of);
   for (const Section &section : sections())
   {
+    if (!section.is_of(of.kind))
+      continue;
     out << '\n';
     print_comment(out, "", section.sentence);
     out << "subsection " << section.name << '\n';
@@ -55,6 +59,22 @@ void print_case(std::ostream &out, const std::vector<Parameter> &list)
   }
 }
 
+/// Files and folders that find_path() finds.
+bool is_path(const Parameter &parameter)
+{
+  return std::holds_alternative<std::string *>(parameter.value) &&
+         (parameter.key == "gradation" || parameter.key == "shapes" ||
+          parameter.key == "shape");
+}
+
+std::string joined(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 /// Cell of a Markdown table.
 std::string cell(const std::string &text)
 {
@@ -68,13 +88,10 @@ std::string cell(const std::string &text)
 std::string resolved_case(const Case &parameters)
 {
   Case resolved = parameters;
-  const auto make_absolute = [&](const char *key, std::string &path)
-  {
-    if (!path.empty())
-      path = find_path(parameters, "Specimen", key, path);
-  };
-  make_absolute("gradation", resolved.specimen.gradation);
-  make_absolute("shapes", resolved.specimen.shapes);
+  for (Parameter &path : parameters_of(resolved))
+    if (is_path(path))
+      if (auto *text = std::get<std::string *>(path.value); !text->empty())
+        *text = find_path(parameters, path.section, path.key, *text);
 
   std::ostringstream out;
   print_comment(out, "", "Every parameter as run. Case: " + parameters.file);
@@ -82,26 +99,54 @@ std::string resolved_case(const Case &parameters)
     print_comment(out, "",
                   "Its material file, written out: " + parameters.material);
   resolved.material.clear(); // its values are all below
-  print_case(out, parameters_of(resolved));
+  print_case(out, resolved);
   return out.str();
 }
 
 std::string template_case(const std::string &kind)
 {
-  if (kind != "dynamic_triaxial")
-    throw InputError("template " + kind +
-                     ": kind must be one of dynamic_triaxial");
-  Case defaults;
+  const auto found = std::ranges::find(kind_names, kind);
+  if (found == kind_names.end())
+    throw InputError("template " + kind + ": kind must be one of " +
+                     joined(kind_names) + ", or parameters");
+  Case defaults =
+      default_case(static_cast<CaseKind>(found - kind_names.begin()));
   defaults.material = "materials/graded_aggregate.prm";
-  std::vector<Parameter> list = parameters_of(defaults);
   std::ostringstream out;
   print_comment(out, "",
                 "Case of kind " + kind +
                     " with the default of every parameter. Paths: absolute, or "
                     "from the folder of this file, or from Spall's data/.");
-  print_case(out, list);
+  print_case(out, defaults);
   return out.str();
 }
+
+namespace
+{
+/// The default, or those of the kinds of the section where they differ.
+std::string default_text(const Section &section, std::size_t place)
+{
+  std::vector<std::string> texts, lines;
+  for (std::size_t k = 0; k < kind_names.size(); ++k)
+    if (const auto kind = static_cast<CaseKind>(k); section.is_of(kind))
+    {
+      Case defaults = default_case(kind);
+      texts.push_back(value_text(parameters_of(defaults)[place]));
+      lines.push_back(texts.back() + " (" + kind_names[k] + ")");
+    }
+  const bool is_one = std::ranges::all_of(texts, [&](const std::string &text)
+                                          { return text == texts[0]; });
+  return is_one ? texts[0] : joined(lines);
+}
+
+std::string kinds_text(const Section &section)
+{
+  std::vector<std::string> names;
+  for (const CaseKind kind : section.kinds)
+    names.push_back(kind_names[static_cast<std::size_t>(kind)]);
+  return names.empty() ? "" : " Kinds: " + joined(names) + ".";
+}
+} // namespace
 
 std::string parameter_tables()
 {
@@ -113,13 +158,13 @@ std::string parameter_tables()
   for (const Section &section : sections())
   {
     out << "\n## " << section.name << "\n\n"
-        << section.sentence << "\n\n"
+        << section.sentence << kinds_text(section) << "\n\n"
         << "| key | unit | default | allowed | meaning |\n"
         << "|---|---|---|---|---|\n";
-    for (const Parameter &p : list)
-      if (p.section == section.name)
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (const Parameter &p = list[k]; p.section == section.name)
         out << "| `" << p.key << "` | " << p.unit << " | "
-            << cell(value_text(p)) << " | " << allowed(p) << " | "
+            << cell(default_text(section, k)) << " | " << allowed(p) << " | "
             << cell(p.sentence) << " |\n";
   }
   return out.str();

@@ -1,6 +1,7 @@
 #include "case_file.h"
 #include "commands.h"
 #include "errors.h"
+#include "lab_test.h"
 #include "triaxial.h"
 
 #include <dem/integrate/contact_springs.h>
@@ -70,9 +71,14 @@ double membrane_step_cost(const Case &parameters)
          n_steps;
 }
 
-void print_stones(const Triaxial &test)
+void print_memory()
 {
-  const dem::Particles &stones = test.engine().particles();
+  std::printf("memory           %.0f MiB\n", memory_in_use());
+}
+
+void print_stones(const dem::Engine &engine)
+{
+  const dem::Particles &stones = engine.particles();
   double smallest = stones.radius(0), largest = smallest, mass = 0.;
   std::size_t n_breakable = 0;
   for (std::size_t i = 0; i < stones.size(); ++i)
@@ -109,10 +115,42 @@ void print_cost(const Case &parameters, const Triaxial &test)
   const double steps = (test.period() * parameters.loading.cycles +
                         parameters.loading.consolidation_time) /
                        test.time_step();
-  std::printf("memory           %.0f MiB\n", memory_in_use());
+  print_memory();
   std::printf("predicted time   %.3g s for %.4g steps after the preparation "
               "(%.3g ms each)\n",
               cost * steps, steps, 1e3 * cost);
+}
+
+void check_triaxial(const Case &parameters)
+{
+  const Triaxial test(parameters);
+  print_stones(test.engine());
+  print_step(test);
+  print_cost(parameters, test);
+}
+
+/// The first steps are run to see how fast simulated time goes by.
+void check_lab(const Case &parameters)
+{
+  const std::unique_ptr<LabTest> test = make_lab_test(parameters);
+  print_stones(test->engine());
+  const dem::StepLimit limit = dem::critical_step(test->engine().parameters(),
+                                                  test->engine().particles());
+  std::printf("time step        %.4g s, at most %.4g s (%s)\n",
+              test->time_step(), limit.step, limit.reason.c_str());
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  constexpr int n_steps = 20000;
+  for (int step = 0; step < n_steps && test->share_done() < 1.; ++step)
+    test->advance();
+  const double spent =
+      std::chrono::duration<double>(Clock::now() - start).count();
+  print_memory();
+  std::printf(
+      "predicted time   %.3g s for %.4g s of the test (the first %.3g s "
+      "took %.3g s)\n",
+      spent * test->duration() / test->engine().time(), test->duration(),
+      test->engine().time(), spent);
 }
 } // namespace
 
@@ -132,12 +170,12 @@ int check_command(Words words)
   if (file.empty())
     throw InputError("check: a case file must be given");
   const Case parameters = read_case(file, overrides);
-  const Triaxial test(parameters);
   std::printf("case             %s: %s\n", file.c_str(),
               parameters.title.c_str());
-  print_stones(test);
-  print_step(test);
-  print_cost(parameters, test);
+  if (parameters.kind == CaseKind::dynamic_triaxial)
+    check_triaxial(parameters);
+  else
+    check_lab(parameters);
   return 0;
 }
 } // namespace spall

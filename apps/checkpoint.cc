@@ -12,7 +12,7 @@ namespace spall
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x314c4c4150530a03; // names this layout
+constexpr std::uint64_t magic = 0x314c4c4150530a04; // names this layout
 
 using dem::read_column;
 using dem::read_value;
@@ -26,10 +26,17 @@ std::string identity_of(Case parameters)
   parameters.threads = defaults.threads;
   parameters.loading.cycles = defaults.loading.cycles;
   parameters.output = defaults.output;
-  // Steps may change where a cycle ends: Triaxial::restore() looks.
-  const double local_damping = parameters.time.local_damping;
-  parameters.time = defaults.time;
-  parameters.time.local_damping = local_damping;
+  parameters.drum.turns = defaults.drum.turns;
+  parameters.drum.rows_per_turn = defaults.drum.rows_per_turn;
+  parameters.drum.frames_per_turn = defaults.drum.frames_per_turn;
+  parameters.drum.checkpoint_every = defaults.drum.checkpoint_every;
+  if (parameters.kind == CaseKind::dynamic_triaxial)
+  {
+    // Steps may change where a cycle ends: Triaxial::restore() looks.
+    const double local_damping = parameters.time.local_damping;
+    parameters.time = defaults.time;
+    parameters.time.local_damping = local_damping;
+  }
   parameters.title = defaults.title;
   return resolved_case(parameters);
 }
@@ -111,7 +118,8 @@ void write_progress(std::ostream &out, const Progressed &done)
 } // namespace
 
 void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
-                      const Triaxial &test, const Progressed &done)
+                      const std::function<void(std::ostream &)> &save,
+                      const Progressed &done)
 {
   const std::filesystem::path draft = path.string() + ".part";
   {
@@ -119,7 +127,7 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
     write_value(out, magic);
     write_string(out, identity_of(parameters));
     write_progress(out, done);
-    test.save(out);
+    save(out);
     write_value(out, magic);
     out.close();
     if (!out)
@@ -136,7 +144,8 @@ void require_checkpoint(const std::filesystem::path &path)
 }
 
 void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
-                     Triaxial &test, Progressed &done)
+                     const std::function<void(std::istream &)> &restore,
+                     Progressed &done)
 {
   require_checkpoint(path);
   std::ifstream in(path, std::ios::binary);
@@ -151,7 +160,7 @@ void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
       throw std::runtime_error("is of another case: " +
                                first_difference(then, now));
     read_progress(in, done);
-    test.restore(in);
+    restore(in);
     read_value(in, mark);
     if (mark != magic)
       throw std::runtime_error("checkpoint is damaged");

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "triaxial.h"
+#include "case.h"
+#include "sample.h"
 
 #include <dem/io/vtk_output.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <vector>
 
 namespace spall
 {
@@ -21,18 +24,20 @@ struct Progressed
   std::map<std::string, double> spent; ///< wall-clock by phase [s]
 };
 
-/// Writes the whole state, or leaves the last checkpoint as it was. Throws
-/// RunFailure.
+/// Writes the whole state (`save` that of the test), or leaves the last
+/// checkpoint as it was. Throws RunFailure.
 void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
-                      const Triaxial &test, const Progressed &done);
+                      const std::function<void(std::ostream &)> &save,
+                      const Progressed &done);
 
 /// Throws InputError if there is no checkpoint at this path.
 void require_checkpoint(const std::filesystem::path &path);
 
 /// Brings test and files back. Throws InputError if there is no checkpoint, it
-/// is damaged, or it belongs to a case with other parameters (number of cycles,
-/// output and threads may differ, the choice of the step at the end of a
-/// cycle).
+/// is damaged, or it belongs to a case with other parameters (number of cycles
+/// or turns, output and threads may differ; of a triaxial test the choice of
+/// the step, at the end of a cycle).
 void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
-                     Triaxial &test, Progressed &done);
+                     const std::function<void(std::istream &)> &restore,
+                     Progressed &done);
 } // namespace spall

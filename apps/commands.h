@@ -13,6 +13,7 @@ int template_command(Words words);
 int check_command(Words words);
 int run_command(Words words);
 int report_command(Words words);
+int study_command(Words words);
 int shape_command(Words words);
 int bench_command(Words words);
 } // namespace spall

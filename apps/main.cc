@@ -21,9 +21,9 @@ struct Command
   bool needs_mpi;
 };
 
-constexpr std::array<Command, 6> commands = {
-    {{"template", "KIND", "print a commented case (kind: dynamic_triaxial)",
-      template_command, false},
+constexpr std::array<Command, 7> commands = {
+    {{"template", "KIND", "print a commented case of a kind", template_command,
+      false},
      {"check", "CASE.prm [--set Section/key=value ...]",
       "validate; print particles, stable step, gain, memory, time",
       check_command, true},
@@ -33,6 +33,9 @@ constexpr std::array<Command, 6> commands = {
       "run the case", run_command, true},
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command, false},
+     {"study", "STUDY.prm [--out DIR] [--jobs N] [--figures FOLDER]",
+      "run a sweep of cases, or go on with it; table and report", study_command,
+      false},
      {"shape",
       "fit MESH --order N --out S.json [--from rays|vertices] "
       "[--max-overhang F] [--unit m|mm|um] [--json FILE] [--source TEXT] "
@@ -117,7 +120,7 @@ int run_program(const std::vector<std::string> &words)
     if (words[0] == command.name)
       return dispatch(command, Words(words).subspan(1));
   throw InputError(words[0] + ": no such command: must be one of template, "
-                              "check, run, report, shape, bench");
+                              "check, run, report, study, shape, bench");
 }
 
 /// A message as the one line that a user gets.

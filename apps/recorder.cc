@@ -3,10 +3,11 @@
 #include "case_file.h"
 #include "checkpoint.h"
 #include "errors.h"
+#include "event_rows.h"
+#include "frames.h"
 #include "summary.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <omp.h>
 
 namespace spall
@@ -23,66 +24,9 @@ std::string history_header()
   return header;
 }
 
-const char *const events_header =
-    "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
-    "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"
-    "released_energy_J,removed_volume_m3,kernel_width_rad,depth_m,"
-    "ball_radius_m";
 const char *const ledger_header =
     "time_s,force_error_1,moment_error_1,power_error_1,membrane_work_J,"
     "plate_work_J,energy_residual_J";
-
-/// Where contact k ends: the centre of stone B, or the point on the wall.
-dem::Vec3 end_of(const dem::Engine &engine, const dem::ContactBatch &batch,
-                 std::size_t k, dem::ContactKind kind)
-{
-  const dem::Particles &stones = engine.particles();
-  const auto b = static_cast<std::size_t>(batch.b[k]);
-  if (kind == dem::ContactKind::stone_stone)
-    return stones.position(b);
-  const dem::Vec3 &from = stones.position(static_cast<std::size_t>(batch.a[k]));
-  if (kind == dem::ContactKind::stone_plane)
-  {
-    const dem::Plane &plane = engine.planes()[b];
-    return from - (from - plane.point).dot(plane.normal) * plane.normal;
-  }
-  const dem::FacetSpot &spot = engine.facets().spot[k];
-  const auto &corner =
-      engine.surface().triangles[static_cast<std::size_t>(spot.triangle)];
-  dem::Vec3 point = dem::Vec3::Zero();
-  for (std::size_t c = 0; c < 3; ++c)
-    point += spot.weight[c] *
-             engine.surface().position[static_cast<std::size_t>(corner[c])];
-  return point;
-}
-
-std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
-{
-  std::vector<dem::ContactLine> lines;
-  const auto add = [&](const dem::ContactBatch &batch, dem::ContactKind kind)
-  {
-    for (std::size_t k = 0; k < batch.size(); ++k)
-    {
-      if (!batch.is_touching(k))
-        continue;
-      const dem::Vec3 &from =
-          engine.particles().position(static_cast<std::size_t>(batch.a[k]));
-      const dem::Vec3 to = end_of(engine, batch, k, kind);
-      const dem::Vec3 n = (to - from).normalized();
-      const dem::Vec3 force =
-          kind == dem::ContactKind::stone_stone
-              ? dem::pair_force(engine.particles(), batch, k)
-              : batch.load[k].force;
-      lines.push_back({from, to, -force.dot(n),
-                       (force - force.dot(n) * n).norm(), batch.overlap[k],
-                       kind});
-    }
-  };
-  add(engine.pairs(), dem::ContactKind::stone_stone);
-  add(engine.on_planes(), dem::ContactKind::stone_plane);
-  add(engine.on_facets(), dem::ContactKind::stone_facet);
-  return lines;
-}
 } // namespace
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
@@ -102,7 +46,7 @@ void Recorder::start()
 {
   write_text(folder / "case.prm", resolved_case(parameters));
   history.open(folder / "history.csv", history_header());
-  events.open(folder / "events.csv", events_header);
+  events.open(folder / "events.csv", events_header("cycle_1"));
   if (parameters.boundary.lateral == Lateral::membrane)
     ledger.open(folder / "ledger.csv", ledger_header);
 }
@@ -110,7 +54,9 @@ void Recorder::start()
 void Recorder::resume(Triaxial &test)
 {
   Progressed done;
-  read_checkpoint(folder / "checkpoint" / "state.bin", parameters, test, done);
+  read_checkpoint(
+      folder / "checkpoint" / "state.bin", parameters,
+      [&test](std::istream &in) { test.restore(in); }, done);
   write_text(folder / "case.prm", resolved_case(parameters));
   history.resume(folder / "history.csv", done.history_size);
   events.resume(folder / "events.csv", done.events_size);
@@ -191,12 +137,7 @@ void Recorder::write_events(Triaxial &test)
     // From times alone, so that it does not matter when the row is written;
     // stones break from the start of loading only.
     const double cycle = std::max(0., (e.time - loading_start.time) / period);
-    events.write_row({e.time, cycle, static_cast<double>(e.stone),
-                      static_cast<double>(e.other), static_cast<double>(e.kind),
-                      static_cast<double>(e.mode), e.force_before,
-                      e.force_after, e.overlap, e.elastic_energy,
-                      e.fracture_energy, e.released_energy, e.removed_volume,
-                      e.width, e.depth, e.ball_radius});
+    events.write_row(event_row(e, cycle));
   }
 }
 
@@ -214,39 +155,10 @@ void Recorder::write_ledger(Triaxial &test, const Sample &sample)
 
 void Recorder::write_frame(Triaxial &test, bool with_surfaces)
 {
-  const dem::Particles &stones = test.engine().particles();
-  std::vector<double> loss(stones.size());
-  for (std::size_t i = 0; i < loss.size(); ++i)
-    loss[i] = 1. - stones.mass(i) / stones.initial_mass[i];
-  using dem::StoneState;
-  const auto position = stones.column(&StoneState::position),
-             velocity = stones.column(&StoneState::velocity),
-             spin = stones.column(&StoneState::spin);
-  const auto orientation = stones.column(&StoneState::orientation);
-  const auto radius = stones.column(&StoneState::radius),
-             mass = stones.column(&StoneState::mass);
-  const dem::ParticleColumns columns{stones.id, position,    velocity,
-                                     spin,      orientation, stones.body,
-                                     radius,    mass,        loss};
-  const auto name = [this](const char *part)
-  {
-    char text[64];
-    std::snprintf(text, sizeof text, "frames/%s_%05d.vtu", part, n_frames);
-    return std::string(text);
-  };
-  const auto add = [&](int part, const char *label)
-  {
-    frames.push_back({test.engine().time(), part, name(label)});
-    return (folder / frames.back().file).string();
-  };
-  dem::write_particles(add(0, "particles"), columns);
-  dem::write_contacts(add(1, "contacts"), contact_lines(test.engine()));
-  if (test.membrane())
-    test.membrane()->write_vtu(add(2, "membrane"));
-  if (with_surfaces && parameters.output.surfaces != SurfaceFrames::none)
-    dem::write_surfaces(add(3, "surfaces"), columns);
-  dem::write_collection((folder / "run.pvd").string(), frames);
-  ++n_frames;
+  const FrameParts parts{test.membrane(),
+                         with_surfaces &&
+                             parameters.output.surfaces != SurfaceFrames::none};
+  spall::write_frame(folder, test.engine(), parts, n_frames++, frames);
 }
 
 void Recorder::write_checkpoint(Triaxial &test)
@@ -266,8 +178,9 @@ void Recorder::write_checkpoint(Triaxial &test)
   done.spent = wall_clock(
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
       spent_before);
-  spall::write_checkpoint(folder / "checkpoint" / "state.bin", parameters, test,
-                          done);
+  spall::write_checkpoint(
+      folder / "checkpoint" / "state.bin", parameters,
+      [&test](std::ostream &out) { test.save(out); }, done);
 }
 
 void Recorder::finish(Triaxial &test)

@@ -17,19 +17,6 @@ namespace spall
 {
 namespace
 {
-ShapeLibrary load_shapes(const Case &parameters)
-{
-  ShapeLibrary library;
-  if (parameters.specimen.shapes.empty())
-    return library;
-  const std::string folder =
-      find_path(parameters, "Specimen", "shapes", parameters.specimen.shapes);
-  for (const ShapeFile &shape : read_shapes(folder))
-    library.push_back(
-        std::make_shared<const dem::Coefficients>(shape.coefficients));
-  return library;
-}
-
 std::string in_four_digits(double value)
 {
   std::ostringstream text;
@@ -38,6 +25,18 @@ std::string in_four_digits(double value)
   return text.str();
 }
 } // namespace
+
+ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
+                         const std::string &folder)
+{
+  ShapeLibrary library;
+  if (!folder.empty())
+    for (const ShapeFile &shape :
+         read_shapes(find_path(parameters, section, "shapes", folder)))
+      library.push_back(
+          std::make_shared<const dem::Coefficients>(shape.coefficients));
+  return library;
+}
 
 dem::EngineParameters engine_parameters(const Case &parameters)
 {
@@ -68,7 +67,7 @@ Specimen make_specimen(const Case &parameters)
   const Gradation gradation = read_gradation(
       find_path(parameters, "Specimen", "gradation", s.gradation));
   Specimen specimen;
-  specimen.shapes = load_shapes(parameters);
+  specimen.shapes = load_shapes(parameters, "Specimen", s.shapes);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
   const std::vector<dem::Body> stones = dem::draw_stones(
       {gradation.diameter, gradation.passing},

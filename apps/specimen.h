@@ -14,6 +14,11 @@ namespace spall
 {
 using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
 
+/// The shapes of a folder that the key `shapes` of this section names; empty:
+/// none. Throws InputError.
+ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
+                         const std::string &folder);
+
 /// The random cloud of stones in its box, before compaction.
 struct Specimen
 {

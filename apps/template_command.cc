@@ -9,7 +9,8 @@ namespace spall
 int template_command(Words words)
 {
   if (words.size() != 1)
-    throw InputError("template: needs one word, dynamic_triaxial (a commented "
+    throw InputError("template: needs one word, one of dynamic_triaxial, "
+                     "single_particle, los_angeles (a commented "
                      "case) or parameters (tables in Markdown)");
   std::cout << (words[0] == "parameters" ? parameter_tables()
                                          : template_case(words[0]));

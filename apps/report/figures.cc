@@ -1,6 +1,7 @@
 #include "report/figures.h"
 
 #include "report/figure_parts.h"
+#include "report/lab_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +122,8 @@ Chart event_count_chart(std::span<const RunData> runs)
 
 std::vector<Chart> make_charts(std::span<const RunData> runs)
 {
+  if (are_lab_runs(runs))
+    return make_lab_charts(runs);
   std::vector<Chart> charts{loop_chart(runs)};
   for (const Quantity &quantity : quantities)
     charts.push_back(quantity_chart(quantity, runs));

@@ -137,6 +137,19 @@ std::string parameters(std::span<const RunData> runs)
 }
 } // namespace
 
+std::string page_around(const std::string &title, const std::string &from,
+                        const std::string &body)
+{
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
+         "<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, "
+         "initial-scale=1\">\n<title>" +
+         escape(title) + "</title>\n<style>" + style +
+         "</style>\n</head>\n<body>\n<header>\n<h1>" + escape(title) +
+         "</h1>\n<p class=\"from\">" + escape(from) + "</p>\n</header>\n" +
+         "<main>\n" + body + "</main>\n</body>\n</html>\n";
+}
+
 std::string make_page(const Report &report)
 {
   const std::string title = escape(title_of(report.runs));

@@ -68,7 +68,7 @@ void read_history(const fs::path &folder, RunData &run)
 {
   const Table history = read_table((folder / "history.csv").string());
   run.loading = loading_rows(history);
-  if (!history.find("stage_1"))
+  if (!history.find("stage_1") && history.find("cycle_1"))
     run.notes.push_back(
         "history.csv has no column stage_1: all its rows are shown.");
   if (run.loading.n_rows() == 0)

@@ -55,10 +55,38 @@ struct Headline
   bool has_sign; ///< a change: show + as well
 };
 
-constexpr Headline headlines[]{
+constexpr Headline triaxial_headlines[]{
     {"Permanent axial strain", " %", permanent_strain_percent, false},
     {"Abrasion LAA", " %", abrasion_percent, false},
     {"Change of coordination number", "", coordination_change, true}};
+
+constexpr Headline press_headlines[]{
+    {"First event", " N",
+     [](const RunData &run)
+     { return number(run.summary, "first_event_force_N"); },
+     false},
+    {"Largest force", " N",
+     [](const RunData &run) { return number(run.summary, "peak_force_N"); },
+     false},
+    {"Breakage events", "",
+     [](const RunData &run) { return last(run, "n_events_1"); }, false}};
+
+constexpr Headline drum_headlines[]{
+    {"Abrasion LAA", " %", abrasion_percent, false},
+    {"Turns", "", [](const RunData &run) { return last(run, "turn_1"); },
+     false},
+    {"Breakage events", "",
+     [](const RunData &run) { return last(run, "n_events_1"); }, false}};
+
+/// Those of the kind of the first run.
+std::span<const Headline> headlines_of(std::span<const RunData> runs)
+{
+  const Table &table = runs[0].loading;
+  if (table.find("displacement_m"))
+    return press_headlines;
+  return table.find("turn_1") ? std::span<const Headline>(drum_headlines)
+                              : triaxial_headlines;
+}
 
 std::string headline_value(const Headline &line, const RunData &run)
 {
@@ -138,41 +166,47 @@ Row number_row(const std::string &name, const std::string &key,
 
 std::vector<Row> summary_rows()
 {
-  return {text_row("Title", "title"),
-          text_row("Lateral boundary", "lateral"),
-          {"Stones", [](const RunData &run) { return stones(run.summary); }},
-          number_row("Volume of solids (cm³)", "solid_volume_m3", 1e6, 4),
-          number_row("Initial porosity (–)", "initial_porosity"),
-          {"Prepared stress x / y / z (kPa)",
-           [](const RunData &run) { return prepared_stress(run.summary); }},
-          {"Prepared unbalanced force ratio (–)",
-           [](const RunData &run) {
-             return format(
-                 in_preparation(run.summary, "unbalanced_force_ratio_1"), 2);
-           }},
-          {"Cycles (–)",
-           [](const RunData &run) { return format(last(run, "cycle_1"), 3); }},
-          {"Permanent axial strain (%)", [](const RunData &run)
-           { return format(permanent_strain_percent(run), 4); }},
-          {"Abrasion LAA (%)",
-           [](const RunData &run) { return format(abrasion_percent(run), 4); }},
-          {"Coordination number, start → end (–)",
-           [](const RunData &run) { return coordination(run.summary); }},
-          text_row("Breakage events (–)", "n_events"),
-          number_row("Energy residual / external work (%)",
-                     "energy_residual_ratio_1", 100., 2),
-          {"Exchange gain / limit (–)",
-           [](const RunData &run)
-           {
-             return number_of(run.summary, "exchange_gain_1", 1., 2) + " / " +
-                    number_of(run.summary, "exchange_gain_limit_1", 1., 2);
-           }},
-          number_row("Worst imbalance of the interface (–)", "worst_balance_1",
-                     1., 2),
-          number_row("Time step (µs)", "time_step_s", 1e6),
-          text_row("Steps (–)", "n_steps"),
-          text_row("Threads (–)", "threads"),
-          text_row("Version of Spall", "version")};
+  return {
+      text_row("Title", "title"),
+      text_row("Lateral boundary", "lateral"),
+      {"Stones", [](const RunData &run) { return stones(run.summary); }},
+      number_row("Volume of solids (cm³)", "solid_volume_m3", 1e6, 4),
+      number_row("Initial porosity (–)", "initial_porosity"),
+      {"Prepared stress x / y / z (kPa)",
+       [](const RunData &run) { return prepared_stress(run.summary); }},
+      {"Prepared unbalanced force ratio (–)",
+       [](const RunData &run) {
+         return format(in_preparation(run.summary, "unbalanced_force_ratio_1"),
+                       2);
+       }},
+      {"Cycles (–)",
+       [](const RunData &run) { return format(last(run, "cycle_1"), 3); }},
+      {"Permanent axial strain (%)", [](const RunData &run)
+       { return format(permanent_strain_percent(run), 4); }},
+      {"Abrasion LAA (%)",
+       [](const RunData &run) { return format(abrasion_percent(run), 4); }},
+      {"Coordination number, start → end (–)",
+       [](const RunData &run) { return coordination(run.summary); }},
+      number_row("Turns (–)", "turns_1", 1., 5),
+      number_row("Mass lost (g)", "lost_mass_kg", 1e3, 4),
+      number_row("Displacement (mm)", "displacement_m", 1e3, 4),
+      number_row("Force of the first event (N)", "first_event_force_N", 1., 4),
+      number_row("Largest force (N)", "peak_force_N", 1., 4),
+      text_row("Breakage events (–)", "n_events"),
+      number_row("Energy residual / external work (%)",
+                 "energy_residual_ratio_1", 100., 2),
+      {"Exchange gain / limit (–)",
+       [](const RunData &run)
+       {
+         return number_of(run.summary, "exchange_gain_1", 1., 2) + " / " +
+                number_of(run.summary, "exchange_gain_limit_1", 1., 2);
+       }},
+      number_row("Worst imbalance of the interface (–)", "worst_balance_1", 1.,
+                 2),
+      number_row("Time step (µs)", "time_step_s", 1e6),
+      text_row("Steps (–)", "n_steps"),
+      text_row("Threads (–)", "threads"),
+      text_row("Version of Spall", "version")};
 }
 
 std::string cell(const std::string &text)
@@ -233,14 +267,14 @@ std::string headline(std::span<const RunData> runs)
   if (runs.size() == 1)
   {
     out = "<dl class=\"headline\">\n";
-    for (const Headline &line : headlines)
+    for (const Headline &line : headlines_of(runs))
       out += "<div><dt>" + std::string(line.name) + "</dt><dd>" +
              headline_value(line, runs[0]) + "</dd></div>\n";
     return out + "</dl>\n";
   }
   out = "<div class=\"wide\"><table class=\"headline\">" + head(runs, "Run") +
         "<tbody>\n";
-  for (const Headline &line : headlines)
+  for (const Headline &line : headlines_of(runs))
   {
     out += row_head(line.name);
     for (const RunData &run : runs)
@@ -261,7 +295,8 @@ std::string summary_table(std::span<const RunData> runs)
     for (const RunData &run : runs)
     {
       const std::string value = row.value(run);
-      has_value = has_value || (value != "–" && value != "– / –");
+      has_value =
+          has_value || (value != "–" && value != "– / –" && value != "– → –");
       cells += cell(value);
     }
     // A rigid run has no membrane to speak of.

@@ -1,3 +1,4 @@
+#include <dem/boundary/drum_contacts.h>
 #include <dem/engine.h>
 #include <dem/integrate/verlet.h>
 #include <dem/search/space_order.h>
@@ -54,23 +55,25 @@ constexpr double rebuild_of_balls = 8., rebuild_of_shapes = 30.,
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
-    : settings(parameters),
-      elasticity(
-          mix({parameters.stone.shear_modulus, parameters.stone.poisson_ratio},
-              {parameters.stone.shear_modulus, parameters.stone.poisson_ratio}))
+    : settings(parameters), elasticity(parameters)
 {
 }
 
 void Engine::add_stone(const Body &body, const Vec3 &position,
-                       const Quaternion &orientation)
+                       const Quaternion &orientation, std::uint8_t material)
 {
   stones.follows_surfaces =
       settings.geometry.geometry == ContactGeometry::surface;
-  stones.add(body, position, orientation, settings.stone.density);
+  stones.add(body, position, orientation,
+             material == 0 ? settings.stone.density
+                           : settings.other_solids.at(material - 1u).density);
+  stones.material.back() = material;
+  stones.has_materials |= material != 0;
   pair_finder.forget();
   const double diameter = 2. * stones.last().radius;
   stones.is_breakable.back() =
-      body.series && diameter >= settings.breakage.min_diameter * (1. - 1e-9);
+      body.series && material == 0 &&
+      diameter >= settings.breakage.min_diameter * (1. - 1e-9);
   work.damped.push_back(0.);
   work.lifted.push_back(0.);
   lists_are_stale = true;
@@ -87,6 +90,12 @@ void Engine::deactivate_plane(std::size_t plane)
 {
   walls[plane].is_active = false;
   walls[plane].force = Vec3::Zero();
+  lists_are_stale = true;
+}
+
+void Engine::set_drum(const Drum &drum)
+{
+  barrel = drum;
   lists_are_stale = true;
 }
 
@@ -133,6 +142,7 @@ void Engine::advance(double time_step)
   if (evaluate_contacts(time_step))
     break_corners(time_step);
   load_planes(time_step);
+  load_drum(time_step);
   book_surface_work(time_step);
   finish_kick(time_step);
 }
@@ -160,6 +170,8 @@ void Engine::move_planes(double time_step)
     // Trapezoidal rule: this half with the old force, load_planes the other.
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
   }
+  barrel.angle += time_step * barrel.spin;
+  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
 }
 
 void Engine::keep_lists(const Speeds &fastest, double time_step)
@@ -171,7 +183,10 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   planes_travelled += std::sqrt(boundary) * time_step;
   for (const Vec3 &velocity : facet_surface.velocity)
     boundary = std::max(boundary, velocity.squaredNorm());
-  boundary = std::sqrt(boundary);
+  // Of a drum the shelf alone comes nearer to a stone.
+  const double rim =
+      barrel.shelf_height > 0. ? barrel.spin * barrel.radius : 0.;
+  boundary = std::sqrt(std::max(boundary, rim * rim));
   travelled += (fastest.moving + boundary) * time_step;
   margin.left -=
       (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
@@ -202,6 +217,11 @@ void Engine::rebuild_lists()
     sort_in_space();
   rebuild_pair_list();
   rebuild_plane_list();
+  if (barrel.is_there())
+    rebuild_drum(stones, barrel,
+                 {wall_layout(settings, settings.wall, stones),
+                  settings.geometry.wall_geometry, margin.width},
+                 drum_batch, lost);
   if (has_surface())
     rebuild_facets(stones, facet_surface,
                    {wall_layout(settings, settings.surface, stones),
@@ -275,6 +295,7 @@ void Engine::sort_in_space()
   const std::vector<std::int32_t> place = places(order);
   renumber_pairs(place, pair_batch);
   renumber_planes(place, plane_batch);
+  renumber_planes(place, drum_batch);
   renumber_facets(place, facet_candidates, facet_batch);
 }
 
@@ -294,6 +315,8 @@ bool Engine::evaluate_contacts(double time_step)
 {
   const Timer timer(spent.contacts);
   plane_rows(walls, plane_walls);
+  if (barrel.is_there())
+    find_drum(stones, barrel, drum_batch, drum_walls);
   if (has_surface())
     find_facets(context(time_step), facet_surface, *topology, facet_batch,
                 facet_candidates, facet_walls);
@@ -314,6 +337,8 @@ bool Engine::run_contacts(const ForceContext &all)
     sum.n_ended += part.n_ended;
   };
   add(wall_forces(all, {settings.wall, plane_walls}, plane_batch, ranges));
+  if (barrel.is_there())
+    add(wall_forces(all, {settings.wall, drum_walls}, drum_batch, ranges));
   if (has_surface())
     add(wall_forces(all, {settings.surface, facet_walls}, facet_batch, ranges));
   lost += sum.lost;
@@ -330,8 +355,10 @@ void Engine::break_corners(double time_step)
   ContactSet contacts{pair_batch,
                       plane_batch,
                       facet_batch,
+                      drum_batch,
                       {settings.wall, plane_walls},
-                      {settings.surface, facet_walls}};
+                      {settings.surface, facet_walls},
+                      {settings.wall, drum_walls}};
   const std::size_t before = events.size();
   refused_count +=
       break_stones(context(time_step), stones, contacts, now, events);
@@ -366,6 +393,14 @@ void Engine::load_planes(double time_step)
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
 }
 
+void Engine::load_drum(double time_step)
+{
+  if (!barrel.is_there())
+    return;
+  barrel.torque = drum_torque(barrel, drum_batch, drum_walls);
+  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
+}
+
 void Engine::book_surface_work(double time_step)
 {
   if (!has_surface())
@@ -386,7 +421,8 @@ EngineEnergy Engine::energy() const
   energy.rolling = lost.rolling;
   energy.damping = lost.damping;
   energy.shape_work = lost.shape_work;
-  for (const ContactBatch *batch : {&pair_batch, &plane_batch, &facet_batch})
+  for (const ContactBatch *batch :
+       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
     energy.elastic += elastic_energy(*batch);
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
@@ -398,6 +434,7 @@ EngineEnergy Engine::energy() const
   energy.fracture = fractured;
   for (const Plane &plane : walls)
     energy.plane_work += plane.work;
+  energy.drum_work = barrel.work;
   energy.surface_work = pushed;
   return energy;
 }

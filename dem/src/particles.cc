@@ -29,6 +29,7 @@ void Particles::add(const Body &stone, const Vec3 &at, const Quaternion &turned,
   update_mass(size() - 1, density);
   initial_mass.push_back(fresh.mass);
   is_breakable.push_back(0);
+  material.push_back(0);
   load.emplace_back();
   travelled.push_back(0.);
 }

@@ -322,5 +322,59 @@ PACKINGS = [
         files={"p.csv.gz": gzip.compress(PACKING.encode())[:-6]}),
 ]
 
-CASES = (VALUES + SCENE + WORDS + FILES + GRADATIONS + SHAPES + PACKINGS
+LAB = {"Case": {"kind": "single_particle"}}
+STUDY = ("subsection Study\n  set case = c.prm\n  set outcomes = n_events\n"
+         "end\n")
+SWEEP = "subsection Sweep\n  set Stone/density = 2000, 3000\nend\n"
+
+
+def lab(name, sections, *message):
+    """A case of another kind."""
+    return Bad("lab_" + name, ["check", "lab.prm"], list(message),
+               files={"lab.prm": prm({**LAB, **sections})})
+
+
+def study(name, text, *message):
+    return Bad("study_" + name, ["study", "s.prm"], list(message),
+               files={"s.prm": text, "c.prm": prm(LAB)})
+
+
+LABS = [
+    lab("section", {"Drum": {"turns": 1}}, "Drum/turns", "single_particle",
+        "no section Drum"),
+    lab("shape", {"Particle": {"shape": "none.json"}},
+        "Particle/shape = none.json", "no such file"),
+    lab("axis", {"Particle": {"seed": 0, "axis_z": 0}}, "Particle/axis_z",
+        "must not be zero"),
+    lab("far", {"Press": {"displacement": 0.5}}, "Press/displacement = 0.5",
+        "must be below"),
+    lab("step", {"Time": {"fixed_step": 1}}, "Time/fixed_step = 1",
+        "at most"),
+    lab("rule", {"Time": {"step": "error"}}, "Time/step = error", "stable"),
+    lab("law", {"Wall": {"law": "rubber"}}, "Wall/law = rubber",
+        "linear, hertz"),
+    lab("drum", {"Case": {"kind": "los_angeles"}, "Drum": {"radius": 0.05}},
+        "Drum/", "must be"),
+    lab("rolling", {"Case": {"kind": "los_angeles"},
+                    "Wall": {"rolling_friction": 0.1}},
+        "Wall/rolling_friction = 0.1", "must be 0"),
+    study("empty", STUDY, "s.prm", "Sweep"),
+    study("key", STUDY + "subsection Sweep\n  set Stone/weight = 1, 2\nend\n",
+          "s.prm:6", "Stone/weight", "no parameter"),
+    study("value", STUDY + "subsection Sweep\n"
+                           "  set Stone/density = 2000, heavy\nend\n",
+          "Stone/density = heavy", "must be a number"),
+    study("section", STUDY + SWEEP + "subsection Plot\n  set x = 1\nend\n",
+          "s.prm:9", "Plot", "Study, Sweep or Expect"),
+    study("expect", STUDY + SWEEP + "subsection Expect\n"
+                                    "  set a = n_events grows\nend\n",
+          "s.prm:9", "rises"),
+    study("outcome", STUDY + SWEEP +
+          "subsection Expect\n  set a = laa rises with Stone/density\nend\n",
+          "laa is not in Study/outcomes"),
+    Bad("study_nothing", ["study"], ["a study file must be given"]),
+    Bad("study_jobs", ["study", "s.prm", "--jobs", "0"], ["--jobs 0"]),
+]
+
+CASES = (LABS + VALUES + SCENE + WORDS + FILES + GRADATIONS + SHAPES + PACKINGS
          + MESHES)

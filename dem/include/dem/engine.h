@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/boundary/drum.h>
 #include <dem/breakage/events.h>
 #include <dem/integrate/time_step.h>
 #include <dem/integrate/verlet.h>
@@ -25,6 +26,7 @@ struct EngineEnergy
   double shape_work = 0.; ///< springs gained (negative) by turning, MODEL 6.4
   double fracture = 0.;   ///< sum of G_c A_i over the events
   double plane_work = 0.; ///< done by the planes on the stones
+  double drum_work = 0.;  ///< done by the drum on the stones
   double surface_work = 0.; ///< done by the facet surface on the stones
   double gravity_work = 0.;
 };
@@ -42,11 +44,14 @@ class Engine
 public:
   explicit Engine(const EngineParameters &parameters);
 
-  /// Stones are added before the first step.
+  /// Stones are added before the first step; of another material than 0 they
+  /// do not break.
   void add_stone(const Body &body, const Vec3 &position,
-                 const Quaternion &orientation);
+                 const Quaternion &orientation, std::uint8_t material = 0);
   /// Returns the number of the plane.
   std::size_t add_plane(const Vec3 &point, const Vec3 &normal);
+  /// The drum of the scene (one); its spin may change at any time.
+  void set_drum(const Drum &drum);
   /// The facet surface of the scene (one); lists are rebuilt.
   void attach_surface(FacetSurface surface);
 
@@ -67,6 +72,9 @@ public:
   const ContactBatch &pairs() const { return pair_batch; }
   const ContactBatch &on_planes() const { return plane_batch; }
   const ContactBatch &on_facets() const { return facet_batch; }
+  const ContactBatch &on_drum() const { return drum_batch; }
+  Drum &drum() { return barrel; }
+  const Drum &drum() const { return barrel; }
   std::vector<Plane> &planes() { return walls; }
   const std::vector<Plane> &planes() const { return walls; }
   void deactivate_plane(std::size_t plane);
@@ -114,6 +122,7 @@ private:
   void break_corners(double time_step);
   double branch_steepness() const;
   void load_planes(double time_step);
+  void load_drum(double time_step);
   void book_surface_work(double time_step);
   ForceContext context(double time_step);
   /// Calls call(value) for every plain value that a checkpoint keeps.
@@ -121,12 +130,13 @@ private:
   static void visit_state(Self &self, const Visit &call);
 
   EngineParameters settings;
-  PairElasticity elasticity;
+  ElasticityTable elasticity;
   Particles stones;
   std::vector<Plane> walls;
   FacetSurface facet_surface;
   std::unique_ptr<FacetTopology> topology;
-  ContactBatch pair_batch, plane_batch, facet_batch;
+  Drum barrel;
+  ContactBatch pair_batch, plane_batch, facet_batch, drum_batch;
   FacetCandidates facet_candidates;
   PairLoads pair_loads;
 
@@ -153,5 +163,6 @@ private:
   // Space to work in, kept from step to step.
   std::vector<RangeSum> ranges;
   std::vector<WallRow> plane_walls, facet_walls;
+  std::vector<WallRow> drum_walls; ///< those of the last step are read
 };
 } // namespace dem

@@ -4,12 +4,16 @@
 #include <dem/contact/material.h>
 #include <dem/vector.h>
 
+#include <vector>
+
 namespace dem
 {
 /// All that the engine must know besides the stones and boundaries.
 struct EngineParameters
 {
   StoneMaterial stone;
+  /// Of bodies that are no stones: material 1, 2, ... of Particles::material.
+  std::vector<SolidMaterial> other_solids;
   WallMaterial wall;    ///< stones on planes
   WallMaterial surface; ///< stones on the facet surface
   GeometryParameters geometry;

@@ -43,8 +43,10 @@ struct Particles
   std::vector<Body> body;
   std::vector<double> initial_mass; ///< before any breakage [kg]
   std::vector<std::uint8_t> is_breakable;
+  std::vector<std::uint8_t> material; ///< 0: EngineParameters::stone
   std::vector<StoneLoad> load;
-  bool has_shapes = false; ///< some stone is not a sphere
+  bool has_shapes = false;    ///< some stone is not a sphere
+  bool has_materials = false; ///< some stone is not of material 0
   /// Stones meet with their true surfaces: they turn with the inertia tensors
   /// of their bodies, not of balls, and `travelled` is kept.
   bool follows_surfaces = false;
@@ -110,6 +112,7 @@ struct Particles
     call(self.state);
     call(self.initial_mass);
     call(self.is_breakable);
+    call(self.material);
     call(self.load);
     call(self.travelled);
   }

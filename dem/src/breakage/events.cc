@@ -33,7 +33,8 @@ ContactBatch &batch_of(ContactSet &contacts, int kind)
 {
   return kind == 0   ? contacts.pairs
          : kind == 1 ? contacts.on_planes
-                     : contacts.on_facets;
+         : kind == 2 ? contacts.on_facets
+                     : contacts.on_drum;
 }
 
 const SideCurvature &curvature_of(const ContactBatch &batch, std::size_t k,
@@ -56,7 +57,7 @@ std::vector<Request> collect(ContactSet &contacts,
                              const BreakageParameters &breakage)
 {
   std::vector<Request> requests;
-  for (int kind = 0; kind < 3; ++kind)
+  for (int kind = 0; kind < n_contact_kinds; ++kind)
   {
     ContactBatch &batch = batch_of(contacts, kind);
     for (std::size_t k = 0; batch.layout.has_damage && k < batch.size(); ++k)
@@ -93,7 +94,7 @@ std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t stone)
   for (std::size_t k = 0; k < contacts.pairs.size(); ++k)
     if (contacts.pairs.b[k] == stone)
       forget(0, k, false);
-  for (int kind = 0; kind < 3; ++kind)
+  for (int kind = 0; kind < n_contact_kinds; ++kind)
   {
     const ContactBatch &batch = batch_of(contacts, kind);
     const auto begin = batch.a.begin(),
@@ -111,10 +112,12 @@ double reset(const ForceContext &context, ContactSet &contacts,
 {
   ContactBatch &batch = batch_of(contacts, place.kind);
   const std::size_t k = place.contact;
-  const double released = place.kind == 0 ? reset_pair(context, batch, k)
-                          : place.kind == 1
-                              ? reset_wall(context, contacts.planes, batch, k)
-                              : reset_wall(context, contacts.facets, batch, k);
+  const Walls &walls = place.kind == 1   ? contacts.planes
+                       : place.kind == 2 ? contacts.facets
+                                         : contacts.drum;
+  const double released = place.kind == 0
+                              ? reset_pair(context, batch, k)
+                              : reset_wall(context, walls, batch, k);
   if (batch.layout.has_damage && !batch.is_touching(k))
   {
     batch.factor_a[k] = 0.;
@@ -146,7 +149,7 @@ BreakageMode mode_now(ContactBatch &batch, const Request &request,
 std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
                       const Request &request)
 {
-  if (request.kind == 2)
+  if (request.kind >= 2)
     return -1;
   if (request.kind == 1)
     return batch.b[request.contact];
@@ -189,6 +192,7 @@ int break_stones(const ForceContext &context, Particles &particles,
                  std::vector<BreakageEvent> &events)
 {
   const BreakageParameters &breakage = context.parameters.breakage;
+  const SphereQuadrature &rule = sphere_rule(breakage.quadrature_rings);
   int n_refused = 0;
   for (const Request &request : collect(contacts, breakage))
   {
@@ -202,7 +206,7 @@ int break_stones(const ForceContext &context, Particles &particles,
     factor = factor_after(mode, factor);
     const Spall spall = spall_at(batch, request);
     const SpallResult result =
-        apply_spall(particles.body[i], spall, breakage.kernel_floor);
+        apply_spall(particles.body[i], spall, breakage.kernel_floor, rule);
     if (!result.is_accepted)
     {
       ++n_refused;

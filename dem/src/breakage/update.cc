@@ -116,13 +116,12 @@ std::vector<double> kernel_spectrum(double width, int order)
 }
 
 SpallResult apply_spall(const Body &body, const Spall &spall,
-                        double kernel_floor)
+                        double kernel_floor, const SphereQuadrature &rule)
 {
   SpallResult result;
   result.body = body;
   if (!body.series || body.series->size() < 2) // a sphere has no corner
     return result;
-  const SphereQuadrature &rule = standard_quadrature();
   Coefficients coefficients = scaled_coefficients(body);
   const int order = order_of(coefficients.size());
   result.width = kernel_width(spall, radius(coefficients, spall.direction),
@@ -136,7 +135,7 @@ SpallResult apply_spall(const Body &body, const Spall &spall,
     return result;
   for (std::size_t j = 0; j < kernel.size(); ++j)
     coefficients[j] -= result.depth * kernel[j];
-  Body after = own_body(std::move(coefficients));
+  Body after = own_body(std::move(coefficients), rule);
   if (!(after.inscribed_radius > 0.))
     return result;
   result.removed_volume = body.volume - after.volume;

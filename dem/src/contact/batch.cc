@@ -31,7 +31,7 @@ double SideColumns::local_radius(std::size_t k,
 ContactHistory<double> ContactBatch::history(std::size_t k) const
 {
   const double energy_share =
-      layout.has_partners ? hertz_energy_share : linear_energy_share;
+      layout.is_hertz ? hertz_energy_share : linear_energy_share;
   ContactHistory<double> history;
   history.shear = shear[k];
   if (layout.has_rolling)

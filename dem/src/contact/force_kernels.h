@@ -90,8 +90,9 @@ struct Task
   Surfaces surfaces;
   ContactCoefficients coefficients;
   double time_step;
-  /// Stone against stone, balls: C_H = normal_factor sqrt(R),
-  /// k_s / sqrt(delta) = shear_factor sqrt(R). Walls: k_n, k_s.
+  bool is_hertz; ///< the law of walls
+  /// Hertz, balls: C_H = normal_factor sqrt(R), k_s / sqrt(delta) =
+  /// shear_factor sqrt(R). Linear walls: k_n, k_s.
   double normal_factor, shear_factor;
   double refresh_tolerance; ///< of the sides [rad]
   bool reads_surface;       ///< sides are kept up to date

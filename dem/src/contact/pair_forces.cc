@@ -6,14 +6,6 @@ namespace dem
 {
 namespace
 {
-/// Prefactors of two balls: C_H = 4/3 E* sqrt(R), k_s / sqrt(delta) =
-/// 8 G* sqrt(R) with 1/G* = sum (2 - nu_i) / G_i, from the elliptic solution of
-/// a circle: A = B = 1 / (2 R), here for R = 1.
-HertzPrefactors unit_prefactors(const PairElasticity &elasticity)
-{
-  return elliptic_table()(elasticity, {0.5, 0.5});
-}
-
 kernel::Task pair_task(SurfaceOwner &owner)
 {
   const EngineParameters &parameters = owner.context.parameters;
@@ -21,7 +13,8 @@ kernel::Task pair_task(SurfaceOwner &owner)
   kernel::Task task =
       make_task(owner, {stone.friction, stone.rolling_friction,
                         stone.normal_damping, stone.shear_damping});
-  const HertzPrefactors prefactors = unit_prefactors(owner.context.elasticity);
+  const HertzPrefactors prefactors =
+      unit_prefactors(owner.context.elasticity.pair(0, 0));
   task.normal_factor = prefactors.normal;
   task.shear_factor = prefactors.tangential;
   task.is_radial = task.reads_surface &&
@@ -40,8 +33,9 @@ BatchLayout pair_layout(const EngineParameters &parameters,
                         const Particles &particles)
 {
   BatchLayout layout;
+  layout.is_hertz = true;
   layout.has_rolling = parameters.stone.rolling_friction > 0.;
-  layout.has_sides = particles.has_shapes;
+  layout.has_sides = particles.has_shapes || particles.has_materials;
   layout.has_partners = true;
   layout.has_spots = layout.has_sides &&
                      parameters.geometry.geometry == ContactGeometry::surface;

@@ -336,17 +336,21 @@ ContactMotion<Lanes> support_motion(const StoneLanes &a, const WallLanes &wall,
   if (!any(geometry.overlap > 0. || overlap_before > 0.))
     return;
   ContactHistory<Lanes> history =
-      load_history(contacts, k, overlap_before, linear_energy_share);
+      load_history(contacts, k, overlap_before,
+                   task.is_hertz ? hertz_energy_share : linear_energy_share);
   const Lanes energy_before = history.normal_energy;
   LaneVector force;
   if (task.adds_loads_only)
     force = kept_force(history, wall.vector(at_normal));
   else
   {
-    force = advance_contact(
-        support_motion(a, wall, geometry),
-        linear_spring(task.normal_factor, task.shear_factor, geometry.overlap),
-        task.coefficients, task.time_step, history, lost);
+    const ContactMotion<Lanes> motion = support_motion(a, wall, geometry);
+    force =
+        advance_contact(motion,
+                        wall_spring(task, k,
+                                    {motion.normal, Lanes(0.),
+                                     motion.rolling_radius, geometry.overlap}),
+                        task.coefficients, task.time_step, history, lost);
     store_history(history, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }

@@ -24,7 +24,8 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   const std::int32_t stone = is_a ? batch.a[k] : batch.b[k];
   SideColumns &side = is_a ? batch.side_a : batch.side_b;
   // Evaluated where the column says, to the last digit of the column.
-  const Vec3 rounded = direction.cast<float>().cast<double>().normalized();
+  const Eigen::Vector3f in_column = direction.cast<float>();
+  const Vec3 rounded = in_column.cast<double>().normalized();
   const SurfaceSide fresh =
       evaluate_side(context.particles.body[row_of(stone)], rounded,
                     context.parameters.breakage.curvature_floor_ratio);
@@ -40,8 +41,10 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   side.curvature[k] = fresh.curvature;
   if (batch.layout.has_spots)
     side.offset.set(k, {});
-  if (!batch.twist.empty())
+  if (batch.layout.has_partners)
     batch.twist[k] = not_mixed;
+  else if (batch.layout.is_hertz)
+    set_wall_prefactors(context, batch, k);
   if (batch.layout.has_damage)
     note_corner(context.particles, batch, k, is_a);
 }
@@ -85,10 +88,25 @@ void mix_prefactors(const ForceContext &context, ContactBatch &batch,
   PairCurvatures pair{a.first, a.second, b.first, b.second, 1.};
   if (norms > 0.)
     pair.cos_2psi = 2. * dot * dot / norms - 1.;
+  const auto &material = context.particles.material;
   const HertzPrefactors prefactors =
-      elliptic_table()(context.elasticity, gap_coefficients(pair));
+      elliptic_table()(context.elasticity.pair(material[row_of(batch.a[k])],
+                                               material[row_of(batch.b[k])]),
+                       gap_coefficients(pair));
   batch.normal_prefactor[k] = prefactors.normal;
   batch.shear_prefactor[k] = prefactors.tangential;
   batch.twist[k] = 0.f;
+}
+
+void set_wall_prefactors(const ForceContext &context, ContactBatch &batch,
+                         std::size_t k)
+{
+  const SideCurvature &side = batch.side_a.curvature[k];
+  const HertzPrefactors prefactors =
+      elliptic_table()(context.elasticity.on_plate(
+                           context.particles.material[row_of(batch.a[k])]),
+                       gap_coefficients({side.first, side.second, 0., 0., 1.}));
+  batch.normal_prefactor[k] = prefactors.normal;
+  batch.shear_prefactor[k] = prefactors.tangential;
 }
 } // namespace dem

@@ -29,7 +29,20 @@ void forget_side(ContactBatch &batch, std::size_t k, bool is_a);
 void mix_prefactors(const ForceContext &context, ContactBatch &batch,
                     std::size_t k, const Vec3 &normal);
 
-/// Coefficients of a linear wall in the form that the law takes.
+/// The same against a rigid plate: from side A alone.
+void set_wall_prefactors(const ForceContext &context, ContactBatch &batch,
+                         std::size_t k);
+
+/// Prefactors of two balls, or of a ball on a plate, for R = 1 m: C_H =
+/// 4/3 E* sqrt(R), k_s / sqrt(delta) = 8 G* sqrt(R) with 1/G* =
+/// sum (2 - nu_i) / G_i, from the elliptic solution of a circle, A = B =
+/// 1 / (2 R).
+inline HertzPrefactors unit_prefactors(const PairElasticity &elasticity)
+{
+  return elliptic_table()(elasticity, {0.5, 0.5});
+}
+
+/// Coefficients of a wall in the form that the law takes.
 inline ContactCoefficients coefficients_of(const WallMaterial &wall)
 {
   return {wall.friction, wall.rolling_friction, wall.normal_damping,

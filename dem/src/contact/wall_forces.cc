@@ -12,8 +12,12 @@ kernel::Task wall_task(SurfaceOwner &owner, const Walls &walls)
 {
   const WallMaterial &wall = walls.material;
   kernel::Task task = make_task(owner, coefficients_of(wall));
-  task.normal_factor = wall.normal_stiffness;
-  task.shear_factor = wall.shear_stiffness;
+  task.is_hertz = wall.law == WallLaw::hertz;
+  const HertzPrefactors unit =
+      task.is_hertz ? unit_prefactors(owner.context.elasticity.on_plate(0))
+                    : HertzPrefactors{};
+  task.normal_factor = task.is_hertz ? unit.normal : wall.normal_stiffness;
+  task.shear_factor = task.is_hertz ? unit.tangential : wall.shear_stiffness;
   task.is_radial =
       task.reads_surface && owner.context.parameters.geometry.wall_geometry ==
                                 ContactGeometry::radial;
@@ -32,11 +36,15 @@ BatchLayout wall_layout(const EngineParameters &parameters,
                         const WallMaterial &wall, const Particles &particles)
 {
   BatchLayout layout;
+  layout.is_hertz = wall.law == WallLaw::hertz;
   layout.has_rolling = wall.rolling_friction > 0.;
   layout.has_damage = particles.has_shapes && parameters.breakage.is_active;
   const ContactGeometry geometry = parameters.geometry.wall_geometry;
-  layout.has_sides = layout.has_damage || (particles.has_shapes &&
-                                           geometry != ContactGeometry::ball);
+  layout.has_sides =
+      layout.has_damage ||
+      (particles.has_shapes &&
+       (geometry != ContactGeometry::ball || layout.is_hertz)) ||
+      (particles.has_materials && layout.is_hertz);
   layout.has_spots =
       particles.has_shapes && geometry == ContactGeometry::surface;
   return layout;

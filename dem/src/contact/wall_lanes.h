@@ -85,6 +85,22 @@ void scatter_walls(const Task &task, std::int64_t k, int n_valid,
   }
 }
 
+/// The normal spring: of the surface or the ball on a rigid plate, or linear.
+NormalSpring<Lanes> wall_spring(const Task &task, std::int64_t k,
+                                const WallGeometry &geometry)
+{
+  if (!task.is_hertz)
+    return linear_spring(task.normal_factor, task.shear_factor,
+                         geometry.overlap);
+  if (task.reads_surface)
+    return hertz_spring(load(task.contacts.normal_prefactor + k),
+                        load(task.contacts.shear_prefactor + k),
+                        geometry.overlap);
+  const Lanes root = stdx::sqrt(geometry.reach);
+  return hertz_spring(Lanes(task.normal_factor * root),
+                      Lanes(task.shear_factor * root), geometry.overlap);
+}
+
 [[gnu::flatten]] void advance_walls(const Task &task, std::int64_t k,
                                     int n_valid, Losses<Lanes> &lost,
                                     const Target &target)
@@ -99,17 +115,17 @@ void scatter_walls(const Task &task, std::int64_t k, int n_valid,
   if (!any(geometry.overlap > 0. || overlap_before > 0.))
     return;
   ContactHistory<Lanes> history =
-      load_history(contacts, k, overlap_before, linear_energy_share);
+      load_history(contacts, k, overlap_before,
+                   task.is_hertz ? hertz_energy_share : linear_energy_share);
   const Lanes energy_before = history.normal_energy;
   LaneVector force;
   if (task.adds_loads_only)
     force = kept_force(history, geometry.normal);
   else
   {
-    force = advance_contact(
-        wall_motion(a, wall, geometry),
-        linear_spring(task.normal_factor, task.shear_factor, geometry.overlap),
-        task.coefficients, task.time_step, history, lost);
+    force = advance_contact(wall_motion(a, wall, geometry),
+                            wall_spring(task, k, geometry), task.coefficients,
+                            task.time_step, history, lost);
     store_history(history, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }

@@ -1,3 +1,4 @@
+#include <dem/boundary/drum_contacts.h>
 #include <dem/contact/common_normal.h>
 #include <dem/integrate/contact_springs.h>
 
@@ -52,14 +53,16 @@ double reach_of(const Particles &stones, std::int32_t stone,
              : stones.radius(i);
 }
 
-/// Prefactors of a pair that has not touched yet: the spheres of its radii.
-HertzPrefactors sphere_prefactors(const StoneMaterial &stone, double r_a,
-                                  double r_b)
+/// Prefactors of a contact: as mixed, or, if it has not touched yet, of spheres
+/// with these curvatures.
+HertzPrefactors prefactors_of(const ContactBatch &batch, std::size_t k,
+                              const PairElasticity &elasticity, double kappa_a,
+                              double kappa_b)
 {
-  const Elasticity side{stone.shear_modulus, stone.poisson_ratio};
+  if (!batch.normal_prefactor.empty() && batch.normal_prefactor[k] > 0.)
+    return {batch.normal_prefactor[k], batch.shear_prefactor[k]};
   return elliptic_table()(
-      mix(side, side),
-      gap_coefficients({1. / r_a, 1. / r_a, 1. / r_b, 1. / r_b, 1.}));
+      elasticity, gap_coefficients({kappa_a, kappa_a, kappa_b, kappa_b, 1.}));
 }
 
 /// How two stones, or a stone and a wall, stand to each other at one contact.
@@ -115,6 +118,7 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
   const Particles &stones = engine.particles();
   const ContactBatch &batch = engine.pairs();
   const StoneMaterial &stone = engine.parameters().stone;
+  const ElasticityTable elasticity(engine.parameters());
   const bool is_radial =
       engine.parameters().geometry.geometry == ContactGeometry::radial;
   for (std::size_t k = 0; k < batch.size(); ++k)
@@ -130,12 +134,9 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
         horizon * (stones.velocity(j) - stones.velocity(i)).norm();
     if (overlap <= 0. || r_a + r_b <= 0.)
       continue;
-    const bool is_mixed =
-        batch.layout.has_sides && batch.normal_prefactor[k] > 0.;
-    const HertzPrefactors prefactors =
-        is_mixed ? HertzPrefactors{batch.normal_prefactor[k],
-                                   batch.shear_prefactor[k]}
-                 : sphere_prefactors(stone, r_a, r_b);
+    const HertzPrefactors prefactors = prefactors_of(
+        batch, k, elasticity.pair(stones.material[i], stones.material[j]),
+        1. / r_a, 1. / r_b);
     const NormalSpring<double> spring =
         hertz_spring(prefactors.normal, prefactors.tangential, overlap);
     Contact c;
@@ -155,7 +156,8 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
   }
 }
 
-/// What a linear wall is to a stone that touches it with this lever.
+/// What a wall is to a stone that touches it with this lever; the springs are
+/// linear, make_hertz() takes those of a plate.
 Contact wall_contact(const WallMaterial &wall, const Vec3 &lever,
                      const Vec3 &normal)
 {
@@ -184,6 +186,21 @@ Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
          normal;
 }
 
+/// The springs of contact k with a rigid plate at this overlap [m].
+void make_hertz(const Engine &engine, const ContactBatch &batch, std::size_t k,
+                double overlap, Contact &c)
+{
+  const auto i = static_cast<std::size_t>(batch.a[k]);
+  const ElasticityTable elasticity(engine.parameters());
+  const HertzPrefactors prefactors = prefactors_of(
+      batch, k, elasticity.on_plate(engine.particles().material[i]),
+      1. / c.rolling_radius, 0.);
+  const NormalSpring<double> spring =
+      hertz_spring(prefactors.normal, prefactors.tangential, overlap);
+  c.normal_stiffness = spring.stiffness;
+  c.shear_stiffness = spring.shear_stiffness;
+}
+
 void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
@@ -198,9 +215,39 @@ void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
     const Vec3 lever = wall_lever(engine, batch, k, -plane.normal);
     const double gap =
         (stones.position(i) + lever - plane.point).dot(plane.normal);
-    if (gap >= horizon * (plane.velocity - stones.velocity(i)).norm())
+    const double closing =
+        horizon * (plane.velocity - stones.velocity(i)).norm();
+    if (gap >= closing)
       continue;
     Contact c = wall_contact(parameters.wall, lever, -plane.normal);
+    if (batch.layout.is_hertz)
+      make_hertz(engine, batch, k, closing - gap, c);
+    c.a = batch.a[k];
+    c.reduced_mass = stones.mass(i);
+    append(network, c);
+  }
+}
+
+void add_drum(const Engine &engine, double horizon, SpringNetwork &network)
+{
+  const Particles &stones = engine.particles();
+  const ContactBatch &batch = engine.on_drum();
+  const EngineParameters &parameters = engine.parameters();
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    const auto i = static_cast<std::size_t>(batch.a[k]);
+    const DrumPoint at =
+        nearest_on_drum(engine.drum(), drum_part(batch, k), stones.position(i));
+    const Vec3 lever = wall_lever(engine, batch, k, at.normal);
+    const double overlap =
+        lever.dot(at.normal) - at.distance +
+        horizon *
+            (engine.drum().velocity_at(at.point) - stones.velocity(i)).norm();
+    if (overlap <= 0.)
+      continue;
+    Contact c = wall_contact(parameters.wall, lever, at.normal);
+    if (batch.layout.is_hertz)
+      make_hertz(engine, batch, k, overlap, c);
     c.a = batch.a[k];
     c.reduced_mass = stones.mass(i);
     append(network, c);
@@ -220,6 +267,8 @@ void add_facets(const Engine &engine, SpringNetwork &network)
       continue;
     const Vec3 lever = wall_lever(engine, batch, k, spot.normal);
     Contact c = wall_contact(engine.parameters().surface, lever, spot.normal);
+    if (batch.layout.is_hertz)
+      make_hertz(engine, batch, k, batch.overlap[k], c);
     c.a = batch.a[k];
     double over_mass = 1. / stones.mass(static_cast<std::size_t>(c.a));
     const auto &corner =
@@ -247,6 +296,8 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
     network.inertia.push_back(engine.particles().smallest_moment(i));
   add_pairs(engine, horizon, network);
   add_planes(engine, horizon, network);
+  if (engine.drum().is_there())
+    add_drum(engine, horizon, network);
   if (engine.has_surface())
   {
     // Nobody asks for the mass of a prescribed vertex.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace dem
@@ -41,6 +42,8 @@ double shear_step(const WallMaterial &wall, double mass)
 
 double wall_step(const WallMaterial &wall, double mass)
 {
+  if (wall.law == WallLaw::hertz) // as stiff as it is pressed
+    return std::numeric_limits<double>::infinity();
   const double normal =
       lagged_step(wall.normal_stiffness, mass, wall.normal_damping);
   return wall.shear_stiffness > 0. ? std::min(normal, shear_step(wall, mass))

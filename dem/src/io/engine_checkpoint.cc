@@ -114,7 +114,10 @@ void Engine::save(std::ostream &out, const Library &library) const
     save_body(out, body, library);
   put(walls);
   visit_surface(facet_surface, put);
-  for (const ContactBatch *batch : {&pair_batch, &plane_batch, &facet_batch})
+  write_value(out, barrel);
+  put(drum_walls);
+  for (const ContactBatch *batch :
+       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
   {
     write_value(out, batch->layout);
     write_value(out, batch->size());
@@ -137,6 +140,8 @@ void Engine::restore(std::istream &in, const Library &library)
   stones.has_shapes = false;
   stones.follows_surfaces =
       settings.geometry.geometry == ContactGeometry::surface;
+  stones.has_materials =
+      std::ranges::any_of(stones.material, [](auto m) { return m != 0; });
   for (Body &body : stones.body)
   {
     restore_body(in, body, library);
@@ -147,7 +152,10 @@ void Engine::restore(std::istream &in, const Library &library)
   topology = facet_surface.triangles.empty()
                  ? nullptr
                  : std::make_unique<FacetTopology>(facet_surface);
-  for (ContactBatch *batch : {&pair_batch, &plane_batch, &facet_batch})
+  read_value(in, barrel);
+  get(drum_walls);
+  for (ContactBatch *batch :
+       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
   {
     read_value(in, batch->layout);
     std::size_t n = 0;

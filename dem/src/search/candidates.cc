@@ -1,6 +1,7 @@
 #include "../contact/surfaces.h"
 #include "carry_over.h"
 
+#include <dem/boundary/drum_contacts.h>
 #include <dem/search/candidates.h>
 #include <dem/search/near_pairs.h>
 
@@ -201,6 +202,23 @@ void rebuild_planes(const Particles &particles,
               wall_bound(particles, i, search.geometry) + search.margin)
         keys.emplace_back(static_cast<std::int32_t>(i),
                           static_cast<std::int32_t>(p));
+  carry_over(particles, keys, search.layout, batch, retired);
+}
+
+void rebuild_drum(const Particles &particles, const Drum &drum,
+                  const WallSearch &search, ContactBatch &batch,
+                  Dissipation &retired)
+{
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    for (std::int32_t part = 0; part < n_drum_parts; ++part)
+      if (nearest_on_drum(drum, static_cast<DrumPart>(part),
+                          particles.position(i))
+              .distance <
+          wall_bound(particles, i, search.geometry) + search.margin)
+        keys.emplace_back(
+            static_cast<std::int32_t>(i),
+            n_drum_parts * static_cast<std::int32_t>(particles.id[i]) + part);
   carry_over(particles, keys, search.layout, batch, retired);
 }
 

@@ -57,9 +57,8 @@ void set_gyration(std::span<const double> radii, const SphereQuadrature &rule,
 }
 
 /// Everything but the series, from the nodes.
-Body measured(const Coefficients &coefficients)
+Body measured(const Coefficients &coefficients, const SphereQuadrature &rule)
 {
-  const SphereQuadrature &rule = standard_quadrature();
   const std::vector<double> radii = node_radii(coefficients, rule);
   const std::vector<double> slopes = detail::node_slopes(coefficients, rule);
   const auto [lowest, highest] =
@@ -86,11 +85,12 @@ Body make_sphere(double radius)
   return body;
 }
 
-Body make_body(std::shared_ptr<const Coefficients> series, double radius)
+Body make_body(std::shared_ptr<const Coefficients> series, double radius,
+               const SphereQuadrature &rule)
 {
   DEM_ASSERT(series);
   require_order(*series);
-  Body unit = measured(*series);
+  Body unit = measured(*series, rule);
   unit.series = std::move(series);
   return resized(unit, radius);
 }
@@ -108,10 +108,10 @@ Body resized(const Body &body, double radius)
   return result;
 }
 
-Body own_body(Coefficients coefficients)
+Body own_body(Coefficients coefficients, const SphereQuadrature &rule)
 {
   require_order(coefficients);
-  Body body = measured(coefficients);
+  Body body = measured(coefficients, rule);
   body.series = std::make_shared<const Coefficients>(std::move(coefficients));
   return body;
 }

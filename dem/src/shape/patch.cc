@@ -46,7 +46,9 @@ PrincipalCurvatures principal_curvatures(const RadialExpansion &expansion)
   const double r = expansion.radius, slope = g.norm();
   const double w = std::sqrt(r * r + slope * slope);
   Frame frame = tangent_frame(s);
-  if (slope > 1e-12 * std::abs(r)) // else any frame is principal of I
+  // Below, any frame is principal of I to (g / r)^2, and the direction of g
+  // may be round-off.
+  if (slope > 1e-7 * std::abs(r))
     frame = {g / slope, s.cross(g) / slope};
 
   const Mat3 &h = expansion.hessian;

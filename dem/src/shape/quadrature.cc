@@ -7,6 +7,8 @@
 #include <dem/shape/spherical_harmonics.h>
 
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -76,9 +78,20 @@ SphereQuadrature make_quadrature(int n_polar, int n_azimuth)
   return rule;
 }
 
+const SphereQuadrature &sphere_rule(int n)
+{
+  static std::mutex access;
+  static std::map<int, SphereQuadrature> rules;
+  const std::lock_guard lock(access);
+  const auto known = rules.find(n);
+  return known != rules.end()
+             ? known->second
+             : rules.emplace(n, make_quadrature(n, 2 * n)).first->second;
+}
+
 const SphereQuadrature &standard_quadrature()
 {
-  static const SphereQuadrature rule = make_quadrature(40, 80);
+  static const SphereQuadrature &rule = sphere_rule(40);
   return rule;
 }
 

@@ -114,7 +114,8 @@ TEST_F(CaseFile, ResolvedCaseReadsBackTheSame)
       if (p.range.contains(other))
         **number = other;
     }
-    else if (const auto *choice = std::get_if<Choice>(&p.value))
+    else if (const auto *choice = std::get_if<Choice>(&p.value);
+             choice && p.key != "kind")
       choice->set(choice->names.size() - 1);
   c.breakage.min_ball_radius = 1e-3 / 3.;
   c.specimen.shapes = "shapes";
@@ -136,6 +137,34 @@ TEST_F(CaseFile, TemplateIsASoundCase)
       write("template.prm", template_case("dynamic_triaxial"));
   EXPECT_EQ(message_of(file), "");
   unsetenv("SPALL_DATA_DIR");
+}
+
+TEST_F(CaseFile, EveryKindHasASoundTemplate)
+{
+  for (const std::string &kind : kind_names)
+  {
+    const std::string file = write(kind + ".prm", template_case(kind));
+    EXPECT_EQ(message_of(file), "") << kind;
+    const Case c = read_case(file, {});
+    EXPECT_EQ(kind_names[static_cast<std::size_t>(c.kind)], kind);
+    const auto body = [](const std::string &text)
+    { return text.substr(text.find("subsection Case")); };
+    const Case again = read_case(write("again.prm", resolved_case(c)), {});
+    EXPECT_EQ(body(resolved_case(again)), body(resolved_case(c))) << kind;
+  }
+}
+
+TEST_F(CaseFile, SectionsOfOtherKindsAreRefused)
+{
+  const std::string message =
+      message_of(write("press.prm", "subsection Case\n"
+                                    "  set kind = single_particle\nend\n"
+                                    "subsection Drum\n"
+                                    "  set turns = 3\nend\n"));
+  EXPECT_NE(message.find("press.prm:5: Drum/turns: a case of kind "
+                         "single_particle has no section Drum"),
+            std::string::npos)
+      << message;
 }
 
 TEST_F(CaseFile, EveryParameterIsDescribedOnce)

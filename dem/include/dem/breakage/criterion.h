@@ -15,6 +15,9 @@ struct BreakageParameters
   double min_diameter = 7.1e-3;      ///< breakable from this initial size [m]
   double curvature_floor_ratio = 10; ///< beta in kappa_f = 1/(beta r_ins) [-]
   double kernel_floor = 2.5;         ///< c_lambda in lambda >= c / N_s [-]
+  /// Rings of the rule that measures a stone anew after an event (volume,
+  /// inscribed radius, depth of the chip): 2 n^2 nodes.
+  int quadrature_rings = 40;
 };
 
 enum class BreakageMode

@@ -13,7 +13,7 @@ struct BreakageEvent
   double time = 0.;        ///< [s]
   std::int64_t stone = -1; ///< id of the stone that broke
   std::int64_t other = -1; ///< id of the other stone, plane, or -1
-  int kind = 0;            ///< 0 stone, 1 plane, 2 facet surface
+  int kind = 0;            ///< 0 stone, 1 plane, 2 facet surface, 3 drum
   BreakageMode mode = BreakageMode::none;
   double force_before = 0.;    ///< elastic normal [N]
   double force_after = 0.;     ///< [N]
@@ -34,9 +34,14 @@ struct ContactSet
   ContactBatch &pairs;
   ContactBatch &on_planes;
   ContactBatch &on_facets;
+  ContactBatch &on_drum;
   Walls planes;
   Walls facets;
+  Walls drum;
 };
+
+/// BreakageEvent::kind is below this.
+inline constexpr int n_contact_kinds = 4;
 
 /// Carries out what the force loops asked for (ContactBatch::event), by stone,
 /// then by contact: of the two sides of a contact the one with the larger

@@ -36,8 +36,9 @@ double kernel_width(const Spall &spall, double contact_radius, int order,
 std::vector<double> kernel_spectrum(double width, int order);
 
 /// Subtract theta K from r so that the volume drops by exactly V_i: theta by
-/// Newton on the quadrature nodes (MODEL 8.3). The series becomes the stone's
+/// Newton on the nodes of the rule (MODEL 8.3). The series becomes the stone's
 /// own.
 SpallResult apply_spall(const Body &body, const Spall &spall,
-                        double kernel_floor);
+                        double kernel_floor,
+                        const SphereQuadrature &rule = standard_quadrature());
 } // namespace dem

@@ -36,6 +36,7 @@ struct TripleColumn
 /// Which optional columns a batch has: only what its scene needs.
 struct BatchLayout
 {
+  bool is_hertz = false;     ///< the normal spring; else it is linear
   bool has_rolling = false;  ///< a rolling spring
   bool has_sides = false;    ///< the surface of the stone(s)
   bool has_partners = false; ///< B is a stone
@@ -104,7 +105,7 @@ struct ContactBatch
   std::vector<double> shear_compliance;   ///< 1 / k_s, last [m/N]
   std::vector<double> rolling_compliance; ///< 1 / k_r, last [rad/(N m)]
   SideColumns side_a, side_b;
-  /// Stone against stone with sides: C_H, k_s / sqrt(delta) [N/m^(3/2)]
+  /// Hertz with sides: C_H, k_s / sqrt(delta) [N/m^(3/2)]
   std::vector<double> normal_prefactor, shear_prefactor;
   std::vector<float> twist; ///< turned about the normal since mixed [rad]
   /// Overlap that the contact had when it was found: it does not count [m]
@@ -149,7 +150,8 @@ template <class Visit, class... Batches>
 void ContactBatch::visit(const BatchLayout &has, const Visit &call,
                          Batches &...batches)
 {
-  const bool has_prefactors = has.has_sides && has.has_partners;
+  const bool has_prefactors = has.has_sides && has.is_hertz;
+  const bool has_two_sides = has.has_sides && has.has_partners;
   call(true, batches.a...);
   call(true, batches.b...);
   TripleColumn<double>::visit(call, true, batches.shear...);
@@ -162,10 +164,10 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(true, batches.shear_compliance...);
   call(has.has_rolling, batches.rolling_compliance...);
   SideColumns::visit(call, has, has.has_sides, batches.side_a...);
-  SideColumns::visit(call, has, has_prefactors, batches.side_b...);
+  SideColumns::visit(call, has, has_two_sides, batches.side_b...);
   call(has_prefactors, batches.normal_prefactor...);
   call(has_prefactors, batches.shear_prefactor...);
-  call(has_prefactors, batches.twist...);
+  call(has_two_sides, batches.twist...);
   call(has.has_spots, batches.slack...);
   call(has.has_spots, batches.strayed...);
   call(has.has_damage, batches.factor_a...);

@@ -3,7 +3,7 @@
 #include <dem/boundary/facet_surface.h>
 #include <dem/boundary/plane.h>
 #include <dem/contact/batch.h>
-#include <dem/contact/elliptic.h>
+#include <dem/contact/elasticity_table.h>
 #include <dem/contact/pair_loads.h>
 #include <dem/contact/range_sum.h>
 #include <dem/parameters.h>
@@ -27,7 +27,7 @@ inline double wall_bound(const Particles &particles, std::size_t stone,
 struct ForceContext
 {
   const EngineParameters &parameters;
-  const PairElasticity &elasticity; ///< stone against stone
+  const ElasticityTable &elasticity;
   Particles &particles;
   double time_step = 0.; ///< [s]
   /// Sum over all steps of how far the fastest stone and boundary could have
@@ -78,7 +78,7 @@ struct Walls
   const std::vector<WallRow> &rows; ///< as they stand in this step
 };
 
-/// Stone against wall: linear springs. Loads are added to the stones.
+/// Stone against wall: by the law of the wall. Loads are added to the stones.
 ForceSum wall_forces(const ForceContext &context, const Walls &walls,
                      ContactBatch &batch, std::vector<RangeSum> &ranges);
 

@@ -14,9 +14,25 @@ struct StoneMaterial
   double shear_damping = 0.27;   ///< beta_s [-]
 };
 
-/// Stone against boundary: linear springs (article, Table 2).
+/// A body among the stones that is of another material: its contacts take
+/// friction and damping of the stones.
+struct SolidMaterial
+{
+  double density = 7850.;      ///< rho [kg/m^3]
+  double shear_modulus = 8e10; ///< G [Pa]
+  double poisson_ratio = 0.3;  ///< nu [-]
+};
+
+enum class WallLaw
+{
+  linear, ///< springs of this stiffness (the article)
+  hertz   ///< stone on a rigid plate, with the curvatures of the stone
+};
+
+/// Stone against boundary (article, Table 2).
 struct WallMaterial
 {
+  WallLaw law = WallLaw::linear;   ///< hertz: no stiffness is read
   double normal_stiffness = 1e8;   ///< k_n [N/m]
   double shear_stiffness = 0.85e8; ///< k_s [N/m]
   double friction = 0.21;          ///< f_w [-]

@@ -15,7 +15,7 @@ struct StepLimit
 };
 
 /// Longest stable step of the scene as it is set up: the smallest of
-/// 2 sqrt(m / k) (sqrt(1 + beta^2) - beta) over the linear walls in use with
+/// 2 sqrt(m / k) (sqrt(1 + beta^2) - beta) over the linear walls with
 /// the lightest stone (lagged dashpot), across the wall and, with the turning
 /// of the ball and its rolling spring, along it; and the Rayleigh step
 /// pi r sqrt(rho / G) / (0.1631 nu + 0.8766) of the smallest stone.

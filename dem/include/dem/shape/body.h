@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/shape/quadrature.h>
 #include <dem/shape/spherical_harmonics.h>
 
 #include <memory>
@@ -31,14 +32,16 @@ Body make_sphere(double radius);
 /// A stone of this shape whose ball radius a_00 / sqrt(4 pi) is `radius` [m].
 /// The series is shared, not copied. Integrates over the nodes once (about
 /// 0.1 ms): for many stones of one shape use resized().
-Body make_body(std::shared_ptr<const Coefficients> series, double radius);
+Body make_body(std::shared_ptr<const Coefficients> series, double radius,
+               const SphereQuadrature &rule = standard_quadrature());
 
 /// The same shape with another ball radius [m]; costs nothing, the integrals
 /// are scaled.
 Body resized(const Body &body, double radius);
 
 /// A stone of this shape with exactly these coefficients (after an event).
-Body own_body(Coefficients coefficients);
+Body own_body(Coefficients coefficients,
+              const SphereQuadrature &rule = standard_quadrature());
 
 /// a_00 / sqrt(4 pi) of the stone [m]; for a sphere its radius.
 double mean_radius(const Body &body);

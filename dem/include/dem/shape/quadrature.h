@@ -24,7 +24,11 @@ struct SphereQuadrature
 /// Throws std::invalid_argument unless both numbers are positive.
 SphereQuadrature make_quadrature(int n_polar, int n_azimuth);
 
-/// The 40 x 80 rule of the model (made once).
+/// The rule of n x 2n nodes; each is made once and lives for ever. Throws
+/// std::invalid_argument unless n is positive.
+const SphereQuadrature &sphere_rule(int n);
+
+/// The 40 x 80 rule of the model.
 const SphereQuadrature &standard_quadrature();
 
 /// r at every node of the rule [m], ring by ring (cost ~ n_polar * order *

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <dem/breakage/events.h>
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// Header of events.csv; `progress` names the column that says how far the test
+/// was: cycle_1, displacement_m, turn_1.
+std::string events_header(const std::string &progress);
+
+/// The row of one event.
+std::vector<double> event_row(const dem::BreakageEvent &event, double progress);
+} // namespace spall

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <dem/vector.h>
+
+#include <cstdint>
+
+namespace dem
+{
+/// A drum that turns about its axis, with stones inside: a cylinder, two end
+/// plates, and a shelf along the whole length that stands into it. The shelf
+/// points up at angle zero. Radius zero: there is no drum.
+struct Drum
+{
+  Vec3 centre = Vec3::Zero();  ///< middle of the axis [m]
+  Vec3 axis = Vec3::UnitY();   ///< unit, not vertical [-]
+  double radius = 0.;          ///< inner [m]
+  double length = 0.;          ///< inner [m]
+  double shelf_height = 0.;    ///< from the cylinder inwards; 0: none [m]
+  double shelf_thickness = 0.; ///< [m]
+  double spin = 0.;            ///< about the axis [rad/s]
+  double angle = 0.;           ///< turned so far, out [rad]
+  double torque = 0.;          ///< of the stones about the axis, out [N m]
+  double work = 0.;            ///< done by the drum on the stones, out [J]
+
+  bool is_there() const { return radius > 0.; }
+  /// Of the drum at a point [m/s].
+  Vec3 velocity_at(const Vec3 &point) const
+  {
+    return spin * axis.cross(point - centre);
+  }
+};
+
+/// Smooth parts of a drum; a stone may touch each of them once.
+enum class DrumPart : std::int32_t
+{
+  cylinder,
+  lower_end, ///< against the axis
+  upper_end,
+  shelf
+};
+inline constexpr std::int32_t n_drum_parts = 4;
+
+/// Where a part of the drum is as seen from a point in it.
+struct DrumPoint
+{
+  Vec3 point = Vec3::Zero();   ///< nearest of the part [m]
+  Vec3 normal = Vec3::UnitX(); ///< unit, towards the part [-]
+  double distance = 0.;        ///< along the normal; negative inside [m]
+};
+
+/// On the axis the cylinder is above. Edges of the shelf are round to the
+/// stones: the normal goes to the nearest point.
+DrumPoint nearest_on_drum(const Drum &drum, DrumPart part, const Vec3 &x);
+} // namespace dem

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <dem/boundary/drum.h>
+#include <dem/contact/forces.h>
+#include <dem/search/candidates.h>
+
+namespace dem
+{
+/// The part of the drum that contact k of its batch is with; `b` is
+/// n_drum_parts times the id of the stone plus the part.
+inline DrumPart drum_part(const ContactBatch &batch, std::size_t k)
+{
+  return static_cast<DrumPart>(batch.b[k] % n_drum_parts);
+}
+
+/// Makes the batch hold all (stone, part of the drum) within reach; known
+/// contacts keep what they carry.
+void rebuild_drum(const Particles &particles, const Drum &drum,
+                  const WallSearch &search, ContactBatch &batch,
+                  Dissipation &retired);
+
+/// The drum as the contacts of the batch meet it now: row `b` is the wall of
+/// contact k. Rows of contacts that touch say where they were before.
+void find_drum(const Particles &particles, const Drum &drum,
+               const ContactBatch &batch, std::vector<WallRow> &rows);
+
+/// Moment of the contacts on the drum about its axis [N m].
+double drum_torque(const Drum &drum, const ContactBatch &batch,
+                   const std::vector<WallRow> &rows);
+} // namespace dem

@@ -1,0 +1,89 @@
+#include <dem/assert.h>
+#include <dem/boundary/drum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dem
+{
+namespace
+{
+/// Towards the root of the shelf, across the axis [-].
+Vec3 shelf_direction(const Drum &drum)
+{
+  const Vec3 up = (Vec3::UnitZ() - drum.axis.z() * drum.axis).normalized();
+  return std::cos(drum.angle) * up + std::sin(drum.angle) * drum.axis.cross(up);
+}
+
+DrumPoint on_cylinder(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
+{
+  const double distance = from_axis.norm();
+  DrumPoint at;
+  at.normal =
+      distance > 0. ? Vec3(from_axis / distance) : shelf_direction(drum);
+  at.distance = drum.radius - distance;
+  at.point = x + at.distance * at.normal;
+  return at;
+}
+
+DrumPoint on_end(const Drum &drum, double along, double side, const Vec3 &x)
+{
+  DrumPoint at;
+  at.normal = side * drum.axis;
+  at.distance = 0.5 * drum.length - side * along;
+  at.point = x + at.distance * at.normal;
+  return at;
+}
+
+/// The shelf is a bar of rectangular section: from radius - height outwards,
+/// half the thickness to either side.
+DrumPoint on_shelf(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
+{
+  DrumPoint at;
+  if (drum.shelf_height <= 0.)
+  {
+    at.distance = std::numeric_limits<double>::max();
+    return at;
+  }
+  const Vec3 out = shelf_direction(drum), side = drum.axis.cross(out);
+  const double u = from_axis.dot(out), v = from_axis.dot(side);
+  const double tip = drum.radius - drum.shelf_height,
+               half = 0.5 * drum.shelf_thickness;
+  const double du = std::max(tip - u, 0.), dv = std::clamp(v, -half, half) - v;
+  at.distance = std::hypot(du, dv);
+  if (at.distance > 0.)
+  {
+    at.normal = (du * out + dv * side) / at.distance;
+    at.point = x + du * out + dv * side;
+    return at;
+  }
+  // The centre is inside: out by the nearest face.
+  const double to_tip = u - tip, to_face = half - std::abs(v);
+  at.distance = -std::min(to_tip, to_face);
+  at.normal = to_tip < to_face ? out : Vec3(v > 0. ? -side : side);
+  at.point = x + at.distance * at.normal;
+  return at;
+}
+} // namespace
+
+DrumPoint nearest_on_drum(const Drum &drum, DrumPart part, const Vec3 &x)
+{
+  DEM_ASSERT(drum.is_there());
+  const Vec3 from_centre = x - drum.centre;
+  const double along = from_centre.dot(drum.axis);
+  const Vec3 from_axis = from_centre - along * drum.axis;
+  switch (part)
+  {
+  case DrumPart::cylinder:
+    return on_cylinder(drum, from_axis, x);
+  case DrumPart::lower_end:
+    return on_end(drum, along, -1., x);
+  case DrumPart::upper_end:
+    return on_end(drum, along, 1., x);
+  case DrumPart::shelf:
+    break;
+  }
+  return on_shelf(drum, from_axis, x);
+}
+} // namespace dem

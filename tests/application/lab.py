@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+"""Single particle, Los Angeles drum and study, small: numbers and promises.
+
+    lab.py SPALL single_particle|los_angeles|study
+"""
+import csv
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
+                           summary)
+
+CUBE = {
+    "Case": {"kind": "single_particle"},
+    "Particle": {"shape": "shapes/rounded_cube/rounded_cube.json",
+                 "diameter": 0.03800456,  # half edge 16 mm
+                 "seed": 0, "axis_x": 1, "axis_y": 1, "axis_z": 1},
+    "Press": {"displacement": 1.5e-3, "speed": 1e-2, "rows": 200},
+    "Time": {"fixed_step": 2e-6},
+}
+# Few and large bodies, two turns.
+DRUM = {
+    "Case": {"kind": "los_angeles"},
+    "Charge": {"mass": 0.4, "balls": 1, "ball_mass": 0.4,
+               "ball_shear_modulus": 1e9},
+    "Drum": {"radius": 0.2, "length": 0.2, "shelf_height": 0.05, "turns": 2,
+             "turns_per_minute": 55, "rows_per_turn": 8, "settling_time": 0.3},
+    "Breakage": {"fracture_energy": 1000},
+}
+
+
+def write_prm(path, sections):
+    text = ""
+    for section, entries in sections.items():
+        text += f"subsection {section}\n"
+        for key, value in entries.items():
+            text += f"  set {key} = {value}\n"
+        text += "end\n"
+    path.write_text(text)
+    return path
+
+
+def spall_run(words, status=0):
+    ended = subprocess.run(list(map(str, words)), capture_output=True,
+                           text=True, timeout=200, check=False,
+                           env=ENVIRONMENT)
+    if ended.returncode != status:
+        raise SystemExit(f"{' '.join(ended.args)}: status {ended.returncode}"
+                         f"\n{ended.stdout}\n{ended.stderr}")
+    return ended
+
+
+def near(name, found, expected, tolerance):
+    return [] if abs(found / expected - 1.) <= tolerance else [
+        f"{name} = {found}: must be {expected} within {tolerance} of it"]
+
+
+def resumed_faults(whole, resumed, names):
+    faults = [f"{name} differs after a restart"
+              for name in differing(resumed, whole, names)]
+    mine, other = summary(resumed), summary(whole)
+    return faults + [f"{key} is {mine.get(key)}, was {value}"
+                     for key, value in other.items()
+                     if key != "wall_clock_s" and mine.get(key) != value]
+
+
+def loss_faults(folder, found):
+    """Events, mass and energy agree."""
+    history, events = rows(folder, "history.csv")[1], \
+        rows(folder, "events.csv")[1]
+    faults = []
+    if found["n_events"] != len(events) or \
+            history[-1]["n_events_1"] != len(events):
+        faults.append(f"{len(events)} rows in events.csv, summary says "
+                      f"{found['n_events']}")
+    # The sum of the chips, a double each, against the masses.
+    lost = 2750. * sum(e["removed_volume_m3"] for e in events)
+    initial = found.get("initial_mass_kg",
+                        2750. * found["solid_volume_m3"] + lost)
+    faults += near("laa_percent", found["laa_percent"], 100. * lost / initial,
+                   1e-9)
+    return faults
+
+
+def single_particle(spall, root):
+    case = write_prm(root / "cube.prm", CUBE)
+    spall_run([spall, "run", case, "--out", root / "cube", "--threads", 1])
+    found = summary(root / "cube")
+    # 3 pi G_c / sqrt(K_G) by an independent computation: 446 N, three digits;
+    # the sum of Eq. 4 over 2.4e4 steps falls short by 2e-4.
+    faults = near("first_event_force_N", found["first_event_force_N"], 446.,
+                  2e-3)
+    # Event sequences amplify round-off: held loosely.
+    faults += near("n_events", found["n_events"], 22, 0.1)
+    # Velocity Verlet; measured 3e-6.
+    if not found["energy_residual_ratio_1"] < 1e-4:
+        faults.append(f"energy residual {found['energy_residual_ratio_1']}")
+    faults += loss_faults(root / "cube", found)
+    history = rows(root / "cube", "history.csv")[1]
+    # At rest but for the speed of the platen, some time after an event.
+    events = [e["displacement_m"] for e in rows(root / "cube",
+                                                "events.csv")[1]]
+    faults += [f"platens differ at {row['displacement_m']}"
+               for row in history[20:]
+               if not any(0. <= row["displacement_m"] - at < 2e-5
+                          for at in events) and
+               abs(row["force_N"] - row["lower_force_N"]) >
+               0.01 * row["force_N"] + 1.]
+
+    # Stopped with SIGTERM, gone on with.
+    words = [spall, "run", case, "--out", root / "stopped", "--threads", 1,
+             "--set", "Press/speed=5e-3"]
+    with subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, env=ENVIRONMENT) as running:
+        table = root / "stopped" / "events.csv"
+        while running.poll() is None and not (
+                table.exists() and table.stat().st_size > 400):
+            time.sleep(0.002)
+        running.send_signal(signal.SIGTERM)
+        running.communicate(timeout=100)
+        if running.returncode != 2:
+            faults.append(f"stopped: status {running.returncode}")
+    spall_run([*words, "--resume"])
+    spall_run([*words[:4], root / "whole", *words[5:]])
+    faults += resumed_faults(root / "whole", root / "stopped",
+                             ["history.csv", "events.csv"])
+    spall_run([spall, "report", root / "cube"])
+    page = (root / "cube" / "report.html").read_text()
+    if "force_displacement" not in page or "First event" not in page:
+        faults.append("the report has no force over displacement")
+    return faults
+
+
+def los_angeles(spall, root):
+    case = write_prm(root / "drum.prm", DRUM)
+
+    def go(folder, *options):
+        spall_run([spall, "run", case, "--out", root / folder, "--threads", 1,
+                   *options])
+
+    go("whole")
+    found = summary(root / "whole")
+    faults = loss_faults(root / "whole", found)
+    # 0.4 kg to half a smallest stone of 11 g.
+    faults += near("initial_mass_kg", found["initial_mass_kg"], 0.4, 0.02)
+    faults += near("turns_1", found["turns_1"], 2., 1e-4)
+    # Without events 4e-5. The half step after an event goes with the new
+    # forces, but is booked with the old ones: measured 1e-3 to 2e-3.
+    if not found["energy_residual_ratio_1"] < 1e-2:
+        faults.append(f"energy residual {found['energy_residual_ratio_1']}")
+    if not found["n_events"] > 0:
+        faults.append("nothing broke")
+    history = rows(root / "whole", "history.csv")[1]
+    losses = [row["laa_percent"] for row in history]
+    if losses != sorted(losses):
+        faults.append("LAA falls")
+    if not history[-1]["drum_work_J"] > 0.:
+        faults.append("the drum does no work")
+    go("until", "--until", 1)
+    go("until", "--resume")
+    faults += resumed_faults(root / "whole", root / "until",
+                             ["history.csv", "events.csv"])
+    spall_run([spall, "report", root / "whole"])
+    return faults
+
+
+def study(spall, root):
+    write_prm(root / "cube.prm", {**CUBE, "Press": {
+        "displacement": 5e-4, "speed": 2e-2, "rows": 20}})
+    file = write_prm(root / "study.prm", {
+        "Study": {"case": "cube.prm", "combine": "grid",
+                  "outcomes": "n_events, first_event_force_N",
+                  "curve": "displacement_m, force_N"},
+        "Sweep": {"Breakage/fracture_energy": "8e3, 1e4",
+                  "Time/fixed_step": "2e-6, 4e-6, 9e-3"},  # 9 ms is refused
+        "Expect": {"Gc": "first_event_force_N rises with "
+                         "Breakage/fracture_energy"}})
+    words = [spall, "study", file, "--out", root / "out", "--jobs", 2]
+    ended = spall_run(words, status=2)
+    faults = [] if "2 of 6 cases failed" in ended.stderr else [
+        f"stderr: {ended.stderr}"]
+    with open(root / "out" / "study.csv", newline="") as stream:
+        table = list(csv.DictReader(stream))
+    done = [row for row in table if row["is_done_1"] == "1"]
+    if len(table) != 6 or len(done) != 4:
+        faults.append(f"{len(table)} cases, {len(done)} done")
+    for row in done:  # in proportion to G_c, as the first event of the test
+        faults += near("first event", float(row["first_event_force_N"]),
+                       446. * float(row["Breakage/fracture_energy"]) / 1e4,
+                       4e-3)
+    page = (root / "out" / "report.html").read_text()
+    for word in ("<td>yes</td>", "Cases that failed", "Rayleigh", "<svg"):
+        if word not in page:
+            faults.append(f"the report does not say {word}")
+    before = {row["run"]: (root / "out" / row["run"] / "summary.json")
+              .stat().st_mtime_ns for row in done}
+    spall_run(words, status=2)
+    faults += [f"{run} was run again" for run, when in before.items()
+               if (root / "out" / run / "summary.json").stat().st_mtime_ns !=
+               when]
+    return faults
+
+
+def main():
+    spall = str(pathlib.Path(sys.argv[1]).resolve())
+    test = {"single_particle": single_particle, "los_angeles": los_angeles,
+            "study": study}[sys.argv[2]]
+    with tempfile.TemporaryDirectory() as name:
+        return report_faults(test(spall, pathlib.Path(name)))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
