@@ -15,4 +15,5 @@ int run_command(Words words);
 int report_command(Words words);
 int shape_command(Words words);
 int bench_command(Words words);
+int verify_command(Words words);
 } // namespace spall
