@@ -148,7 +148,7 @@ std::vector<Row> event_on_a_sphere()
   const dem::Spall spall = {Vec3(1, 1, 1).normalized(),
                             dem::cap_of(overlap, gauss).volume, overlap, gauss};
   const dem::SpallResult event =
-      dem::apply_spall(dem::own_body(sphere_series(30, r)), spall, 2.5);
+      dem::apply_spall(dem::own_body(sphere_series(30, r)), spall, {2.5});
   const double square = event.width * event.width, theta = event.depth;
   const double removed = r * r * kernel_integral(square) * theta -
                          r * kernel_integral(square / 2.) * theta * theta +

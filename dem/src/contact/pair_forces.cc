@@ -37,7 +37,10 @@ BatchLayout pair_layout(const EngineParameters &parameters,
   layout.has_rolling = parameters.stone.rolling_friction > 0.;
   layout.has_sides = particles.has_shapes;
   layout.has_partners = true;
-  layout.has_damage = particles.has_shapes && parameters.breakage.is_active;
+  layout.has_damage =
+      particles.has_shapes &&
+      may_break(parameters.breakage, parameters.geometry.geometry);
+  layout.has_level = layout.has_damage && parameters.breakage.needs_level();
   return layout;
 }
 

@@ -27,7 +27,10 @@ BatchLayout wall_layout(const EngineParameters &parameters,
 {
   BatchLayout layout;
   layout.has_rolling = wall.rolling_friction > 0.;
-  layout.has_damage = particles.has_shapes && parameters.breakage.is_active;
+  layout.has_damage =
+      particles.has_shapes &&
+      may_break(parameters.breakage, parameters.geometry.wall_geometry);
+  layout.has_level = layout.has_damage && parameters.breakage.needs_level();
   layout.has_sides = layout.has_damage || (particles.has_shapes &&
                                            parameters.geometry.wall_geometry ==
                                                ContactGeometry::radial);

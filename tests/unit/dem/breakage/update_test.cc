@@ -69,10 +69,11 @@ TEST(KernelWidth, IsThePatchWithAFloorAndALimit)
 {
   Spall spall = spall_at(Vec3::UnitX());
   const double patch = std::sqrt(spall.overlap * 0.005) / 0.01;
-  EXPECT_NEAR(kernel_width(spall, 0.01, 20, 0.5), patch, 1e-15);
-  EXPECT_DOUBLE_EQ(kernel_width(spall, 0.01, 20, 2.5), 0.125);
-  EXPECT_DOUBLE_EQ(kernel_width(spall, 0.01, 8, 2.5), 0.3125);
-  EXPECT_DOUBLE_EQ(kernel_width(spall, 0.01, 2, 2.5), 0.25 * std::numbers::pi);
+  EXPECT_NEAR(kernel_width(spall, 0.01, 20, {0.5}), patch, 1e-15);
+  EXPECT_DOUBLE_EQ(kernel_width(spall, 0.01, 20, {2.5}), 0.125);
+  EXPECT_DOUBLE_EQ(kernel_width(spall, 0.01, 8, {2.5}), 0.3125);
+  EXPECT_DOUBLE_EQ(kernel_width(spall, 0.01, 2, {2.5}),
+                   0.25 * std::numbers::pi);
 }
 
 // The difference of two volumes of about 4e-6 m^3 carries 1e-16 of them, V_i
@@ -84,7 +85,7 @@ TEST(ApplySpall, RemovesExactlyTheVolume)
     {
       const Body body = stone(1);
       const Spall spall = spall_at(u, overlap);
-      const SpallResult result = apply_spall(body, spall, kernel_floor);
+      const SpallResult result = apply_spall(body, spall, {kernel_floor});
       ASSERT_TRUE(result.is_accepted);
       EXPECT_NEAR(result.removed_volume, spall.volume, 1e-9 * spall.volume);
       EXPECT_NEAR(body.volume - result.body.volume, spall.volume,
@@ -97,7 +98,7 @@ TEST(ApplySpall, TakesThetaTimesKernelFromTheSeries)
 {
   const Body body = stone(2);
   const Vec3 u = random_directions(1, 2)[0];
-  const SpallResult result = apply_spall(body, spall_at(u), kernel_floor);
+  const SpallResult result = apply_spall(body, spall_at(u), {kernel_floor});
   const std::vector<double> spectrum = kernel_spectrum(result.width, 20);
   const Coefficients before = scaled_coefficients(body);
   const Coefficients after = scaled_coefficients(result.body);
@@ -120,14 +121,15 @@ TEST(ApplySpall, DepthOnASphereIsTheClosedForm)
   const double r = 0.02;
   const Body body = own_body(sphere_series(20, r));
   Spall spall = spall_at(Vec3::UnitY(), 1e-5);
-  const SpallResult result = apply_spall(body, spall, kernel_floor);
+  const SpallResult result = apply_spall(body, spall, {kernel_floor});
   const double mean = kernel_spectrum(result.width, 0)[0];
   EXPECT_NEAR(result.depth, spall.volume / (r * r * mean), 1e-4 * result.depth);
   // theta / delta = 1 / (2 s^2) where the patch rules the width
   spall.overlap = 0.0005;
   spall.gaussian_curvature = 1. / (r * r);
   spall.volume = cap_of(spall.overlap, spall.gaussian_curvature).volume;
-  EXPECT_NEAR(apply_spall(body, spall, kernel_floor).depth / spall.overlap, 0.5,
+  EXPECT_NEAR(apply_spall(body, spall, {kernel_floor}).depth / spall.overlap,
+              0.5,
               0.01); // lambda^2 / 3 and theta / 2 r, 0.9 % each at most
 }
 
@@ -137,7 +139,7 @@ TEST(ApplySpall, CopiesTheSeriesOnFirstBreakOnly)
   const Coefficients kept = *shared;
   const Body first = make_body(shared, 0.01), second = make_body(shared, 0.02);
   const SpallResult result =
-      apply_spall(first, spall_at(Vec3::UnitZ()), kernel_floor);
+      apply_spall(first, spall_at(Vec3::UnitZ()), {kernel_floor});
   ASSERT_TRUE(result.is_accepted);
   EXPECT_NE(result.body.series, shared);
   EXPECT_EQ(result.body.scale, 1.);
@@ -145,7 +147,7 @@ TEST(ApplySpall, CopiesTheSeriesOnFirstBreakOnly)
   EXPECT_EQ(*shared, kept);
   const Coefficients once = *result.body.series;
   const SpallResult again =
-      apply_spall(result.body, spall_at(Vec3::UnitX()), kernel_floor);
+      apply_spall(result.body, spall_at(Vec3::UnitX()), {kernel_floor});
   ASSERT_TRUE(again.is_accepted);
   EXPECT_EQ(*result.body.series, once);
 }
@@ -154,7 +156,7 @@ TEST(ApplySpall, BluntsTheCornerAndKeepsTheOtherSide)
 {
   const Body body = stone(4);
   const Vec3 u = random_directions(1, 4)[0];
-  const SpallResult result = apply_spall(body, spall_at(u), kernel_floor);
+  const SpallResult result = apply_spall(body, spall_at(u), {kernel_floor});
   const Coefficients before = scaled_coefficients(body);
   const Coefficients &after = *result.body.series;
   EXPECT_NEAR(radius(before, u) - radius(after, u), result.depth,
@@ -169,12 +171,12 @@ TEST(ApplySpall, RefusesMoreThanTheStoneCanGive)
   const Body body = stone(5);
   Spall spall = spall_at(Vec3::UnitX());
   spall.volume = 0.9 * body.volume;
-  const SpallResult result = apply_spall(body, spall, kernel_floor);
+  const SpallResult result = apply_spall(body, spall, {kernel_floor});
   EXPECT_FALSE(result.is_accepted);
   EXPECT_EQ(result.body.series, body.series);
   EXPECT_EQ(result.body.volume, body.volume);
   EXPECT_EQ(result.removed_volume, 0.);
   EXPECT_FALSE(
-      apply_spall(make_sphere(0.01), spall_at(Vec3::UnitX()), kernel_floor)
+      apply_spall(make_sphere(0.01), spall_at(Vec3::UnitX()), {kernel_floor})
           .is_accepted);
 }
