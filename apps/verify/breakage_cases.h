@@ -8,4 +8,5 @@ namespace spall::verify
 std::vector<Row> press_on_walls();
 std::vector<Row> press_of_stones();
 std::vector<Row> books();
+std::vector<Row> choices();
 } // namespace spall::verify

@@ -63,7 +63,7 @@ std::vector<Key> keys_of(const ContactBatch &batch)
   return keys;
 }
 
-/// Marks the corners that the sides know of.
+/// Marks the corners that the sides know of; what is stored now has counted.
 void note_corners(const Particles &particles, ContactBatch &batch)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
@@ -72,6 +72,8 @@ void note_corners(const Particles &particles, ContactBatch &batch)
       note_corner(particles, batch, k, true);
     if (batch.layout.has_partners && batch.side_b.is_known(k))
       note_corner(particles, batch, k, false);
+    if (batch.layout.has_level)
+      batch.level[k] = batch.stored_energy(k);
   }
 }
 
