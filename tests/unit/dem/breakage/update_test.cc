@@ -227,8 +227,8 @@ double overlap_at(double force, double gauss)
 
 // A stone that is pressed here and there by up to 12 N, in the end 24 N, and
 // breaks where that is above 3 pi R G_c (200 J/m^2), until there have been ten
-// thousand events. What is booked is what is gone (sums of 1e-16 of the volume), the volume falls
-// every time, and the stone gets rounder.
+// thousand events. What is booked is what is gone (sums of 1e-16 of the
+// volume), the volume falls every time, and the stone gets rounder.
 TEST(ApplySpall, TenThousandEventsOnOneStone)
 {
   std::mt19937 generator(3);
