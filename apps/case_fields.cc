@@ -225,6 +225,39 @@ void add_contact(List &list, dem::GeometryParameters &c)
       c.refresh_tolerance, between(0., 0.1));
 }
 
+/// What the model leaves open; the first name is the article's or the default.
+void add_breakage_choices(List &list, dem::BreakageParameters &b)
+{
+  list.add({"hysteresis", "-",
+            "Energy counts again once it has fallen by this share and risen."},
+           b.hysteresis, below(0., 1.));
+  list.add({"contacts", "-",
+            "seen: only contacts whose overlap follows the surface break "
+            "stones; all: also where balls overlap."},
+           b.contacts, {"seen", "all"});
+  list.add({"energy", "-",
+            "Of the criterion: the normal spring's, or with the shear "
+            "spring's."},
+           b.energy, {"normal", "with_shear"});
+  list.add({"curvature", "-",
+            "Of the cap: the stone's own, or relative to the other stone."},
+           b.curvature, {"own", "relative"});
+  list.add({"share", "-",
+            "Of overlap and energy: full for each of two stones, or half (by "
+            "compliance)."},
+           b.share, {"full", "compliance"});
+  list.add({"precedence", "-", "Mode of an event that meets both conditions."},
+           b.precedence, {"instantaneous", "cumulative"});
+  list.add({"sides", "-",
+            "Where both stones of a contact ask: the one with the larger "
+            "energy ratio, or both."},
+           b.sides, {"larger", "both"});
+  list.add({"closure", "-",
+            "Depth of an event: exact volume, or the article's zero-mean "
+            "kernel."},
+           b.closure, {"exact", "article"});
+}
+
 void add_breakage(List &list, dem::BreakageParameters &b)
 {
   list.in("Breakage");
@@ -248,6 +281,10 @@ void add_breakage(List &list, dem::BreakageParameters &b)
             "n: 2 n^2 nodes (N_q) measure a stone anew after an event.",
             "exact volumes need 3 order < 2 n"},
            b.quadrature_rings, between(4, 400));
+  list.add({"kernel_scale", "-",
+            "s: width s sqrt(delta R) of an event; at 1 the curvature halves."},
+           b.kernel_scale, between(0.5, 3.));
+  add_breakage_choices(list, b);
 }
 
 void add_membrane(List &list, fem::MembraneParameters &m)
@@ -434,8 +471,10 @@ Case default_case(CaseKind kind)
   else
   {
     c.title = "Los Angeles abrasion test";
-    // Radii along the branch feed stones that spin with energy.
+    // Radii along the branch feed stones that spin with energy; balls break
+    // stones although their overlaps do not see it.
     c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    c.breakage.contacts = dem::EventContacts::all;
     c.time.step = StepRule::stable;
     c.time.local_damping = 0.; // stones fly
   }

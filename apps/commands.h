@@ -16,4 +16,5 @@ int report_command(Words words);
 int study_command(Words words);
 int shape_command(Words words);
 int bench_command(Words words);
+int verify_command(Words words);
 } // namespace spall

@@ -47,7 +47,10 @@ constexpr std::array<Command, 7> commands = {
       "--packing P.csv [--steps N] [--threads N] [--shapes DIR] [--breakage] "
       "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "
       "[--save P.csv]",
-      "time the particle engine on a packing", bench_command, false}}};
+      "time the particle engine on a packing", bench_command, false},
+     {"verify", "[FAMILY ...] [--list] [--csv FILE] [--page FILE]",
+      "print what is known beside what the program computes", verify_command,
+      false}}};
 
 std::string usage()
 {
@@ -120,7 +123,7 @@ int run_program(const std::vector<std::string> &words)
     if (words[0] == command.name)
       return dispatch(command, Words(words).subspan(1));
   throw InputError(words[0] + ": no such command: must be one of template, "
-                              "check, run, report, study, shape, bench");
+                              "check, run, report, study, shape, bench, verify");
 }
 
 /// A message as the one line that a user gets.

@@ -129,6 +129,9 @@ void Engine::come_to_rest()
 void Engine::set_breaking(bool is_on)
 {
   lists_are_stale |= is_on != settings.breakage.is_active;
+  // Caps of relative curvature are made where prefactors are mixed.
+  if (settings.breakage.curvature == CapCurvature::relative)
+    std::fill(pair_batch.twist.begin(), pair_batch.twist.end(), 10.f);
   settings.breakage.is_active = is_on;
 }
 
@@ -360,8 +363,10 @@ void Engine::break_corners(double time_step)
                       {settings.surface, facet_walls},
                       {settings.wall, drum_walls}};
   const std::size_t before = events.size();
-  refused_count +=
+  const BreakingSum done =
       break_stones(context(time_step), stones, contacts, now, events);
+  refused_count += done.n_refused;
+  lost.shape_work += done.refreshed;
   for (std::size_t e = before; e < events.size(); ++e)
   {
     released += events[e].released_energy + events[e].kinetic_energy;

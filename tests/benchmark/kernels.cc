@@ -1,6 +1,7 @@
 // Kernels of the particle engine; each call of a loop body is one item.
 #include "scenes.h"
 
+#include <dem/breakage/update.h>
 #include <dem/contact/elliptic.h>
 #include <dem/contact/law.h>
 #include <dem/contact/side.h>
@@ -146,6 +147,20 @@ void side_evaluation(State &state)
 }
 BENCHMARK(side_evaluation)->Apply(orders);
 
+/// One event: kernel, depth, new coefficients and all that follows from them.
+void breakage_event(State &state)
+{
+  over_directions(state,
+                  [](const dem::Body &body, const dem::Vec3 &s)
+                  {
+                    const double overlap = 2e-5, gauss = 1e6;
+                    const dem::Spall spall{
+                        s, dem::cap_of(overlap, gauss).volume, overlap, gauss};
+                    return dem::apply_spall(body, spall, {}).depth;
+                  });
+}
+BENCHMARK(breakage_event)->Unit(benchmark::kMicrosecond);
+
 benchmark_scenes::Stones kind_of(const State &state)
 {
   return state.range(1) != 0 ? benchmark_scenes::Stones::shapes
@@ -175,16 +190,28 @@ void list_rebuild(State &state)
 }
 
 /// One frozen step of the engine; an item is one touching pair.
-void engine_step(State &state)
+void step_engine(State &state, bool is_breaking)
 {
   const auto engine = benchmark_scenes::lattice(
       static_cast<int>(state.range(0)), kind_of(state));
+  engine->set_breaking(is_breaking);
   std::int64_t n_touching = 0;
   for (std::size_t k = 0; k < engine->pairs().size(); ++k)
     n_touching += engine->pairs().is_touching(k);
   for (auto _ : state)
     engine->advance(benchmark_scenes::frozen_step);
   state.SetItemsProcessed(state.iterations() * n_touching);
+}
+
+void engine_step(State &state)
+{
+  step_engine(state, false);
+}
+
+/// The same with breakage switched on; nothing breaks.
+void engine_step_breakage(State &state)
+{
+  step_engine(state, true);
 }
 
 void sizes(benchmark::internal::Benchmark *kernel)
@@ -195,6 +222,11 @@ void sizes(benchmark::internal::Benchmark *kernel)
 }
 BENCHMARK(list_rebuild)->Apply(sizes);
 BENCHMARK(engine_step)->Apply(sizes);
+BENCHMARK(engine_step_breakage)
+    ->Args({500, 1})
+    ->Args({5000, 1})
+    ->ArgNames({"stones", "shapes"})
+    ->Unit(benchmark::kMicrosecond);
 } // namespace
 
 BENCHMARK_MAIN();

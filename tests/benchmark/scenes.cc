@@ -46,6 +46,7 @@ std::unique_ptr<dem::Engine> lattice(int n, Stones kind)
   constexpr int n_steps = 3;
   dem::EngineParameters parameters;
   parameters.breakage.is_active = false;
+  parameters.breakage.fracture_energy = 1e12; // once it is on: nothing breaks
   parameters.search_margin = 5e-4;
   parameters.wall.normal_stiffness = 3e5;
   parameters.wall.shear_stiffness = 3e5;

@@ -22,11 +22,12 @@ double cap_slope(double gaussian_curvature)
   return 2. * std::numbers::pi / std::sqrt(gaussian_curvature);
 }
 
-BreakageMode mode_of(const DamageStep<double> &step)
+BreakageMode mode_of(const DamageStep<double> &step, ModePrecedence precedence)
 {
-  if (step.energy_ratio > 1.)
+  const bool is_one = step.factor > 1., is_two = step.energy_ratio > 1.;
+  if (is_two && !(is_one && precedence == ModePrecedence::cumulative))
     return BreakageMode::instantaneous;
-  return step.factor > 1. ? BreakageMode::cumulative : BreakageMode::none;
+  return is_one ? BreakageMode::cumulative : BreakageMode::none;
 }
 
 double factor_after(BreakageMode mode, double factor)

@@ -4,6 +4,7 @@
 #include <dem/breakage/update.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -37,19 +38,48 @@ ContactBatch &batch_of(ContactSet &contacts, int kind)
                      : contacts.on_drum;
 }
 
-const SideCurvature &curvature_of(const ContactBatch &batch, std::size_t k,
-                                  bool is_side_a)
+/// K_G that the caps of this side have [1/m^2].
+double cap_curvature(const ContactBatch &batch, std::size_t k, bool is_side_a,
+                     CapCurvature choice)
 {
-  return (is_side_a ? batch.side_a : batch.side_b).curvature[k];
+  if (choice == CapCurvature::own)
+    return (is_side_a ? batch.side_a : batch.side_b).curvature[k].gaussian();
+  // The slope of the cap is the one place that knows the other surface.
+  const double slope = (is_side_a ? batch.corner_a : batch.corner_b)[k];
+  return std::pow(cap_slope(1.) / slope, 2);
+}
+
+/// E_e of the contact as the criterion counts it [J].
+double counted_energy(const ContactBatch &batch, std::size_t k,
+                      const BreakageParameters &breakage)
+{
+  const ContactHistory<double> history = batch.history(k);
+  double energy = history.normal_energy;
+  if (breakage.energy == CriterionEnergy::with_shear)
+    energy += shear_energy(history);
+  return energy;
 }
 
 double energy_ratio(const ContactBatch &batch, std::size_t k, bool is_side_a,
                     const BreakageParameters &breakage)
 {
-  return batch.history(k).normal_energy /
-         (breakage.fracture_energy *
-          cap_of(batch.overlap[k], curvature_of(batch, k, is_side_a).gaussian())
-              .area);
+  const double curvature =
+      cap_curvature(batch, k, is_side_a, breakage.curvature);
+  return counted_energy(batch, k, breakage) /
+         (breakage.fracture_energy * cap_of(batch.overlap[k], curvature).area);
+}
+
+/// Bits of the sides that are to break: of both the one with the larger ratio,
+/// if only one may.
+int sides_of(const ContactBatch &batch, std::size_t k, int event,
+             const BreakageParameters &breakage)
+{
+  if (event != 3 || breakage.sides == BrokenSides::both)
+    return event;
+  return energy_ratio(batch, k, true, breakage) >=
+                 energy_ratio(batch, k, false, breakage)
+             ? 1
+             : 2;
 }
 
 /// What the loops asked for; it is asked for once.
@@ -65,12 +95,11 @@ std::vector<Request> collect(ContactSet &contacts,
       const int event = std::exchange(batch.event[k], std::uint8_t{0});
       if (event == 0)
         continue;
-      bool is_side_a = event & 1;
-      if (event == 3)
-        is_side_a = energy_ratio(batch, k, true, breakage) >=
-                    energy_ratio(batch, k, false, breakage);
-      requests.push_back(
-          {is_side_a ? batch.a[k] : batch.b[k], kind, k, is_side_a});
+      const int sides = sides_of(batch, k, event, breakage);
+      if (sides & 1)
+        requests.push_back({batch.a[k], kind, k, true});
+      if (sides & 2)
+        requests.push_back({batch.b[k], kind, k, false});
     }
   }
   std::sort(requests.begin(), requests.end(),
@@ -143,7 +172,8 @@ BreakageMode mode_now(ContactBatch &batch, const Request &request,
     return BreakageMode::none;
   return mode_of(
       {factor_of(batch, request),
-       energy_ratio(batch, request.contact, request.is_side_a, breakage)});
+       energy_ratio(batch, request.contact, request.is_side_a, breakage)},
+      breakage.precedence);
 }
 
 std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
@@ -158,17 +188,27 @@ std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
   return particles.id[static_cast<std::size_t>(other)];
 }
 
+/// Share of overlap and energy that the stone gets: two stones are alike in
+/// their elasticity, walls are rigid [-].
+double share_of(const Request &request, const BreakageParameters &breakage)
+{
+  const bool is_split =
+      breakage.share == EnergyShare::compliance && request.kind == 0;
+  return is_split ? 0.5 : 1.;
+}
+
 /// What the contact takes off, where the side was last evaluated.
-Spall spall_at(const ContactBatch &batch, const Request &request)
+Spall spall_at(const ContactBatch &batch, const Request &request,
+               const BreakageParameters &breakage)
 {
   const std::size_t k = request.contact;
   const Triple<double> direction =
       (request.is_side_a ? batch.side_a : batch.side_b).direction[k];
   Spall spall;
   spall.direction = Vec3(direction.x, direction.y, direction.z).normalized();
-  spall.overlap = batch.overlap[k];
+  spall.overlap = share_of(request, breakage) * batch.overlap[k];
   spall.gaussian_curvature =
-      curvature_of(batch, k, request.is_side_a).gaussian();
+      cap_curvature(batch, k, request.is_side_a, breakage.curvature);
   spall.volume = cap_of(spall.overlap, spall.gaussian_curvature).volume;
   return spall;
 }
@@ -185,56 +225,93 @@ double replace_body(const ForceContext &context, Particles &particles,
     particles.is_breakable[i] = 0;
   return before - particles.kinetic_energy(i);
 }
-} // namespace
+/// Evaluates all contacts of a stone anew; returns the energy they gave up.
+double reset_all(const ForceContext &context, ContactSet &contacts,
+                 std::int32_t stone)
+{
+  double released = 0.;
+  for (const Place &place : forget_surface(contacts, stone))
+    released += reset(context, contacts, place);
+  return released;
+}
 
-int break_stones(const ForceContext &context, Particles &particles,
-                 ContactSet &contacts, double time,
-                 std::vector<BreakageEvent> &events)
+/// What is known of an event before the stone changes.
+BreakageEvent announce(const Particles &particles, ContactBatch &batch,
+                       const Request &request,
+                       const BreakageParameters &breakage)
+{
+  const std::size_t k = request.contact;
+  const Spall spall = spall_at(batch, request, breakage);
+  const double share = share_of(request, breakage);
+  BreakageEvent event;
+  event.stone = particles.id[static_cast<std::size_t>(request.stone)];
+  event.other = other_of(particles, batch, request);
+  event.kind = request.kind;
+  event.mode = mode_now(batch, request, breakage);
+  event.force_before = batch.normal_force[k];
+  event.overlap = batch.overlap[k];
+  event.elastic_energy = share * counted_energy(batch, k, breakage);
+  event.fracture_energy = breakage.fracture_energy *
+                          cap_of(spall.overlap, spall.gaussian_curvature).area;
+  return event;
+}
+
+/// Lets the stone break at the contact; false if its shape refuses.
+bool carry_out(const ForceContext &context, Particles &particles,
+               ContactSet &contacts, const Request &request,
+               BreakageEvent &event)
 {
   const BreakageParameters &breakage = context.parameters.breakage;
-  const SphereQuadrature &rule = sphere_rule(breakage.quadrature_rings);
-  int n_refused = 0;
+  ContactBatch &batch = batch_of(contacts, request.kind);
+  const auto i = static_cast<std::size_t>(request.stone);
+  double &factor = factor_of(batch, request);
+  factor = factor_after(event.mode, factor);
+  const SpallResult result = apply_spall(
+      particles.body[i], spall_at(batch, request, breakage),
+      {breakage.kernel_floor, breakage.kernel_scale, breakage.closure},
+      sphere_rule(breakage.quadrature_rings));
+  if (!result.is_accepted)
+    return false;
+  event.removed_volume = result.removed_volume;
+  event.width = result.width;
+  event.depth = result.depth;
+  particles.travelled[i] += result.depth;
+  event.kinetic_energy = replace_body(context, particles, i, result.body);
+  event.ball_radius = particles.radius(i);
+  event.released_energy = reset_all(context, contacts, request.stone);
+  event.force_after = batch.normal_force[request.contact];
+  return true;
+}
+} // namespace
+
+BreakingSum break_stones(const ForceContext &context, Particles &particles,
+                         ContactSet &contacts, double time,
+                         std::vector<BreakageEvent> &events)
+{
+  const BreakageParameters &breakage = context.parameters.breakage;
+  BreakingSum sum;
   for (const Request &request : collect(contacts, breakage))
   {
     ContactBatch &batch = batch_of(contacts, request.kind);
-    const std::size_t k = request.contact;
-    const auto i = static_cast<std::size_t>(request.stone);
-    const BreakageMode mode = mode_now(batch, request, breakage);
-    if (mode == BreakageMode::none || !particles.is_breakable[i])
-      continue;
-    double &factor = factor_of(batch, request);
-    factor = factor_after(mode, factor);
-    const Spall spall = spall_at(batch, request);
-    const SpallResult result =
-        apply_spall(particles.body[i], spall, breakage.kernel_floor, rule);
-    if (!result.is_accepted)
+    const auto is_off = [&]
     {
-      ++n_refused;
+      return !particles.is_breakable[static_cast<std::size_t>(request.stone)] ||
+             mode_now(batch, request, breakage) == BreakageMode::none;
+    };
+    if (is_off())
       continue;
-    }
-    BreakageEvent event;
+    // Before and after with surfaces as they are: else the event would be
+    // given what the expansions of all its contacts are out of date by.
+    sum.refreshed += reset_all(context, contacts, request.stone);
+    if (is_off())
+      continue;
+    BreakageEvent event = announce(particles, batch, request, breakage);
     event.time = time;
-    event.stone = particles.id[i];
-    event.other = other_of(particles, batch, request);
-    event.kind = request.kind;
-    event.mode = mode;
-    event.force_before = batch.normal_force[k];
-    event.overlap = spall.overlap;
-    event.elastic_energy = batch.history(k).normal_energy;
-    event.fracture_energy =
-        breakage.fracture_energy *
-        cap_of(spall.overlap, spall.gaussian_curvature).area;
-    event.removed_volume = result.removed_volume;
-    event.width = result.width;
-    event.depth = result.depth;
-    particles.travelled[i] += result.depth;
-    event.kinetic_energy = replace_body(context, particles, i, result.body);
-    event.ball_radius = particles.radius(i);
-    for (const Place &place : forget_surface(contacts, request.stone))
-      event.released_energy += reset(context, contacts, place);
-    event.force_after = batch.normal_force[k];
-    events.push_back(event);
+    if (carry_out(context, particles, contacts, request, event))
+      events.push_back(event);
+    else
+      ++sum.n_refused;
   }
-  return n_refused;
+  return sum;
 }
 } // namespace dem

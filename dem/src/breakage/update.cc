@@ -75,17 +75,42 @@ double solve_depth(const RemovedVolume &removed, double volume)
   return std::abs(removed.value(theta) - volume) <= 1e-12 * volume ? theta
                                                                    : -1.;
 }
+/// MODEL 8.3.
+double exact_depth(const Coefficients &coefficients, const Coefficients &kernel,
+                   double volume, const SphereQuadrature &rule)
+{
+  return solve_depth(removed_volume(node_radii(coefficients, rule),
+                                    node_radii(kernel, rule), rule),
+                     volume);
+}
+
+/// V_i / (r_0^2 int K): on a sphere, to first order, what Eq. 17 takes off the
+/// mean radius (MODEL 8.2).
+double article_depth(const Coefficients &coefficients,
+                     const Coefficients &kernel, double volume)
+{
+  const double mean = coefficients[0] * ball_radius_factor;
+  return volume / (mean * mean * kernel[0] / ball_radius_factor);
+}
+
+/// a_00 after Eqs. 17, 18; negative if the ball has less than this volume.
+double article_mean(double a_00, double volume)
+{
+  const double mean = a_00 * ball_radius_factor;
+  return std::cbrt(std::pow(mean, 3) - 0.75 * volume / std::numbers::pi) /
+         ball_radius_factor;
+}
 } // namespace
 
 double kernel_width(const Spall &spall, double contact_radius, int order,
-                    double kernel_floor)
+                    const KernelRule &rule)
 {
   DEM_ASSERT(order > 0 && contact_radius > 0.);
   const double patch =
+      rule.scale *
       std::sqrt(spall.overlap / std::sqrt(spall.gaussian_curvature)) /
       contact_radius;
-  return std::min(std::max(patch, kernel_floor / order),
-                  0.25 * std::numbers::pi);
+  return std::min(std::max(patch, rule.floor / order), 0.25 * std::numbers::pi);
 }
 
 // Beyond nine widths the Gaussian is below 3e-18. 128 points resolve P_30 on
@@ -116,7 +141,7 @@ std::vector<double> kernel_spectrum(double width, int order)
 }
 
 SpallResult apply_spall(const Body &body, const Spall &spall,
-                        double kernel_floor, const SphereQuadrature &rule)
+                        const KernelRule &shape, const SphereQuadrature &rule)
 {
   SpallResult result;
   result.body = body;
@@ -124,17 +149,21 @@ SpallResult apply_spall(const Body &body, const Spall &spall,
     return result;
   Coefficients coefficients = scaled_coefficients(body);
   const int order = order_of(coefficients.size());
-  result.width = kernel_width(spall, radius(coefficients, spall.direction),
-                              order, kernel_floor);
+  result.width =
+      kernel_width(spall, radius(coefficients, spall.direction), order, shape);
   const Coefficients kernel =
       kernel_coefficients(result.width, order, spall.direction);
-  result.depth = solve_depth(removed_volume(node_radii(coefficients, rule),
-                                            node_radii(kernel, rule), rule),
-                             spall.volume);
+  const bool is_exact = shape.closure == DepthClosure::exact;
+  result.depth = is_exact
+                     ? exact_depth(coefficients, kernel, spall.volume, rule)
+                     : article_depth(coefficients, kernel, spall.volume);
   if (!(result.depth >= 0.))
     return result;
+  const double mean = coefficients[0];
   for (std::size_t j = 0; j < kernel.size(); ++j)
     coefficients[j] -= result.depth * kernel[j];
+  if (!is_exact)
+    coefficients[0] = article_mean(mean, spall.volume);
   Body after = own_body(std::move(coefficients), rule);
   if (!(after.inscribed_radius > 0.))
     return result;

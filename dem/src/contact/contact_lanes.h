@@ -162,10 +162,31 @@ void damage_side(const Task &task, std::int64_t k, const Loading &loading,
     }
 }
 
-void find_damage(const Task &task, std::int64_t k, const Loading &loading,
+/// The energies that the criterion compares, where they are not those of the
+/// normal spring in the last step and in this one.
+Loading counted_loading(const Task &task, std::int64_t k,
+                        const Loading &loading)
+{
+  const Contacts &contacts = task.contacts;
+  Loading counted = loading;
+  if (task.counts_shear)
+  {
+    const LaneVector shear = load_vector(contacts.shear, k);
+    counted.energy +=
+        0.5 * dot(shear, shear) * load(contacts.shear_compliance + k);
+  }
+  counted.energy_before = load(contacts.level + k);
+  store(counted_level(counted.energy_before, counted.energy, task.hysteresis),
+        contacts.level + k);
+  return counted;
+}
+
+void find_damage(const Task &task, std::int64_t k, const Loading &last,
                  RangeSum &sum)
 {
   const Contacts &contacts = task.contacts;
+  const Loading loading =
+      contacts.level ? counted_loading(task, k, last) : last;
   damage_side(task, k, loading, contacts.corner_a, contacts.factor_a, 1u, sum);
   if (contacts.corner_b)
     damage_side(task, k, loading, contacts.corner_b, contacts.factor_b, 2u,

@@ -56,6 +56,7 @@ struct Contacts
   double *slack; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
   const float *corner_a, *corner_b;
+  double *level;
   std::uint8_t *event;
 };
 
@@ -99,8 +100,10 @@ struct Task
   bool is_radial;           ///< overlap from the sides, not from the balls
   bool has_damage;
   double fracture_energy; ///< G_c [J/m^2]
-  bool adds_loads_only;   ///< forces are taken as the last step left them
-  const double *walls;    ///< WallRow
+  double hysteresis;      ///< of the counted energy [-]
+  bool counts_shear;    ///< the energy of the criterion is that of both springs
+  bool adds_loads_only; ///< forces are taken as the last step left them
+  const double *walls;  ///< WallRow
 };
 
 /// One step of the contacts [first, last); `first` is a multiple of the block.

@@ -39,7 +39,10 @@ BatchLayout pair_layout(const EngineParameters &parameters,
   layout.has_partners = true;
   layout.has_spots = layout.has_sides &&
                      parameters.geometry.geometry == ContactGeometry::surface;
-  layout.has_damage = particles.has_shapes && parameters.breakage.is_active;
+  layout.has_damage =
+      particles.has_shapes &&
+      may_break(parameters.breakage, parameters.geometry.geometry);
+  layout.has_level = layout.has_damage && parameters.breakage.needs_level();
   return layout;
 }
 

@@ -90,6 +90,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.factor_b.data(),
           batch.corner_a.data(),
           batch.corner_b.data(),
+          batch.level.data(),
           batch.event.data()};
 }
 
@@ -117,6 +118,9 @@ kernel::Task make_task(SurfaceOwner &owner,
   // A still contact takes no damage.
   task.has_damage = owner.batch.layout.has_damage && context.time_step > 0.;
   task.fracture_energy = context.parameters.breakage.fracture_energy;
+  task.hysteresis = context.parameters.breakage.hysteresis;
+  task.counts_shear =
+      context.parameters.breakage.energy == CriterionEnergy::with_shear;
   task.adds_loads_only = context.adds_loads_only;
   return task;
 }

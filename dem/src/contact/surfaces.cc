@@ -88,14 +88,20 @@ void mix_prefactors(const ForceContext &context, ContactBatch &batch,
   PairCurvatures pair{a.first, a.second, b.first, b.second, 1.};
   if (norms > 0.)
     pair.cos_2psi = 2. * dot * dot / norms - 1.;
+  const GapCoefficients gap = gap_coefficients(pair);
   const auto &material = context.particles.material;
   const HertzPrefactors prefactors =
       elliptic_table()(context.elasticity.pair(material[row_of(batch.a[k])],
                                                material[row_of(batch.b[k])]),
-                       gap_coefficients(pair));
+                       gap);
   batch.normal_prefactor[k] = prefactors.normal;
   batch.shear_prefactor[k] = prefactors.tangential;
   batch.twist[k] = 0.f;
+  if (batch.layout.has_damage &&
+      context.parameters.breakage.curvature == CapCurvature::relative)
+    for (float *corner : {&batch.corner_a[k], &batch.corner_b[k]})
+      if (*corner > 0.f)
+        *corner = static_cast<float>(cap_slope(4. * gap.a * gap.b));
 }
 
 void set_wall_prefactors(const ForceContext &context, ContactBatch &batch,

@@ -21,6 +21,14 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
 void note_corner(const Particles &particles, ContactBatch &batch, std::size_t k,
                  bool is_a);
 
+/// Whether contacts of this geometry may break stones.
+inline bool may_break(const BreakageParameters &breakage,
+                      ContactGeometry geometry)
+{
+  return breakage.is_active && (breakage.contacts == EventContacts::all ||
+                                geometry != ContactGeometry::ball);
+}
+
 /// Forgets the surface of side A or B of contact k.
 void forget_side(ContactBatch &batch, std::size_t k, bool is_a);
 

@@ -38,8 +38,10 @@ BatchLayout wall_layout(const EngineParameters &parameters,
   BatchLayout layout;
   layout.is_hertz = wall.law == WallLaw::hertz;
   layout.has_rolling = wall.rolling_friction > 0.;
-  layout.has_damage = particles.has_shapes && parameters.breakage.is_active;
   const ContactGeometry geometry = parameters.geometry.wall_geometry;
+  layout.has_damage =
+      particles.has_shapes && may_break(parameters.breakage, geometry);
+  layout.has_level = layout.has_damage && parameters.breakage.needs_level();
   layout.has_sides =
       layout.has_damage ||
       (particles.has_shapes &&

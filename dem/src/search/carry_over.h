@@ -9,6 +9,6 @@ namespace dem
 void retire_contact(const ContactBatch &batch, std::size_t k,
                     Dissipation &retired);
 
-/// Marks the corners that the sides know of.
+/// Marks the corners that the sides know of; what is stored now has counted.
 void note_corners(const Particles &particles, ContactBatch &batch);
 } // namespace dem

@@ -1,25 +1,12 @@
 #pragma once
 
+#include <dem/breakage/parameters.h>
 #include <dem/triple.h>
 
 #include <algorithm>
 
 namespace dem
 {
-/// Parameters of the energy criterion (article, Table 2).
-struct BreakageParameters
-{
-  bool is_active = true;             ///< stones may break at all
-  double fracture_energy = 1e4;      ///< G_c, breakage energy per area [J/m^2]
-  double min_ball_radius = 2e-3;     ///< no further breakage below this [m]
-  double min_diameter = 7.1e-3;      ///< breakable from this initial size [m]
-  double curvature_floor_ratio = 10; ///< beta in kappa_f = 1/(beta r_ins) [-]
-  double kernel_floor = 2.5;         ///< c_lambda in lambda >= c / N_s [-]
-  /// Rings of the rule that measures a stone anew after an event (volume,
-  /// inscribed radius, depth of the chip): 2 n^2 nodes.
-  int quadrature_rings = 40;
-};
-
 enum class BreakageMode
 {
   none,
@@ -63,8 +50,22 @@ damage_step(const Real &factor, const Real &energy_before, const Real &energy,
           energy * share};
 }
 
-/// II takes precedence over I.
-BreakageMode mode_of(const DamageStep<double> &step);
+/// Where both conditions hold, the one that takes precedence.
+BreakageMode mode_of(const DamageStep<double> &step,
+                     ModePrecedence precedence = ModePrecedence::instantaneous);
+
+/// The level above which energy counts anew, `hysteresis` = h: it follows the
+/// energy up, and down only once that has fallen by the share h of the level.
+/// With h = 0 it is the energy. Noise within the band is not counted (MODEL
+/// 6.3); a cycle of unloading and loading counts its swing less the band.
+template <class Real>
+DEM_LANE_INLINE Real counted_level(const Real &level, const Real &energy,
+                                   double hysteresis)
+{
+  using std::max;
+  using std::min;
+  return min(max(level, energy), Real(energy / (1. - hysteresis)));
+}
 
 /// Eq. 6: mode I takes one off, mode II sets to zero.
 double factor_after(BreakageMode mode, double factor);

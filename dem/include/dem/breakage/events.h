@@ -42,15 +42,23 @@ struct ContactSet
 
 /// BreakageEvent::kind is below this.
 inline constexpr int n_contact_kinds = 4;
+/// What break_stones has done besides the events.
+struct BreakingSum
+{
+  /// Events refused because the shape would have lost r > 0.
+  int n_refused = 0;
+  /// Energy that contacts gave up when their surfaces were looked at anew just
+  /// before an event: that of the cached expansion, not of the event [J].
+  double refreshed = 0.;
+};
 
 /// Carries out what the force loops asked for (ContactBatch::event), by stone,
 /// then by contact: of the two sides of a contact the one with the larger
 /// E_e / E_b breaks. A side that no longer meets the criterion after earlier
 /// events of the step is left alone. Stones change shape, mass and inertia;
 /// their contacts are evaluated anew, the loads of the stones are not. Events
-/// are appended to `events`; returns the number of events refused because the
-/// shape would have lost r > 0.
-int break_stones(const ForceContext &context, Particles &particles,
-                 ContactSet &contacts, double time,
-                 std::vector<BreakageEvent> &events);
+/// are appended to `events`.
+BreakingSum break_stones(const ForceContext &context, Particles &particles,
+                         ContactSet &contacts, double time,
+                         std::vector<BreakageEvent> &events);
 } // namespace dem

@@ -25,20 +25,30 @@ struct SpallResult
   bool is_accepted = false;   ///< false: the shape would lose r > 0; unchanged
 };
 
+/// How wide and how deep the kernel is.
+struct KernelRule
+{
+  double floor = 2.5; ///< c_lambda [-]
+  double scale = 1.;  ///< s [-]
+  DepthClosure closure = DepthClosure::exact;
+};
+
 /// Angular width of the Gaussian kernel: max(lambda_patch, c_lambda / N_s),
-/// lambda_patch = sqrt(delta / sqrt(K_G)) / r_c, at most pi / 4 [rad]
+/// lambda_patch = s sqrt(delta / sqrt(K_G)) / r_c, at most pi / 4 [rad]
 /// (MODEL 8.4).
 double kernel_width(const Spall &spall, double contact_radius, int order,
-                    double kernel_floor);
+                    const KernelRule &rule);
 
 /// k_n = 2 pi int exp(-gamma^2 / 2 lambda^2) P_n(cos gamma) sin gamma d gamma,
 /// n = 0 .. order: the exact projection of the zonal kernel (Funk-Hecke) [-].
 std::vector<double> kernel_spectrum(double width, int order);
 
-/// Subtract theta K from r so that the volume drops by exactly V_i: theta by
-/// Newton on the nodes of the rule (MODEL 8.3). The series becomes the stone's
-/// own.
+/// Closure exact: subtract theta K from r so that the volume drops by exactly
+/// V_i, theta by Newton on the nodes of the rule (MODEL 8.3). Closure article:
+/// theta = V_i / (r_0^2 int K), the mean taken out of the kernel, and the mean
+/// radius r_0 lowered by Eqs. 17, 18; the volume that leaves is then another
+/// one, as `removed_volume` says. The series becomes the stone's own.
 SpallResult apply_spall(const Body &body, const Spall &spall,
-                        double kernel_floor,
+                        const KernelRule &shape,
                         const SphereQuadrature &rule = standard_quadrature());
 } // namespace dem

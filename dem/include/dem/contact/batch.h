@@ -41,6 +41,7 @@ struct BatchLayout
   bool has_sides = false;    ///< the surface of the stone(s)
   bool has_partners = false; ///< B is a stone
   bool has_damage = false;   ///< cumulative factors and events
+  bool has_level = false;    ///< the energy that damage has counted
   bool has_spots = false;    ///< contacts follow their surfaces
 };
 
@@ -114,6 +115,8 @@ struct ContactBatch
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<float> corner_a, corner_b;
+  /// Above this the energy of the criterion counts anew [J].
+  std::vector<double> level;
   std::vector<std::uint8_t> event; ///< bit 0: side A breaks, bit 1: side B
 
   std::size_t size() const { return n; }
@@ -174,6 +177,7 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has.has_damage && has.has_partners, batches.factor_b...);
   call(has.has_damage, batches.corner_a...);
   call(has.has_damage && has.has_partners, batches.corner_b...);
+  call(has.has_level, batches.level...);
   call(has.has_damage, batches.event...);
 }
 } // namespace dem

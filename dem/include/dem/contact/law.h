@@ -113,13 +113,19 @@ struct Losses
 
 using Dissipation = Losses<double>;
 
+/// Stored energy of the shear spring [J].
+template <class Real>
+DEM_LANE_INLINE Real shear_energy(const ContactHistory<Real> &history)
+{
+  return 0.5 * dot(history.shear, history.shear) * history.shear_compliance;
+}
+
 /// Stored energy of the shear and rolling springs [J].
 template <class Real>
 DEM_LANE_INLINE Real tangential_energy(const ContactHistory<Real> &history)
 {
-  return 0.5 * dot(history.shear, history.shear) * history.shear_compliance +
-         0.5 * dot(history.rolling, history.rolling) *
-             history.rolling_compliance;
+  return shear_energy(history) + 0.5 * dot(history.rolling, history.rolling) *
+                                     history.rolling_compliance;
 }
 
 /// Turns a tangential vector into the plane across `normal`, keeping its

@@ -39,3 +39,38 @@ TEST(FactorAfter, IsEquationSix)
   EXPECT_DOUBLE_EQ(factor_after(BreakageMode::cumulative, 1.25), 0.25);
   EXPECT_DOUBLE_EQ(factor_after(BreakageMode::instantaneous, 1.25), 0.);
 }
+
+TEST(DamageStep, PrecedenceIsAChoice)
+{
+  const DamageStep<double> both{1.5, 1.1}, second{0.5, 1.1};
+  EXPECT_EQ(mode_of(both), BreakageMode::instantaneous);
+  EXPECT_EQ(mode_of(both, ModePrecedence::cumulative),
+            BreakageMode::cumulative);
+  EXPECT_EQ(mode_of(second, ModePrecedence::cumulative),
+            BreakageMode::instantaneous);
+}
+
+TEST(CountedLevel, FollowsUpAndFallsBehindByTheBand)
+{
+  EXPECT_DOUBLE_EQ(counted_level(1., 2., 0.1), 2.);
+  EXPECT_DOUBLE_EQ(counted_level(1., 0.95, 0.1), 1.); // within the band
+  EXPECT_DOUBLE_EQ(counted_level(1., 0.45, 0.1), 0.5);
+  EXPECT_DOUBLE_EQ(counted_level(1., 0., 0.1), 0.); // open
+}
+
+TEST(CountedLevel, WithoutBandIsTheEnergy)
+{
+  for (const double energy : {0., 0.3, 1., 4.})
+    EXPECT_DOUBLE_EQ(counted_level(1., energy, 0.), energy);
+}
+
+TEST(BreakageParameters, OnlySomeChoicesNeedALevel)
+{
+  BreakageParameters p;
+  EXPECT_FALSE(p.needs_level());
+  p.hysteresis = 0.01;
+  EXPECT_TRUE(p.needs_level());
+  p.hysteresis = 0.;
+  p.energy = CriterionEnergy::with_shear;
+  EXPECT_TRUE(p.needs_level());
+}

@@ -1,11 +1,12 @@
-#include "reference_impacts.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <verify/reference_impacts.h>
 
 // The closed forms that the engine is compared with, checked by numbers of
 // the literature and by a plain Runge-Kutta integration.
+namespace reference = spall::verify::reference;
+
 namespace
 {
 // Chung & Ooi (2011), test 1, with its moduli; +-10 m/s.

@@ -6,7 +6,7 @@
 
 /// Closed forms of impacts and of rolling, and one plain integrator, written
 /// without any code of the engine: what its kernels are compared with.
-namespace reference
+namespace spall::verify::reference
 {
 /// Head-on impact of two elastic spheres: m* x'' = -4/3 E* sqrt(R*) x^(3/2).
 struct HertzImpact
@@ -78,9 +78,14 @@ inline HertzImpact sphere_on_rigid_plane(const SphereMaterial &material,
 }
 
 /// Rebound speed over impact speed of x'' + 2 zeta x' + x = 0, x(0) = 0, left
-/// when the total force passes zero (no tension), 0 <= zeta < 1 [-].
+/// when the total force passes zero (no tension), zeta >= 0, not 1 [-].
 inline double oscillator_restitution(double zeta)
 {
+  if (zeta > 1.)
+  {
+    const double slow = std::sqrt(zeta * zeta - 1.);
+    return std::exp(-zeta / slow * std::log((zeta + slow) / (zeta - slow)));
+  }
   const double damped = std::sqrt(1. - zeta * zeta);
   const double phase = std::atan2(2. * zeta * damped, 2. * zeta * zeta - 1.);
   return std::exp(-zeta / damped * phase);
@@ -103,6 +108,16 @@ inline double hertz_damping_ratio(double beta)
 inline double hertz_restitution(double beta)
 {
   return oscillator_restitution(hertz_damping_ratio(beta));
+}
+
+/// Impulse of the elastic part of the force alone over m v, where the whole
+/// force has 1 + e: the dashpot takes 4 zeta^2 e of it until the force is zero,
+/// and the elastic part goes on for 2 zeta^2 e after that. A friction limit of
+/// mu times the elastic force brings the impulse mu times this [-].
+inline double hertz_elastic_impulse(double beta)
+{
+  const double zeta = hertz_damping_ratio(beta);
+  return 1. + hertz_restitution(beta) * (1. - 2. * zeta * zeta);
 }
 
 /// Linear contact, dashpot 2 beta sqrt(m k), no tension [-].
@@ -171,6 +186,39 @@ inline ImpactHistory integrate_impact(const NormalLaw &law, double speed,
   return history;
 }
 
+/// Undamped oblique impact of a solid sphere on a plane with an elastic shear
+/// spring: T' = -k_s u, scaled down with k_s while that falls, |T| <= mu F;
+/// u, the speed of the contact point, has u' = 7/2 T / m.
+struct ObliqueImpact
+{
+  HertzImpact normal;
+  double shear_ratio = 0.; ///< k_s / k_n [-]
+  double friction = 0.;    ///< mu [-]
+
+  /// u when the sphere leaves [m/s]; small steps of first order.
+  double contact_speed_after(double contact_speed, int n_steps) const
+  {
+    const double h = normal.duration() / n_steps, mass = normal.mass;
+    double x = 0., v = normal.speed, u = contact_speed, shear = 0., old = 0.;
+    do
+    {
+      x += h * v;
+      if (!(x > 0.))
+        break;
+      const double force = normal.prefactor() * x * std::sqrt(x);
+      const double stiffness = shear_ratio * 1.5 * force / x;
+      if (stiffness < old)
+        shear *= stiffness / old;
+      old = stiffness;
+      const double limit = friction * force;
+      shear = std::clamp(shear - stiffness * u * h, -limit, limit);
+      v -= h * force / mass;
+      u += h * 3.5 * shear / mass;
+    } while (true);
+    return u;
+  }
+};
+
 /// Oblique impact of a solid sphere on a plane while it slides all through:
 /// changes of tangential speed and of spin.
 struct GrossSliding
@@ -236,4 +284,4 @@ inline RockingModes rocking_modes(double shear_stiffness, double mass)
   const double unit = shear_stiffness / mass, root = std::sqrt(6.5);
   return {std::sqrt((3. - root) * unit), std::sqrt((3. + root) * unit)};
 }
-} // namespace reference
+} // namespace spall::verify::reference

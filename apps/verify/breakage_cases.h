@@ -1,0 +1,12 @@
+#pragma once
+
+#include "case.h"
+
+namespace spall::verify
+{
+// breakage_engine.cc
+std::vector<Row> press_on_walls();
+std::vector<Row> press_of_stones();
+std::vector<Row> books();
+std::vector<Row> choices();
+} // namespace spall::verify

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "case.h"
+
+namespace spall::verify
+{
+// One file each.
+Family laws();
+Family impacts();
+Family rolling();
+Family integration();
+Family shape();
+Family breakage();
+Family membrane();
+
+/// All of them, in the order of the table.
+const std::vector<Family> &families();
+} // namespace spall::verify

@@ -1,0 +1,85 @@
+#pragma once
+
+namespace dem
+{
+/// Which contacts may break a stone.
+enum class EventContacts
+{
+  /// Where the overlap follows the surface, so that an event lowers the force.
+  seen,
+  /// Also where balls overlap: their force does not know of the event.
+  all
+};
+
+/// The energy that the criterion compares with G_c A_i.
+enum class CriterionEnergy
+{
+  normal,    ///< of the normal spring (the article)
+  with_shear ///< and of the shear spring
+};
+
+/// The curvatures of the cap.
+enum class CapCurvature
+{
+  own,     ///< of the stone that breaks (the article)
+  relative ///< of the gap between both: the true lens
+};
+
+/// What each of two stones gets of overlap and energy.
+enum class EnergyShare
+{
+  full,      ///< all of both (the article)
+  compliance ///< its share in the compliance: half, against walls all
+};
+
+/// The mode of an event that meets both conditions.
+enum class ModePrecedence
+{
+  instantaneous, ///< II, the factor is lost
+  cumulative     ///< I, one is taken off the factor
+};
+
+/// Which stones break when both sides of a contact ask for it.
+enum class BrokenSides
+{
+  larger, ///< the one with the larger E_e / E_b; the other is asked again
+  both    ///< one after the other
+};
+
+/// How the depth of an event follows from its volume.
+enum class DepthClosure
+{
+  exact,  ///< the volume drops by V_i, by Newton on the nodes
+  article ///< zero-mean kernel, a_00 by Eqs. 17, 18
+};
+
+/// Parameters of the energy criterion (article, Table 2) and its choices.
+struct BreakageParameters
+{
+  bool is_active = true;             ///< stones may break at all
+  double fracture_energy = 1e4;      ///< G_c, breakage energy per area [J/m^2]
+  double min_ball_radius = 2e-3;     ///< no further breakage below this [m]
+  double min_diameter = 7.1e-3;      ///< breakable from this initial size [m]
+  double curvature_floor_ratio = 10; ///< beta in kappa_f = 1/(beta r_ins) [-]
+  double kernel_floor = 2.5;         ///< c_lambda in lambda >= c / N_s [-]
+  double kernel_scale = 1.;          ///< s in lambda = s sqrt(delta R) / r [-]
+  /// Rings of the rule that measures a stone anew after an event (volume,
+  /// inscribed radius, depth of the chip): 2 n^2 nodes.
+  int quadrature_rings = 40;
+  /// Energy counts again once it has fallen by this share and risen [-]
+  double hysteresis = 0.;
+  EventContacts contacts = EventContacts::seen;
+  CriterionEnergy energy = CriterionEnergy::normal;
+  CapCurvature curvature = CapCurvature::own;
+  EnergyShare share = EnergyShare::full;
+  ModePrecedence precedence = ModePrecedence::instantaneous;
+  BrokenSides sides = BrokenSides::larger;
+  DepthClosure closure = DepthClosure::exact;
+
+  /// Whether contacts must remember the energy that has been counted.
+  bool needs_level() const
+  {
+    return hysteresis > 0. || energy == CriterionEnergy::with_shear;
+  }
+};
+} // namespace dem

@@ -1,0 +1,237 @@
+// What the choices of the breakage model change, as
+// docs/verification/breakage.md has it: one contact of two stones, and the
+// small triaxial test.
+//
+//     breakage_choices SMALL.prm SHAPE.json
+#include <dem/measure/assembly.h>
+#include <dem/shape/measures.h>
+
+#include <algorithm>
+#include <case_file.h>
+#include <cstdio>
+#include <iostream>
+#include <random>
+#include <shape_file.h>
+#include <triaxial.h>
+
+namespace
+{
+using namespace spall;
+
+/// Section Breakage of a case; empty: the defaults.
+struct Choice
+{
+  const char *name;
+  std::vector<Override> keys;
+};
+
+const std::vector<Choice> choices = {
+    {"default", {}},
+    {"energy = with_shear", {{"Breakage", "energy", "with_shear"}}},
+    {"curvature = relative", {{"Breakage", "curvature", "relative"}}},
+    {"share = compliance", {{"Breakage", "share", "compliance"}}},
+    {"precedence = cumulative", {{"Breakage", "precedence", "cumulative"}}},
+    {"sides = both", {{"Breakage", "sides", "both"}}},
+    {"closure = article", {{"Breakage", "closure", "article"}}},
+    {"kernel_scale = 2", {{"Breakage", "kernel_scale", "2"}}},
+    {"kernel_floor = 4", {{"Breakage", "kernel_floor", "4"}}},
+    {"curvature_floor_ratio = 5", {{"Breakage", "curvature_floor_ratio", "5"}}},
+    {"curvature_floor_ratio = 20",
+     {{"Breakage", "curvature_floor_ratio", "20"}}},
+    {"hysteresis = 0.01", {{"Breakage", "hysteresis", "0.01"}}},
+    {"contacts = all", {{"Breakage", "contacts", "all"}}},
+    {"is_active = false", {{"Breakage", "is_active", "false"}}}};
+
+Case case_with(const std::string &file, const std::vector<Override> &keys)
+{
+  return read_case(file, keys);
+}
+
+/// Sums over events.
+struct Damage
+{
+  std::size_t n = 0, n_two = 0;
+  double first = 0., volume = 0., released = 0., fracture = 0.;
+
+  void add(const std::vector<dem::BreakageEvent> &events)
+  {
+    for (const dem::BreakageEvent &event : events)
+    {
+      first = n++ == 0 ? event.force_before : first;
+      n_two += event.mode == dem::BreakageMode::instantaneous;
+      volume += event.removed_volume;
+      released += event.released_energy + event.kinetic_energy;
+      fracture += event.fracture_energy;
+    }
+  }
+};
+
+/// Where the surface is sharpest, of many directions.
+dem::Vec3 sharpest(const dem::Body &body)
+{
+  dem::Vec3 best;
+  double largest = 0.;
+  for (const dem::Vec3 &s : dem::standard_quadrature().direction)
+  {
+    const double gauss = dem::evaluate_side(body, s, 10.).curvature.gaussian();
+    if (gauss > largest)
+    {
+      largest = gauss;
+      best = s;
+    }
+  }
+  return best;
+}
+
+/// Two stones of 20 mm, corner on corner, so heavy that their motion is given:
+/// they come nearer by 1 mm at 0.2 m/s and slide past each other at 0.1 m/s.
+void press(const Choice &choice, const std::string &file, const dem::Body &body)
+{
+  dem::EngineParameters p;
+  p.breakage = case_with(file, choice.keys).breakage;
+  p.breakage.fracture_energy = 1e4;
+  p.stone.density = 1e9;
+  dem::Engine engine(p);
+  const dem::Vec3 corner = sharpest(body), x = dem::Vec3::UnitX();
+  const double reach = dem::evaluate_side(body, corner, 10.).expansion.radius;
+  for (const double side : {-1., 1.})
+  {
+    engine.add_stone(body, side * reach * x,
+                     dem::Quaternion::FromTwoVectors(corner, -side * x));
+    engine.particles().last().velocity = {-0.1 * side, 0.05 * side, 0.};
+  }
+  Damage damage;
+  double peak = 0.;
+  while (engine.time() < 5e-3)
+  {
+    engine.advance(1e-6);
+    peak = std::max(peak, engine.particles().load[0].force.norm());
+    damage.add(engine.take_events());
+  }
+  std::printf("| %s | %.0f | %.0f | %zu | %zu | %.3g | %.3g | %.3g |\n",
+              choice.name, damage.first, peak, damage.n, damage.n_two,
+              1e9 * damage.volume, 1e3 * damage.released,
+              1e3 * damage.fracture);
+}
+
+void run_small(const Choice &choice, const std::string &file)
+{
+  Triaxial test(case_with(file, choice.keys));
+  Damage damage;
+  while (test.stage() != Stage::done)
+  {
+    test.advance();
+    damage.add(test.take_events());
+  }
+  const Sample end = test.sample(0.);
+  std::printf("| %s | %zu | %zu | %.4f | %.3g | %.3g | %.2f | %.2f |\n",
+              choice.name, damage.n, damage.n_two, end.laa,
+              1e3 * damage.released, 1e3 * damage.fracture,
+              100. * end.axial_strain, end.coordination_number);
+  std::fflush(stdout);
+}
+
+/// Sum of the cumulative factors of all contacts.
+double factors(const dem::Engine &engine)
+{
+  double sum = 0.;
+  for (const dem::ContactBatch *batch :
+       {&engine.pairs(), &engine.on_planes(), &engine.on_facets()})
+    for (const auto *column : {&batch->factor_a, &batch->factor_b})
+      for (std::size_t k = 0; k < std::min(batch->size(), column->size()); ++k)
+        sum += (*column)[k];
+  return sum;
+}
+
+/// Sides that gather damage: corners in contact.
+double n_at_risk(const dem::Engine &engine)
+{
+  int n = 0;
+  for (const dem::ContactBatch *batch :
+       {&engine.pairs(), &engine.on_planes(), &engine.on_facets()})
+    for (const auto *column : {&batch->corner_a, &batch->corner_b})
+      for (std::size_t k = 0; k < std::min(batch->size(), column->size()); ++k)
+        n += (*column)[k] > 0.f && batch->is_touching(k);
+  return n;
+}
+
+/// A specimen that only rests, with the names of its keys. Balls gather damage
+/// only where all contacts do.
+struct Rest
+{
+  const char *geometry, *contacts, *lateral, *damping, *hysteresis;
+};
+
+/// Its damage per second and side at risk in each fifth of 200 ms.
+void rest(const Rest &keys, const std::string &file)
+{
+  Triaxial test(case_with(file, {{"Contact", "geometry", keys.geometry},
+                                 {"Breakage", "contacts", keys.contacts},
+                                 {"Boundary", "lateral", keys.lateral},
+                                 {"Loading", "amplitude", "0"},
+                                 {"Loading", "cycles", "20"},
+                                 {"Time", "local_damping", keys.damping},
+                                 {"Breakage", "hysteresis", keys.hysteresis}}));
+  while (test.stage() != Stage::loading)
+    test.advance();
+  test.take_events();
+  std::printf("| %s | %s | %s | %s |", keys.geometry, keys.lateral,
+              keys.damping, keys.hysteresis);
+  double before = factors(test.engine()), time = test.engine().time();
+  double kinetic = 0.;
+  for (int part = 1; test.stage() != Stage::done; ++part)
+  {
+    Damage damage;
+    while (test.stage() != Stage::done && test.cycle() < 4 * part)
+    {
+      test.advance();
+      damage.add(test.take_events());
+    }
+    const double now =
+        factors(test.engine()) + static_cast<double>(damage.n - damage.n_two);
+    const double seconds = test.engine().time() - time;
+    std::printf(" %.2g |", (now - before) / seconds / n_at_risk(test.engine()));
+    before = factors(test.engine());
+    time = test.engine().time();
+    kinetic = test.engine().energy().kinetic;
+  }
+  std::printf(" %.1g |\n", kinetic);
+  std::fflush(stdout);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  if (argc != 3)
+  {
+    std::cerr << "usage: breakage_choices SMALL.prm SHAPE.json\n";
+    return 1;
+  }
+  const std::string file = argv[1];
+  const dem::Body body =
+      dem::make_body(std::make_shared<const dem::Coefficients>(
+                         read_shape(argv[2]).coefficients),
+                     0.01);
+  std::printf("| choice | first event (N) | largest force (N) | events | mode "
+              "II | volume (mm^3) | released (mJ) | G_c A_i (mJ) |\n"
+              "|---|---|---|---|---|---|---|---|\n");
+  for (const Choice &choice : choices)
+    press(choice, file, body);
+  std::printf("\n| choice | events | mode II | LAA (%%) | released (mJ) | G_c "
+              "A_i (mJ) | permanent strain (%%) | coordination |\n"
+              "|---|---|---|---|---|---|---|---|\n");
+  for (const Choice &choice : choices)
+    run_small(choice, file);
+  std::printf("\n| geometry | sides | D_a | hysteresis | 0 to 40 ms | to 80 | "
+              "to 120 | to 160 | to 200 | kinetic energy (J) |\n"
+              "|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const char *hysteresis : {"0", "0.01", "0.05"})
+    for (const Rest &keys :
+         {Rest{"radial", "seen", "rigid", "0.5", hysteresis},
+          Rest{"radial", "seen", "rigid", "0", hysteresis},
+          Rest{"radial", "seen", "membrane", "0.5", hysteresis},
+          Rest{"ball", "all", "rigid", "0.5", hysteresis},
+          Rest{"ball", "all", "membrane", "0.5", hysteresis}})
+      rest(keys, file);
+  return 0;
+}
