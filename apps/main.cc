@@ -21,7 +21,7 @@ struct Command
   bool needs_mpi;
 };
 
-constexpr std::array<Command, 7> commands = {
+constexpr std::array<Command, 8> commands = {
     {{"template", "KIND", "print a commented case of a kind", template_command,
       false},
      {"check", "CASE.prm [--set Section/key=value ...]",
@@ -44,7 +44,8 @@ constexpr std::array<Command, 7> commands = {
       "[--order N] [--json FILE]",
       "fit, measure and generate stone shapes", shape_command, false},
      {"bench",
-      "--packing P.csv [--steps N] [--threads N] [--shapes DIR] [--breakage] "
+      "--packing P.csv [--steps N] [--threads N] [--shapes DIR] "
+      "[--geometry ball|radial|surface] [--breakage] "
       "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "
       "[--save P.csv]",
       "time the particle engine on a packing", bench_command, false},
@@ -122,8 +123,9 @@ int run_program(const std::vector<std::string> &words)
   for (const Command &command : commands)
     if (words[0] == command.name)
       return dispatch(command, Words(words).subspan(1));
-  throw InputError(words[0] + ": no such command: must be one of template, "
-                              "check, run, report, study, shape, bench, verify");
+  throw InputError(words[0] +
+                   ": no such command: must be one of template, "
+                   "check, run, report, study, shape, bench, verify");
 }
 
 /// A message as the one line that a user gets.
