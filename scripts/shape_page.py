@@ -3,7 +3,7 @@
 
     shape_page.py [SPALL] [MESHES] [--only fits|limestone|generate ...]
 
-SPALL: build/apps/spall. MESHES: ../shared/shapes, the folder with
+SPALL: build/apps/spall. MESHES: the folder with the meshes and
 catalogue.csv. Each table stands between <!-- begin NAME --> and
 <!-- end NAME -->. Without the meshes only `generate` is measured.
 """

@@ -142,12 +142,11 @@ void Engine::advance(double time_step)
   now += time_step;
   ++step_count;
   keep_lists(fastest, time_step);
-  if (evaluate_contacts(time_step))
-    break_corners(time_step);
-  load_planes(time_step);
-  load_drum(time_step);
-  book_surface_work(time_step);
+  const bool wants_breakage = evaluate_contacts(time_step);
+  load_boundaries(time_step);
   finish_kick(time_step);
+  if (wants_breakage)
+    break_corners();
 }
 
 Speeds Engine::move_stones(double time_step)
@@ -352,7 +351,9 @@ bool Engine::run_contacts(const ForceContext &all)
   return sum.wants_breakage;
 }
 
-void Engine::break_corners(double time_step)
+/// Work is booked by the trapezoidal rule: this half of the step with the
+/// forces of before, the next with those of after the events.
+void Engine::break_corners()
 {
   const Timer timer(spent.breakage);
   ContactSet contacts{pair_batch,
@@ -364,7 +365,7 @@ void Engine::break_corners(double time_step)
                       {settings.wall, drum_walls}};
   const std::size_t before = events.size();
   const BreakingSum done =
-      break_stones(context(time_step), stones, contacts, now, events);
+      break_stones(context(0.), stones, contacts, now, events);
   refused_count += done.n_refused;
   lost.shape_work += done.refreshed;
   for (std::size_t e = before; e < events.size(); ++e)
@@ -378,13 +379,18 @@ void Engine::break_corners(double time_step)
   }
   steepest = branch_steepness();
   event_count += static_cast<std::int64_t>(events.size() - before);
-  if (events.size() > before)
-  {
-    ForceContext still = context(0.);
-    still.adds_loads_only = true;
-    std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
-    run_contacts(still);
-  }
+  ForceContext still = context(0.);
+  still.adds_loads_only = true;
+  std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
+  run_contacts(still);
+  load_boundaries(0.);
+}
+
+void Engine::load_boundaries(double time_step)
+{
+  load_planes(time_step);
+  load_drum(time_step);
+  book_surface_work(time_step);
 }
 
 void Engine::load_planes(double time_step)

@@ -119,7 +119,8 @@ private:
   void sort_in_space();
   bool evaluate_contacts(double time_step);
   bool run_contacts(const ForceContext &all);
-  void break_corners(double time_step);
+  void break_corners();
+  void load_boundaries(double time_step);
   double branch_steepness() const;
   void load_planes(double time_step);
   void load_drum(double time_step);

@@ -42,11 +42,10 @@ BatchLayout wall_layout(const EngineParameters &parameters,
   layout.has_damage =
       particles.has_shapes && may_break(parameters.breakage, geometry);
   layout.has_level = layout.has_damage && parameters.breakage.needs_level();
-  layout.has_sides =
-      layout.has_damage ||
-      (particles.has_shapes &&
-       (geometry != ContactGeometry::ball || layout.is_hertz)) ||
-      (particles.has_materials && layout.is_hertz);
+  layout.has_sides = layout.has_damage ||
+                     (particles.has_shapes &&
+                      (geometry != ContactGeometry::ball || layout.is_hertz)) ||
+                     (particles.has_materials && layout.is_hertz);
   layout.has_spots =
       particles.has_shapes && geometry == ContactGeometry::surface;
   return layout;

@@ -1,0 +1,274 @@
+// Where pairs of stones meet, against a brute force that knows nothing but the
+// radius of the series: the table of docs/verification/surfaces.md.
+//
+//   surface_pairs N SEED SHAPES [SHAPES ...]
+#include <dem/packing/random.h>
+#include <dem/search/spots.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <shape_file.h>
+#include <string>
+#include <vector>
+
+namespace
+{
+using dem::Body;
+using dem::Vec3;
+
+struct Stone
+{
+  Body body;
+  dem::RadiusMap map;
+
+  explicit Stone(const dem::Coefficients &a)
+      : body(dem::make_body(std::make_shared<const dem::Coefficients>(a), 1.)),
+        map(body.series)
+  {
+  }
+};
+
+Vec3 on_surface(const Body &body, const Vec3 &s)
+{
+  return body.scale * dem::radius(*body.series, s) * s;
+}
+
+/// Follows a function of directions downhill; returns the least value.
+template <std::size_t n, class Value>
+double compass(std::array<Vec3, n> &at, double step, const Value &value)
+{
+  double best = value(at);
+  while (step > 2e-8)
+  {
+    bool is_better = false;
+    for (std::size_t side = 0; side < n; ++side)
+    {
+      const Vec3 first = at[side].unitOrthogonal(),
+                 second = at[side].cross(first);
+      for (const Vec3 &move : {first, Vec3(-first), second, Vec3(-second)})
+      {
+        std::array<Vec3, n> next = at;
+        next[side] = (at[side] + step * move).normalized();
+        if (const double there = value(next); there < best)
+        {
+          best = there;
+          at = next;
+          is_better = true;
+        }
+      }
+    }
+    if (!is_better)
+      step *= 0.5;
+  }
+  return best;
+}
+
+/// Two stones, B as A sees it, with dense points of both in the frame of A.
+struct Pair
+{
+  const Body &a, &b;
+  dem::RelativePose pose;
+
+  double distance(const std::array<Vec3, 2> &s) const
+  {
+    return (on_surface(a, s[0]) - pose.position -
+            pose.rotation * on_surface(b, s[1]))
+        .norm();
+  }
+  bool is_inside_b(const Vec3 &x) const
+  {
+    const Vec3 in_b = pose.rotation.transpose() * (x - pose.position);
+    return in_b.norm() < on_surface(b, in_b.normalized()).norm();
+  }
+};
+
+struct Start
+{
+  double value = 0.;
+  std::array<Vec3, 2> at;
+};
+
+constexpr dem::DirectionGrid grid{32, 64};
+
+/// For every node of A about B the nearest node of B, the least distance first;
+/// nodes inside B have negative ones.
+std::vector<Start> nearest_nodes(const Pair &pair)
+{
+  std::vector<Vec3> directions, of_b;
+  for (int node = 0; node < grid.size(); ++node)
+  {
+    directions.push_back(
+        grid.direction(node / grid.n_azimuth, node % grid.n_azimuth));
+    of_b.push_back(pair.pose.position +
+                   pair.pose.rotation * on_surface(pair.b, directions.back()));
+  }
+  std::vector<Start> starts;
+  for (const Vec3 &s : directions)
+  {
+    const Vec3 x = on_surface(pair.a, s);
+    if ((x - pair.pose.position).norm() > 1.2 * pair.b.circumscribed_radius)
+      continue;
+    Start start{1e9, {s, s}};
+    for (std::size_t j = 0; j < of_b.size(); ++j)
+      if (const double d = (of_b[j] - x).norm(); d < start.value)
+        start = {d, {s, directions[j]}};
+    if (pair.is_inside_b(x))
+      start.value = -start.value;
+    starts.push_back(start);
+  }
+  std::sort(starts.begin(), starts.end(),
+            [](const Start &p, const Start &q) { return p.value < q.value; });
+  return starts;
+}
+
+/// Smallest distance of separate stones.
+double gap_of(const Pair &pair)
+{
+  std::vector<Start> starts = nearest_nodes(pair);
+  double best = 1e9;
+  for (std::size_t k = 0; k < std::min<std::size_t>(8, starts.size()); ++k)
+    best = std::min(best, compass(starts[k].at, 0.03,
+                                  [&](const std::array<Vec3, 2> &s)
+                                  { return pair.distance(s); }));
+  return best;
+}
+
+/// Greatest depth of a point of A below the surface of B.
+double depth_of(const Pair &pair)
+{
+  std::vector<Start> starts = nearest_nodes(pair);
+  double deepest = 0.;
+  for (std::size_t k = 0; k < std::min<std::size_t>(4, starts.size()); ++k)
+  {
+    std::array<Vec3, 1> on_b = {starts[k].at[1]}, on_a = {starts[k].at[0]};
+    const double least = compass(
+        on_a, 0.03,
+        [&](const std::array<Vec3, 1> &s)
+        {
+          std::array<Vec3, 1> nearest = on_b;
+          const double depth = compass(nearest, 0.01,
+                                       [&](const std::array<Vec3, 1> &t) {
+                                         return pair.distance({s[0], t[0]});
+                                       });
+          return pair.is_inside_b(on_surface(pair.a, s[0])) ? -depth : depth;
+        });
+    deepest = std::max(deepest, -least);
+  }
+  return deepest;
+}
+
+struct Tally
+{
+  int n = 0, n_missed = 0, n_several = 0;
+  double worst = 0.; ///< error of the gap over the diameter of the smaller one
+  double seconds = 0.;
+
+  void add(double exact, double found, double diameter)
+  {
+    ++n;
+    const double error = std::abs(exact - found) / diameter;
+    if (error > 1e-6)
+      ++n_missed;
+    else
+      worst = std::max(worst, error);
+  }
+};
+
+dem::SpotSearch search(const dem::MappedPair &pair, double margin)
+{
+  return dem::find_spots(
+      pair, dem::separate(pair, pair.pose.position.normalized()), margin);
+}
+
+/// B comes nearer along a line until the deepest overlap is as wanted.
+dem::MappedPair approach(const dem::MappedPair &from, double overlap)
+{
+  const double size = dem::mean_radius(from.b.body);
+  dem::MappedPair pair = from;
+  const Vec3 along = pair.pose.position.normalized();
+  double distance = pair.pose.position.norm();
+  for (int step = 0; step < 400; ++step)
+  {
+    pair.pose.position = distance * along;
+    const dem::SpotSearch found = search(pair, 0.2 * size);
+    const double now =
+        found.spots.empty() ? -0.2 * size : found.spots.front().overlap;
+    if (now > overlap - 1e-4 * size)
+      break;
+    distance -= std::max(0.3 * (overlap - now), 1e-4 * size);
+  }
+  return pair;
+}
+
+double processor_time()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+void compare(const dem::MappedPair &pair, Tally &tally)
+{
+  const double size = dem::mean_radius(pair.b.body);
+  const double before = processor_time();
+  const dem::SpotSearch found = search(pair, 0.02 * size);
+  tally.seconds += processor_time() - before;
+  tally.n_several += found.spots.size() > 1;
+  if (found.spots.empty())
+  {
+    ++tally.n;
+    ++tally.n_missed;
+    return;
+  }
+  const double overlap = found.spots.front().overlap;
+  const Pair both{pair.a.body, pair.b.body, pair.pose};
+  tally.add(overlap > 0. ? depth_of(both) : -gap_of(both), overlap, 2. * size);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  if (argc < 4)
+  {
+    std::fprintf(stderr, "surface_pairs N SEED SHAPES [SHAPES ...]\n");
+    return 1;
+  }
+  std::vector<Stone> stones;
+  for (int k = 3; k < argc; ++k)
+    for (const spall::ShapeFile &shape : spall::read_shapes(argv[k]))
+      stones.emplace_back(shape.coefficients);
+  dem::Random random(std::stoull(argv[2]));
+  std::array<Tally, 2> tallies;
+  for (int k = 0; k < std::stoi(argv[1]); ++k)
+  {
+    const auto pick = [&]
+    {
+      return static_cast<std::size_t>(random.uniform() *
+                                      static_cast<double>(stones.size()));
+    };
+    const Stone &one = stones[pick()], &other = stones[pick()];
+    const Body a = dem::resized(one.body, 1.),
+               b = dem::resized(other.body,
+                                std::pow(1. / 3., random.uniform()));
+    const dem::Mat3 rotation = random.rotation().toRotationMatrix();
+    const Vec3 along = random.rotation() * Vec3::UnitX();
+    const double reach = a.circumscribed_radius + b.circumscribed_radius;
+    // Up to 1 % of the radius apart, or deep in each other.
+    const bool is_apart = k % 2 == 0;
+    const double overlap = (is_apart ? -1. : 1.) * 0.01 *
+                           (0.05 + 0.95 * random.uniform()) *
+                           dem::mean_radius(b);
+    compare(approach({{a, one.map}, {b, other.map}, {reach * along, rotation}},
+                     overlap),
+            tallies[is_apart ? 0 : 1]);
+  }
+  std::printf("| pairs | number | gap or overlap off by more than 1e-6 of the "
+              "diameter | worst of the others | more than one place | us per "
+              "search |\n|---|---|---|---|---|---|\n");
+  for (std::size_t k = 0; k < 2; ++k)
+    std::printf("| %s | %d | %d | %.1e | %.1f %% | %.0f |\n",
+                k == 0 ? "apart" : "overlapping", tallies[k].n,
+                tallies[k].n_missed, tallies[k].worst,
+                100. * tallies[k].n_several / std::max(1, tallies[k].n),
+                1e6 * tallies[k].seconds / std::max(1, tallies[k].n));
+}
