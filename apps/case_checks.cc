@@ -66,6 +66,18 @@ void check_breakage(const Case &c, const Place &place)
                 number_text(b.min_diameter)});
 }
 
+/// Facets and drums are met towards the point nearest to the centre: where that
+/// jumps, a support point would.
+void check_geometry(const Case &c, const Place &place)
+{
+  const bool has_planes = c.kind == CaseKind::dynamic_triaxial &&
+                          c.boundary.lateral == Lateral::rigid;
+  if (c.contact.wall_geometry == dem::ContactGeometry::surface && !has_planes)
+    refuse(place, {"Contact", "wall_geometry", "surface",
+                   "must be ball or radial, but for dynamic_triaxial with "
+                   "Boundary/lateral = rigid"});
+}
+
 void check_time(const Case &c, const Place &place)
 {
   const double sample = 1. / (c.loading.frequency * c.output.samples_per_cycle);
@@ -133,6 +145,7 @@ void check_lab_time(const Case &c, const Place &place)
 void check_case(const Case &parameters, const Place &place)
 {
   check_breakage(parameters, place);
+  check_geometry(parameters, place);
   switch (parameters.kind)
   {
   case CaseKind::dynamic_triaxial:

@@ -91,6 +91,14 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
                              record.start.energy_residual) /
                             work)
                  : 0.;
+  if (engine.particles().follows_surfaces)
+  {
+    const dem::SpotEvents &places = engine.spot_events();
+    out["contact_places"] = {
+        {"searches", places.n_scans}, {"found_late", places.n_late},
+        {"jumped", places.n_jumps},   {"ended", places.n_ended},
+        {"merged", places.n_merged},  {"not_listed", places.n_unlisted}};
+  }
   if (test.gain())
   {
     out["exchange_gain_1"] = test.gain()->gain;

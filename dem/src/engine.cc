@@ -51,7 +51,7 @@ constexpr std::size_t sorted_from = 2048;
 
 /// Steps that a rebuild of the lists is worth.
 constexpr double rebuild_of_balls = 8., rebuild_of_shapes = 30.,
-                 rebuild_of_surfaces = 500.;
+                 rebuild_of_surfaces = 50.;
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -243,10 +243,12 @@ ContactGeometry Engine::pair_geometry() const
 SpotSearchInput Engine::spot_search(const ForceContext &still,
                                     const BatchLayout &layout) const
 {
-  // Searched twice as far as the next look at the lists needs, so that only
-  // stones that move are searched again then.
-  return {
-      still, maps, layout, 2. * margin.width, margin.width, rebuild_count == 0};
+  // Searched somewhat farther than the next look at the lists needs, so that
+  // only stones that move are searched again then.
+  constexpr double reserve = 1.25;
+  return {still,        maps,
+          layout,       reserve * margin.width,
+          margin.width, rebuild_count == 0};
 }
 
 void Engine::rebuild_pair_list()

@@ -161,7 +161,9 @@ double depth_of(const Pair &pair)
 
 struct Tally
 {
-  int n = 0, n_missed = 0, n_several = 0;
+  int n = 0, n_several = 0;
+  int n_missed = 0;  ///< the brute force has found a nearer place
+  int n_beaten = 0;  ///< the search has
   double worst = 0.; ///< error of the gap over the diameter of the smaller one
   double seconds = 0.;
 
@@ -170,7 +172,7 @@ struct Tally
     ++n;
     const double error = std::abs(exact - found) / diameter;
     if (error > 1e-6)
-      ++n_missed;
+      ++(found < exact ? n_missed : n_beaten);
     else
       worst = std::max(worst, error);
   }
@@ -262,13 +264,15 @@ int main(int argc, char **argv)
                      overlap),
             tallies[is_apart ? 0 : 1]);
   }
-  std::printf("| pairs | number | gap or overlap off by more than 1e-6 of the "
-              "diameter | worst of the others | more than one place | us per "
-              "search |\n|---|---|---|---|---|---|\n");
+  std::printf(
+      "| pairs | number | search misses the nearest place | brute force "
+      "misses it | worst error of the others over the diameter | more "
+      "than one place | us per search |\n"
+      "|---|---|---|---|---|---|---|\n");
   for (std::size_t k = 0; k < 2; ++k)
-    std::printf("| %s | %d | %d | %.1e | %.1f %% | %.0f |\n",
+    std::printf("| %s | %d | %d | %d | %.1e | %.1f %% | %.0f |\n",
                 k == 0 ? "apart" : "overlapping", tallies[k].n,
-                tallies[k].n_missed, tallies[k].worst,
+                tallies[k].n_missed, tallies[k].n_beaten, tallies[k].worst,
                 100. * tallies[k].n_several / std::max(1, tallies[k].n),
                 1e6 * tallies[k].seconds / std::max(1, tallies[k].n));
 }

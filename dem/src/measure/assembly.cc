@@ -1,3 +1,4 @@
+#include <dem/contact/common_normal.h>
 #include <dem/measure/assembly.h>
 #include <dem/shape/measures.h>
 
@@ -5,13 +6,25 @@
 
 namespace dem
 {
+namespace
+{
+/// From A to B.
+Vec3 contact_normal(const Particles &particles, const ContactBatch &pairs,
+                    std::size_t k)
+{
+  const auto a = static_cast<std::size_t>(pairs.a[k]),
+             b = static_cast<std::size_t>(pairs.b[k]);
+  if (pairs.layout.has_spots)
+    return particles.orientation(a) *
+           surface_point(particles.body[a], pairs.side_a.spot(k)).normal;
+  return (particles.position(b) - particles.position(a)).normalized();
+}
+} // namespace
+
 Vec3 pair_force(const Particles &particles, const ContactBatch &pairs,
                 std::size_t k)
 {
-  const Vec3 normal =
-      (particles.position(static_cast<std::size_t>(pairs.b[k])) -
-       particles.position(static_cast<std::size_t>(pairs.a[k])))
-          .normalized();
+  const Vec3 normal = contact_normal(particles, pairs, k);
   const Triple<double> shear = pairs.shear[k], dashpot = pairs.dashpot[k];
   return Vec3(shear.x + dashpot.x, shear.y + dashpot.y, shear.z + dashpot.z) -
          pairs.normal_force[k] * normal;
@@ -23,14 +36,26 @@ ContactNetwork contact_network(const Particles &particles,
   std::vector<int> n_of(particles.size(), 0);
   ContactNetwork network;
   double sum = 0.;
-  for (std::size_t k = 0; k < pairs.size(); ++k)
+  for (std::size_t k = 0; k < pairs.size();)
   {
-    if (!pairs.is_touching(k))
+    // Places of one pair stand together and count as one contact.
+    const std::size_t first = k;
+    Vec3 force = Vec3::Zero();
+    bool is_touching = false;
+    for (; k < pairs.size() && pairs.a[k] == pairs.a[first] &&
+           pairs.b[k] == pairs.b[first];
+         ++k)
+      if (pairs.is_touching(k))
+      {
+        is_touching = true;
+        force += pair_force(particles, pairs, k);
+      }
+    if (!is_touching)
       continue;
     ++network.n_contacts;
-    ++n_of[static_cast<std::size_t>(pairs.a[k])];
-    ++n_of[static_cast<std::size_t>(pairs.b[k])];
-    sum += pair_force(particles, pairs, k).norm();
+    ++n_of[static_cast<std::size_t>(pairs.a[first])];
+    ++n_of[static_cast<std::size_t>(pairs.b[first])];
+    sum += force.norm();
   }
   std::int64_t n_without = 0, n_with_one = 0;
   for (const int n : n_of)

@@ -219,6 +219,14 @@ bool have_strayed(const ContactBatch &batch, const OldRows &old)
   return false;
 }
 
+bool has_open_places(const ContactBatch &batch, const OldRows &old)
+{
+  for (std::size_t k = old.first; k < old.last; ++k)
+    if (!batch.is_touching(k))
+      return true;
+  return false;
+}
+
 /// Places of the entries as they will stand, in the order of the pairs.
 struct Arrangement
 {
@@ -309,7 +317,7 @@ std::vector<WatchedPair> merged(const std::vector<PairKey> &keys,
     while (old != known.end() && old->key < key)
       ++old;
     const bool is_known = old != known.end() && old->key == key;
-    pairs.push_back(is_known ? *old : WatchedPair{key, -1., Vec3::Zero()});
+    pairs.push_back(is_known ? *old : WatchedPair{key, -1., 0., Vec3::Zero()});
   }
   return pairs;
 }
@@ -320,15 +328,16 @@ SpotEvents renew(const SpotSearchInput &input, std::vector<WatchedPair> &pairs,
                  const Travelled &travelled, const Make &make,
                  ContactBatch &batch, Dissipation &retired)
 {
-  const std::vector<PairList> lists =
-      make_lists(pairs, batch,
-                 [&](const WatchedPair &pair, const OldRows &old)
-                 {
-                   const bool is_due =
-                       pair.due < travelled(pair.key) + input.notice ||
-                       have_strayed(batch, old);
-                   return is_due ? make(pair, old) : unchanged(old);
-                 });
+  const std::vector<PairList> lists = make_lists(
+      pairs, batch,
+      [&](const WatchedPair &pair, const OldRows &old)
+      {
+        const bool is_due =
+            pair.due < travelled(pair.key) + input.notice ||
+            have_strayed(batch, old) ||
+            (pair.margin > 2. * input.margin && has_open_places(batch, old));
+        return is_due ? make(pair, old) : unchanged(old);
+      });
   SpotEvents events;
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
@@ -336,6 +345,7 @@ SpotEvents renew(const SpotSearchInput &input, std::vector<WatchedPair> &pairs,
     if (lists[p].is_new)
     {
       pairs[p].due = travelled(pairs[p].key) + lists[p].clear;
+      pairs[p].margin = input.margin;
       pairs[p].between = lists[p].between;
     }
   }

@@ -30,6 +30,7 @@ struct WatchedPair
   /// Travel of both together up to which no place but the listed ones can come
   /// into contact [m].
   double due = 0.;
+  double margin = 0.; ///< of the last search [m]
   /// Between the hulls of two stones when last looked at, body frame of the
   /// first; zero: not known [-]
   Vec3 between = Vec3::Zero();

@@ -28,9 +28,12 @@ Library library()
   return shapes;
 }
 
-dem::EngineParameters parameters()
+dem::EngineParameters parameters(dem::ContactGeometry geometry)
 {
   dem::EngineParameters p; // the article's, walls softer
+  p.geometry.geometry = geometry;
+  if (geometry == dem::ContactGeometry::surface)
+    p.geometry.wall_geometry = geometry;
   p.wall.normal_stiffness = p.surface.normal_stiffness = 1e7;
   p.wall.shear_stiffness = p.surface.shear_stiffness = 0.85e7;
   p.breakage.fracture_energy = 10.; // many events
@@ -41,11 +44,12 @@ dem::EngineParameters parameters()
 
 struct Scene
 {
-  dem::Engine engine{parameters()};
+  dem::Engine engine;
   dem::BoxPlanes box{};
   dem::BoxServo servo{{}, {}};
 
-  Scene()
+  explicit Scene(dem::ContactGeometry geometry = dem::ContactGeometry::radial)
+      : engine(parameters(geometry))
   {
     box = dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3::Constant(side));
     servo = dem::BoxServo(box, {});
@@ -161,9 +165,17 @@ void expect_same(const Scene &one, const Scene &two)
 }
 } // namespace
 
-TEST(EngineCheckpoint, ContinuesBitForBit)
+class EngineCheckpointOf : public testing::TestWithParam<dem::ContactGeometry>
 {
-  Scene unbroken;
+};
+
+INSTANTIATE_TEST_SUITE_P(Geometries, EngineCheckpointOf,
+                         testing::Values(dem::ContactGeometry::radial,
+                                         dem::ContactGeometry::surface));
+
+TEST_P(EngineCheckpointOf, ContinuesBitForBit)
+{
+  Scene unbroken(GetParam());
   unbroken.fill();
   unbroken.advance(n_steps);
   const std::string state = unbroken.saved();
@@ -172,7 +184,7 @@ TEST(EngineCheckpoint, ContinuesBitForBit)
   EXPECT_GT(n_before, 0);
   EXPECT_GT(unbroken.engine.on_facets().size(), 0u);
 
-  Scene resumed;
+  Scene resumed(GetParam());
   std::istringstream in(state, std::ios::binary);
   resumed.engine.restore(in, library());
   resumed.servo.restore(in);
@@ -221,15 +233,15 @@ TEST(EngineCheckpoint, CutFileIsRefused)
 
 // Every sum over contacts has one order, whatever the threads. Few steps: on
 // a busy machine two threads wait for each other.
-TEST(EngineThreads, TwoThreadsGiveTheSameBits)
+TEST_P(EngineCheckpointOf, TwoThreadsGiveTheSameBits)
 {
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
-  Scene start;
+  Scene start(GetParam());
   start.fill();
   start.advance(n_steps);
   const std::string state = start.saved();
-  Scene scenes[2];
+  Scene scenes[2] = {Scene(GetParam()), Scene(GetParam())};
   for (int n_threads : {1, 2})
   {
     omp_set_num_threads(n_threads);
