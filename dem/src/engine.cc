@@ -386,6 +386,8 @@ void Engine::break_corners()
   std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
   run_contacts(still);
   load_boundaries(0.);
+  // A chip may have led contacts of the stone elsewhere.
+  lists_are_stale |= stones.follows_surfaces;
 }
 
 void Engine::load_boundaries(double time_step)
