@@ -29,9 +29,10 @@ def faults(folder):
         found.append(f"energy residual {result['energy_residual_ratio_1']}")
     if result["preparation"]["unbalanced_force_ratio_1"] > 1e-3:
         found.append("not at rest")
-    last = rows(folder, "history.csv")[-1]
+    _, table = rows(folder, "history.csv")
+    last = table[-1]
     # With radii along the branch it is some per cent.
-    share = abs(float(last["shape_work_J"])) / float(last["external_work_J"])
+    share = abs(last["shape_work_J"]) / last["external_work_J"]
     if share > 5e-3:
         found.append(f"shape work is {share} of the external work")
     if not 3. < result["coordination_start_1"] < 6.:
