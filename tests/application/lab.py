@@ -148,9 +148,9 @@ def los_angeles(spall, root):
     # 0.4 kg to half a smallest stone of 11 g.
     faults += near("initial_mass_kg", found["initial_mass_kg"], 0.4, 0.02)
     faults += near("turns_1", found["turns_1"], 2., 1e-4)
-    # Without events 4e-5. The half step after an event goes with the new
-    # forces, but is booked with the old ones: measured 1e-3 to 2e-3.
-    if not found["energy_residual_ratio_1"] < 1e-2:
+    # Without events 4e-5, with them 1.0e-3 measured; 1.4e-2 when the half
+    # step after an event was booked with the forces of before.
+    if not found["energy_residual_ratio_1"] < 3e-3:
         faults.append(f"energy residual {found['energy_residual_ratio_1']}")
     if not found["n_events"] > 0:
         faults.append("nothing broke")
