@@ -157,6 +157,12 @@ struct CubeCase
   int n_events;
 };
 
+/// In the name of the test; else it would be the bytes of the struct.
+void PrintTo(const CubeCase &cube, std::ostream *out)
+{
+  *out << "order " << cube.order;
+}
+
 class CubeBetweenPlatens : public testing::TestWithParam<CubeCase>
 {
 };
