@@ -95,9 +95,10 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   {
     const dem::SpotEvents &places = engine.spot_events();
     out["contact_places"] = {
-        {"searches", places.n_scans}, {"found_late", places.n_late},
-        {"jumped", places.n_jumps},   {"ended", places.n_ended},
-        {"merged", places.n_merged},  {"not_listed", places.n_unlisted}};
+        {"searches", places.n_scans},  {"found_late", places.n_late},
+        {"jumped", places.n_jumps},    {"ended", places.n_ended},
+        {"merged", places.n_merged},   {"not_listed", places.n_unlisted},
+        {"led_nowhere", places.n_lost}};
   }
   if (test.gain())
   {

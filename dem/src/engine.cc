@@ -217,6 +217,9 @@ void Engine::rebuild_lists()
   margin.renew(settings.search_margin, list_counts());
   if (stones.size() >= sorted_from)
     sort_in_space();
+  if (pair_layout(settings, stones).has_spots ||
+      wall_layout(settings, settings.wall, stones).has_spots)
+    maps.update(stones);
   rebuild_pair_list();
   rebuild_plane_list();
   if (barrel.is_there())
@@ -256,7 +259,6 @@ void Engine::rebuild_pair_list()
   const BatchLayout layout = pair_layout(settings, stones);
   if (layout.has_spots)
   {
-    maps.update(stones);
     const ForceContext still = context(0.);
     spots.renew_pairs(spot_search(still, layout), travel, pair_batch, lost);
     return;
@@ -271,7 +273,6 @@ void Engine::rebuild_plane_list()
   const BatchLayout layout = wall_layout(settings, settings.wall, stones);
   if (layout.has_spots)
   {
-    maps.update(stones);
     const ForceContext still = context(0.);
     spots.renew_planes(spot_search(still, layout), walls, planes_travelled,
                        plane_batch, lost);

@@ -13,6 +13,13 @@ namespace
 {
 using StoneLanes = LaneRows<stone_row>;
 
+/// Lanes that are contacts; the others only fill the set.
+LaneMask valid_lanes(int n_valid)
+{
+  const Lanes place([](auto lane) { return static_cast<double>(lane); });
+  return place < static_cast<double>(n_valid);
+}
+
 /// Direction of one side of a block of contacts in the frame of its stone.
 LaneVector side_direction(const StoneLanes &stone, const LaneVector &world)
 {

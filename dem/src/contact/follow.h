@@ -2,14 +2,10 @@
 
 #include "surfaces.h"
 
-#include <dem/contact/common_normal.h>
+#include <dem/search/spots.h>
 
 namespace dem
 {
-/// Lenses deeper than this part of the radius are none: the common normal of
-/// far sides of two stones.
-inline constexpr double deepest_overlap = 0.3;
-
 RelativePose relative_pose(const Particles &particles, std::size_t a,
                            std::size_t b);
 

@@ -70,12 +70,6 @@ Lanes counted_overlap(const Task &task, std::int64_t k, const Lanes &overlap)
   return stdx::max(depth - slack, Lanes(0.));
 }
 
-LaneMask valid_lanes(int n_valid)
-{
-  const Lanes place([](auto lane) { return static_cast<double>(lane); });
-  return place < static_cast<double>(n_valid);
-}
-
 /// Contacts of one set of lanes as they lie, at their common normals.
 struct SurfaceGeometry
 {

@@ -108,9 +108,8 @@ NormalSpring<Lanes> wall_spring(const Task &task, std::int64_t k,
   const Contacts &contacts = task.contacts;
   const StoneLanes a(task.stones.state, contacts.a + k);
   const WallLanes wall(task.walls, contacts.b + k);
-  const Lanes place([](auto lane) { return static_cast<double>(lane); });
   const WallGeometry geometry =
-      locate_walls(task, k, a, wall, place < static_cast<double>(n_valid));
+      locate_walls(task, k, a, wall, valid_lanes(n_valid));
   const Lanes overlap_before = load(contacts.overlap + k);
   if (!any(geometry.overlap > 0. || overlap_before > 0.))
     return;

@@ -161,8 +161,10 @@ PairList list_pair(const SpotSearchInput &input, const WatchedPair &watched,
         gap_at(particles, pair, pose, spot) < input.margin)
       list.keep({static_cast<std::int32_t>(k), spot});
   }
-  list.add(find_spots(mapped, separation, input.margin, list.spots()).spots,
-           input.is_first);
+  const SpotSearch search =
+      find_spots(mapped, separation, input.margin, list.spots());
+  list.events.n_lost = search.n_lost;
+  list.add(search.spots, input.is_first);
   return list;
 }
 
@@ -369,6 +371,7 @@ SpotEvents &SpotEvents::operator+=(const SpotEvents &part)
   n_ended += part.n_ended;
   n_merged += part.n_merged;
   n_unlisted += part.n_unlisted;
+  n_lost += part.n_lost;
   return *this;
 }
 

@@ -18,8 +18,6 @@ constexpr int stride = 2;
 constexpr double coarse_slack = 0.15;
 /// The gap between nodes may be smaller by this part of the radius.
 constexpr double fine_slack = 0.04;
-/// A lens deeper than this part of the radius is none: the far sides.
-constexpr double deepest = 0.3;
 /// Two places on a stone nearer than this are one [rad].
 constexpr double one_place = 0.03;
 
@@ -264,11 +262,11 @@ SpotSearch find_spots(const MappedPair &pair, const Separation &separation,
           if (gap > range || leads_to(start, known) ||
               leads_to(start, found.spots))
             return;
-          ++found.n_starts;
           const Spot spot = polish(a, b, pair.pose, start);
           if (!spot.is_found)
             ++found.n_lost;
-          else if (spot.overlap > -margin && spot.overlap < deepest * size &&
+          else if (spot.overlap > -margin &&
+                   spot.overlap < deepest_overlap * size &&
                    !is_listed(spot, known) && !is_listed(spot, found.spots))
             found.spots.push_back(spot);
         });

@@ -16,6 +16,7 @@ struct SpotEvents
   std::int64_t n_ended = 0;  ///< under load, lost their place: a lens went flat
   std::int64_t n_merged = 0; ///< had come to the place of another one
   std::int64_t n_unlisted = 0; ///< one too many for the pair
+  std::int64_t n_lost = 0;     ///< minima of the maps that led to no place
 
   SpotEvents &operator+=(const SpotEvents &part);
 };

@@ -8,6 +8,10 @@
 
 namespace dem
 {
+/// Lenses deeper than this part of the radius are none: the common normal of
+/// far sides of two stones.
+inline constexpr double deepest_overlap = 0.3;
+
 /// A stone as the search for spots sees it.
 struct MappedStone
 {
@@ -41,8 +45,7 @@ bool may_touch(const MappedPair &pair, double margin);
 struct SpotSearch
 {
   std::vector<Spot> spots; ///< overlap > -margin, nearest first
-  int n_starts = 0;        ///< minima of the maps that were followed
-  int n_lost = 0;          ///< of them, led to no lens of contact
+  int n_lost = 0; ///< minima of the maps that led to no lens of contact
 };
 
 /// All places where two stones meet or come within `margin` [m]: local minima
