@@ -32,6 +32,13 @@ void Particles::add(const Body &stone, const Vec3 &at, const Quaternion &turned,
   material.push_back(0);
   load.emplace_back();
   travelled.push_back(0.);
+  if (has_shapes && frame.size() + 1 < size())
+    renew_frames();
+  else if (has_shapes)
+  {
+    frame.emplace_back();
+    set_frame(size() - 1);
+  }
 }
 
 void Particles::update_mass(std::size_t k, double density)
@@ -40,6 +47,26 @@ void Particles::update_mass(std::size_t k, double density)
   stone.radius = mean_radius(body[k]);
   stone.mass = density * body[k].volume;
   stone.inertia = 0.4 * stone.mass * stone.radius * stone.radius;
+  if (k < frame.size())
+    set_frame(k);
+}
+
+void Particles::renew_frames()
+{
+  frame.resize(has_shapes ? size() : 0);
+  for (std::size_t k = 0; k < frame.size(); ++k)
+    set_frame(k);
+}
+
+void Particles::set_frame(std::size_t k)
+{
+  const Body &of = body[k];
+  // Local radii along the branch slide over the slopes of a stone that turns.
+  const double radius =
+      follows_surfaces || of.series ? of.circumscribed_radius : 0.;
+  frame[k] = {mass(k) * of.gyration,
+              follows_surfaces ? radius : std::max(radius, of.max_slope),
+              of.principal};
 }
 
 Vec3 Particles::angular_momentum(std::size_t k) const
@@ -75,6 +102,8 @@ void Particles::reorder(const std::vector<std::int32_t> &order)
 {
   visit(*this, [&order](auto &column) { reorder_column(column, order); });
   reorder_column(body, order);
+  if (!frame.empty())
+    reorder_column(frame, order);
 }
 
 double Particles::smallest_mass() const

@@ -34,6 +34,15 @@ struct alignas(64) StoneLoad
   }
 };
 
+/// What turning needs of a stone in a scene with shapes: one cache line.
+struct alignas(64) TurningFrame
+{
+  Vec3 moments = Vec3::Ones(); ///< principal moments of inertia [kg m^2]
+  /// |v| + reach |omega|: no gap of the stone closes faster [m].
+  double reach = 0.;
+  Quaternion principal = Quaternion::Identity(); ///< principal frame to body
+};
+
 /// The stones in columns; entry k of every column is the same stone. Many
 /// stones are put in order of place from time to time: `id` says who is where.
 struct Particles
@@ -45,6 +54,7 @@ struct Particles
   std::vector<std::uint8_t> is_breakable;
   std::vector<std::uint8_t> material; ///< 0: EngineParameters::stone
   std::vector<StoneLoad> load;
+  std::vector<TurningFrame> frame; ///< empty unless has_shapes
   bool has_shapes = false;    ///< some stone is not a sphere
   bool has_materials = false; ///< some stone is not of material 0
   /// Stones meet with their true surfaces: they turn with the inertia tensors
@@ -54,6 +64,8 @@ struct Particles
   std::vector<double> travelled;
 
   std::size_t size() const { return id.size(); }
+  /// Not as a ball does; spheres among spheres turn as balls.
+  bool turns_as_tensor() const { return follows_surfaces && has_shapes; }
 
   StoneState &last() { return state.back(); }
   Vec3 &position(std::size_t k) { return state[k].position; }
@@ -101,10 +113,13 @@ struct Particles
   void add(const Body &stone, const Vec3 &at, const Quaternion &turned,
            double density);
 
-  /// Mass, inertia and ball radius from the body [density in kg/m^3].
+  /// Mass, inertia, ball radius and frame from the body [density in kg/m^3].
   void update_mass(std::size_t k, double density);
+  /// The frames of all stones from their bodies.
+  void renew_frames();
 
-  /// Calls call(column) for every column but `body`, in a fixed order.
+  /// Calls call(column) for every column but `body` and `frame`, in a fixed
+  /// order.
   template <class Self, class Visit>
   static void visit(Self &self, const Visit &call)
   {
@@ -119,6 +134,9 @@ struct Particles
 
   /// Entry k becomes entry order[k].
   void reorder(const std::vector<std::int32_t> &order);
+
+private:
+  void set_frame(std::size_t k);
 };
 
 /// The same for any column of the stones.

@@ -63,6 +63,13 @@ DEM_LANE_INLINE Triple<Real> cross(const Triple<Real> &u, const Triple<Real> &v)
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
+/// Component by component.
+template <class Real>
+DEM_LANE_INLINE Triple<Real> times(const Triple<Real> &u, const Triple<Real> &v)
+{
+  return {u.x * v.x, u.y * v.y, u.z * v.z};
+}
+
 /// `yes` where the condition holds, else `no`, lane by lane.
 template <class Mask, class Real>
 DEM_LANE_INLINE Real select(const Mask &condition,

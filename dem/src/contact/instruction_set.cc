@@ -1,3 +1,4 @@
+#include "../integrate/motion_kernels.h"
 #include "force_kernels.h"
 
 #include <dem/contact/instruction_set.h>
@@ -47,5 +48,12 @@ const kernel::Loops &kernel::loops()
   return chosen == InstructionSet::avx512 ? avx512::loops
          : chosen == InstructionSet::avx2 ? avx2::loops
                                           : baseline::loops;
+}
+
+kernel::MotionLoop kernel::motion_loop()
+{
+  return chosen == InstructionSet::avx512 ? avx512::motion_loop
+         : chosen == InstructionSet::avx2 ? avx2::motion_loop
+                                          : baseline::motion_loop;
 }
 } // namespace dem

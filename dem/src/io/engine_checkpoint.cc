@@ -147,6 +147,7 @@ void Engine::restore(std::istream &in, const Library &library)
     restore_body(in, body, library);
     stones.has_shapes |= body.series != nullptr;
   }
+  stones.renew_frames();
   get(walls);
   visit_surface(facet_surface, get);
   topology = facet_surface.triangles.empty()

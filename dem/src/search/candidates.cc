@@ -266,17 +266,4 @@ double steepness(const Particles &particles)
     largest = std::max(largest, body.max_slope / body.inscribed_radius);
   return largest;
 }
-
-double closing_speed(const Particles &particles, std::size_t k,
-                     double steepness)
-{
-  const Body &body = particles.body[k];
-  if (particles.follows_surfaces)
-    return particles.velocity(k).norm() +
-           body.circumscribed_radius * particles.spin(k).norm();
-  return (1. + steepness) * particles.velocity(k).norm() +
-         std::max(body.max_slope,
-                  body.series ? body.circumscribed_radius : 0.) *
-             particles.spin(k).norm();
-}
 } // namespace dem

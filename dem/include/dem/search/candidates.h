@@ -33,14 +33,8 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
                     const WallSearch &search, FacetCandidates &candidates,
                     ContactBatch &batch, Dissipation &retired);
 
-/// Upper bound of the speed at which this stone can close the gap to a body at
-/// rest, its turning included [m/s]: (1 + c)|v| + max(L, r)|omega| with L the
-/// steepest slope of r and c, for local radii along the branch, the largest
-/// L / r_ins of all stones; 0 for balls. Of a true surface no point is faster
-/// than |v| + r|omega|.
-double closing_speed(const Particles &particles, std::size_t k,
-                     double steepness);
-
-/// c above: the largest max_slope / inscribed_radius [-].
+/// c of (1 + c)|v| + reach |omega|, the bound of the speed at which a stone can
+/// close a gap, where overlap is of local radii along the branch: largest
+/// max_slope / inscribed_radius [-].
 double steepness(const Particles &particles);
 } // namespace dem

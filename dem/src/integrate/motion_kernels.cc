@@ -1,0 +1,241 @@
+// Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
+#include "motion_kernels.h"
+
+#include "../contact/lanes.h"
+
+#include <dem/integrate/rotation.h>
+
+namespace dem::kernel
+{
+namespace
+{
+using FrameLanes = LaneRows<frame_row>;
+
+/// Stones in a row; the last stands again in lanes that are past the end.
+struct Places
+{
+  std::int32_t index[n_lanes];
+  int n_valid;
+
+  Places(std::int64_t first, std::int64_t last)
+      : n_valid(
+            static_cast<int>(last - first < n_lanes ? last - first : n_lanes))
+  {
+    for (int lane = 0; lane < n_lanes; ++lane)
+      index[lane] = static_cast<std::int32_t>(
+          first + (lane < n_valid ? lane : n_valid - 1));
+  }
+};
+
+/// Some stones with all that moves them.
+struct Movers
+{
+  LaneRows<stone_row> state;
+  LaneRows<load_row> load;
+  LaneVector velocity, spin;
+  Lanes mass;
+  Turn<Lanes> orientation;
+  // With shapes.
+  LaneVector moments;
+  Lanes reach;
+  Turn<Lanes> principal;
+
+  Movers(const Motion &motion, const Places &places)
+      : state(motion.state, places.index), load(motion.load, places.index),
+        velocity(state.vector(at_velocity)), spin(state.vector(at_spin)),
+        mass(state.number(at_mass))
+  {
+    if (!motion.frame)
+      return;
+    orientation = turn(state.quad(at_orientation));
+    const FrameLanes frame(motion.frame, places.index);
+    moments = frame.vector(at_moments);
+    reach = frame.number(at_reach);
+    principal = turn(frame.quad(at_principal));
+  }
+
+  static Turn<Lanes> turn(const LaneQuad &quad)
+  {
+    return {quad.vector, quad.number};
+  }
+};
+
+/// Part of a load that local damping leaves: F - D |F| sgn(v).
+Lanes brake(const Lanes &load, double damping, const Lanes &rate)
+{
+  const Lanes size = damping * stdx::abs(load);
+  return load -
+         select(rate > 0., size, select(rate < 0., Lanes(-size), Lanes(0.)));
+}
+
+LaneVector brake(const LaneVector &load, double damping, const LaneVector &rate)
+{
+  return {brake(load.x, damping, rate.x), brake(load.y, damping, rate.y),
+          brake(load.z, damping, rate.z)};
+}
+
+/// The inverse of the inertia tensor times a moment.
+LaneVector over_inertia(const Motion &motion, const Movers &stones,
+                        const LaneVector &moment)
+{
+  if (!motion.travelled)
+    return 1. / stones.state.number(at_inertia) * moment;
+  const Turn<Lanes> to_world = stones.orientation * stones.principal;
+  const LaneVector inner = inverse(to_world) * moment;
+  const LaneVector &of = stones.moments;
+  return to_world * LaneVector{inner.x / of.x, inner.y / of.y, inner.z / of.z};
+}
+
+/// Adds `value` of the first lanes to a column.
+void add_to(double *column, const Places &places, const Lanes &value)
+{
+  LaneTable<1> table;
+  table.set(0, value);
+  for (int lane = 0; lane < places.n_valid; ++lane)
+    column[places.index[lane]] += table.value[0][lane];
+}
+
+/// v += F/m dt, omega += I^-1 M dt with what local damping leaves of F and M;
+/// books the work of damping and gravity.
+void kick(const Motion &motion, const Places &places, Movers &stones)
+{
+  const double dt = motion.kick;
+  const LaneVector velocity = stones.velocity, spin = stones.spin;
+  const LaneVector weight{stones.mass * motion.gravity[0],
+                          stones.mass * motion.gravity[1],
+                          stones.mass * motion.gravity[2]};
+  const LaneVector force = stones.load.vector(0) + weight,
+                   moment = stones.load.vector(at_moment);
+  LaneVector kept_force = force, kept_moment = moment;
+  if (motion.damped)
+  {
+    kept_force = brake(force, motion.local_damping, velocity);
+    kept_moment = brake(moment, motion.local_damping, spin);
+  }
+  stones.velocity += dt / stones.mass * kept_force;
+  stones.spin += Lanes(dt) * over_inertia(motion, stones, kept_moment);
+  if (motion.damped)
+    add_to(motion.damped, places,
+           0.5 * dt *
+               (dot(force - kept_force, velocity + stones.velocity) +
+                dot(moment - kept_moment, spin + stones.spin)));
+  if (motion.lifted)
+    add_to(motion.lifted, places,
+           0.5 * dt * dot(weight, velocity + stones.velocity));
+}
+
+void turn(const Motion &motion, Movers &stones)
+{
+  if (!motion.frame)
+    return;
+  if (!motion.travelled)
+  {
+    stones.orientation = normalised(
+        exponential(Lanes(motion.drift) * stones.spin) * stones.orientation);
+    return;
+  }
+  Rotor<Lanes> rotor{stones.moments, stones.orientation * stones.principal,
+                     stones.spin};
+  turn_freely(rotor, motion.drift);
+  stones.spin = rotor.spin;
+  stones.orientation = rotor.to_world * inverse(stones.principal);
+}
+
+double largest(const Lanes &value)
+{
+  return stdx::hmax(value);
+}
+
+/// How fast the stones are, after the drift.
+Fastest note_speeds(const Motion &motion, const Places &places,
+                    const Movers &stones)
+{
+  const Lanes square = dot(stones.velocity, stones.velocity);
+  Fastest speeds{largest(square), 0.};
+  if (!motion.frame)
+    return speeds;
+  const Lanes closing =
+      (1. + motion.steepness) * stdx::sqrt(square) +
+      stones.reach * stdx::sqrt(dot(stones.spin, stones.spin));
+  speeds.closing = largest(closing);
+  if (motion.travelled)
+    add_to(motion.travelled, places, motion.drift * closing);
+  return speeds;
+}
+
+/// Velocity and spin of every stone.
+void store_rates(const Motion &motion, const Places &places,
+                 const Movers &stones)
+{
+  LaneTable<6> table;
+  table.set(0, stones.velocity);
+  table.set(3, stones.spin);
+  for (int lane = 0; lane < places.n_valid; ++lane)
+  {
+    double *row = motion.state + std::int64_t{stone_row} * places.index[lane];
+    for (int c = 0; c < 3; ++c)
+    {
+      row[at_velocity + c] = table.value[c][lane];
+      row[at_spin + c] = table.value[3 + c][lane];
+    }
+  }
+}
+
+void store_places(const Motion &motion, const Places &places,
+                  const Movers &stones)
+{
+  LaneTable<7> table;
+  table.set(0, stones.state.vector(at_position) +
+                   Lanes(motion.drift) * stones.velocity);
+  table.set(3, stones.orientation.vector);
+  table.set(6, stones.orientation.number);
+  for (int lane = 0; lane < places.n_valid; ++lane)
+  {
+    double *row = motion.state + std::int64_t{stone_row} * places.index[lane];
+    for (int c = 0; c < 3; ++c)
+      row[at_position + c] = table.value[c][lane];
+    if (motion.frame)
+      for (int c = 0; c < 4; ++c)
+        row[at_orientation + c] = table.value[3 + c][lane];
+    double *load = motion.load + std::int64_t{load_row} * places.index[lane];
+    for (int c = 0; c < load_row; ++c)
+      load[c] = 0.;
+  }
+}
+
+[[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places)
+{
+  Movers stones(motion, places);
+  kick(motion, places, stones);
+  Fastest speeds;
+  if (motion.drift > 0.)
+  {
+    turn(motion, stones);
+    speeds = note_speeds(motion, places, stones);
+    store_places(motion, places, stones);
+  }
+  store_rates(motion, places, stones);
+  return speeds;
+}
+
+Fastest move_range(const Motion &motion, std::int64_t first, std::int64_t last)
+{
+  Fastest fastest;
+  for (std::int64_t k = first; k < last; k += n_lanes)
+  {
+    const Fastest speeds = move_some(motion, {k, last});
+    fastest.moving =
+        fastest.moving > speeds.moving ? fastest.moving : speeds.moving;
+    fastest.closing =
+        fastest.closing > speeds.closing ? fastest.closing : speeds.closing;
+  }
+  return fastest;
+}
+} // namespace
+
+namespace SPALL_INSTRUCTION_SET
+{
+extern const MotionLoop motion_loop;
+const MotionLoop motion_loop = move_range;
+} // namespace SPALL_INSTRUCTION_SET
+} // namespace dem::kernel
