@@ -55,8 +55,8 @@ struct Particles
   std::vector<std::uint8_t> material; ///< 0: EngineParameters::stone
   std::vector<StoneLoad> load;
   std::vector<TurningFrame> frame; ///< empty unless has_shapes
-  bool has_shapes = false;    ///< some stone is not a sphere
-  bool has_materials = false; ///< some stone is not of material 0
+  bool has_shapes = false;         ///< some stone is not a sphere
+  bool has_materials = false;      ///< some stone is not of material 0
   /// Stones meet with their true surfaces: they turn with the inertia tensors
   /// of their bodies, not of balls, and `travelled` is kept.
   bool follows_surfaces = false;

@@ -11,8 +11,8 @@ namespace dem::kernel
 {
 /// StoneState in numbers, and where its fields are.
 inline constexpr int stone_row = 16, at_position = 0, at_radius = 3,
-                     at_velocity = 4, at_mass = 7, at_spin = 8,
-                     at_inertia = 11, at_orientation = 12;
+                     at_velocity = 4, at_mass = 7, at_spin = 8, at_inertia = 11,
+                     at_orientation = 12;
 
 /// StoneLoad in numbers: force, moment, two to fill the line.
 inline constexpr int load_row = 8, at_moment = 3;

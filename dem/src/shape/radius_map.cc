@@ -1,6 +1,7 @@
 #include <dem/shape/quadrature.h>
 #include <dem/shape/radius_map.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace dem
@@ -42,33 +43,48 @@ RadiusMap::RadiusMap(std::shared_ptr<const Coefficients> sampled)
   measure_hull();
 }
 
-int RadiusMap::highest_node(const Eigen::Vector3f &direction) const
+int RadiusMap::highest_neighbour(int node,
+                                 const Eigen::Vector3f &direction) const
 {
-  int best = 0;
-  const auto compare = [&](int node)
-  {
-    if (point(node).dot(direction) > point(best).dot(direction))
-      best = node;
-  };
-  for (int i = 0; i < nodes.n_polar; i += 2)
-    for (int k = 0; k < nodes.n_azimuth; k += 2)
-      compare(i * nodes.n_azimuth + k);
-  const int ring = best / nodes.n_azimuth, column = best % nodes.n_azimuth;
+  const int ring = node / nodes.n_azimuth, column = node % nodes.n_azimuth;
+  int best = node;
   for (int down = -1; down <= 1; ++down)
     for (int right = -1; right <= 1; ++right)
-      compare(nodes.neighbour(ring, column, down, right));
+      if (const int other = nodes.neighbour(ring, column, down, right);
+          point(other).dot(direction) > point(best).dot(direction))
+        best = other;
   return best;
 }
 
 void RadiusMap::measure_hull()
 {
+  // Every second node of every second ring first: the hull of a stone that has
+  // just broken is measured while others wait.
+  std::vector<int> coarse_nodes;
+  for (int i = 0; i < nodes.n_polar; i += 2)
+    for (int k = 0; k < nodes.n_azimuth; k += 2)
+      coarse_nodes.push_back(i * nodes.n_azimuth + k);
+  const auto n = static_cast<Eigen::Index>(coarse_nodes.size());
+  Eigen::Matrix<float, Eigen::Dynamic, 3> coarse(n, 3);
+  for (Eigen::Index k = 0; k < n; ++k)
+    coarse.row(k) = point(coarse_nodes[static_cast<std::size_t>(k)]);
+  Eigen::VectorXf along(n);
+  const auto highest = [&](const Eigen::Vector3f &direction)
+  {
+    along.noalias() = coarse * direction;
+    // Twice through, as finding the place of the largest is not vectorised.
+    const float *const top =
+        std::find(along.data(), along.data() + n, along.maxCoeff());
+    return highest_neighbour(
+        coarse_nodes[static_cast<std::size_t>(top - along.data())], direction);
+  };
   std::vector<double> heights;
   float largest = 0.f;
   for (int i = 0; i < sides.n_polar; ++i)
     for (int k = 0; k < sides.n_azimuth; ++k)
     {
       const Eigen::Vector3f direction = sides.direction(i, k).cast<float>();
-      summit.push_back(highest_node(direction));
+      summit.push_back(highest(direction));
       heights.push_back(point(summit.back()).dot(direction));
       largest = std::max(largest, point(summit.back()).norm());
     }
