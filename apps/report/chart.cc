@@ -80,8 +80,32 @@ struct Tick
   std::string text;
 };
 
+/// 10 to a power, as a power from a hundred and below a tenth on.
+std::string decade_text(long exponent)
+{
+  if (exponent >= -1 && exponent <= 2)
+    return format_fixed(std::pow(10., exponent), exponent < 0 ? 1 : 0);
+  static const std::array<std::string, 10> digits{
+      "\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+      "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = exponent < 0 ? "10\u207b" : "10";
+  for (const char digit : std::to_string(std::labs(exponent)))
+    text += digits[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
+std::vector<Tick> decades_of(const Axis &axis)
+{
+  std::vector<Tick> ticks;
+  for (long k = std::lround(axis.low); k <= std::lround(axis.high); ++k)
+    ticks.push_back({std::pow(10., k), decade_text(k)});
+  return ticks;
+}
+
 std::vector<Tick> ticks_of(const Axis &axis)
 {
+  if (axis.is_log)
+    return decades_of(axis);
   // One rounding for the whole axis: 0.1 + 0.2 must not show.
   const int n_decimals =
       std::max(0, -static_cast<int>(std::floor(std::log10(axis.step) + 1e-9)));
@@ -98,22 +122,33 @@ std::vector<Tick> ticks_of(const Axis &axis)
   return ticks;
 }
 
+Axis axis_of(const Chart &chart, std::vector<double> Curve::*values,
+             bool is_log, int n)
+{
+  Range range;
+  for (const Curve &curve : chart.curves)
+    for (const double value : curve.*values)
+      if (!is_log || value > 0.)
+        range.add(value);
+  return is_log ? decade_axis(range.low, range.high)
+                : nice_axis(range.low, range.high, n);
+}
+
+/// Share of the axis below a value; not finite where it has no place.
+double share_below(const Axis &axis, double value)
+{
+  const double place = axis.is_log ? std::log10(value) : value;
+  return (place - axis.low) / (axis.high - axis.low);
+}
+
 /// Where the data go on the page.
 class Frame
 {
 public:
   explicit Frame(const Chart &chart)
+      : x_axis(axis_of(chart, &Curve::x, chart.has_log_x, 6)),
+        y_axis(axis_of(chart, &Curve::y, chart.has_log_y, 5))
   {
-    Range x_range, y_range;
-    for (const Curve &curve : chart.curves)
-    {
-      std::for_each(curve.x.begin(), curve.x.end(),
-                    [&](double value) { x_range.add(value); });
-      std::for_each(curve.y.begin(), curve.y.end(),
-                    [&](double value) { y_range.add(value); });
-    }
-    x_axis = nice_axis(x_range.low, x_range.high, 6);
-    y_axis = nice_axis(y_range.low, y_range.high, 5);
     double widest = 0.;
     for (const Tick &tick : ticks_of(y_axis))
       widest = std::max(widest, width_of(tick.text));
@@ -122,13 +157,11 @@ public:
 
   double x(double value) const
   {
-    return left + (value - x_axis.low) / (x_axis.high - x_axis.low) *
-                      (width - right - left);
+    return left + share_below(x_axis, value) * (width - right - left);
   }
   double y(double value) const
   {
-    return top +
-           plot_height * (y_axis.high - value) / (y_axis.high - y_axis.low);
+    return top + plot_height * (1. - share_below(y_axis, value));
   }
   double floor() const { return top + plot_height; }
 
@@ -219,8 +252,11 @@ std::string draw_curve(const Curve &curve, const Frame &frame)
   if (curve.marker == Marker::none)
     return out;
   for (std::size_t k = 0; k < curve.x.size(); ++k)
-    if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]))
-      out += draw_marker(frame.x(curve.x[k]), frame.y(curve.y[k]), curve);
+  {
+    const double x = frame.x(curve.x[k]), y = frame.y(curve.y[k]);
+    if (std::isfinite(x) && std::isfinite(y))
+      out += draw_marker(x, y, curve);
+  }
   return out;
 }
 
@@ -289,6 +325,15 @@ Axis nice_axis(double low, double high, int n)
   if (to - high > far * step && to != 0.)
     to = high + margin;
   return {from, to, step};
+}
+
+Axis decade_axis(double low, double high)
+{
+  if (!(low <= high))
+    return {0., 1., 1., true};
+  const double from = std::floor(std::log10(low) + 1e-9),
+               to = std::ceil(std::log10(high) - 1e-9);
+  return {from, std::max(to, from + 1.), 1., true};
 }
 
 std::string palette_colour(std::size_t k)

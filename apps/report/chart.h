@@ -30,19 +30,25 @@ struct Chart
   std::string id;      ///< file name without ending
   std::string caption; ///< full sentences
   std::string x_label = "", y_label = "";
+  bool has_log_x = false, has_log_y = false; ///< values above 0 alone are drawn
   std::vector<Curve> curves = {};
   std::vector<std::string> notes = {}; ///< why something is not drawn
 };
 
-/// Range of one axis; its ticks are the multiples of the step inside.
+/// Range of one axis; its ticks are the multiples of the step inside. A
+/// logarithmic one is an axis of decades.
 struct Axis
 {
   double low = 0., high = 1., step = 0.2;
+  bool is_log = false;
 };
 
 /// An axis with about n steps of 1, 2 or 5 times a power of ten that covers the
 /// range. It ends with a tick, and takes in zero, where that costs little.
 Axis nice_axis(double low, double high, int n);
+
+/// The whole decades that cover the range; of one at least.
+Axis decade_axis(double low, double high);
 
 /// Colour-blind safe (Okabe and Ito), told apart by the dashes in print.
 std::string palette_colour(std::size_t k);

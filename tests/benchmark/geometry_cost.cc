@@ -1,0 +1,329 @@
+// What the ways to say where two stones meet cost, and what they miss: table
+// and figures of docs/verification/geometry_cost.md (MODEL 4.3).
+//
+//   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
+#include "bench_measure.h"
+#include "geometry_methods.h"
+#include "report/chart.h"
+
+#include <dem/packing/random.h>
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <shape_file.h>
+#include <string>
+
+namespace
+{
+using dem::Body;
+using dem::Vec3;
+using spall::Meeting;
+
+constexpr double ball_radius = 0.01; ///< [m]
+constexpr double diameter = 2. * ball_radius;
+
+/// Errors of many meetings, as sums of squares.
+struct Errors
+{
+  double gap = 0., angle = 0., arm = 0.;
+  int n = 0, n_lost = 0;
+
+  /// Gap over the diameter, normal [deg], lever arm over the ball radius.
+  void add(const Meeting &found, const Meeting &exact)
+  {
+    if (!found.is_found)
+    {
+      ++n_lost;
+      return;
+    }
+    ++n;
+    gap += std::pow((found.overlap - exact.overlap) / diameter, 2);
+    const double cosine = std::min(1., found.normal.dot(exact.normal));
+    angle += std::pow(std::acos(cosine) * 180. / std::numbers::pi, 2);
+    const Vec3 lever = found.arm.cross(found.normal),
+               right = exact.arm.cross(exact.normal);
+    arm += std::pow((lever - right).norm() / ball_radius, 2);
+  }
+  double of(double Errors::*sum) const
+  {
+    return std::sqrt(this->*sum / std::max(1, n));
+  }
+};
+
+struct Row
+{
+  std::string method;
+  double nanoseconds = 0.; ///< per contact and step
+  Errors errors;
+};
+
+double processor_time()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Pairs of one shape that just touch.
+struct Pairs
+{
+  Body body;
+  dem::RadiusMap map;
+  std::vector<dem::RelativePose> poses;
+  std::vector<Meeting> exact;
+  std::vector<dem::Spot> spots;
+
+  Pairs(const dem::Coefficients &series, int n_pairs)
+      : body(dem::make_body(std::make_shared<const dem::Coefficients>(series),
+                            ball_radius)),
+        map(body.series)
+  {
+    dem::Random random(1);
+    for (int k = 0; k < n_pairs; ++k)
+    {
+      const Vec3 along = random.rotation() * Vec3::UnitX();
+      const dem::MappedPair pair =
+          spall::bring_together(at({2. * body.circumscribed_radius * along,
+                                    random.rotation().toRotationMatrix()}));
+      poses.push_back(pair.pose);
+      spots.push_back(spall::deepest_spot(pair, 0.01 * diameter));
+      exact.push_back(spall::by_polish(pair, spots.back()));
+    }
+  }
+  dem::MappedPair at(const dem::RelativePose &pose) const
+  {
+    return {{body, map}, {body, map}, pose};
+  }
+};
+
+/// A method that evaluates the series each time, on top of `base` ns for all
+/// that a step does with a contact besides.
+Row time_alone(
+    const Pairs &pairs, const std::string &name, double base,
+    const std::function<Meeting(const dem::MappedPair &, std::size_t)> &method)
+{
+  Row row{name, 0., {}};
+  std::vector<Meeting> found(pairs.poses.size());
+  const double begun = processor_time();
+  int n = 0;
+  do
+  {
+    for (std::size_t k = 0; k < found.size(); ++k)
+      found[k] = method(pairs.at(pairs.poses[k]), k);
+    n += static_cast<int>(found.size());
+  } while (processor_time() - begun < 0.1);
+  row.nanoseconds = base + 1e9 * (processor_time() - begun) / n;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    row.errors.add(found[k], pairs.exact[k]);
+  return row;
+}
+
+/// The engine with each pair far from all others, turning at 1 rad/s, in
+/// contacts too soft to move it. The distances are such that pairs overlap by
+/// 0.2 % of the diameter in the geometry of the engine.
+dem::Engine turning_pairs(const Pairs &pairs, dem::ContactGeometry geometry,
+                          double tolerance)
+{
+  dem::EngineParameters p;
+  p.stone.shear_modulus = 1e-3;
+  p.breakage.is_active = false;
+  p.geometry.geometry = geometry;
+  p.geometry.refresh_tolerance = tolerance;
+  dem::Engine engine(p);
+  dem::Random random(2);
+  const double room = 6. * pairs.body.circumscribed_radius;
+  for (std::size_t k = 0; k < pairs.poses.size(); ++k)
+  {
+    const dem::MappedPair pair = pairs.at(pairs.poses[k]);
+    const double overlap = geometry == dem::ContactGeometry::ball
+                               ? spall::by_balls(pair).overlap
+                           : geometry == dem::ContactGeometry::radial
+                               ? spall::by_radii(pair).overlap
+                               : pairs.exact[k].overlap;
+    const Vec3 here(room * static_cast<double>(k % 16),
+                    room * static_cast<double>(k / 16), 0.),
+        branch = pair.pose.position * (1. + (overlap - 0.002 * diameter) /
+                                                pair.pose.position.norm());
+    engine.add_stone(pairs.body, here, dem::Quaternion::Identity());
+    engine.add_stone(pairs.body, here + branch,
+                     dem::Quaternion(pair.pose.rotation));
+  }
+  for (std::size_t k = 0; k < engine.particles().size(); ++k)
+    engine.particles().spin(k) = random.rotation() * Vec3::UnitX();
+  return engine;
+}
+
+/// Where the engine has a pair meet, from the exact series: its geometry.
+Meeting exactly(const Pairs &pairs, const dem::Engine &engine, std::size_t c)
+{
+  const dem::Particles &stones = engine.particles();
+  const auto a = static_cast<std::size_t>(engine.pairs().a[c]),
+             b = static_cast<std::size_t>(engine.pairs().b[c]);
+  const dem::Mat3 into_a = stones.rotation(a).transpose();
+  const dem::MappedPair pair =
+      pairs.at({into_a * (stones.position(b) - stones.position(a)),
+                into_a * stones.rotation(b)});
+  switch (engine.parameters().geometry.geometry)
+  {
+  case dem::ContactGeometry::ball:
+    return spall::by_balls(pair);
+  case dem::ContactGeometry::radial:
+    return spall::by_radii(pair);
+  case dem::ContactGeometry::surface:
+    return spall::by_search(pair, 0.01 * diameter);
+  }
+  return {};
+}
+
+/// Contacts of the engine through 20 000 steps of 1e-6 s: their time, and the
+/// error of the cache beside the exact series.
+Row time_engine(const Pairs &pairs, const std::string &name,
+                dem::ContactGeometry geometry, double tolerance)
+{
+  dem::Engine engine = turning_pairs(pairs, geometry, tolerance);
+  spall::measure(engine, 200, 1e-6);
+  const spall::BenchSample sample = spall::measure(engine, 20000, 1e-6);
+  const dem::EngineClock &p = sample.phases;
+  const double share =
+      (p.contacts + p.search) / (p.contacts + p.search + p.breakage + p.motion);
+  Row row{name, 1e9 * sample.cpu * share / sample.updates(), {}};
+  for (std::size_t c = 0; c < engine.pairs().size(); ++c)
+    if (engine.pairs().is_touching(c))
+    {
+      Meeting exact = exactly(pairs, engine, c), cached = exact;
+      cached.overlap = engine.pairs().overlap[c];
+      // Of several places that a pair has, the search gives the deepest.
+      if (std::abs(cached.overlap - exact.overlap) < 1e-3 * diameter)
+        row.errors.add(cached, exact);
+      else
+        ++row.errors.n_lost;
+    }
+  return row;
+}
+
+/// What a way of the engine has for errors: those of the geometry, and those
+/// of the cache in the gap.
+Row with_cache(const Row &geometry, const Row &cached)
+{
+  Row row = cached;
+  row.errors = geometry.errors;
+  const double cache = cached.errors.of(&Errors::gap);
+  row.errors.gap += row.errors.n * cache * cache;
+  return row;
+}
+
+std::vector<Row> measure_all(const Pairs &pairs)
+{
+  using Geometry = dem::ContactGeometry;
+  const Row ball = time_engine(pairs, "ball", Geometry::ball, 5e-3);
+  const auto alone = [&](const std::string &name, const auto &method)
+  { return time_alone(pairs, name, ball.nanoseconds, method); };
+  std::vector<Row> rows;
+  rows.push_back(with_cache(alone("", [](const auto &pair, std::size_t)
+                                  { return spall::by_balls(pair); }),
+                            ball));
+  const Row radii = alone("", [](const auto &pair, std::size_t)
+                          { return spall::by_radii(pair); }),
+            polish = alone("", [&](const auto &pair, std::size_t k)
+                           { return spall::by_polish(pair, pairs.spots[k]); });
+  const std::array<std::pair<const char *, double>, 4> tolerances = {
+      {{"each step", 0.}, {"1e-3", 1e-3}, {"5e-3", 5e-3}, {"2e-2", 2e-2}}};
+  for (const auto &[text, value] : tolerances)
+    rows.push_back(
+        with_cache(radii, time_engine(pairs, std::string("radial, ") + text,
+                                      Geometry::radial, value)));
+  for (int n = 1; n <= 3; ++n)
+    rows.push_back(alone("radial, corrected " + std::to_string(n),
+                         [n](const auto &pair, std::size_t)
+                         { return spall::by_heights(pair, n); }));
+  for (const auto &[text, value] : tolerances)
+    rows.push_back(
+        with_cache(polish, time_engine(pairs, std::string("surface, ") + text,
+                                       Geometry::surface, value)));
+  rows.push_back(alone("surface, searched", [](const auto &pair, std::size_t)
+                       { return spall::by_search(pair, 0.01 * diameter); }));
+  return rows;
+}
+
+void print(const std::string &shape, int order, const std::vector<Row> &rows)
+{
+  for (const Row &row : rows)
+    std::printf("| %s | %d | %s | %.0f | %.1e | %.2g | %.2g | %d |\n",
+                shape.c_str(), order, row.method.c_str(), row.nanoseconds,
+                row.errors.of(&Errors::gap), row.errors.of(&Errors::angle),
+                row.errors.of(&Errors::arm), row.errors.n_lost);
+  std::fflush(stdout);
+}
+
+/// All rows as points of one error over time, a colour for each way.
+spall::Chart chart_of(const std::string &id, const std::string &y_label,
+                      double Errors::*error, const std::vector<Row> &rows)
+{
+  spall::Chart chart;
+  chart.id = id;
+  chart.caption = "Error against time per contact and step.";
+  chart.x_label = "Time per contact and step (ns)";
+  chart.y_label = y_label;
+  chart.has_log_x = chart.has_log_y = true;
+  for (const std::string way :
+       {"ball", "radial, each step", "radial, 5e-3", "radial, corrected",
+        "surface, each step", "surface, 5e-3", "surface, searched"})
+  {
+    spall::Curve curve;
+    curve.name = way;
+    curve.colour = spall::palette_colour(chart.curves.size());
+    curve.line_width = 0.;
+    curve.marker = spall::Marker::dot;
+    for (const Row &row : rows)
+      if (row.method.rfind(way, 0) == 0)
+      {
+        curve.x.push_back(row.nanoseconds);
+        curve.y.push_back(row.errors.of(error));
+      }
+    chart.curves.push_back(curve);
+  }
+  return chart;
+}
+
+void draw_all(const std::string &folder, const std::vector<Row> &rows)
+{
+  for (const spall::Chart &chart :
+       {chart_of("geometry_gap", "Gap error / diameter (–)", &Errors::gap,
+                 rows),
+        chart_of("geometry_normal", "Normal error (degrees)", &Errors::angle,
+                 rows),
+        chart_of("geometry_arm", "Lever arm error / radius (–)", &Errors::arm,
+                 rows)})
+    std::ofstream(folder + "/" + chart.id + ".svg")
+        << spall::svg_file(spall::draw(chart));
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  if (argc < 4)
+  {
+    std::fprintf(stderr,
+                 "geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]\n");
+    return 1;
+  }
+  std::printf("| shape | order | way | ns per contact and step | gap error / "
+              "diameter | normal [deg] | lever arm / radius | lost |\n"
+              "|---|---|---|---|---|---|---|---|\n");
+  std::vector<Row> all;
+  for (int k = 3; k < argc; ++k)
+  {
+    const spall::ShapeFile shape = spall::read_shape(argv[k]);
+    for (const int order : {8, 12, 20})
+    {
+      dem::Coefficients series = shape.coefficients;
+      series.resize(static_cast<std::size_t>(std::min(
+          dem::n_coefficients(order), dem::n_coefficients(shape.order))));
+      const std::vector<Row> rows =
+          measure_all(Pairs(series, std::stoi(argv[1])));
+      print(shape.name, order, rows);
+      all.insert(all.end(), rows.begin(), rows.end());
+    }
+  }
+  draw_all(argv[2], all);
+}

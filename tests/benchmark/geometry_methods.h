@@ -1,0 +1,40 @@
+#pragma once
+
+#include <dem/search/spots.h>
+
+/// Ways to say where two stones meet, each from nothing but their shapes.
+namespace spall
+{
+/// Where two stones meet, in the body frame of A.
+struct Meeting
+{
+  double overlap = 0.;                   ///< > 0 where they overlap [m]
+  dem::Vec3 normal = dem::Vec3::UnitX(); ///< from A to B, unit [-]
+  dem::Vec3 arm = dem::Vec3::Zero();     ///< from the centre of A [m]
+  bool is_found = true;
+};
+
+/// Overlap of the balls (MODEL 4.1 i).
+Meeting by_balls(const dem::MappedPair &pair);
+
+/// Overlap of the local radii along the branch (MODEL 4.1 ii).
+Meeting by_radii(const dem::MappedPair &pair);
+
+/// The same, corrected so many times by the height functions of both surfaces
+/// over the plane across the branch (MODEL 4.3); 1 or more.
+Meeting by_heights(const dem::MappedPair &pair, int n_corrections);
+
+/// The deepest place that a search from nothing finds (MODEL 4.1 iii); margin
+/// as in dem::find_spots() [m].
+Meeting by_search(const dem::MappedPair &pair, double margin);
+
+/// The place that Newton steps from a start find.
+Meeting by_polish(const dem::MappedPair &pair, const dem::Spot &start);
+
+/// The deepest place of a search. Its is_found is false without any.
+dem::Spot deepest_spot(const dem::MappedPair &pair, double margin);
+
+/// B moves along the branch until its deepest place just touches A. Throws
+/// std::runtime_error if the search loses the place on the way.
+dem::MappedPair bring_together(const dem::MappedPair &from);
+} // namespace spall
