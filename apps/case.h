@@ -74,13 +74,31 @@ struct BoundaryParameters
   double plate_mass = 5.; ///< top plate [kg]
 };
 
+/// What the top plate does.
+enum class LoadForm
+{
+  haversine,  ///< cycles of axial stress
+  compression ///< moves down at a constant rate, once
+};
+
 struct LoadingParameters
 {
+  LoadForm form = LoadForm::haversine;
   double confining_pressure = 30e3; ///< follower pressure and on the plate [Pa]
   double amplitude = 100e3;         ///< of the haversine, peak [Pa]
   double frequency = 20.;           ///< [Hz]
   int cycles = 10;
+  double strain_rate = 0.1;         ///< of a compression, of the height [1/s]
+  double final_strain = 0.05;       ///< at the end of a compression [-]
   double consolidation_time = 0.02; ///< rest on the membrane before [s]
+
+  /// Of one load cycle; a compression is one cycle [s].
+  double period() const
+  {
+    return form == LoadForm::haversine ? 1. / frequency
+                                       : final_strain / strain_rate;
+  }
+  int n_cycles() const { return form == LoadForm::haversine ? cycles : 1; }
 };
 
 struct TimeParameters

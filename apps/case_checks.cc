@@ -80,13 +80,13 @@ void check_geometry(const Case &c, const Place &place)
 
 void check_time(const Case &c, const Place &place)
 {
-  const double sample = 1. / (c.loading.frequency * c.output.samples_per_cycle);
+  const double sample = c.loading.period() / c.output.samples_per_cycle;
   if (c.time.step == StepRule::fixed && c.time.fixed_step > sample)
     refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
                    "must be at most one sample of history.csv, " +
                        number_text(sample) +
-                       " s (1 / (Loading/frequency "
-                       "Output/samples_per_cycle))"});
+                       " s (the period of Loading over "
+                       "Output/samples_per_cycle)"});
   if (c.output.frames_per_cycle > c.output.samples_per_cycle)
     refuse(place, {"Output", "frames_per_cycle",
                    std::to_string(c.output.frames_per_cycle),

@@ -316,6 +316,11 @@ void add_boundary(List &list, BoundaryParameters &b)
 void add_loading(List &list, LoadingParameters &l)
 {
   list.in("Loading");
+  list.add({"form", "-",
+            "haversine: cycles of axial stress; compression: the plate goes "
+            "down at a constant rate, as in a triaxial compression test, which "
+            "counts as one cycle."},
+           l.form, {"haversine", "compression"});
   list.add(
       {"confining_pressure", "Pa", "On the lateral sides and on the plate."},
       l.confining_pressure, above(0., 1e8));
@@ -325,6 +330,10 @@ void add_loading(List &list, LoadingParameters &l)
            above(0., 1e4));
   list.add({"cycles", "-", "Number of load cycles."}, l.cycles,
            between(1, 1e7));
+  list.add({"strain_rate", "1/s", "Of a compression, over the height."},
+           l.strain_rate, above(0., 1e4));
+  list.add({"final_strain", "-", "At the end of a compression."},
+           l.final_strain, between(1e-6, 0.5));
   list.add(
       {"consolidation_time", "s", "Rest at the confinement before cycle 1."},
       l.consolidation_time, between(0., 1e3));
@@ -402,7 +411,7 @@ const std::vector<Section> &sections()
        {dynamic_triaxial}},
       {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
       {"Loading",
-       "Confinement and haversine on the top plate.",
+       "Confinement, and what the top plate does.",
        {dynamic_triaxial}},
       {"Time", "Time integration."},
       {"Output", "What is written, and how often.", {dynamic_triaxial}},

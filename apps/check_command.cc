@@ -112,7 +112,7 @@ void print_cost(const Case &parameters, const Triaxial &test)
   double cost = packed_step_cost(parameters);
   if (test.gain())
     cost += membrane_step_cost(parameters);
-  const double steps = (test.period() * parameters.loading.cycles +
+  const double steps = (test.period() * parameters.loading.n_cycles() +
                         parameters.loading.consolidation_time) /
                        test.time_step();
   print_memory();

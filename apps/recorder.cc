@@ -70,6 +70,7 @@ void Recorder::resume(Triaxial &test)
   loading_start = done.loading_start;
   last = done.last;
   worst_balance = done.worst_balance;
+  peak_axial_stress = done.peak_axial_stress;
   spent_before = done.spent;
   stage_before = std::min(test.stage(), Stage::loading);
 }
@@ -121,6 +122,8 @@ void Recorder::write_history(Triaxial &test)
   if (roundness == 0.)
     roundness = dem::mean_roundness(test.engine().particles());
   last = test.sample(roundness);
+  if (test.stage() >= Stage::loading)
+    peak_axial_stress = std::max(peak_axial_stress, last.axial_stress);
   std::vector<double> row;
   for (const SampleColumn &column : sample_columns)
     row.push_back(last.*column.value);
@@ -175,6 +178,7 @@ void Recorder::write_checkpoint(Triaxial &test)
   done.loading_start = loading_start;
   done.last = last;
   done.worst_balance = worst_balance;
+  done.peak_axial_stress = peak_axial_stress;
   done.spent = wall_clock(
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
       spent_before);
@@ -186,7 +190,7 @@ void Recorder::write_checkpoint(Triaxial &test)
 void Recorder::finish(Triaxial &test)
 {
   const double begun = elapsed();
-  if (test.cycle() >= parameters.loading.cycles &&
+  if (test.cycle() >= parameters.loading.n_cycles() &&
       parameters.output.surfaces == SurfaceFrames::ends)
     write_frame(test, true);
   write_checkpoint(test);
@@ -195,6 +199,7 @@ void Recorder::finish(Triaxial &test)
   record.start = loading_start;
   record.end = last;
   record.worst_balance = worst_balance;
+  record.peak_axial_stress = peak_axial_stress;
   record.threads = omp_get_max_threads();
   record.seconds = wall_clock(
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},

@@ -81,6 +81,24 @@ void take_sweep(const Assignment &a, Study &study)
       {a.key.substr(0, slash), a.key.substr(slash + 1), list_of(a), a.place});
 }
 
+/// NAME = Section/key=value; Section/key=value ...
+void take_variant(const Assignment &a, Study &study)
+{
+  Variant variant{a.key, {}};
+  for (const std::string &setting : words_of(a.value, ';'))
+  {
+    const std::size_t slash = setting.find('/'), equals = setting.find('=');
+    if (slash == std::string::npos || equals == std::string::npos ||
+        slash > equals)
+      refuse(a, "must be Section/key=value with semicolons between them");
+    variant.settings.push_back(parse_override(setting));
+  }
+  if (study.variants.empty())
+    study.keys.insert(study.keys.begin(), {variant_key, "", {}, a.place});
+  study.keys.front().values.push_back(variant.name);
+  study.variants.push_back(variant);
+}
+
 /// OUTCOME RELATION with Section/key.
 void take_expectation(const Assignment &a, Study &study)
 {
@@ -100,7 +118,7 @@ void check_study(const Study &study)
       throw InputError(study.file + ": " + what);
   };
   need(!study.case_file.empty(), "Study/case must name a case file");
-  need(!study.keys.empty(), "section Sweep must have a key");
+  need(!study.keys.empty(), "section Sweep or Variants must have a key");
   need(!study.outcomes.empty(),
        "Study/outcomes must name keys of summary.json");
   for (const Expectation &e : study.expectations)
@@ -135,6 +153,11 @@ std::vector<std::string> base_values(const Study &study)
   std::vector<std::string> values;
   for (const SweptKey &key : study.keys)
   {
+    if (key.is_variant())
+    {
+      values.emplace_back("as_given");
+      continue;
+    }
     const auto found = std::ranges::find_if(
         list, [&](const Parameter &p)
         { return p.section == key.section && p.key == key.key; });
@@ -197,8 +220,13 @@ StudyPoint make_point(const Study &study, const std::vector<std::string> &row,
   for (std::size_t k = 0; k < row.size(); ++k)
   {
     point.values.push_back(same_text(row[k]));
-    point.overrides.push_back(
-        {study.keys[k].section, study.keys[k].key, row[k]});
+    if (!study.keys[k].is_variant())
+      point.overrides.push_back(
+          {study.keys[k].section, study.keys[k].key, row[k]});
+    for (const Variant &variant : study.variants)
+      if (study.keys[k].is_variant() && variant.name == row[k])
+        point.overrides.insert(point.overrides.end(), variant.settings.begin(),
+                               variant.settings.end());
   }
   if (!seed.empty())
     point.overrides.push_back(parse_override(study.seed_key + "=" + seed));
@@ -226,10 +254,14 @@ Study read_study(const std::string &file)
       take_study(a, study);
     else if (a.section == "Sweep")
       take_sweep(a, study);
+    else if (a.section == "Variants")
+      take_variant(a, study);
     else if (a.section == "Expect")
       take_expectation(a, study);
     else
-      refuse(a, "no section of this name: must be Study, Sweep or Expect");
+      refuse(
+          a,
+          "no section of this name: must be Study, Sweep, Variants or Expect");
   check_study(study);
   study.seed_key = seed_key_of(read_case(study.case_file, {}).kind);
   return study;

@@ -8,14 +8,28 @@
 
 namespace spall
 {
+/// Section of the key whose values are the names of variants.
+inline const std::string variant_key = "Variants";
+
 /// A swept parameter and its values as text.
 struct SweptKey
 {
-  std::string section, key;
+  std::string section, key; ///< key is empty for variants
   std::vector<std::string> values;
   std::string place; ///< in the study file
 
-  std::string name() const { return section + "/" + key; }
+  bool is_variant() const { return section == variant_key; }
+  std::string name() const
+  {
+    return is_variant() ? section : section + "/" + key;
+  }
+};
+
+/// Some keys of the case that take their values together.
+struct Variant
+{
+  std::string name;
+  std::vector<Override> settings;
 };
 
 /// What runs are expected to show: how an outcome goes with a parameter.
@@ -45,7 +59,8 @@ struct Study
   std::vector<std::string> seeds;
   std::vector<std::string> outcomes; ///< keys of summary.json
   std::string curve_x, curve_y;      ///< columns of history.csv; may be empty
-  std::vector<SweptKey> keys;
+  std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
+  std::vector<Variant> variants;
   std::vector<Expectation> expectations;
 };
 

@@ -55,6 +55,12 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   cases.colour = "#9a9a9a";
   cases.line_width = 0.;
   cases.marker = Marker::ring;
+  if (key.is_variant())
+  {
+    means.line_width = 0.;
+    for (const Level &level : levels)
+      chart.x_names.push_back(level.value);
+  }
   for (const Level &level : levels)
   {
     const double x = along(level.x), mean = level.mean();
@@ -78,15 +84,18 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   return chart;
 }
 
-/// The curves of the first seed for every value of a key.
+/// The curves of all cases, a colour for every value of a key.
 Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
 {
   const Study &study = data.study;
   Chart chart{"curve_" + study.keys[k].section + "_" + study.keys[k].key,
               study.curve_y + " over " + study.curve_x + " for values of " +
-                  study.keys[k].name() + ", first seed.",
+                  study.keys[k].name() + ", all seeds.",
               study.curve_x, study.curve_y};
+  std::size_t n_levels = 0;
   for (const Level &level : levels_of(data, k, 0))
+  {
+    bool is_named = false;
     for (std::size_t p = 0; p < data.points.size(); ++p)
     {
       const fs::path history = folder / data.points[p].folder / "history.csv";
@@ -99,16 +108,18 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
       if (x && y)
       {
         Curve curve;
-        curve.name = level.value;
-        curve.colour = palette_colour(chart.curves.size());
-        curve.dash = palette_dash(chart.curves.size());
-        curve.line_width = 1.2;
+        curve.name = is_named ? "" : level.value;
+        curve.colour = palette_colour(n_levels);
+        curve.dash = palette_dash(n_levels);
+        curve.line_width = 0.9;
+        is_named = true;
         curve.x = *x;
         curve.y = *y;
         chart.curves.push_back(curve);
       }
-      break;
     }
+    ++n_levels;
+  }
   return chart;
 }
 

@@ -76,6 +76,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["n_rebuilds"] = engine.n_rebuilds();
   out["cycles_1"] = record.end.cycle;
   out["threads"] = record.threads;
+  out["peak_axial_stress_Pa"] = record.peak_axial_stress;
   out["permanent_axial_strain_1"] = record.end.axial_strain;
   out["permanent_volumetric_strain_1"] = record.end.volumetric_strain;
   out["laa_percent"] = record.end.laa;

@@ -24,8 +24,9 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
 /// What the recorder knows at the end of a run.
 struct RunRecord
 {
-  Sample start, end; ///< of loading
-  double worst_balance = 0.;
+  Sample start, end;             ///< of loading
+  double worst_balance = 0.;     ///< of the interface [-]
+  double peak_axial_stress = 0.; ///< while loading [Pa]
   int threads = 1;
   std::map<std::string, double> seconds;
 };

@@ -26,10 +26,9 @@ Triaxial::Triaxial(const Case &c)
       servo(specimen.box,
             {c.boundary.servo_response_time, c.preparation.wall_speed}),
       setup(choose_step(c, *specimen.engine)), watch(c.time, setup.cap),
-      cycle_ticks(is_fixed()
-                      ? std::llround(1. / (c.loading.frequency * setup.step))
-                      : c.output.samples_per_cycle),
-      n_cycles(c.loading.cycles), exchange(setup.gain)
+      cycle_ticks(is_fixed() ? std::llround(c.loading.period() / setup.step)
+                             : c.output.samples_per_cycle),
+      n_cycles(c.loading.n_cycles()), exchange(setup.gain)
 {
   enter(Stage::preparation);
   engine().set_breaking(false);
@@ -40,7 +39,7 @@ Triaxial::Triaxial(const Case &c)
 double Triaxial::period() const
 {
   return is_fixed() ? static_cast<double>(cycle_ticks) * setup.step
-                    : 1. / parameters.loading.frequency;
+                    : parameters.loading.period();
 }
 
 double Triaxial::cycle() const
@@ -146,15 +145,17 @@ void Triaxial::place_boundaries()
   engine().set_local_damping(parameters.time.local_damping);
   const dem::Plane &top = planes[specimen.box[2][1]];
   plane_work_gone = top.work;
-  double mass = parameters.boundary.plate_mass;
   if (parameters.boundary.lateral == Lateral::membrane)
-  {
     build_membrane();
-    mass += driver->rim_mass();
-  }
-  plate.emplace(mass, upper.z());
+  plate.emplace(plate_mass(), upper.z());
   plate->set_state({upper.z(), 0., -parameters.preparation.pressure * area,
                     top.force.z(), 0.});
+}
+
+/// With the rim of the membrane that it carries [kg].
+double Triaxial::plate_mass() const
+{
+  return parameters.boundary.plate_mass + (driver ? driver->rim_mass() : 0.);
 }
 
 void Triaxial::build_membrane()
@@ -195,15 +196,26 @@ void Triaxial::consolidate()
   else
     for (int d = 0; d < 2; ++d)
       servo.follow(d, isotropic);
-  step_boundaries(isotropic);
+  step_boundaries([&](double) { return -isotropic * area; });
   if (pace.ticks() >= stage_ticks)
   {
     start_height = plate->height() - lower.z();
     start_volume = volume();
     engine().set_breaking(parameters.breakage.is_active);
     watch.report(engine(), membrane());
+    if (parameters.loading.form == LoadForm::compression)
+      hold_plate();
     enter(Stage::loading);
   }
+}
+
+/// A plate that is driven starts from rest.
+void Triaxial::hold_plate()
+{
+  fem::RigidPlate::State state = plate->state();
+  state.speed = 0.;
+  state.last_drive = -state.last_reaction;
+  plate->set_state(state);
 }
 
 void Triaxial::load()
@@ -212,13 +224,37 @@ void Triaxial::load()
   const double phase = (static_cast<double>(pace.ticks() % cycle_ticks) +
                         pace.share_after_step()) /
                        static_cast<double>(cycle_ticks);
-  step_boundaries(loading.confining_pressure +
-                  loading.amplitude * haversine(phase));
+  if (loading.form == LoadForm::compression)
+    step_boundaries([&](double reaction)
+                    { return compression_force(reaction); });
+  else
+    step_boundaries(
+        [&](double)
+        {
+          return -(loading.confining_pressure +
+                   loading.amplitude * haversine(phase)) *
+                 area;
+        });
   if (pace.ticks() >= n_cycles * cycle_ticks)
     now = Stage::done;
 }
 
-void Triaxial::step_boundaries(double axial_stress)
+/// What moves the plate at a constant rate against its reaction [N]. It gets
+/// up to its speed in the first hundredth of the way, as a wave would run ahead
+/// of a jump.
+double Triaxial::compression_force(double reaction) const
+{
+  const LoadingParameters &loading = parameters.loading;
+  constexpr double start = 0.01;
+  const double share = cycle();
+  const double speed =
+      loading.final_strain * start_height / (period() * (1. - 0.5 * start));
+  const double acceleration = share < start ? -speed / (start * period()) : 0.;
+  return plate_mass() * acceleration - reaction;
+}
+
+template <class Drive>
+void Triaxial::step_boundaries(const Drive &drive)
 {
   dem::Engine &stones = engine();
   const double dt = pace.step();
@@ -238,7 +274,7 @@ void Triaxial::step_boundaries(double axial_stress)
     driver->end_step(stones, dt);
     reaction += driver->rim_reaction();
   }
-  plate->end_step(-axial_stress * area, reaction, dt);
+  plate->end_step(drive(reaction), reaction, dt);
   pace.count();
   ++in_stage;
 }
@@ -247,6 +283,15 @@ double Triaxial::lateral_stress() const
 {
   const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.box);
   return 0.5 * (on_planes.x() + on_planes.y()) + (driver ? pressure : 0.);
+}
+
+/// Mean section of the specimen, that of the plate when loading began [m^2].
+double Triaxial::section() const
+{
+  return now < Stage::loading
+             ? area
+             : area * (volume() / start_volume) * start_height /
+                   (plate->height() - lower.z());
 }
 
 double Triaxial::volume() const
@@ -264,9 +309,10 @@ Sample Triaxial::sample(double roundness) const
   s.time = engine().time();
   s.stage = std::min(2., static_cast<double>(now));
   s.cycle = cycle();
-  s.axial_stress = now == Stage::preparation
-                       ? dem::box_stress(engine(), specimen.box).z()
-                       : engine().planes()[specimen.box[2][1]].force.z() / area;
+  s.axial_stress =
+      now == Stage::preparation
+          ? dem::box_stress(engine(), specimen.box).z()
+          : engine().planes()[specimen.box[2][1]].force.z() / section();
   s.lateral_stress = lateral_stress();
   if (now >= Stage::loading)
   {
@@ -362,13 +408,9 @@ void Triaxial::restore(std::istream &in)
        {&area, &pressure, &plane_work_gone, &start_height, &start_volume})
     dem::read_value(in, *value);
   const bool has_boundaries = now > Stage::preparation;
-  double mass = parameters.boundary.plate_mass;
-  if (has_boundaries && parameters.boundary.lateral == Lateral::membrane)
-  {
-    if (!driver) // a probe goes back with the one it has
-      build_membrane();
-    mass += driver->rim_mass();
-  }
+  if (has_boundaries && parameters.boundary.lateral == Lateral::membrane &&
+      !driver) // a probe goes back with the one it has
+    build_membrane();
   watch.set_state(record); // a new membrane would have it asked anew
   engine().restore(in, specimen.shapes);
   servo.restore(in);
@@ -376,7 +418,7 @@ void Triaxial::restore(std::istream &in)
   {
     fem::RigidPlate::State state;
     dem::read_value(in, state);
-    plate.emplace(mass, state.z);
+    plate.emplace(plate_mass(), state.z);
     plate->set_state(state);
   }
   if (driver)

@@ -93,7 +93,13 @@ private:
   bool is_at_rest();
   void place_boundaries();
   void build_membrane();
-  void step_boundaries(double axial_stress);
+  double plate_mass() const;
+  /// A step of all boundaries; drive(reaction) is the force on the plate.
+  template <class Drive>
+  void step_boundaries(const Drive &drive);
+  void hold_plate();
+  double compression_force(double reaction) const;
+  double section() const;
   bool is_fixed() const;
   double longest_step() const;
   void settle_step();

@@ -108,9 +108,8 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
 
 void run_triaxial(const RunOptions &options, const Case &parameters)
 {
-  const int cycles = options.until
-                         ? std::min(*options.until, parameters.loading.cycles)
-                         : parameters.loading.cycles;
+  const int all = parameters.loading.n_cycles(),
+            cycles = options.until ? std::min(*options.until, all) : all;
   const std::filesystem::path folder = options.out;
   Triaxial test(parameters);
   test.stop_after(cycles);

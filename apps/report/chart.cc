@@ -122,6 +122,14 @@ std::vector<Tick> ticks_of(const Axis &axis)
   return ticks;
 }
 
+std::vector<Tick> named_ticks(const std::vector<std::string> &names)
+{
+  std::vector<Tick> ticks;
+  for (const std::string &name : names)
+    ticks.push_back({static_cast<double>(ticks.size() + 1), name});
+  return ticks;
+}
+
 Axis axis_of(const Chart &chart, std::vector<double> Curve::*values,
              bool is_log, int n)
 {
@@ -147,8 +155,14 @@ class Frame
 public:
   explicit Frame(const Chart &chart)
       : x_axis(axis_of(chart, &Curve::x, chart.has_log_x, 6)),
-        y_axis(axis_of(chart, &Curve::y, chart.has_log_y, 5))
+        y_axis(axis_of(chart, &Curve::y, chart.has_log_y, 5)),
+        x_ticks(ticks_of(x_axis))
   {
+    if (!chart.x_names.empty())
+    {
+      x_ticks = named_ticks(chart.x_names);
+      x_axis = {0.5, static_cast<double>(x_ticks.size()) + 0.5};
+    }
     double widest = 0.;
     for (const Tick &tick : ticks_of(y_axis))
       widest = std::max(widest, width_of(tick.text));
@@ -166,6 +180,7 @@ public:
   double floor() const { return top + plot_height; }
 
   Axis x_axis, y_axis;
+  std::vector<Tick> x_ticks;
   double left = 60., top = 10.;
 };
 
@@ -180,7 +195,7 @@ std::string draw_axes(const Chart &chart, const Frame &frame)
     out += line(frame.left, y, width - right, y, grid);
     out += label(frame.left - 7., y + 4., tick.text, "text-anchor=\"end\"");
   }
-  for (const Tick &tick : ticks_of(frame.x_axis))
+  for (const Tick &tick : frame.x_ticks)
   {
     const double x = frame.x(tick.value);
     out += line(x, frame.floor(), x, frame.floor() + 4., ink);

@@ -30,6 +30,7 @@ struct Chart
   std::string id;      ///< file name without ending
   std::string caption; ///< full sentences
   std::string x_label = "", y_label = "";
+  std::vector<std::string> x_names = {};     ///< of x = 1, 2, ..., if any
   bool has_log_x = false, has_log_y = false; ///< values above 0 alone are drawn
   std::vector<Curve> curves = {};
   std::vector<std::string> notes = {}; ///< why something is not drawn

@@ -12,6 +12,8 @@
 #include <ctime>
 #include <fstream>
 #include <functional>
+#include <map>
+#include <omp.h>
 #include <shape_file.h>
 #include <string>
 
@@ -72,6 +74,7 @@ struct Pairs
   std::vector<dem::RelativePose> poses;
   std::vector<Meeting> exact;
   std::vector<dem::Spot> spots;
+  int n_left_out = 0; ///< pairs without a lens of contact: flat on flat
 
   Pairs(const dem::Coefficients &series, int n_pairs)
       : body(dem::make_body(std::make_shared<const dem::Coefficients>(series),
@@ -79,15 +82,22 @@ struct Pairs
         map(body.series)
   {
     dem::Random random(1);
-    for (int k = 0; k < n_pairs; ++k)
+    while (static_cast<int>(poses.size()) < n_pairs)
     {
       const Vec3 along = random.rotation() * Vec3::UnitX();
-      const dem::MappedPair pair =
+      const auto pair =
           spall::bring_together(at({2. * body.circumscribed_radius * along,
                                     random.rotation().toRotationMatrix()}));
-      poses.push_back(pair.pose);
-      spots.push_back(spall::deepest_spot(pair, 0.01 * diameter));
-      exact.push_back(spall::by_polish(pair, spots.back()));
+      const dem::Spot spot =
+          pair ? spall::deepest_spot(*pair, 0.01 * diameter) : dem::Spot{};
+      if (!spot.is_found)
+      {
+        ++n_left_out;
+        continue;
+      }
+      poses.push_back(pair->pose);
+      spots.push_back(spot);
+      exact.push_back(spall::by_polish(*pair, spot));
     }
   }
   dem::MappedPair at(const dem::RelativePose &pose) const
@@ -118,7 +128,7 @@ Row time_alone(
   return row;
 }
 
-/// The engine with each pair far from all others, turning at 1 rad/s, in
+/// The engine with each pair far from all others, turning at 4 rad/s, in
 /// contacts too soft to move it. The distances are such that pairs overlap by
 /// 0.2 % of the diameter in the geometry of the engine.
 dem::Engine turning_pairs(const Pairs &pairs, dem::ContactGeometry geometry,
@@ -149,7 +159,7 @@ dem::Engine turning_pairs(const Pairs &pairs, dem::ContactGeometry geometry,
                      dem::Quaternion(pair.pose.rotation));
   }
   for (std::size_t k = 0; k < engine.particles().size(); ++k)
-    engine.particles().spin(k) = random.rotation() * Vec3::UnitX();
+    engine.particles().spin(k) = 4. * (random.rotation() * Vec3::UnitX());
   return engine;
 }
 
@@ -175,29 +185,47 @@ Meeting exactly(const Pairs &pairs, const dem::Engine &engine, std::size_t c)
   return {};
 }
 
-/// Contacts of the engine through 20 000 steps of 1e-6 s: their time, and the
+/// Of the places where two stones touch, the deepest; stone A is in no other
+/// pair.
+std::vector<std::size_t> deepest_contacts(const dem::ContactBatch &batch)
+{
+  std::map<std::int32_t, std::size_t> deepest;
+  for (std::size_t c = 0; c < batch.size(); ++c)
+    if (batch.is_touching(c))
+    {
+      const auto [entry, is_new] = deepest.try_emplace(batch.a[c], c);
+      if (batch.overlap[c] > batch.overlap[entry->second])
+        entry->second = c;
+    }
+  std::vector<std::size_t> contacts;
+  for (const auto &[stone, contact] : deepest)
+    contacts.push_back(contact);
+  return contacts;
+}
+
+/// Contacts of the engine through 5000 steps of 1e-6 s: their time, and the
 /// error of the cache beside the exact series.
 Row time_engine(const Pairs &pairs, const std::string &name,
                 dem::ContactGeometry geometry, double tolerance)
 {
   dem::Engine engine = turning_pairs(pairs, geometry, tolerance);
   spall::measure(engine, 200, 1e-6);
-  const spall::BenchSample sample = spall::measure(engine, 20000, 1e-6);
+  const spall::BenchSample sample = spall::measure(engine, 5000, 1e-6);
   const dem::EngineClock &p = sample.phases;
   const double share =
       (p.contacts + p.search) / (p.contacts + p.search + p.breakage + p.motion);
   Row row{name, 1e9 * sample.cpu * share / sample.updates(), {}};
-  for (std::size_t c = 0; c < engine.pairs().size(); ++c)
-    if (engine.pairs().is_touching(c))
-    {
-      Meeting exact = exactly(pairs, engine, c), cached = exact;
-      cached.overlap = engine.pairs().overlap[c];
-      // Of several places that a pair has, the search gives the deepest.
-      if (std::abs(cached.overlap - exact.overlap) < 1e-3 * diameter)
-        row.errors.add(cached, exact);
-      else
-        ++row.errors.n_lost;
-    }
+  for (const std::size_t c : deepest_contacts(engine.pairs()))
+  {
+    const Meeting exact = exactly(pairs, engine, c);
+    Meeting cached = exact;
+    cached.overlap = engine.pairs().overlap[c];
+    // Beyond what any cache may be wrong by, it is another place.
+    if (std::abs(cached.overlap - exact.overlap) < 1e-4 * diameter)
+      row.errors.add(cached, exact);
+    else
+      ++row.errors.n_lost;
+  }
   return row;
 }
 
@@ -207,6 +235,7 @@ Row with_cache(const Row &geometry, const Row &cached)
 {
   Row row = cached;
   row.errors = geometry.errors;
+  row.errors.n_lost = cached.errors.n_lost;
   const double cache = cached.errors.of(&Errors::gap);
   row.errors.gap += row.errors.n * cache * cache;
   return row;
@@ -255,6 +284,9 @@ void print(const std::string &shape, int order, const std::vector<Row> &rows)
   std::fflush(stdout);
 }
 
+/// Smaller errors are drawn as this.
+constexpr double smallest_shown = 1e-10;
+
 /// All rows as points of one error over time, a colour for each way.
 spall::Chart chart_of(const std::string &id, const std::string &y_label,
                       double Errors::*error, const std::vector<Row> &rows)
@@ -278,7 +310,7 @@ spall::Chart chart_of(const std::string &id, const std::string &y_label,
       if (row.method.rfind(way, 0) == 0)
       {
         curve.x.push_back(row.nanoseconds);
-        curve.y.push_back(row.errors.of(error));
+        curve.y.push_back(std::max(smallest_shown, row.errors.of(error)));
       }
     chart.curves.push_back(curve);
   }
@@ -307,6 +339,7 @@ int main(int argc, char **argv)
                  "geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]\n");
     return 1;
   }
+  omp_set_num_threads(1);
   std::printf("| shape | order | way | ns per contact and step | gap error / "
               "diameter | normal [deg] | lever arm / radius | lost |\n"
               "|---|---|---|---|---|---|---|---|\n");
@@ -319,8 +352,11 @@ int main(int argc, char **argv)
       dem::Coefficients series = shape.coefficients;
       series.resize(static_cast<std::size_t>(std::min(
           dem::n_coefficients(order), dem::n_coefficients(shape.order))));
-      const std::vector<Row> rows =
-          measure_all(Pairs(series, std::stoi(argv[1])));
+      const Pairs pairs(series, std::stoi(argv[1]));
+      if (pairs.n_left_out > 0)
+        std::fprintf(stderr, "%s, order %d: %d pairs left out, flat on flat\n",
+                     shape.name.c_str(), order, pairs.n_left_out);
+      const std::vector<Row> rows = measure_all(pairs);
       print(shape.name, order, rows);
       all.insert(all.end(), rows.begin(), rows.end());
     }

@@ -2,8 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <stdexcept>
-
 namespace spall
 {
 namespace
@@ -178,7 +176,7 @@ Meeting by_polish(const MappedPair &pair, const dem::Spot &start)
                     dem::polish(pair.a.body, pair.b.body, pair.pose, start));
 }
 
-MappedPair bring_together(const MappedPair &from)
+std::optional<MappedPair> bring_together(const MappedPair &from)
 {
   const double size =
       std::min(dem::mean_radius(from.a.body), dem::mean_radius(from.b.body));
@@ -187,7 +185,7 @@ MappedPair bring_together(const MappedPair &from)
   double distance = pair.pose.position.norm();
   dem::Spot spot;
   // Careful while far: another place may come nearer first.
-  for (int step = 0; step < 1000; ++step)
+  for (int step = 0; step < 200; ++step)
   {
     pair.pose.position = distance * along;
     spot = deepest_spot(pair, 0.2 * size);
@@ -196,6 +194,6 @@ MappedPair bring_together(const MappedPair &from)
       return pair;
     distance -= gap > 1e-3 * size ? 0.5 * gap : gap;
   }
-  throw std::runtime_error("two stones have not come to touch");
+  return {};
 }
 } // namespace spall

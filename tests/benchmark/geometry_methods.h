@@ -2,6 +2,8 @@
 
 #include <dem/search/spots.h>
 
+#include <optional>
+
 /// Ways to say where two stones meet, each from nothing but their shapes.
 namespace spall
 {
@@ -34,7 +36,7 @@ Meeting by_polish(const dem::MappedPair &pair, const dem::Spot &start);
 /// The deepest place of a search. Its is_found is false without any.
 dem::Spot deepest_spot(const dem::MappedPair &pair, double margin);
 
-/// B moves along the branch until its deepest place just touches A. Throws
-/// std::runtime_error if the search loses the place on the way.
-dem::MappedPair bring_together(const dem::MappedPair &from);
+/// B moves along the branch until its deepest place just touches A. Nothing if
+/// the search loses the place on the way: flat faces have no lens of contact.
+std::optional<dem::MappedPair> bring_together(const dem::MappedPair &from);
 } // namespace spall

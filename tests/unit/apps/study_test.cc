@@ -53,6 +53,26 @@ TEST_F(StudyFile, GridTakesAllCombinations)
   EXPECT_EQ(points_of(grid).size(), 12u);
 }
 
+// Each variant sets its keys together; the other sweep runs as it is given.
+TEST_F(StudyFile, VariantsSetKeysTogether)
+{
+  const std::string head = "subsection Study\n  set case = c.prm\n"
+                           "  set outcomes = n_events\nend\n"
+                           "subsection Variants\n";
+  const Study two = read_study(write(
+      "v.prm", head + "  set light = Stone/density=2000; Press/speed=0.01\n"
+                      "  set heavy = Stone/density=3000\nend\n"
+                      "subsection Sweep\n  set Time/fixed_step = 1e-6\nend\n"));
+  const std::vector<StudyPoint> points = points_of(two);
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[0].values[0], "light");
+  EXPECT_NE(points[0].resolved.find("speed = 0.01"), std::string::npos);
+  EXPECT_NE(points[1].resolved.find("density = 3000"), std::string::npos);
+  EXPECT_EQ(points[2].values[0], "as_given");
+  EXPECT_THROW(read_study(write("w.prm", head + "  set bad = density\nend\n")),
+               InputError);
+}
+
 // The base case (2750 kg/m^3, 1 us) is a point of both sweeps and runs once.
 TEST_F(StudyFile, EachSharesTheBaseCase)
 {
