@@ -20,8 +20,11 @@ Override parse_override(const std::string &text);
 /// file, then the case, then the overrides. Throws InputError.
 Case read_case(const std::string &file, std::span<const Override> overrides);
 
-/// Every parameter with its value, unit and sentence, as a .prm that read_case
-/// takes and that gives the same case (paths made absolute).
+/// Every parameter with its value, unit and sentence (paths made absolute).
+std::string parameters_as_run(const Case &parameters);
+
+/// The same under the name of the case: a .prm that read_case takes and that
+/// gives the same case.
 std::string resolved_case(const Case &parameters);
 
 /// A commented case of this kind with the defaults. Throws InputError.

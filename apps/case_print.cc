@@ -85,7 +85,7 @@ std::string cell(const std::string &text)
 }
 } // namespace
 
-std::string resolved_case(const Case &parameters)
+std::string parameters_as_run(const Case &parameters)
 {
   Case resolved = parameters;
   for (Parameter &path : parameters_of(resolved))
@@ -93,14 +93,20 @@ std::string resolved_case(const Case &parameters)
       if (auto *text = std::get<std::string *>(path.value); !text->empty())
         *text = find_path(parameters, path.section, path.key, *text);
 
+  resolved.material.clear(); // its values are all there
+  std::ostringstream out;
+  print_case(out, resolved);
+  return out.str();
+}
+
+std::string resolved_case(const Case &parameters)
+{
   std::ostringstream out;
   print_comment(out, "", "Every parameter as run. Case: " + parameters.file);
   if (!parameters.material.empty())
     print_comment(out, "",
                   "Its material file, written out: " + parameters.material);
-  resolved.material.clear(); // its values are all below
-  print_case(out, resolved);
-  return out.str();
+  return out.str() + parameters_as_run(parameters);
 }
 
 std::string template_case(const std::string &kind)

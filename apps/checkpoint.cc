@@ -38,7 +38,7 @@ std::string identity_of(Case parameters)
     parameters.time.local_damping = local_damping;
   }
   parameters.title = defaults.title;
-  return resolved_case(parameters);
+  return parameters_as_run(parameters);
 }
 
 void write_string(std::ostream &out, const std::string &text)
