@@ -56,6 +56,7 @@ void Engine::rebuild_facet_list()
   }
   FacetCandidates near = near_facets(stones, facet_surface, search);
   near.spot = std::move(facet_candidates.spot);
+  near.wake = std::move(facet_candidates.wake);
   facet_candidates = std::move(near);
   const ForceContext still = context(0.);
   spots.renew_facets(
@@ -71,8 +72,11 @@ PlacedDrum Engine::placed_drum()
 
 PlacedFacets Engine::placed_facets()
 {
-  return {
-      {facet_surface, *topology}, facet_candidates, facet_walls, facet_overlap};
+  return {{facet_surface, *topology},
+          facet_candidates,
+          walls_travelled,
+          facet_walls,
+          facet_overlap};
 }
 
 void Engine::meet_walls(double time_step)

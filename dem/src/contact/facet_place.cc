@@ -19,8 +19,9 @@ constexpr double lowest_curvature = 0.3;
 constexpr double level = 1e-9;
 /// A corner has no part in a point if its weight is below [-].
 constexpr double no_weight = 1e-13;
-/// A step below this part of the radius leads up, but for round-off.
-constexpr double surely_up = 1e-5;
+/// A step below this part of the radius leads up, but for what two expansions
+/// of the surface differ by.
+constexpr double surely_up = 5e-3;
 
 using Corners = std::array<Vec3, 3>;
 using Weights = std::array<double, 3>;
@@ -81,10 +82,14 @@ Ascent best_on_sides(const DepthModel &model, const Corners &corner)
     const std::size_t to = (from + 1) % 3;
     const Vec3 start = corner[from] - model.point,
                side = corner[to] - corner[from];
-    const double slope = -model.normal.dot(side) - start.dot(model.bend * side);
-    const double curvature =
-        std::max(side.dot(model.bend * side), model.floor * side.squaredNorm());
-    const double s = std::clamp(slope / curvature, 0., 1.);
+    // From the point of the side next to that of the model.
+    const double square = side.squaredNorm();
+    const double foot = std::clamp(-start.dot(side) / square, 0., 1.);
+    const Vec3 bent = model.bend * side;
+    const double slope =
+        -model.normal.dot(side) - (start + foot * side).dot(bent);
+    const double curvature = std::max(side.dot(bent), model.floor * square);
+    const double s = std::clamp(foot + slope / curvature, 0., 1.);
     const Vec3 step = start + s * side;
     const double gain = model.gain(step);
     if (gain <= best.gain)

@@ -170,6 +170,15 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
                ContactBatch &batch, std::size_t k, Events &events)
 {
   FacetSpot &spot = walls.candidates.spot[k];
+  double &wake = walls.candidates.wake[k];
+  const double travelled =
+      context.particles.travelled[row_of(batch.a[k])] + walls.travelled;
+  walls.overlap[k] = -1.;
+  if (travelled < wake)
+  {
+    walls.rows[k] = no_row(context, batch, k, spot.normal);
+    return;
+  }
   const WallPlace place = follow(
       context, batch, k,
       [&](StoneView &stone, const Vec3 &on_stone)
@@ -181,12 +190,13 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
         return climb_facets(stone, walls.mesh, start);
       },
       events);
-  walls.overlap[k] = place.is_found ? place.overlap : -1.;
   if (!place.is_found)
   {
     walls.rows[k] = no_row(context, batch, k, spot.normal);
     return;
   }
+  walls.overlap[k] = place.overlap;
+  wake = batch.is_touching(k) ? 0. : travelled - place.overlap;
   const FacetSpot now{place.triangle, place.weight, place.normal};
   walls.rows[k] = facet_row(walls.mesh.surface, now, spot);
   spot = now;
@@ -223,6 +233,7 @@ void place_again(const ForceContext &context, const PlacedFacets &walls,
                  ContactBatch &batch, std::size_t k)
 {
   Events events;
+  walls.candidates.wake[k] = 0.;
   place_one(context, walls, batch, k, events);
 }
 } // namespace dem

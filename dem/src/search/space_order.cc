@@ -212,6 +212,7 @@ void renumber_facet_places(const std::vector<std::int32_t> &place,
   const std::vector<std::int32_t> order =
       place_order(place, batch, [](std::int32_t) { return std::int32_t{0}; });
   reorder_column(candidates.spot, order);
+  reorder_column(candidates.wake, order);
   batch.rearrange(batch.layout, order);
   for (std::size_t k = 0; k < order.size(); ++k)
     batch.b[k] = static_cast<std::int32_t>(k);

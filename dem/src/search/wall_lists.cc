@@ -140,6 +140,14 @@ PairList list_facets(const StoneOnWall &on, const PairKey &key,
       });
 }
 
+/// Overlaps with a wall that was not there before count in full.
+SpotSearchInput first_look(SpotSearchInput input,
+                           const std::vector<WatchedPair> &known)
+{
+  input.is_first = input.is_first || known.empty();
+  return input;
+}
+
 /// Gap between the circumscribed sphere of a stone and its triangles [m].
 double sphere_gap(const Particles &particles, const WatchedFacets &facets,
                   std::int32_t stone)
@@ -184,11 +192,11 @@ WatchedFacets::triangles_of(std::int32_t stone) const
       static_cast<std::size_t>(at - candidates.stone.begin()));
 }
 
-void SpotLists::renew_drum(const SpotSearchInput &input,
+void SpotLists::renew_drum(const SpotSearchInput &asked,
                            const WatchedDrum &drum, ContactBatch &batch,
                            Dissipation &retired)
 {
-  const Particles &particles = input.context.particles;
+  const Particles &particles = asked.context.particles;
   const auto gap = [&](const PairKey &key)
   {
     return nearest_on_drum(drum.drum, static_cast<DrumPart>(key.second),
@@ -199,8 +207,9 @@ void SpotLists::renew_drum(const SpotSearchInput &input,
   std::vector<PairKey> keys;
   for (std::int32_t i = 0; row_of(i) < particles.size(); ++i)
     for (std::int32_t part = 0; part < n_drum_parts; ++part)
-      if (gap({i, part}) < far_margins * input.margin)
+      if (gap({i, part}) < far_margins * asked.margin)
         keys.emplace_back(i, part);
+  const SpotSearchInput input = first_look(asked, on_drum);
   on_drum = merged(keys, on_drum);
   const auto travelled = [&](const PairKey &key)
   { return particles.travelled[row_of(key.first)] + drum.travelled; };
@@ -219,14 +228,15 @@ void SpotLists::renew_drum(const SpotSearchInput &input,
       [&](const Arrangement &to) { number_drum(to, drum, batch); });
 }
 
-void SpotLists::renew_facets(const SpotSearchInput &input,
+void SpotLists::renew_facets(const SpotSearchInput &asked,
                              const WatchedFacets &facets, ContactBatch &batch,
                              Dissipation &retired)
 {
-  const Particles &particles = input.context.particles;
+  const Particles &particles = asked.context.particles;
   std::vector<PairKey> keys;
   for (const std::int32_t stone : facets.candidates.stone)
     keys.emplace_back(stone, 0);
+  const SpotSearchInput input = first_look(asked, on_facets);
   on_facets = merged(keys, on_facets);
   const auto travelled = [&](const PairKey &key)
   { return particles.travelled[row_of(key.first)] + facets.travelled; };
@@ -250,6 +260,7 @@ void SpotLists::renew_facets(const SpotSearchInput &input,
           batch.b[k] = static_cast<std::int32_t>(k);
         }
         facets.candidates.spot = std::move(spots);
+        facets.candidates.wake.assign(batch.size(), 0.);
       });
 }
 } // namespace dem

@@ -121,7 +121,8 @@ struct FacetCandidates
   std::vector<std::int32_t> triangle;
   std::vector<FacetSpot> spot; ///< of each slot
   /// A stone without contact need not be looked at before
-  /// ForceContext::travelled has come this far [m].
+  /// ForceContext::travelled has come this far; where stones follow their
+  /// surfaces one for each contact, of the travel of stone and surface [m].
   std::vector<double> wake;
 
   /// Candidates of the stone in this row.
