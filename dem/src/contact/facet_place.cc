@@ -42,6 +42,8 @@ struct DepthModel
 {
   Vec3 point, normal;
   Mat3 bend;           ///< C = K (I - delta K)^-1 [1/m]
+  Mat3 follow;         ///< of the point of the stone: (I - delta K)^-1 across n
+  Vec3 on_stone;       ///< that point [m]
   double floor = 0.;   ///< least curvature that a step trusts [1/m]
   double longest = 0.; ///< step that it may be asked for [m]
 
@@ -50,11 +52,15 @@ struct DepthModel
         floor(lowest_curvature / stone.size()),
         longest(longest_step * stone.size())
   {
+    const SurfacePoint &at = stone.at(place.on_stone);
+    on_stone = at.position;
     const Frame frame = tangents(normal);
-    const Mat2 k = frame.transpose() * stone.at(place.on_stone).bend * frame;
-    const Mat2 system =
-        floored(Mat2::Identity() - place.overlap * k, lowest_curvature);
-    const Mat2 c = k * system.inverse();
+    const Mat2 k = frame.transpose() * at.bend * frame;
+    const Mat2 inverse =
+        floored(Mat2::Identity() - place.overlap * k, lowest_curvature)
+            .inverse();
+    const Mat2 c = k * inverse;
+    follow = frame * inverse * frame.transpose();
     bend = frame * (0.5 * (c + c.transpose())) * frame.transpose();
   }
 
@@ -228,17 +234,43 @@ void snap(Weights &weight)
     w /= sum;
 }
 
-/// The place with the depth at another point of its triangle.
-WallPlace moved_to(StoneView &stone, const FacetMesh &mesh,
-                   const WallPlace &from, std::int32_t triangle,
-                   const Weights &weight)
+/// The place at another point of the mesh; the point of the stone is looked for
+/// from `on_stone` on.
+WallPlace place_at(StoneView &stone, const FacetMesh &mesh,
+                   std::int32_t triangle, const Weights &weight,
+                   const Vec3 &on_stone)
 {
-  WallPlace to =
-      depth_of(stone, point_at(corners_of(mesh.surface, triangle), weight),
-               from.on_stone);
+  WallPlace to = depth_of(
+      stone, point_at(corners_of(mesh.surface, triangle), weight), on_stone);
   to.triangle = triangle;
   to.weight = weight;
   return to;
+}
+
+/// A part of the step, if it does not lead down.
+WallPlace climbed(StoneView &stone, const FacetMesh &mesh,
+                  const WallPlace &place, const DepthModel &model,
+                  const Ascent &ascent)
+{
+  const double length = ascent.step.norm();
+  // By the model it is deeper there; if it is not, half way.
+  for (double part = std::min(1., model.longest / length); part > 1e-4;
+       part *= 0.5)
+  {
+    Weights weight;
+    for (std::size_t c = 0; c < 3; ++c)
+      weight[c] = part == 1. ? ascent.weight[c]
+                             : place.weight[c] +
+                                   part * (ascent.weight[c] - place.weight[c]);
+    snap(weight);
+    const WallPlace next = place_at(
+        stone, mesh, place.triangle, weight,
+        stone.towards(model.on_stone + part * (model.follow * ascent.step)));
+    if (next.is_found &&
+        (length < surely_up * stone.size() || next.overlap >= place.overlap))
+      return next;
+  }
+  return {};
 }
 
 /// Up to the deepest point without a step down.
@@ -246,14 +278,14 @@ WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start)
 {
   Weights first = start.weight;
   snap(first);
-  WallPlace place = moved_to(stone, mesh, start, start.triangle, first);
+  WallPlace place =
+      place_at(stone, mesh, start.triangle, first, start.on_stone);
   for (int step = 0; step < most_steps && place.is_found; ++step)
   {
     const DepthModel model(stone, place);
     const Ascent ascent =
         best_on_triangle(model, corners_of(mesh.surface, place.triangle));
-    const double length = ascent.step.norm();
-    if (length < converged * stone.size())
+    if (ascent.step.norm() < converged * stone.size())
     {
       const std::int32_t next = way_on(mesh, place);
       if (next < 0)
@@ -267,44 +299,33 @@ WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start)
       place.triangle = next;
       continue;
     }
-    // By the model it is deeper there; if it is not, half way.
-    for (double part = std::min(1., model.longest / length); part > 1e-4;
-         part *= 0.5)
-    {
-      Weights weight;
-      for (std::size_t c = 0; c < 3; ++c)
-        weight[c] =
-            place.weight[c] + part * (ascent.weight[c] - place.weight[c]);
-      if (part == 1.)
-        weight = ascent.weight;
-      snap(weight);
-      const WallPlace next =
-          moved_to(stone, mesh, place, place.triangle, weight);
-      if (next.is_found &&
-          (length < surely_up * stone.size() || next.overlap >= place.overlap))
-      {
-        place = next;
-        break;
-      }
-      if (part < 2e-4)
-        return {};
-    }
+    place = climbed(stone, mesh, place, model, ascent);
   }
   place.is_found = false;
   return place;
 }
 
-/// The triangles round the corners of one, itself among them.
-void ring_of(const FacetMesh &mesh, std::int32_t triangle,
-             std::vector<std::int32_t> &ring)
+/// Calls call(triangle) once for every other triangle that has a corner of one.
+template <class Call>
+void for_beside(const FacetMesh &mesh, std::int32_t triangle, const Call &call)
 {
-  ring.clear();
-  for (const std::int32_t v :
-       mesh.surface.triangles[static_cast<std::size_t>(triangle)])
-    for_round(mesh.topology, v,
-              [&ring](std::int32_t other) { ring.push_back(other); });
-  std::sort(ring.begin(), ring.end());
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  const auto &own = mesh.surface.triangles[static_cast<std::size_t>(triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    for_round(mesh.topology, own[c],
+              [&](std::int32_t other)
+              {
+                const auto &corner =
+                    mesh.surface.triangles[static_cast<std::size_t>(other)];
+                // Those at an earlier corner have been called.
+                const bool is_known = std::any_of(
+                    own.begin(), own.begin() + static_cast<std::ptrdiff_t>(c),
+                    [&corner](std::int32_t v) {
+                      return std::find(corner.begin(), corner.end(), v) !=
+                             corner.end();
+                    });
+                if (other != triangle && !is_known)
+                  call(other);
+              });
 }
 
 /// No point of a triangle is deeper if none of its corners lies inwards.
@@ -320,30 +341,32 @@ bool may_be_deeper(const DepthModel &model, const Corners &corner, double gain)
 WallPlace deeper_beside(StoneView &stone, const FacetMesh &mesh,
                         const WallPlace &place)
 {
-  thread_local std::vector<std::int32_t> ring;
   const double gain = 1e-10 * stone.size();
   const DepthModel model(stone, place);
-  ring_of(mesh, place.triangle, ring);
   WallPlace best;
-  for (const std::int32_t other : ring)
-  {
-    const Corners corner = corners_of(mesh.surface, other);
-    if (other == place.triangle || !may_be_deeper(model, corner, gain))
-      continue;
-    const Ascent ascent = best_on_triangle(model, corner);
-    if (ascent.gain < gain)
-      continue;
-    WallPlace start = place;
-    start.triangle = other;
-    start.weight = ascent.weight;
-    const WallPlace found = climb(stone, mesh, start);
-    const double error = (found.point - model.point - ascent.step).norm();
-    if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
-        (!best.is_found || found.overlap > best.overlap) &&
-        is_one_patch(found.normal, place.normal) &&
-        error < 0.5 * ascent.step.norm())
-      best = found;
-  }
+  for_beside(
+      mesh, place.triangle,
+      [&](std::int32_t other)
+      {
+        const Corners corner = corners_of(mesh.surface, other);
+        if (!may_be_deeper(model, corner, gain))
+          return;
+        const Ascent ascent = best_on_triangle(model, corner);
+        if (ascent.gain < gain)
+          return;
+        WallPlace start = place;
+        start.triangle = other;
+        start.weight = ascent.weight;
+        start.on_stone =
+            stone.towards(model.on_stone + model.follow * ascent.step);
+        const WallPlace found = climb(stone, mesh, start);
+        const double error = (found.point - model.point - ascent.step).norm();
+        if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
+            (!best.is_found || found.overlap > best.overlap) &&
+            is_one_patch(found.normal, place.normal) &&
+            error < 0.5 * ascent.step.norm())
+          best = found;
+      });
   return best;
 }
 } // namespace

@@ -41,6 +41,7 @@ void StoneView::start_from(const RadialExpansion &expansion)
 {
   known = expansion;
   has_renewed = false;
+  last_direction = Vec3::Zero();
 }
 
 Vec3 StoneView::towards(const Vec3 &point) const
@@ -48,8 +49,10 @@ Vec3 StoneView::towards(const Vec3 &point) const
   return (rotation.transpose() * (point - position)).normalized();
 }
 
-SurfacePoint StoneView::at(const Vec3 &direction)
+const SurfacePoint &StoneView::at(const Vec3 &direction)
 {
+  if (direction == last_direction)
+    return last;
   const bool is_near = known.radius > 0. &&
                        direction.dot(known.direction) > 0. &&
                        offset_from(known.direction, direction).squaredNorm() <=
@@ -62,11 +65,12 @@ SurfacePoint StoneView::at(const Vec3 &direction)
     known.hessian *= body.scale;
     has_renewed = true;
   }
-  SurfacePoint point = turned(!body.series ? surface_point(body, direction)
-                              : is_near ? surface_point(moved(known, direction))
-                                        : surface_point(known),
-                              rotation);
-  point.position += position;
-  return point;
+  last = turned(!body.series ? surface_point(body, direction)
+                : is_near    ? surface_point(moved(known, direction))
+                             : surface_point(known),
+                rotation);
+  last.position += position;
+  last_direction = direction;
+  return last;
 }
 } // namespace dem

@@ -28,7 +28,7 @@ WallPlace depth_of(StoneView &stone, const Vec3 &point, const Vec3 &on_stone)
   place.on_stone = on_stone;
   for (int step = 0; step < most_steps; ++step)
   {
-    const SurfacePoint at = stone.at(place.on_stone);
+    const SurfacePoint &at = stone.at(place.on_stone);
     const Vec3 apart = at.position - point;
     place.normal = at.normal;
     place.overlap = apart.dot(at.normal);
@@ -72,7 +72,7 @@ WallPlace climb_drum(StoneView &stone, const Drum &drum, DrumPart part,
   place.is_found = false;
   for (int step = 0; step < most_steps && !place.is_found; ++step)
   {
-    const SurfacePoint at = stone.at(place.on_stone);
+    const SurfacePoint &at = stone.at(place.on_stone);
     if (part == DrumPart::cylinder &&
         out_of_axis(drum, at.position).norm() < 0.1 * drum.radius)
       break; // no side of the cylinder is nearer than another

@@ -19,7 +19,7 @@ public:
 
   /// The surface at a unit direction of the body frame; position, normal and
   /// bend in the world.
-  SurfacePoint at(const Vec3 &direction);
+  const SurfacePoint &at(const Vec3 &direction);
 
   /// Direction of the body frame towards a point of the world.
   Vec3 towards(const Vec3 &point) const;
@@ -35,5 +35,7 @@ private:
   double tolerance, mean_size;
   RadialExpansion known; ///< radius 0: none yet
   bool has_renewed = false;
+  Vec3 last_direction = Vec3::Zero(); ///< that `last` is at
+  SurfacePoint last;
 };
 } // namespace dem
