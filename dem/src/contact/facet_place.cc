@@ -15,6 +15,8 @@ constexpr int most_steps = 80;
 /// Of the depth over a face, times the radius: what is flatter is climbed like
 /// this.
 constexpr double lowest_curvature = 0.3;
+/// Times that: what is flatter still is no hill.
+constexpr double least_curvature = 0.03;
 /// Slope of the depth along an edge that leads nowhere [-].
 constexpr double level = 1e-9;
 /// A corner has no part in a point if its weight is below [-].
@@ -44,6 +46,7 @@ struct DepthModel
   Mat3 bend;           ///< C = K (I - delta K)^-1 [1/m]
   Mat3 follow;         ///< of the point of the stone: (I - delta K)^-1 across n
   Vec3 on_stone;       ///< that point [m]
+  Mat3 trusted;        ///< C as steps take it: the depth falls off all round
   double floor = 0.;   ///< least curvature that a step trusts [1/m]
   double longest = 0.; ///< step that it may be asked for [m]
 
@@ -61,12 +64,16 @@ struct DepthModel
             .inverse();
     const Mat2 c = k * inverse;
     follow = frame * inverse * frame.transpose();
-    bend = frame * (0.5 * (c + c.transpose())) * frame.transpose();
+    const Mat2 even = 0.5 * (c + c.transpose());
+    bend = frame * even * frame.transpose();
+    const bool is_hill = smallest_eigenvalue(even) > least_curvature * floor;
+    trusted =
+        frame * (is_hill ? even : floored(even, floor)) * frame.transpose();
   }
 
   double gain(const Vec3 &z) const
   {
-    return -normal.dot(z) - 0.5 * z.dot(bend * z);
+    return -normal.dot(z) - 0.5 * z.dot(trusted * z);
   }
 };
 
@@ -91,10 +98,11 @@ Ascent best_on_sides(const DepthModel &model, const Corners &corner)
     // From the point of the side next to that of the model.
     const double square = side.squaredNorm();
     const double foot = std::clamp(-start.dot(side) / square, 0., 1.);
-    const Vec3 bent = model.bend * side;
+    const Vec3 bent = model.trusted * side;
     const double slope =
         -model.normal.dot(side) - (start + foot * side).dot(bent);
-    const double curvature = std::max(side.dot(bent), model.floor * square);
+    const double curvature =
+        std::max(side.dot(bent), least_curvature * model.floor * square);
     const double s = std::clamp(foot + slope / curvature, 0., 1.);
     const Vec3 step = start + s * side;
     const double gain = model.gain(step);
@@ -121,10 +129,11 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
   // The point of the model need not lie in this plane.
   const Vec3 above =
       area * ((corner[0] - model.point).dot(area) / area.squaredNorm());
+  const Mat2 hill = frame.transpose() * model.trusted * frame;
   const Vec2 climb =
-      floored(bend, model.floor)
+      floored(hill, least_curvature * model.floor)
           .llt()
-          .solve(-(frame.transpose() * (model.normal + model.bend * above)));
+          .solve(-(frame.transpose() * (model.normal + model.trusted * above)));
   const Vec3 step = above + frame * climb;
   const Vec3 place = model.point + step - corner[0];
   const double over = 1. / area.squaredNorm();

@@ -8,8 +8,6 @@ namespace
 {
 /// A place farther than this part of the radius from the last is another one.
 constexpr double jump = 0.05;
-/// How far away the wall of a contact without place is [ball radii].
-constexpr double no_wall = 1e6;
 
 /// What the side of contact k remembers of the surface.
 RadialExpansion known_expansion(const SideColumns &side, std::size_t k)
@@ -97,18 +95,6 @@ WallPlace follow(const ForceContext &context, ContactBatch &batch,
   return place;
 }
 
-/// The wall of a contact that has no place.
-WallRow no_row(const ForceContext &context, const ContactBatch &batch,
-               std::size_t k, const Vec3 &normal)
-{
-  const std::size_t i = row_of(batch.a[k]);
-  WallRow row;
-  row.normal = row.normal_before = normal;
-  row.point = context.particles.position(i) +
-              no_wall * context.particles.radius(i) * normal;
-  return row;
-}
-
 /// Calls call(k, events) for all contacts, by all threads.
 template <class Call>
 ForceSum for_contacts(const ContactBatch &batch, const Call &call)
@@ -147,12 +133,10 @@ void place_one(const ForceContext &context, const PlacedDrum &walls,
         return climb_facets(stone, walls.shelf.mesh(), start);
       },
       events);
-  walls.overlap[row_of(batch.b[k])] = place.is_found ? place.overlap : -1.;
+  // What has lost its place opens where it was.
+  walls.overlap[row_of(batch.b[k])] = place.overlap;
   if (!place.is_found)
-  {
-    row = no_row(context, batch, k, row.normal);
     return;
-  }
   WallRow now;
   now.point = place.point;
   now.normal = now.normal_before = place.normal;
@@ -173,12 +157,9 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
   double &wake = walls.candidates.wake[k];
   const double travelled =
       context.particles.travelled[row_of(batch.a[k])] + walls.travelled;
-  walls.overlap[k] = -1.;
+  walls.overlap[k] = 0.;
   if (travelled < wake)
-  {
-    walls.rows[k] = no_row(context, batch, k, spot.normal);
     return;
-  }
   const WallPlace place = follow(
       context, batch, k,
       [&](StoneView &stone, const Vec3 &on_stone)
@@ -192,7 +173,8 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
       events);
   if (!place.is_found)
   {
-    walls.rows[k] = no_row(context, batch, k, spot.normal);
+    // It opens where it was.
+    walls.rows[k] = facet_row(walls.mesh.surface, spot, spot);
     return;
   }
   walls.overlap[k] = place.overlap;

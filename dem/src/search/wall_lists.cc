@@ -34,7 +34,7 @@ void add(const WallSearchResult &found, const SpotSearchInput &input,
   list.events.n_lost += found.n_lost;
   for (const WallPlace &place : found.places)
   {
-    if (list.rows.size() >= most_spots)
+    if (list.rows.size() >= most_wall_places)
     {
       ++list.events.n_unlisted;
       continue;

@@ -25,6 +25,8 @@ struct SpotEvents
 
 /// Most places that a pair, or a stone on a plane, may touch at.
 inline constexpr std::size_t most_spots = 8;
+/// Likewise on a facet surface, which has several sides.
+inline constexpr std::size_t most_wall_places = 24;
 
 /// Two bodies that may touch, stone before stone, plane, or part of a drum.
 struct WatchedPair
