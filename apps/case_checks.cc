@@ -66,16 +66,16 @@ void check_breakage(const Case &c, const Place &place)
                 number_text(b.min_diameter)});
 }
 
-/// Facets and drums are met towards the point nearest to the centre: where that
-/// jumps, a support point would.
+/// Where stones meet each other, they turn with one inertia: that of balls, or
+/// their own.
 void check_geometry(const Case &c, const Place &place)
 {
-  const bool has_planes = c.kind == CaseKind::dynamic_triaxial &&
-                          c.boundary.lateral == Lateral::rigid;
-  if (c.contact.wall_geometry == dem::ContactGeometry::surface && !has_planes)
+  using enum dem::ContactGeometry;
+  if (c.kind != CaseKind::single_particle &&
+      c.contact.wall_geometry == surface && c.contact.geometry != surface)
     refuse(place, {"Contact", "wall_geometry", "surface",
-                   "must be ball or radial, but for dynamic_triaxial with "
-                   "Boundary/lateral = rigid"});
+                   "must be ball or radial, unless Contact/geometry = surface "
+                   "too (stones turn with their inertia tensors then)"});
 }
 
 void check_time(const Case &c, const Place &place)

@@ -216,7 +216,8 @@ void add_contact(List &list, dem::GeometryParameters &c)
             "where they meet, with the inertia tensors of the stones."},
            c.geometry, {"ball", "radial", "surface"});
   list.add({"wall_geometry", "-",
-            "The same for stones on plates, rigid sides and the membrane."},
+            "The same for stones on platens, rigid sides, the membrane and "
+            "the drum; surface needs geometry = surface where stones meet."},
            c.wall_geometry, {"ball", "radial", "surface"});
   list.add(
       {"refresh_tolerance", "rad",

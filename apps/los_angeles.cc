@@ -76,7 +76,9 @@ std::vector<dem::Placement> place_charge(const Case &parameters,
   const dem::Vec3 corner(half, 0.5 * d.length, half);
   try
   {
-    return dem::insert_stones(bodies, {-corner, corner}, random);
+    return dem::insert_stones(
+        bodies, {-corner, corner, parameters.contact.follows_surfaces()},
+        random);
   }
   catch (const std::runtime_error &error)
   {

@@ -5,6 +5,7 @@
 
 #include <dem/io/binary.h>
 #include <dem/packing/random.h>
+#include <dem/search/spots.h>
 
 #include <nlohmann/json.hpp>
 
@@ -55,9 +56,15 @@ dem::Quaternion orientation(const ParticleParameters &p)
 double reach(const dem::Body &body, dem::ContactGeometry geometry,
              const dem::Vec3 &direction)
 {
-  return body.series && geometry == dem::ContactGeometry::radial
-             ? body.scale * dem::radius(*body.series, direction)
-             : dem::mean_radius(body);
+  if (!body.series || geometry == dem::ContactGeometry::ball)
+    return dem::mean_radius(body);
+  if (geometry == dem::ContactGeometry::radial)
+    return body.scale * dem::radius(*body.series, direction);
+  const dem::RadiusMap map(body.series);
+  // Its farthest point is no nearer than the inscribed sphere.
+  return dem::find_supports({body, map}, direction, {body.inscribed_radius, 0.})
+      .at(0)
+      .overlap;
 }
 
 std::unique_ptr<dem::Engine> make_scene(const Case &parameters,

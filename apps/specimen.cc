@@ -85,10 +85,7 @@ Specimen make_specimen(const Case &parameters)
   const dem::Vec3 lower = dem::Vec3::Zero(),
                   upper = dem::Vec3::Constant(
                       std::cbrt(volume / s.initial_solid_fraction));
-  const dem::GeometryParameters &geometry = parameters.contact;
-  const bool sees_surfaces =
-      geometry.geometry == dem::ContactGeometry::surface ||
-      geometry.wall_geometry == dem::ContactGeometry::surface;
+  const bool sees_surfaces = parameters.contact.follows_surfaces();
   std::vector<dem::Placement> places;
   try
   {

@@ -1,4 +1,3 @@
-#include <dem/boundary/drum_contacts.h>
 #include <dem/engine.h>
 #include <dem/integrate/verlet.h>
 #include <dem/search/space_order.h>
@@ -62,8 +61,7 @@ Engine::Engine(const EngineParameters &parameters)
 void Engine::add_stone(const Body &body, const Vec3 &position,
                        const Quaternion &orientation, std::uint8_t material)
 {
-  stones.follows_surfaces =
-      settings.geometry.geometry == ContactGeometry::surface;
+  stones.follows_surfaces = settings.geometry.follows_surfaces();
   stones.add(body, position, orientation,
              material == 0 ? settings.stone.density
                            : settings.other_solids.at(material - 1u).density);
@@ -96,6 +94,7 @@ void Engine::deactivate_plane(std::size_t plane)
 void Engine::set_drum(const Drum &drum)
 {
   barrel = drum;
+  shelf = DrumShelf(drum);
   lists_are_stale = true;
 }
 
@@ -182,13 +181,13 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   for (const Plane &plane : walls)
     if (plane.is_active)
       boundary = std::max(boundary, plane.velocity.squaredNorm());
-  planes_travelled += std::sqrt(boundary) * time_step;
   for (const Vec3 &velocity : facet_surface.velocity)
     boundary = std::max(boundary, velocity.squaredNorm());
   // Of a drum the shelf alone comes nearer to a stone.
   const double rim =
       barrel.shelf_height > 0. ? barrel.spin * barrel.radius : 0.;
   boundary = std::sqrt(std::max(boundary, rim * rim));
+  walls_travelled += boundary * time_step;
   travelled += (fastest.moving + boundary) * time_step;
   margin.left -=
       (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
@@ -223,15 +222,9 @@ void Engine::rebuild_lists()
   rebuild_pair_list();
   rebuild_plane_list();
   if (barrel.is_there())
-    rebuild_drum(stones, barrel,
-                 {wall_layout(settings, settings.wall, stones),
-                  settings.geometry.wall_geometry, margin.width},
-                 drum_batch, lost);
+    rebuild_drum_list();
   if (has_surface())
-    rebuild_facets(stones, facet_surface,
-                   {wall_layout(settings, settings.surface, stones),
-                    settings.geometry.wall_geometry, margin.width},
-                   facet_candidates, facet_batch, lost);
+    rebuild_facet_list();
   pair_loads.prepare(pair_batch);
   steepest = branch_steepness();
   lists_are_stale = false;
@@ -268,21 +261,6 @@ void Engine::rebuild_pair_list()
                 pair_batch, lost);
 }
 
-void Engine::rebuild_plane_list()
-{
-  const BatchLayout layout = wall_layout(settings, settings.wall, stones);
-  if (layout.has_spots)
-  {
-    const ForceContext still = context(0.);
-    spots.renew_planes(spot_search(still, layout), walls, planes_travelled,
-                       plane_batch, lost);
-    return;
-  }
-  rebuild_planes(stones, walls,
-                 {layout, settings.geometry.wall_geometry, margin.width},
-                 plane_batch, lost);
-}
-
 void Engine::sort_in_space()
 {
   // Anew when stones may have changed places with their neighbours.
@@ -300,6 +278,12 @@ void Engine::sort_in_space()
   const std::vector<std::int32_t> place = places(order);
   renumber_pairs(place, pair_batch);
   renumber_planes(place, plane_batch);
+  if (follows_walls())
+  {
+    renumber_drum_places(place, drum_batch, drum_walls);
+    renumber_facet_places(place, facet_candidates, facet_batch);
+    return;
+  }
   renumber_planes(place, drum_batch);
   renumber_facets(place, facet_candidates, facet_batch);
 }
@@ -319,12 +303,7 @@ ForceContext Engine::context(double time_step)
 bool Engine::evaluate_contacts(double time_step)
 {
   const Timer timer(spent.contacts);
-  plane_rows(walls, plane_walls);
-  if (barrel.is_there())
-    find_drum(stones, barrel, drum_batch, drum_walls);
-  if (has_surface())
-    find_facets(context(time_step), facet_surface, *topology, facet_batch,
-                facet_candidates, facet_walls);
+  meet_walls(time_step);
   return run_contacts(context(time_step));
 }
 
@@ -333,25 +312,22 @@ bool Engine::evaluate_contacts(double time_step)
 bool Engine::run_contacts(const ForceContext &all)
 {
   ForceSum sum = pair_forces(all, pair_batch, pair_loads, ranges);
-  const auto add = [&sum](const ForceSum &part)
-  {
-    sum.lost += part.lost;
-    sum.wants_breakage |= part.wants_breakage;
-    sum.has_strayed |= part.has_strayed;
-    sum.n_jumps += part.n_jumps;
-    sum.n_ended += part.n_ended;
-  };
-  add(wall_forces(all, {settings.wall, plane_walls}, plane_batch, ranges));
+  sum += wall_forces(all, walls_of_planes(), plane_batch, ranges);
   if (barrel.is_there())
-    add(wall_forces(all, {settings.wall, drum_walls}, drum_batch, ranges));
+    sum += wall_forces(all, walls_of_drum(), drum_batch, ranges);
   if (has_surface())
-    add(wall_forces(all, {settings.surface, facet_walls}, facet_batch, ranges));
+    sum += wall_forces(all, walls_of_facets(), facet_batch, ranges);
   lost += sum.lost;
+  count_places(sum);
+  return sum.wants_breakage;
+}
+
+void Engine::count_places(const ForceSum &sum)
+{
   spots.events.n_jumps += sum.n_jumps;
   spots.events.n_ended += sum.n_ended;
   // Two contacts may be one now, and what is gone may be found elsewhere.
   lists_are_stale |= sum.has_strayed;
-  return sum.wants_breakage;
 }
 
 /// Work is booked by the trapezoidal rule: this half of the step with the
@@ -359,13 +335,9 @@ bool Engine::run_contacts(const ForceContext &all)
 void Engine::break_corners()
 {
   const Timer timer(spent.breakage);
-  ContactSet contacts{pair_batch,
-                      plane_batch,
-                      facet_batch,
-                      drum_batch,
-                      {settings.wall, plane_walls},
-                      {settings.surface, facet_walls},
-                      {settings.wall, drum_walls}};
+  ContactSet contacts{pair_batch,     plane_batch,       facet_batch,
+                      drum_batch,     walls_of_planes(), walls_of_facets(),
+                      walls_of_drum()};
   const std::size_t before = events.size();
   const BreakingSum done =
       break_stones(context(0.), stones, contacts, now, events);
@@ -389,45 +361,6 @@ void Engine::break_corners()
   load_boundaries(0.);
   // A chip may have led contacts of the stone elsewhere.
   lists_are_stale |= stones.follows_surfaces;
-}
-
-void Engine::load_boundaries(double time_step)
-{
-  load_planes(time_step);
-  load_drum(time_step);
-  book_surface_work(time_step);
-}
-
-void Engine::load_planes(double time_step)
-{
-  for (Plane &plane : walls)
-    plane.force = Vec3::Zero();
-  for (std::size_t k = 0; k < plane_batch.size(); ++k)
-    walls[static_cast<std::size_t>(plane_batch.b[k])].force -=
-        plane_batch.load[k].force;
-  for (Plane &plane : walls)
-    plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
-}
-
-void Engine::load_drum(double time_step)
-{
-  if (!barrel.is_there())
-    return;
-  barrel.torque = drum_torque(barrel, drum_batch, drum_walls);
-  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
-}
-
-void Engine::book_surface_work(double time_step)
-{
-  if (!has_surface())
-    return;
-  load_surface(facet_candidates, facet_batch, facet_surface);
-  double power = 0.;
-  for (std::size_t v = 0; v < facet_surface.load.size(); ++v)
-    power += 0.5 * (surface_load_before[v] + facet_surface.load[v])
-                       .dot(facet_surface.velocity[v]);
-  pushed -= power * time_step;
-  surface_load_before = facet_surface.load;
 }
 
 EngineEnergy Engine::energy() const

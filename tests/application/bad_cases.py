@@ -70,7 +70,7 @@ VALUES = [
     value("Boundary", "lateral", "balloon", "one of membrane, rigid"),
     value("Contact", "geometry", "surface_of_doom",
           "one of ball, radial, surface"),
-    value("Contact", "wall_geometry", "surface", "Boundary/lateral = rigid"),
+    value("Contact", "wall_geometry", "surface", "Contact/geometry = surface"),
     value("Breakage", "is_active", "maybe", "true or false"),
     value("Breakage", "min_ball_radius", "0.02", "Breakage/min_diameter"),
     value("Case", "kind", "los_angles", "dynamic_triaxial"),

@@ -2,6 +2,7 @@
 
 #include <dem/boundary/drum.h>
 #include <dem/breakage/events.h>
+#include <dem/contact/placed_walls.h>
 #include <dem/integrate/time_step.h>
 #include <dem/integrate/verlet.h>
 #include <dem/measure/assembly.h>
@@ -113,12 +114,22 @@ private:
   void rebuild_lists();
   void rebuild_pair_list();
   void rebuild_plane_list();
+  void rebuild_drum_list();
+  void rebuild_facet_list();
+  bool follows_walls() const; ///< stones, with their surfaces
   ContactGeometry pair_geometry() const;
   SpotSearchInput spot_search(const ForceContext &still,
                               const BatchLayout &layout) const;
   void sort_in_space();
   bool evaluate_contacts(double time_step);
+  void meet_walls(double time_step);
   bool run_contacts(const ForceContext &all);
+  void count_places(const ForceSum &sum);
+  PlacedDrum placed_drum();
+  PlacedFacets placed_facets();
+  Walls walls_of_planes();
+  Walls walls_of_drum();
+  Walls walls_of_facets();
   void break_corners();
   void load_boundaries(double time_step);
   double branch_steepness() const;
@@ -137,6 +148,7 @@ private:
   FacetSurface facet_surface;
   std::unique_ptr<FacetTopology> topology;
   Drum barrel;
+  DrumShelf shelf; ///< where `barrel` stands; read where places are
   ContactBatch pair_batch, plane_batch, facet_batch, drum_batch;
   FacetCandidates facet_candidates;
   PairLoads pair_loads;
@@ -149,7 +161,7 @@ private:
   Travel travel;
   double steepest = 0.;         ///< c of closing_speed [-]
   double travelled = 0.;        ///< ForceContext::travelled [m]
-  double planes_travelled = 0.; ///< the fastest at each step [m]
+  double walls_travelled = 0.;  ///< the fastest at each step [m]
   double travelled_sorted = 0.; ///< when the stones were last sorted [m]
   double now = 0.;
   std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;
@@ -165,5 +177,6 @@ private:
   std::vector<RangeSum> ranges;
   std::vector<WallRow> plane_walls, facet_walls;
   std::vector<WallRow> drum_walls; ///< those of the last step are read
+  std::vector<double> drum_overlap, facet_overlap;
 };
 } // namespace dem

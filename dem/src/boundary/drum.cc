@@ -9,13 +9,6 @@ namespace dem
 {
 namespace
 {
-/// Towards the root of the shelf, across the axis [-].
-Vec3 shelf_direction(const Drum &drum)
-{
-  const Vec3 up = (Vec3::UnitZ() - drum.axis.z() * drum.axis).normalized();
-  return std::cos(drum.angle) * up + std::sin(drum.angle) * drum.axis.cross(up);
-}
-
 DrumPoint on_cylinder(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
 {
   const double distance = from_axis.norm();
@@ -66,6 +59,12 @@ DrumPoint on_shelf(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
   return at;
 }
 } // namespace
+
+Vec3 shelf_direction(const Drum &drum)
+{
+  const Vec3 up = (Vec3::UnitZ() - drum.axis.z() * drum.axis).normalized();
+  return std::cos(drum.angle) * up + std::sin(drum.angle) * drum.axis.cross(up);
+}
 
 DrumPoint nearest_on_drum(const Drum &drum, DrumPart part, const Vec3 &x)
 {

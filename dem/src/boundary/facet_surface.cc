@@ -23,14 +23,6 @@ constexpr double round_off = 4e-15;
 /// Minima whose directions are nearer than 45 degrees are one [-].
 const double cos_patch = std::sqrt(0.5);
 
-std::array<Vec3, 3> corners(const FacetSurface &surface, std::int32_t triangle)
-{
-  const auto &vertex = surface.triangles[static_cast<std::size_t>(triangle)];
-  return {surface.position[static_cast<std::size_t>(vertex[0])],
-          surface.position[static_cast<std::size_t>(vertex[1])],
-          surface.position[static_cast<std::size_t>(vertex[2])]};
-}
-
 /// Whether a triangle that holds `point` has a point nearer to x: it is
 /// convex, so it has one if and only if a corner v lies on the near side of
 /// the plane through `point` normal to x - point, (v - point).(x - point) > 0.
@@ -38,7 +30,7 @@ bool comes_nearer(const FacetSurface &surface, std::int32_t triangle,
                   const Vec3 &point, const Vec3 &x)
 {
   const Vec3 to_centre = x - point;
-  for (const Vec3 &corner : corners(surface, triangle))
+  for (const Vec3 &corner : corners_of(surface, triangle))
   {
     const Vec3 arm = corner - point;
     const double rise = arm.dot(to_centre);
@@ -94,7 +86,7 @@ Vec3 direction_of(const FacetSurface &surface, const NearestPoint &nearest,
 {
   if (distance > 0.)
     return (nearest.point - x) / distance;
-  const auto corner = corners(surface, nearest.triangle);
+  const auto corner = corners_of(surface, nearest.triangle);
   const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
   const double length = normal.norm();
   return length > 0. ? Vec3(normal / length) : Vec3(Vec3::UnitZ());
@@ -135,7 +127,7 @@ void find_touches(const FacetSurface &surface, const FacetTopology &topology,
   const std::size_t begin = touches.size();
   for (const std::int32_t triangle : candidates)
   {
-    NearestPoint nearest = nearest_point(x, corners(surface, triangle));
+    NearestPoint nearest = nearest_point(x, corners_of(surface, triangle));
     nearest.triangle = triangle;
     const double distance = (nearest.point - x).norm();
     if (!(distance < reach) ||

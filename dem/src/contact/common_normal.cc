@@ -1,3 +1,5 @@
+#include "plane_algebra.h"
+
 #include <dem/contact/common_normal.h>
 
 #include <algorithm>
@@ -7,64 +9,6 @@ namespace dem
 {
 namespace
 {
-using Mat2 = Eigen::Matrix2d;
-using Vec2 = Eigen::Vector2d;
-using Frame = Eigen::Matrix<double, 3, 2>;
-
-/// Two unit vectors across n.
-Frame tangents(const Vec3 &n)
-{
-  Frame frame;
-  frame.col(0) = n.unitOrthogonal();
-  frame.col(1) = n.cross(frame.col(0));
-  return frame;
-}
-
-/// Raises the eigenvalues of a symmetric matrix to at least `floor`.
-Mat2 floored(const Mat2 &m, double floor)
-{
-  const double mean = 0.5 * (m(0, 0) + m(1, 1));
-  const double gap = std::hypot(0.5 * (m(0, 0) - m(1, 1)), m(0, 1));
-  if (mean - gap >= floor)
-    return m;
-  Eigen::SelfAdjointEigenSolver<Mat2> axes;
-  axes.computeDirect(m);
-  return axes.eigenvectors() * axes.eigenvalues().cwiseMax(floor).asDiagonal() *
-         axes.eigenvectors().transpose();
-}
-
-/// A step along each surface in its tangent plane [m].
-struct Steps
-{
-  Vec3 on_a, on_b;
-  double overlap = 0.;  ///< delta where the steps lead, to second order [m]
-  bool is_lens = false; ///< K_A + K_B is positive
-};
-
-/// One Newton step for both points. With d = x_A - x_B, t its part across n =
-/// n_A and m = n_A + n_B: a - delta K_A a - b = -t and K_A a + K_B b = -m.
-Steps newton_step(const SurfacePoint &a, const SurfacePoint &b, double floor)
-{
-  const Frame frame = tangents(a.normal);
-  const Vec3 d = a.position - b.position;
-  const double overlap = d.dot(a.normal);
-  const Vec2 t = frame.transpose() * d, m = frame.transpose() * b.normal;
-  const Mat2 bend_a = frame.transpose() * a.bend * frame;
-  const Mat2 bend_b = frame.transpose() * b.bend * frame;
-  const Mat2 lens = bend_a + bend_b;
-  Steps steps;
-  steps.is_lens = lens.trace() > 0. && lens.determinant() > 0.;
-  const Mat2 system = floored(lens, floor) - overlap * bend_b * bend_a;
-  const Vec2 along_a = system.partialPivLu().solve(-m - bend_b * t);
-  const Vec2 along_b = along_a - overlap * bend_a * along_a + t;
-  steps.on_a = frame * along_a;
-  steps.on_b = frame * along_b;
-  const Vec2 across = along_a + t;
-  steps.overlap = overlap - 0.5 * along_a.dot(bend_a * along_a) -
-                  m.dot(across) - 0.5 * across.dot(bend_b * across);
-  return steps;
-}
-
 /// No step leads farther than this part of the radius.
 constexpr double longest_step = 0.1;
 /// A search that takes more steps leads nowhere.
@@ -73,12 +17,6 @@ constexpr int most_steps = 40;
 constexpr double converged = 1e-10;
 /// Of a lens, times the radius: what is flatter is climbed like this.
 constexpr double lowest_curvature = 0.3;
-
-Vec3 shortened(const Vec3 &step, double limit)
-{
-  const double length = step.norm();
-  return length > limit ? Vec3(step * (limit / length)) : step;
-}
 } // namespace
 
 SurfacePoint surface_point(const Body &body, const Vec3 &direction)
@@ -92,22 +30,53 @@ SurfacePoint surface_point(const Body &body, const Vec3 &direction)
         (Mat3::Identity() - direction * direction.transpose()) / body.scale;
     return point;
   }
-  const RadialExpansion at = expand(*body.series, direction);
-  const double r = body.scale * at.radius;
-  const Vec3 &s = direction, g = body.scale * at.gradient;
+  RadialExpansion at = expand(*body.series, direction);
+  at.radius *= body.scale;
+  at.gradient *= body.scale;
+  at.hessian *= body.scale;
+  return surface_point(at);
+}
+
+SurfacePoint surface_point(const RadialExpansion &at)
+{
+  const double r = at.radius;
+  const Vec3 &s = at.direction, &g = at.gradient;
   // F(x) = |x| - r(x / |x|): its gradient and Hessian at the surface.
   const Vec3 slope = s - g / r;
   const Mat3 mixed = s * g.transpose();
-  const Mat3 hessian =
-      (Mat3::Identity() - s * s.transpose()) / r -
-      (body.scale * at.hessian - mixed - mixed.transpose()) / (r * r);
+  const Mat3 hessian = (Mat3::Identity() - s * s.transpose()) / r -
+                       (at.hessian - mixed - mixed.transpose()) / (r * r);
   const double steepness = slope.norm();
+  SurfacePoint point;
   point.position = r * s;
   point.normal = slope / steepness;
   const Mat3 across =
       Mat3::Identity() - point.normal * point.normal.transpose();
   point.bend = across * hessian * across / steepness;
   return point;
+}
+
+NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
+                                 double floor)
+{
+  const Frame frame = tangents(a.normal);
+  const Vec3 d = a.position - b.position;
+  const double overlap = d.dot(a.normal);
+  const Vec2 t = frame.transpose() * d, m = frame.transpose() * b.normal;
+  const Mat2 bend_a = frame.transpose() * a.bend * frame;
+  const Mat2 bend_b = frame.transpose() * b.bend * frame;
+  const Mat2 lens = bend_a + bend_b;
+  NormalStep steps;
+  steps.is_lens = lens.trace() > 0. && lens.determinant() > 0.;
+  const Mat2 system = floored(lens, floor) - overlap * bend_b * bend_a;
+  const Vec2 along_a = system.partialPivLu().solve(-m - bend_b * t);
+  const Vec2 along_b = along_a - overlap * bend_a * along_a + t;
+  steps.on_a = frame * along_a;
+  steps.on_b = frame * along_b;
+  const Vec2 across = along_a + t;
+  steps.overlap = overlap - 0.5 * along_a.dot(bend_a * along_a) -
+                  m.dot(across) - 0.5 * across.dot(bend_b * across);
+  return steps;
 }
 
 SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation)
@@ -128,7 +97,7 @@ Spot polish(const Body &a, const Body &b, const RelativePose &pose,
     const SurfacePoint on_a = surface_point(a, spot.on_a);
     SurfacePoint on_b = turned(surface_point(b, spot.on_b), pose.rotation);
     on_b.position += pose.position;
-    const Steps newton = newton_step(on_a, on_b, floor);
+    const NormalStep newton = step_to_common_normal(on_a, on_b, floor);
     const Vec3 along_a = shortened(newton.on_a, longest_step * size);
     const Vec3 along_b = shortened(newton.on_b, longest_step * size);
     spot.on_a = (on_a.position + along_a).normalized();

@@ -32,21 +32,6 @@ WallRow far_wall(const FacetSurface &surface, const FacetSpot &spot,
   return row;
 }
 
-/// `before`: where the contact was in the last step.
-WallRow met_wall(const FacetSurface &surface, const FacetTouch &touch,
-                 const FacetSpot &now, const FacetSpot &before)
-{
-  WallRow row{
-      touch.nearest.point,          now.normal,    velocity_on(surface, now),
-      velocity_on(surface, before), before.normal, 0.};
-  const auto &corner =
-      surface.triangles[static_cast<std::size_t>(now.triangle)];
-  for (std::size_t c = 0; c < 3; ++c)
-    row.inverse_mass += now.weight[c] * now.weight[c] /
-                        surface.mass[static_cast<std::size_t>(corner[c])];
-  return row;
-}
-
 /// Gives each touch the slot whose last direction is nearest to its own, or a
 /// free one; a slot without touch opens. Touches beyond the slots are the
 /// farthest and are left out.
@@ -114,7 +99,8 @@ void find_row(const ForceContext &context, const FacetSurface &surface,
     FacetSpot &spot = candidates.spot[first + slot];
     const FacetSpot now{touches[t].nearest.triangle, touches[t].nearest.weight,
                         touches[t].direction};
-    rows[first + slot] = met_wall(surface, touches[t], now, spot);
+    rows[first + slot] = facet_row(surface, now, spot);
+    rows[first + slot].point = touches[t].nearest.point;
     spot = now;
   }
   for (std::size_t s = 0; s < slots_per_stone; ++s)
@@ -123,6 +109,20 @@ void find_row(const ForceContext &context, const FacetSurface &surface,
                                  context.particles.radius(i));
 }
 } // namespace
+
+WallRow facet_row(const FacetSurface &surface, const FacetSpot &now,
+                  const FacetSpot &before)
+{
+  WallRow row{
+      point_at(surface, now),       now.normal,    velocity_on(surface, now),
+      velocity_on(surface, before), before.normal, 0.};
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(now.triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    row.inverse_mass += now.weight[c] * now.weight[c] /
+                        surface.mass[static_cast<std::size_t>(corner[c])];
+  return row;
+}
 
 void find_facets(const ForceContext &context, const FacetSurface &surface,
                  const FacetTopology &topology, const ContactBatch &batch,

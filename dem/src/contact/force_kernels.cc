@@ -1,4 +1,5 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
+#include "placed_lanes.h"
 #include "surface_lanes.h"
 
 namespace dem::kernel
@@ -55,6 +56,7 @@ namespace SPALL_INSTRUCTION_SET
 extern const Loops loops;
 const Loops loops = {run_range<advance_pairs>, run_range<advance_walls>,
                      run_range<advance_surface_pairs>,
-                     run_range<advance_surface_walls>};
+                     run_range<advance_surface_walls>,
+                     run_range<advance_placed_walls>};
 } // namespace SPALL_INSTRUCTION_SET
 } // namespace dem::kernel

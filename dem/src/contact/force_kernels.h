@@ -104,6 +104,7 @@ struct Task
   bool counts_shear;    ///< the energy of the criterion is that of both springs
   bool adds_loads_only; ///< forces are taken as the last step left them
   const double *walls;  ///< WallRow
+  const double *wall_overlap; ///< by row; null unless places are found before
 };
 
 /// One step of the contacts [first, last); `first` is a multiple of the block.
@@ -112,7 +113,7 @@ using Loop = void (*)(const Task &task, std::int64_t first, std::int64_t last,
 
 struct Loops
 {
-  Loop pairs, walls, surface_pairs, surface_walls;
+  Loop pairs, walls, surface_pairs, surface_walls, placed_walls;
 };
 
 /// Those of the instruction set in use.

@@ -125,6 +125,16 @@ kernel::Task make_task(SurfaceOwner &owner,
   return task;
 }
 
+ForceSum &ForceSum::operator+=(const ForceSum &part)
+{
+  lost += part.lost;
+  wants_breakage |= part.wants_breakage;
+  has_strayed |= part.has_strayed;
+  n_jumps += part.n_jumps;
+  n_ended += part.n_ended;
+  return *this;
+}
+
 ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
                   std::vector<RangeSum> &ranges)
 {

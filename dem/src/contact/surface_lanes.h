@@ -317,15 +317,13 @@ ContactMotion<Lanes> support_motion(const StoneLanes &a, const WallLanes &wall,
   return motion;
 }
 
-[[gnu::flatten]] void advance_surface_walls(const Task &task, std::int64_t k,
-                                            int n_valid, Losses<Lanes> &lost,
-                                            const Target &target)
+/// Forces and loads of contacts with walls whose places are known.
+void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
+                     const StoneLanes &a, const WallLanes &wall,
+                     const SupportGeometry &geometry, Losses<Lanes> &lost,
+                     const Target &target)
 {
   const Contacts &contacts = task.contacts;
-  const StoneLanes a(task.stones.state, contacts.a + k);
-  const WallLanes wall(task.walls, contacts.b + k);
-  const SupportGeometry geometry =
-      locate_support(task, k, a, wall, valid_lanes(n_valid), target.sum);
   const Lanes overlap_before = load(contacts.overlap + k);
   if (!any(geometry.overlap > 0. || overlap_before > 0.))
     return;
@@ -354,6 +352,17 @@ ContactMotion<Lanes> support_motion(const StoneLanes &a, const WallLanes &wall,
     find_damage(task, k,
                 {geometry.overlap, energy_before, history.normal_energy},
                 target.sum);
+}
+[[gnu::flatten]] void advance_surface_walls(const Task &task, std::int64_t k,
+                                            int n_valid, Losses<Lanes> &lost,
+                                            const Target &target)
+{
+  const StoneLanes a(task.stones.state, task.contacts.a + k);
+  const WallLanes wall(task.walls, task.contacts.b + k);
+  advance_at_wall(
+      task, k, n_valid, a, wall,
+      locate_support(task, k, a, wall, valid_lanes(n_valid), target.sum), lost,
+      target);
 }
 } // namespace
 } // namespace dem::kernel

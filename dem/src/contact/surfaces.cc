@@ -23,15 +23,16 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
 {
   const std::int32_t stone = is_a ? batch.a[k] : batch.b[k];
   SideColumns &side = is_a ? batch.side_a : batch.side_b;
-  // Evaluated where the column says, to the last digit of the column.
-  const Eigen::Vector3f in_column = direction.cast<float>();
-  const Vec3 rounded = in_column.cast<double>().normalized();
+  // Evaluated where the column says, to the last digit of the column. A cast
+  // of the whole vector will not do: GCC 12 leaves out the way over float.
+  side.direction.set(k, {direction.x(), direction.y(), direction.z()});
+  const Triple<double> in_column = side.direction[k];
+  const Vec3 rounded = Vec3(in_column.x, in_column.y, in_column.z).normalized();
   const SurfaceSide fresh =
       evaluate_side(context.particles.body[row_of(stone)], rounded,
                     context.parameters.breakage.curvature_floor_ratio);
   const Vec3 &g = fresh.expansion.gradient;
   const Mat3 &h = fresh.expansion.hessian;
-  side.direction.set(k, {direction.x(), direction.y(), direction.z()});
   side.radius[k] = fresh.expansion.radius;
   side.gradient.set(k, {g.x(), g.y(), g.z()});
   const double entries[6] = {h(0, 0), h(1, 1), h(2, 2),

@@ -22,13 +22,16 @@ kernel::Task wall_task(SurfaceOwner &owner, const Walls &walls)
       task.reads_surface && owner.context.parameters.geometry.wall_geometry ==
                                 ContactGeometry::radial;
   task.walls = reinterpret_cast<const double *>(walls.rows.data());
+  task.wall_overlap = walls.overlap.data();
   return task;
 }
 
-kernel::Loop wall_loop(const ContactBatch &batch)
+kernel::Loop wall_loop(const Walls &walls, const ContactBatch &batch)
 {
-  return batch.layout.has_spots ? kernel::loops().surface_walls
-                                : kernel::loops().walls;
+  if (!batch.layout.has_spots)
+    return kernel::loops().walls;
+  return walls.overlap.empty() ? kernel::loops().surface_walls
+                               : kernel::loops().placed_walls;
 }
 } // namespace
 
@@ -55,14 +58,16 @@ ForceSum wall_forces(const ForceContext &context, const Walls &walls,
                      ContactBatch &batch, std::vector<RangeSum> &ranges)
 {
   SurfaceOwner owner{context, batch, walls.rows};
-  return run_loop(wall_loop(batch), wall_task(owner, walls), batch.size(),
-                  ranges);
+  return run_loop(wall_loop(walls, batch), wall_task(owner, walls),
+                  batch.size(), ranges);
 }
 
 double reset_wall(const ForceContext &context, const Walls &walls,
                   ContactBatch &batch, std::size_t k)
 {
-  return run_still(context, batch, k, wall_loop(batch),
+  if (walls.replace)
+    walls.replace(k);
+  return run_still(context, batch, k, wall_loop(walls, batch),
                    [&walls](SurfaceOwner &owner)
                    {
                      owner.walls = walls.rows;

@@ -236,11 +236,18 @@ void add_drum(const Engine &engine, double horizon, SpringNetwork &network)
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const auto i = static_cast<std::size_t>(batch.a[k]);
-    const DrumPoint at =
+    DrumPoint at =
         nearest_on_drum(engine.drum(), drum_part(batch, k), stones.position(i));
     const Vec3 lever = wall_lever(engine, batch, k, at.normal);
+    double reach = lever.dot(at.normal);
+    if (batch.layout.has_spots)
+    {
+      at = nearest_on_drum(engine.drum(), drum_part(batch, k),
+                           stones.position(i) + lever);
+      reach = 0.;
+    }
     const double overlap =
-        lever.dot(at.normal) - at.distance +
+        reach - at.distance +
         horizon *
             (engine.drum().velocity_at(at.point) - stones.velocity(i)).norm();
     if (overlap <= 0.)

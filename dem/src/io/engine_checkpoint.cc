@@ -103,7 +103,7 @@ void Engine::visit_state(Self &self, const Visit &visit)
   visit(self.refused_count);
   visit(self.lost);
   visit(self.travel);
-  visit(self.planes_travelled);
+  visit(self.walls_travelled);
 }
 
 void Engine::save(std::ostream &out, const Library &library) const
@@ -138,8 +138,7 @@ void Engine::restore(std::istream &in, const Library &library)
   Particles::visit(stones, get);
   stones.body.resize(stones.id.size());
   stones.has_shapes = false;
-  stones.follows_surfaces =
-      settings.geometry.geometry == ContactGeometry::surface;
+  stones.follows_surfaces = settings.geometry.follows_surfaces();
   stones.has_materials =
       std::ranges::any_of(stones.material, [](auto m) { return m != 0; });
   for (Body &body : stones.body)
@@ -154,6 +153,7 @@ void Engine::restore(std::istream &in, const Library &library)
                  ? nullptr
                  : std::make_unique<FacetTopology>(facet_surface);
   read_value(in, barrel);
+  shelf = DrumShelf(barrel);
   get(drum_walls);
   for (ContactBatch *batch :
        {&pair_batch, &plane_batch, &facet_batch, &drum_batch})

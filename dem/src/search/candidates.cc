@@ -224,9 +224,9 @@ void rebuild_drum(const Particles &particles, const Drum &drum,
   carry_over(particles, keys, search.layout, batch, retired);
 }
 
-void rebuild_facets(const Particles &particles, const FacetSurface &surface,
-                    const WallSearch &search, FacetCandidates &candidates,
-                    ContactBatch &batch, Dissipation &retired)
+FacetCandidates near_facets(const Particles &particles,
+                            const FacetSurface &surface,
+                            const WallSearch &search)
 {
   const TriangleBins bins(surface, 2. * largest_reach(particles));
   FacetCandidates fresh;
@@ -254,6 +254,14 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
     fresh.stone.push_back(static_cast<std::int32_t>(i));
     fresh.row_start.push_back(static_cast<std::int32_t>(fresh.triangle.size()));
   }
+  return fresh;
+}
+
+void rebuild_facets(const Particles &particles, const FacetSurface &surface,
+                    const WallSearch &search, FacetCandidates &candidates,
+                    ContactBatch &batch, Dissipation &retired)
+{
+  FacetCandidates fresh = near_facets(particles, surface, search);
   fresh.wake.assign(fresh.stone.size(), 0.);
   carry_over_slots(candidates, search.layout, fresh, batch, retired);
   candidates = std::move(fresh);

@@ -1,3 +1,4 @@
+#include <dem/boundary/drum.h>
 #include <dem/search/space_order.h>
 
 #include <algorithm>
@@ -70,6 +71,25 @@ void sort_entries(ContactBatch &batch)
 std::int32_t moved(const std::vector<std::int32_t> &place, std::int32_t stone)
 {
   return place[static_cast<std::size_t>(stone)];
+}
+
+/// Renames the stones; returns the order of the contacts by (stone, part), each
+/// with its number from before.
+template <class PartOf>
+std::vector<std::int32_t> place_order(const std::vector<std::int32_t> &place,
+                                      ContactBatch &batch,
+                                      const PartOf &part_of)
+{
+  std::vector<std::int32_t> order(batch.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    batch.a[k] = moved(place, batch.a[k]);
+  const auto key = [&](std::int32_t k)
+  { return std::pair(batch.a[static_cast<std::size_t>(k)], part_of(k)); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&key](std::int32_t k, std::int32_t l)
+                   { return key(k) < key(l); });
+  return order;
 }
 } // namespace
 
@@ -163,5 +183,38 @@ void renumber_facets(const std::vector<std::int32_t> &place,
   candidates.row_start.clear();
   candidates.triangle.clear();
   candidates.wake.clear();
+}
+
+void renumber_drum_places(const std::vector<std::int32_t> &place,
+                          ContactBatch &batch, std::vector<WallRow> &rows)
+{
+  const auto part_of = [&batch](std::int32_t k)
+  { return batch.b[static_cast<std::size_t>(k)] % n_drum_parts; };
+  const std::vector<std::int32_t> order = place_order(place, batch, part_of);
+  std::vector<WallRow> fresh(order.size() *
+                             static_cast<std::size_t>(n_drum_parts));
+  std::vector<std::int32_t> b;
+  for (const std::int32_t k : order)
+  {
+    b.push_back(n_drum_parts * static_cast<std::int32_t>(b.size()) +
+                part_of(k));
+    fresh[static_cast<std::size_t>(b.back())] =
+        rows[static_cast<std::size_t>(batch.b[static_cast<std::size_t>(k)])];
+  }
+  batch.rearrange(batch.layout, order);
+  std::copy(b.begin(), b.end(), batch.b.begin());
+  rows = std::move(fresh);
+}
+
+void renumber_facet_places(const std::vector<std::int32_t> &place,
+                           FacetCandidates &candidates, ContactBatch &batch)
+{
+  const std::vector<std::int32_t> order =
+      place_order(place, batch, [](std::int32_t) { return std::int32_t{0}; });
+  reorder_column(candidates.spot, order);
+  reorder_column(candidates.wake, order);
+  batch.rearrange(batch.layout, order);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    batch.b[k] = static_cast<std::int32_t>(k);
 }
 } // namespace dem

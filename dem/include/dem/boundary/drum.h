@@ -40,6 +40,9 @@ enum class DrumPart : std::int32_t
 };
 inline constexpr std::int32_t n_drum_parts = 4;
 
+/// Towards the root of the shelf as it stands, across the axis.
+Vec3 shelf_direction(const Drum &drum);
+
 /// Where a part of the drum is as seen from a point in it.
 struct DrumPoint
 {

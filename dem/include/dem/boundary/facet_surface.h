@@ -57,6 +57,23 @@ struct FacetTopology
   std::vector<std::int32_t> row_start, row_triangle;
 };
 
+/// A surface with who shares what in it.
+struct FacetMesh
+{
+  const FacetSurface &surface;
+  const FacetTopology &topology;
+};
+
+/// Corners of a triangle [m].
+inline std::array<Vec3, 3> corners_of(const FacetSurface &surface,
+                                      std::int32_t triangle)
+{
+  const auto &vertex = surface.triangles[static_cast<std::size_t>(triangle)];
+  return {surface.position[static_cast<std::size_t>(vertex[0])],
+          surface.position[static_cast<std::size_t>(vertex[1])],
+          surface.position[static_cast<std::size_t>(vertex[2])]};
+}
+
 /// One contact of a stone with one smooth patch of the surface.
 struct FacetTouch
 {

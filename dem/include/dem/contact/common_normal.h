@@ -18,6 +18,9 @@ struct SurfacePoint
 /// The surface at a unit direction of the body frame, exact.
 SurfacePoint surface_point(const Body &body, const Vec3 &direction);
 
+/// The surface where it was expanded (scale applied), in the body frame.
+SurfacePoint surface_point(const RadialExpansion &at);
+
 /// The same in the frame that `rotation` turns the body frame into.
 SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation);
 
@@ -37,6 +40,21 @@ struct Spot
   double overlap = 0.;
   bool is_found = false; ///< the search has converged to a lens of contact
 };
+
+/// A step along each of two surfaces in its tangent plane [m].
+struct NormalStep
+{
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+  double overlap = 0.;  ///< delta where the steps lead, to second order [m]
+  bool is_lens = false; ///< K_A + K_B is positive
+};
+
+/// One Newton step of two points to the common normal. With d = x_A - x_B, t
+/// its part across n = n_A and m = n_A + n_B: a - delta K_A a - b = -t and
+/// K_A a + K_B b = -m. Eigenvalues of K_A + K_B count as `floor` at least
+/// [1/m].
+NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
+                                 double floor);
 
 /// Follows the common normal of two stones (x_A - x_B = delta n, n_A = -n_B =
 /// n, MODEL 4.1 iii) from a start by Newton steps with both shape operators, as

@@ -9,6 +9,7 @@
 #include <dem/parameters.h>
 #include <dem/particles.h>
 
+#include <functional>
 #include <span>
 
 namespace dem
@@ -53,6 +54,8 @@ struct ForceSum
   bool has_strayed = false; ///< as RangeSum
   int n_jumps = 0;
   int n_ended = 0;
+
+  ForceSum &operator+=(const ForceSum &part);
 };
 
 /// A boundary as one stone meets it at one contact: the plane through `point`.
@@ -76,6 +79,11 @@ struct Walls
 {
   const WallMaterial &material;     ///< of all of them
   const std::vector<WallRow> &rows; ///< as they stand in this step
+  /// Overlaps by row, where the places of stones that follow their surfaces
+  /// were found before the forces (place_on_drum(), place_on_facets()) [m].
+  std::span<const double> overlap = {};
+  /// Finds the place of contact k anew, if they were.
+  std::function<void(std::size_t)> replace = {};
 };
 
 /// Stone against wall: by the law of the wall. Loads are added to the stones.
@@ -96,6 +104,14 @@ struct FacetSpot
   Vec3 normal = Vec3::UnitX();    ///< from the stone to the surface [-]
 };
 
+/// Where that is now [m].
+inline Vec3 point_at(const FacetSurface &surface, const FacetSpot &spot)
+{
+  const auto corner = corners_of(surface, spot.triangle);
+  return spot.weight[0] * corner[0] + spot.weight[1] * corner[1] +
+         spot.weight[2] * corner[2];
+}
+
 /// Stones near the facet surface with the triangles each may reach, and the
 /// contact slots of each (slots_per_stone in a row, in the batch).
 struct FacetCandidates
@@ -105,7 +121,8 @@ struct FacetCandidates
   std::vector<std::int32_t> triangle;
   std::vector<FacetSpot> spot; ///< of each slot
   /// A stone without contact need not be looked at before
-  /// ForceContext::travelled has come this far [m].
+  /// ForceContext::travelled has come this far; where stones follow their
+  /// surfaces one for each contact, of the travel of stone and surface [m].
   std::vector<double> wake;
 
   /// Candidates of the stone in this row.
@@ -123,6 +140,11 @@ struct FacetCandidates
 void find_facets(const ForceContext &context, const FacetSurface &surface,
                  const FacetTopology &topology, const ContactBatch &batch,
                  FacetCandidates &candidates, std::vector<WallRow> &rows);
+
+/// The surface at one of its spots, as a contact meets it that was `before` in
+/// the last step.
+WallRow facet_row(const FacetSurface &surface, const FacetSpot &now,
+                  const FacetSpot &before);
 
 /// Adds the loads of the contacts to the vertices of the surface.
 void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,

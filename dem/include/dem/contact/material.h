@@ -57,5 +57,11 @@ struct GeometryParameters
   /// The expansion of a side is renewed when the contact direction has moved
   /// this far in the body frame; 0: every step [rad].
   double refresh_tolerance = 5e-3;
+
+  bool follows_surfaces() const
+  {
+    return geometry == ContactGeometry::surface ||
+           wall_geometry == ContactGeometry::surface;
+  }
 };
 } // namespace dem

@@ -28,6 +28,11 @@ void rebuild_planes(const Particles &particles,
                     const std::vector<Plane> &planes, const WallSearch &search,
                     ContactBatch &batch, Dissipation &retired);
 
+/// The stones near the facet surface and the triangles within reach.
+FacetCandidates near_facets(const Particles &particles,
+                            const FacetSurface &surface,
+                            const WallSearch &search);
+
 /// Likewise the stones near the facet surface and the triangles within reach.
 void rebuild_facets(const Particles &particles, const FacetSurface &surface,
                     const WallSearch &search, FacetCandidates &candidates,

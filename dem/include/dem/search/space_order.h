@@ -26,4 +26,10 @@ void renumber_planes(const std::vector<std::int32_t> &place,
 /// must be found again.
 void renumber_facets(const std::vector<std::int32_t> &place,
                      FacetCandidates &candidates, ContactBatch &batch);
+/// The same where stones follow their surfaces: contacts of any number per
+/// stone, whose rows or spots go with them.
+void renumber_drum_places(const std::vector<std::int32_t> &place,
+                          ContactBatch &batch, std::vector<WallRow> &rows);
+void renumber_facet_places(const std::vector<std::int32_t> &place,
+                           FacetCandidates &candidates, ContactBatch &batch);
 } // namespace dem

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <dem/boundary/drum_shelf.h>
 #include <dem/boundary/plane.h>
 #include <dem/contact/forces.h>
+#include <dem/contact/wall_place.h>
 #include <dem/search/near_pairs.h>
 #include <dem/search/stone_maps.h>
 
@@ -23,8 +25,10 @@ struct SpotEvents
 
 /// Most places that a pair, or a stone on a plane, may touch at.
 inline constexpr std::size_t most_spots = 8;
+/// Likewise on a facet surface, which has several sides.
+inline constexpr std::size_t most_wall_places = 24;
 
-/// Two bodies that may touch, stone before stone or plane.
+/// Two bodies that may touch, stone before stone, plane, or part of a drum.
 struct WatchedPair
 {
   PairKey key;
@@ -48,6 +52,27 @@ struct SpotSearchInput
   bool is_first = false; ///< overlaps that are there now count in full
 };
 
+/// A drum with the rows of its contacts, which go with them.
+struct WatchedDrum
+{
+  const Drum &drum;
+  const DrumShelf &shelf;
+  double travelled = 0.; ///< by its shelf [m]
+  std::vector<WallRow> &rows;
+};
+
+/// A facet surface with the triangles that each stone may reach and the spots
+/// of its contacts, which go with them.
+struct WatchedFacets
+{
+  FacetMesh mesh;
+  double travelled = 0.; ///< by the fastest vertex at each step [m]
+  FacetCandidates &candidates;
+
+  /// Those that a stone of the candidates may reach.
+  std::span<const std::int32_t> triangles_of(std::int32_t stone) const;
+};
+
 /// Keeps the lists of the places where stones meet, or nearly do, by pair.
 /// Every pair is searched anew when its own stones have moved as far as the
 /// last search is good for, or when a contact of it has lost its place.
@@ -59,9 +84,17 @@ public:
   /// Stone against stone.
   void renew_pairs(const SpotSearchInput &input, const Travel &travel,
                    ContactBatch &batch, Dissipation &retired);
-  /// Stones against planes that have moved by `planes_travelled` in all [m].
+  /// Stones against planes that have moved by `walls_travelled` in all [m].
   void renew_planes(const SpotSearchInput &input,
-                    const std::vector<Plane> &planes, double planes_travelled,
+                    const std::vector<Plane> &planes, double walls_travelled,
+                    ContactBatch &batch, Dissipation &retired);
+
+  /// Stones against the parts of a drum; `b` becomes n_drum_parts times the
+  /// number of the contact plus the part.
+  void renew_drum(const SpotSearchInput &input, const WatchedDrum &drum,
+                  ContactBatch &batch, Dissipation &retired);
+  /// Stones against a facet surface; `b` becomes the number of the contact.
+  void renew_facets(const SpotSearchInput &input, const WatchedFacets &facets,
                     ContactBatch &batch, Dissipation &retired);
 
   /// The stones have got other numbers.
@@ -76,10 +109,12 @@ public:
     value(self.reach);
     column(self.pairs);
     column(self.supports);
+    column(self.on_drum);
+    column(self.on_facets);
   }
 
 private:
-  std::vector<WatchedPair> pairs, supports; ///< sorted
+  std::vector<WatchedPair> pairs, supports, on_drum, on_facets; ///< sorted
   double reach = -1.; ///< Travel::centres that `pairs` is good for [m]
 };
 } // namespace dem

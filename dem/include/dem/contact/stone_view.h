@@ -1,0 +1,41 @@
+#pragma once
+
+#include <dem/contact/common_normal.h>
+
+namespace dem
+{
+/// The surface of a stone in the world where it is looked at: an expansion of
+/// second order, made anew where it does not reach.
+class StoneView
+{
+public:
+  /// `tolerance`: how far an expansion holds [rad]; 0: always the series. The
+  /// body must outlive the view.
+  StoneView(const Body &body, const Vec3 &position, const Mat3 &rotation,
+            double tolerance);
+
+  /// An expansion that is known already, scale applied.
+  void start_from(const RadialExpansion &known);
+
+  /// The surface at a unit direction of the body frame; position, normal and
+  /// bend in the world.
+  const SurfacePoint &at(const Vec3 &direction);
+
+  /// Direction of the body frame towards a point of the world.
+  Vec3 towards(const Vec3 &point) const;
+  /// Mean radius of the stone [m].
+  double size() const { return mean_size; }
+  /// The series was asked since the last start_from().
+  bool is_renewed() const { return has_renewed; }
+
+private:
+  const Body &body;
+  Vec3 position;
+  Mat3 rotation;
+  double tolerance, mean_size;
+  RadialExpansion known; ///< radius 0: none yet
+  bool has_renewed = false;
+  Vec3 last_direction = Vec3::Zero(); ///< that `last` is at
+  SurfacePoint last;
+};
+} // namespace dem

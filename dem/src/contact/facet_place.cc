@@ -1,0 +1,398 @@
+#include "plane_algebra.h"
+
+#include <dem/contact/wall_place.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace dem
+{
+namespace
+{
+/// Parts of the mean radius: no step is longer, and steps below are none.
+constexpr double longest_step = 0.1, converged = 1e-10;
+constexpr int most_steps = 80;
+/// Of the depth over a face, times the radius: what is flatter is climbed like
+/// this.
+constexpr double lowest_curvature = 0.3;
+/// Times that: what is flatter still is no hill.
+constexpr double least_curvature = 0.03;
+/// Slope of the depth along an edge that leads nowhere [-].
+constexpr double level = 1e-9;
+/// A corner has no part in a point if its weight is below [-].
+constexpr double no_weight = 1e-13;
+/// A step below this part of the radius leads up, but for what two expansions
+/// of the surface differ by.
+constexpr double surely_up = 5e-3;
+
+using Corners = std::array<Vec3, 3>;
+using Weights = std::array<double, 3>;
+
+Vec3 point_at(const Corners &corner, const Weights &weight)
+{
+  return weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2];
+}
+
+/// Towards the outside of the surface.
+Vec3 normal_of(const Corners &corner)
+{
+  return (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+}
+
+/// The depth about a point y: D(y + z) = D(y) - n.z - z.C z / 2.
+struct DepthModel
+{
+  Vec3 point, normal;
+  Mat3 bend;           ///< C = K (I - delta K)^-1 [1/m]
+  Mat3 follow;         ///< of the point of the stone: (I - delta K)^-1 across n
+  Vec3 on_stone;       ///< that point [m]
+  Mat3 trusted;        ///< C as steps take it: the depth falls off all round
+  double floor = 0.;   ///< least curvature that a step trusts [1/m]
+  double longest = 0.; ///< step that it may be asked for [m]
+
+  DepthModel(StoneView &stone, const WallPlace &place)
+      : point(place.point), normal(place.normal),
+        floor(lowest_curvature / stone.size()),
+        longest(longest_step * stone.size())
+  {
+    const SurfacePoint &at = stone.at(place.on_stone);
+    on_stone = at.position;
+    const Frame frame = tangents(normal);
+    const Mat2 k = frame.transpose() * at.bend * frame;
+    const Mat2 inverse =
+        floored(Mat2::Identity() - place.overlap * k, lowest_curvature)
+            .inverse();
+    const Mat2 c = k * inverse;
+    follow = frame * inverse * frame.transpose();
+    const Mat2 even = 0.5 * (c + c.transpose());
+    bend = frame * even * frame.transpose();
+    const bool is_hill = smallest_eigenvalue(even) > least_curvature * floor;
+    trusted =
+        frame * (is_hill ? even : floored(even, floor)) * frame.transpose();
+  }
+
+  double gain(const Vec3 &z) const
+  {
+    return -normal.dot(z) - 0.5 * z.dot(trusted * z);
+  }
+};
+
+/// A point of a triangle that is to be deepest in it.
+struct Ascent
+{
+  Weights weight{};
+  Vec3 step = Vec3::Zero(); ///< from the point of the model [m]
+  double gain = -std::numeric_limits<double>::infinity(); ///< of depth [m]
+  bool is_summit = false; ///< the depth falls off to all sides on the face
+};
+
+/// The deepest point of the sides by the model.
+Ascent best_on_sides(const DepthModel &model, const Corners &corner)
+{
+  Ascent best;
+  for (std::size_t from = 0; from < 3; ++from)
+  {
+    const std::size_t to = (from + 1) % 3;
+    const Vec3 start = corner[from] - model.point,
+               side = corner[to] - corner[from];
+    // From the point of the side next to that of the model.
+    const double square = side.squaredNorm();
+    const double foot = std::clamp(-start.dot(side) / square, 0., 1.);
+    const Vec3 bent = model.trusted * side;
+    const double slope =
+        -model.normal.dot(side) - (start + foot * side).dot(bent);
+    const double curvature =
+        std::max(side.dot(bent), least_curvature * model.floor * square);
+    const double s = std::clamp(foot + slope / curvature, 0., 1.);
+    const Vec3 step = start + s * side;
+    const double gain = model.gain(step);
+    if (gain <= best.gain)
+      continue;
+    best.gain = gain;
+    best.step = step;
+    best.weight = {};
+    best.weight[from] = 1. - s;
+    best.weight[to] = s;
+  }
+  return best;
+}
+
+/// The deepest point of the triangle by the model.
+Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
+{
+  const Vec3 first = corner[1] - corner[0], second = corner[2] - corner[0];
+  const Vec3 area = first.cross(second);
+  Frame frame;
+  frame.col(0) = first.normalized();
+  frame.col(1) = area.cross(first).normalized();
+  const Mat2 bend = frame.transpose() * model.bend * frame;
+  // The point of the model need not lie in this plane.
+  const Vec3 above =
+      area * ((corner[0] - model.point).dot(area) / area.squaredNorm());
+  const Mat2 hill = frame.transpose() * model.trusted * frame;
+  const Vec2 climb =
+      floored(hill, least_curvature * model.floor)
+          .llt()
+          .solve(-(frame.transpose() * (model.normal + model.trusted * above)));
+  const Vec3 step = above + frame * climb;
+  const Vec3 place = model.point + step - corner[0];
+  const double over = 1. / area.squaredNorm();
+  const double w1 = place.cross(second).dot(area) * over,
+               w2 = first.cross(place).dot(area) * over;
+  const bool is_summit = smallest_eigenvalue(bend) > 0.;
+  Ascent ascent;
+  if (w1 >= 0. && w2 >= 0. && w1 + w2 <= 1.)
+    ascent = {{1. - w1 - w2, w1, w2}, step, model.gain(step), is_summit};
+  else
+  {
+    ascent = best_on_sides(model, corner);
+    ascent.is_summit = true;
+  }
+  return ascent;
+}
+
+/// The same point of the mesh as one of another triangle.
+Weights carried(const FacetMesh &mesh, const WallPlace &place, std::int32_t to)
+{
+  const auto &from =
+      mesh.surface.triangles[static_cast<std::size_t>(place.triangle)];
+  const auto &into = mesh.surface.triangles[static_cast<std::size_t>(to)];
+  Weights weight{};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t d = 0; d < 3; ++d)
+      if (into[d] == from[c])
+        weight[d] = place.weight[c];
+  return weight;
+}
+
+/// Calls call(triangle) for the triangles round a vertex.
+template <class Call>
+void for_round(const FacetTopology &topology, std::int32_t vertex,
+               const Call &call)
+{
+  const auto v = static_cast<std::size_t>(vertex);
+  for (std::int32_t r = topology.row_start[v]; r < topology.row_start[v + 1];
+       ++r)
+    call(topology.row_triangle[static_cast<std::size_t>(r)]);
+}
+
+/// A triangle at the edge or vertex of the place into which the depth grows; -1
+/// if there is none.
+std::int32_t way_on(const FacetMesh &mesh, const WallPlace &place)
+{
+  const auto own = static_cast<std::size_t>(place.triangle);
+  const auto &corner = mesh.surface.triangles[own];
+  const auto &w = place.weight;
+  std::int32_t best = -1;
+  double steepest = level;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (w[c] == 1.)
+    {
+      const Vec3 &at =
+          mesh.surface.position[static_cast<std::size_t>(corner[c])];
+      for_round(mesh.topology, corner[c],
+                [&](std::int32_t other)
+                {
+                  for (const Vec3 &end : corners_of(mesh.surface, other))
+                  {
+                    const Vec3 along = end - at;
+                    const double length = along.norm();
+                    const double rise =
+                        length > 0. ? -place.normal.dot(along) / length : 0.;
+                    if (rise > steepest)
+                    {
+                      steepest = rise;
+                      best = other;
+                    }
+                  }
+                });
+      return best;
+    }
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const std::int32_t other = mesh.topology.neighbour[own][(c + 1) % 3];
+    if (w[c] != 0. || other < 0)
+      continue;
+    const Vec3 &from =
+        mesh.surface.position[static_cast<std::size_t>(corner[(c + 1) % 3])];
+    const Vec3 side =
+        (mesh.surface.position[static_cast<std::size_t>(corner[(c + 2) % 3])] -
+         from)
+            .normalized();
+    for (const Vec3 &end : corners_of(mesh.surface, other))
+    {
+      const Vec3 into = (end - from) - (end - from).dot(side) * side;
+      const double length = into.norm();
+      if (-place.normal.dot(into) > level * length && length > 0.)
+        best = other;
+    }
+  }
+  return best;
+}
+
+/// Weights that are none become zero.
+void snap(Weights &weight)
+{
+  double sum = 0.;
+  for (double &w : weight)
+  {
+    w = w < no_weight ? 0. : w;
+    sum += w;
+  }
+  for (double &w : weight)
+    w /= sum;
+}
+
+/// The place at another point of the mesh; the point of the stone is looked for
+/// from `on_stone` on.
+WallPlace place_at(StoneView &stone, const FacetMesh &mesh,
+                   std::int32_t triangle, const Weights &weight,
+                   const Vec3 &on_stone)
+{
+  WallPlace to = depth_of(
+      stone, point_at(corners_of(mesh.surface, triangle), weight), on_stone);
+  to.triangle = triangle;
+  to.weight = weight;
+  return to;
+}
+
+/// A part of the step, if it does not lead down.
+WallPlace climbed(StoneView &stone, const FacetMesh &mesh,
+                  const WallPlace &place, const DepthModel &model,
+                  const Ascent &ascent)
+{
+  const double length = ascent.step.norm();
+  // By the model it is deeper there; if it is not, half way.
+  for (double part = std::min(1., model.longest / length); part > 1e-4;
+       part *= 0.5)
+  {
+    Weights weight;
+    for (std::size_t c = 0; c < 3; ++c)
+      weight[c] = part == 1. ? ascent.weight[c]
+                             : place.weight[c] +
+                                   part * (ascent.weight[c] - place.weight[c]);
+    snap(weight);
+    const WallPlace next = place_at(
+        stone, mesh, place.triangle, weight,
+        stone.towards(model.on_stone + part * (model.follow * ascent.step)));
+    if (next.is_found &&
+        (length < surely_up * stone.size() || next.overlap >= place.overlap))
+      return next;
+  }
+  return {};
+}
+
+/// Up to the deepest point without a step down.
+WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start)
+{
+  Weights first = start.weight;
+  snap(first);
+  WallPlace place =
+      place_at(stone, mesh, start.triangle, first, start.on_stone);
+  for (int step = 0; step < most_steps && place.is_found; ++step)
+  {
+    const DepthModel model(stone, place);
+    const Ascent ascent =
+        best_on_triangle(model, corners_of(mesh.surface, place.triangle));
+    if (ascent.step.norm() < converged * stone.size())
+    {
+      const std::int32_t next = way_on(mesh, place);
+      if (next < 0)
+      {
+        place.is_found = ascent.is_summit &&
+                         place.normal.dot(normal_of(
+                             corners_of(mesh.surface, place.triangle))) > 0.;
+        return place;
+      }
+      place.weight = carried(mesh, place, next);
+      place.triangle = next;
+      continue;
+    }
+    place = climbed(stone, mesh, place, model, ascent);
+  }
+  place.is_found = false;
+  return place;
+}
+
+/// Calls call(triangle) once for every other triangle that has a corner of one.
+template <class Call>
+void for_beside(const FacetMesh &mesh, std::int32_t triangle, const Call &call)
+{
+  const auto &own = mesh.surface.triangles[static_cast<std::size_t>(triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    for_round(mesh.topology, own[c],
+              [&](std::int32_t other)
+              {
+                const auto &corner =
+                    mesh.surface.triangles[static_cast<std::size_t>(other)];
+                // Those at an earlier corner have been called.
+                const bool is_known = std::any_of(
+                    own.begin(), own.begin() + static_cast<std::ptrdiff_t>(c),
+                    [&corner](std::int32_t v) {
+                      return std::find(corner.begin(), corner.end(), v) !=
+                             corner.end();
+                    });
+                if (other != triangle && !is_known)
+                  call(other);
+              });
+}
+
+/// No point of a triangle is deeper if none of its corners lies inwards.
+bool may_be_deeper(const DepthModel &model, const Corners &corner, double gain)
+{
+  return std::any_of(corner.begin(), corner.end(),
+                     [&](const Vec3 &end)
+                     { return -model.normal.dot(end - model.point) > gain; });
+}
+
+/// A deeper place of the same patch on a triangle beside; not found if there is
+/// none.
+WallPlace deeper_beside(StoneView &stone, const FacetMesh &mesh,
+                        const WallPlace &place)
+{
+  const double gain = 1e-10 * stone.size();
+  const DepthModel model(stone, place);
+  WallPlace best;
+  for_beside(
+      mesh, place.triangle,
+      [&](std::int32_t other)
+      {
+        const Corners corner = corners_of(mesh.surface, other);
+        if (!may_be_deeper(model, corner, gain))
+          return;
+        const Ascent ascent = best_on_triangle(model, corner);
+        if (ascent.gain < gain)
+          return;
+        WallPlace start = place;
+        start.triangle = other;
+        start.weight = ascent.weight;
+        start.on_stone =
+            stone.towards(model.on_stone + model.follow * ascent.step);
+        const WallPlace found = climb(stone, mesh, start);
+        const double error = (found.point - model.point - ascent.step).norm();
+        if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
+            (!best.is_found || found.overlap > best.overlap) &&
+            is_one_patch(found.normal, place.normal) &&
+            error < 0.5 * ascent.step.norm())
+          best = found;
+      });
+  return best;
+}
+} // namespace
+
+WallPlace climb_facets(StoneView &stone, const FacetMesh &mesh,
+                       const WallPlace &start)
+{
+  WallPlace place = climb(stone, mesh, start);
+  constexpr int most_switches = 8;
+  for (int n = 0; n < most_switches && place.is_found; ++n)
+  {
+    const WallPlace deeper = deeper_beside(stone, mesh, place);
+    if (!deeper.is_found)
+      break;
+    place = deeper;
+    place.has_switched = true;
+  }
+  return place;
+}
+} // namespace dem

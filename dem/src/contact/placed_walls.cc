@@ -1,0 +1,221 @@
+#include "follow.h"
+
+#include <dem/contact/placed_walls.h>
+
+namespace dem
+{
+namespace
+{
+/// A place farther than this part of the radius from the last is another one.
+constexpr double jump = 0.05;
+
+/// What the side of contact k remembers of the surface.
+RadialExpansion known_expansion(const SideColumns &side, std::size_t k)
+{
+  const Triple<double> u = side.direction[k], g = side.gradient[k];
+  RadialExpansion known;
+  known.direction = Vec3(u.x, u.y, u.z).normalized();
+  known.radius = side.radius[k];
+  known.gradient = Vec3(g.x, g.y, g.z);
+  const auto entry = [&side, k](std::size_t c)
+  { return static_cast<double>(side.hessian[c][k]); };
+  known.hessian << entry(0), entry(3), entry(4), entry(3), entry(1), entry(5),
+      entry(4), entry(5), entry(2);
+  return known;
+}
+
+/// Notes where the contact is now: within the expansion as an offset from its
+/// direction, else by a new one.
+void note_place(const ForceContext &context, ContactBatch &batch, std::size_t k,
+                const Vec3 &on_stone, bool is_renewed)
+{
+  const Triple<double> u = batch.side_a.direction[k];
+  const Vec3 from(u.x, u.y, u.z);
+  const double along = on_stone.dot(from);
+  const Vec3 offset = on_stone / along - from;
+  const double reach = context.parameters.geometry.refresh_tolerance;
+  if (is_renewed || along <= 0. || offset.squaredNorm() > reach * reach)
+    renew_side(context, batch, k, true, on_stone);
+  else
+    batch.side_a.offset.set(k, {offset.x(), offset.y(), offset.z()});
+}
+
+/// What the contacts of one thread add to the sums of all.
+struct Events
+{
+  int n_jumps = 0, n_ended = 0;
+  bool has_strayed = false;
+
+  void add_to(ForceSum &sum) const
+  {
+    sum.n_jumps += n_jumps;
+    sum.n_ended += n_ended;
+    sum.has_strayed |= has_strayed;
+  }
+};
+
+/// Brings contact k to its place by `climb(stone, start)`; not found if it has
+/// none any more.
+template <class Climb>
+WallPlace follow(const ForceContext &context, ContactBatch &batch,
+                 std::size_t k, const Climb &climb, Events &events)
+{
+  if (batch.slack[k] >= kernel::closed_slack)
+    return {};
+  const Particles &particles = context.particles;
+  const std::size_t i = row_of(batch.a[k]);
+  StoneView stone(particles.body[i], particles.position(i),
+                  particles.rotation(i),
+                  context.parameters.geometry.refresh_tolerance);
+  if (batch.side_a.is_known(k))
+    stone.start_from(known_expansion(batch.side_a, k));
+  const Vec3 start = batch.side_a.spot(k);
+  const WallPlace place = climb(stone, start);
+  if (!place.is_found || place.overlap > 0.3 * stone.size())
+  {
+    events.n_ended += batch.is_touching(k);
+    events.has_strayed = true;
+    batch.slack[k] = kernel::closed_slack;
+    return {};
+  }
+  const bool is_elsewhere = (place.on_stone - start).norm() > jump;
+  // Over to a deeper place of its patch it comes at the same depth.
+  if (is_elsewhere && !place.has_switched && batch.side_a.is_known(k))
+  {
+    events.n_jumps += batch.is_touching(k);
+    batch.slack[k] = std::max(0., place.overlap - batch.overlap[k]);
+  }
+  if (is_elsewhere || place.has_switched)
+  {
+    events.has_strayed |= is_elsewhere;
+    batch.strayed[k] = 1;
+  }
+  note_place(context, batch, k, place.on_stone,
+             stone.is_renewed() || !batch.side_a.is_known(k));
+  return place;
+}
+
+/// Calls call(k, events) for all contacts, by all threads.
+template <class Call>
+ForceSum for_contacts(const ContactBatch &batch, const Call &call)
+{
+  const auto n = static_cast<std::int64_t>(batch.size());
+  ForceSum sum;
+#pragma omp parallel if (n >= 64)
+  {
+    Events events;
+#pragma omp for schedule(static)
+    for (std::int64_t k = 0; k < n; ++k)
+      call(static_cast<std::size_t>(k), events);
+#pragma omp critical
+    events.add_to(sum);
+  }
+  return sum;
+}
+
+/// Contact k with its part of the drum.
+void place_one(const ForceContext &context, const PlacedDrum &walls,
+               ContactBatch &batch, std::size_t k, Events &events)
+{
+  const DrumPart part = drum_part(batch, k);
+  WallRow &row = walls.rows[row_of(batch.b[k])];
+  const WallPlace place = follow(
+      context, batch, k,
+      [&](StoneView &stone, const Vec3 &on_stone)
+      {
+        WallPlace start;
+        start.on_stone = on_stone;
+        if (part != DrumPart::shelf)
+          return climb_drum(stone, walls.drum, part, start);
+        const NearestPoint at = walls.shelf.nearest(row.point);
+        start.triangle = at.triangle;
+        start.weight = at.weight;
+        return climb_facets(stone, walls.shelf.mesh(), start);
+      },
+      events);
+  // What has lost its place opens where it was.
+  walls.overlap[row_of(batch.b[k])] = place.overlap;
+  if (!place.is_found)
+    return;
+  WallRow now;
+  now.point = place.point;
+  now.normal = now.normal_before = place.normal;
+  now.velocity = now.velocity_before = walls.drum.velocity_at(place.point);
+  if (batch.is_touching(k))
+  {
+    now.velocity_before = row.velocity;
+    now.normal_before = row.normal;
+  }
+  row = now;
+}
+
+/// Contact k with the facet surface.
+void place_one(const ForceContext &context, const PlacedFacets &walls,
+               ContactBatch &batch, std::size_t k, Events &events)
+{
+  FacetSpot &spot = walls.candidates.spot[k];
+  double &wake = walls.candidates.wake[k];
+  const double travelled =
+      context.particles.travelled[row_of(batch.a[k])] + walls.travelled;
+  walls.overlap[k] = 0.;
+  if (travelled < wake)
+    return;
+  const WallPlace place = follow(
+      context, batch, k,
+      [&](StoneView &stone, const Vec3 &on_stone)
+      {
+        WallPlace start;
+        start.on_stone = on_stone;
+        start.triangle = spot.triangle;
+        start.weight = spot.weight;
+        return climb_facets(stone, walls.mesh, start);
+      },
+      events);
+  if (!place.is_found)
+  {
+    // It opens where it was.
+    walls.rows[k] = facet_row(walls.mesh.surface, spot, spot);
+    return;
+  }
+  walls.overlap[k] = place.overlap;
+  wake = batch.is_touching(k) ? 0. : travelled - place.overlap;
+  const FacetSpot now{place.triangle, place.weight, place.normal};
+  walls.rows[k] = facet_row(walls.mesh.surface, now, spot);
+  spot = now;
+}
+} // namespace
+
+ForceSum place_on_drum(const ForceContext &context, const PlacedDrum &walls,
+                       ContactBatch &batch)
+{
+  const std::size_t n_rows = batch.size() * row_of(n_drum_parts);
+  walls.rows.resize(n_rows);
+  walls.overlap.assign(n_rows, 0.);
+  return for_contacts(batch, [&](std::size_t k, Events &events)
+                      { place_one(context, walls, batch, k, events); });
+}
+
+ForceSum place_on_facets(const ForceContext &context, const PlacedFacets &walls,
+                         ContactBatch &batch)
+{
+  walls.rows.resize(batch.size());
+  walls.overlap.assign(batch.size(), 0.);
+  return for_contacts(batch, [&](std::size_t k, Events &events)
+                      { place_one(context, walls, batch, k, events); });
+}
+
+void place_again(const ForceContext &context, const PlacedDrum &walls,
+                 ContactBatch &batch, std::size_t k)
+{
+  Events events;
+  place_one(context, walls, batch, k, events);
+}
+
+void place_again(const ForceContext &context, const PlacedFacets &walls,
+                 ContactBatch &batch, std::size_t k)
+{
+  Events events;
+  walls.candidates.wake[k] = 0.;
+  place_one(context, walls, batch, k, events);
+}
+} // namespace dem

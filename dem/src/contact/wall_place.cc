@@ -1,0 +1,99 @@
+#include "plane_algebra.h"
+
+#include <dem/contact/wall_place.h>
+
+namespace dem
+{
+namespace
+{
+/// Parts of the mean radius: no step is longer, and steps below are none.
+constexpr double longest_step = 0.1, converged = 1e-10;
+constexpr int most_steps = 40;
+/// Of a lens, times the radius: what is flatter is climbed like this.
+constexpr double lowest_curvature = 0.3;
+
+Vec3 out_of_axis(const Drum &drum, const Vec3 &x)
+{
+  const Vec3 from_centre = x - drum.centre;
+  return from_centre - from_centre.dot(drum.axis) * drum.axis;
+}
+} // namespace
+
+// With d = x - y, delta = d.n and t the rest of d, the point of the surface
+// next to y is a step a away with a - delta K a = -t.
+WallPlace depth_of(StoneView &stone, const Vec3 &point, const Vec3 &on_stone)
+{
+  WallPlace place;
+  place.point = point;
+  place.on_stone = on_stone;
+  for (int step = 0; step < most_steps; ++step)
+  {
+    const SurfacePoint &at = stone.at(place.on_stone);
+    const Vec3 apart = at.position - point;
+    place.normal = at.normal;
+    place.overlap = apart.dot(at.normal);
+    const Frame frame = tangents(at.normal);
+    const Vec2 aside = frame.transpose() * apart;
+    if (aside.norm() < converged * stone.size())
+    {
+      place.is_found = true;
+      break;
+    }
+    const Mat2 bend = frame.transpose() * at.bend * frame;
+    // Beyond the centre of curvature the nearest point is another one.
+    const Mat2 system =
+        floored(Mat2::Identity() - place.overlap * bend, lowest_curvature);
+    const Vec3 along = frame * Vec2(-(system.inverse() * aside));
+    place.on_stone = stone.towards(
+        at.position + shortened(along, longest_step * stone.size()));
+  }
+  return place;
+}
+
+SurfacePoint smooth_drum(const Drum &drum, DrumPart part, const Vec3 &x)
+{
+  const DrumPoint at = nearest_on_drum(drum, part, x);
+  SurfacePoint wall;
+  wall.position = at.point;
+  wall.normal = -at.normal;
+  if (part == DrumPart::cylinder)
+  {
+    // Hollow: the normal turns against the motion.
+    const Vec3 round = drum.axis.cross(at.normal);
+    wall.bend = -(round * round.transpose()) / drum.radius;
+  }
+  return wall;
+}
+
+WallPlace climb_drum(StoneView &stone, const Drum &drum, DrumPart part,
+                     const WallPlace &start)
+{
+  WallPlace place = start;
+  place.is_found = false;
+  for (int step = 0; step < most_steps && !place.is_found; ++step)
+  {
+    const SurfacePoint &at = stone.at(place.on_stone);
+    if (part == DrumPart::cylinder &&
+        out_of_axis(drum, at.position).norm() < 0.1 * drum.radius)
+      break; // no side of the cylinder is nearer than another
+    const SurfacePoint wall = smooth_drum(drum, part, at.position);
+    const NormalStep newton =
+        step_to_common_normal(at, wall, lowest_curvature / stone.size());
+    place.normal = -wall.normal;
+    place.point = wall.position;
+    place.overlap = (at.position - wall.position).dot(place.normal);
+    place.is_found = newton.is_lens &&
+                     newton.on_a.norm() < converged * stone.size() &&
+                     at.normal.dot(place.normal) > 0.;
+    if (!place.is_found)
+      place.on_stone = stone.towards(
+          at.position + shortened(newton.on_a, longest_step * stone.size()));
+  }
+  return place;
+}
+
+bool is_one_patch(const Vec3 &normal, const Vec3 &other)
+{
+  return normal.dot(other) > std::sqrt(0.5);
+}
+} // namespace dem

@@ -1,0 +1,161 @@
+// The boundaries of the engine: their lists, where stones meet them, their
+// loads and work.
+#include <dem/engine.h>
+
+#include <utility>
+
+namespace dem
+{
+bool Engine::follows_walls() const
+{
+  return stones.has_shapes &&
+         settings.geometry.wall_geometry == ContactGeometry::surface;
+}
+
+void Engine::rebuild_plane_list()
+{
+  const BatchLayout layout = wall_layout(settings, settings.wall, stones);
+  if (layout.has_spots)
+  {
+    const ForceContext still = context(0.);
+    spots.renew_planes(spot_search(still, layout), walls, walls_travelled,
+                       plane_batch, lost);
+    return;
+  }
+  rebuild_planes(stones, walls,
+                 {layout, settings.geometry.wall_geometry, margin.width},
+                 plane_batch, lost);
+}
+
+void Engine::rebuild_drum_list()
+{
+  const BatchLayout layout = wall_layout(settings, settings.wall, stones);
+  if (!follows_walls())
+  {
+    rebuild_drum(stones, barrel,
+                 {layout, settings.geometry.wall_geometry, margin.width},
+                 drum_batch, lost);
+    return;
+  }
+  shelf.turn(barrel);
+  const ForceContext still = context(0.);
+  spots.renew_drum(spot_search(still, layout),
+                   {barrel, shelf, walls_travelled, drum_walls}, drum_batch,
+                   lost);
+}
+
+void Engine::rebuild_facet_list()
+{
+  const WallSearch search{wall_layout(settings, settings.surface, stones),
+                          settings.geometry.wall_geometry, margin.width};
+  if (!follows_walls())
+  {
+    rebuild_facets(stones, facet_surface, search, facet_candidates, facet_batch,
+                   lost);
+    return;
+  }
+  FacetCandidates near = near_facets(stones, facet_surface, search);
+  near.spot = std::move(facet_candidates.spot);
+  near.wake = std::move(facet_candidates.wake);
+  facet_candidates = std::move(near);
+  const ForceContext still = context(0.);
+  spots.renew_facets(
+      spot_search(still, search.layout),
+      {{facet_surface, *topology}, walls_travelled, facet_candidates},
+      facet_batch, lost);
+}
+
+PlacedDrum Engine::placed_drum()
+{
+  return {barrel, shelf, drum_walls, drum_overlap};
+}
+
+PlacedFacets Engine::placed_facets()
+{
+  return {{facet_surface, *topology},
+          facet_candidates,
+          walls_travelled,
+          facet_walls,
+          facet_overlap};
+}
+
+void Engine::meet_walls(double time_step)
+{
+  plane_rows(walls, plane_walls);
+  const ForceContext moved = context(time_step);
+  if (barrel.is_there() && !follows_walls())
+    find_drum(stones, barrel, drum_batch, drum_walls);
+  else if (barrel.is_there())
+  {
+    shelf.turn(barrel);
+    count_places(place_on_drum(moved, placed_drum(), drum_batch));
+  }
+  if (has_surface() && !follows_walls())
+    find_facets(moved, facet_surface, *topology, facet_batch, facet_candidates,
+                facet_walls);
+  else if (has_surface())
+    count_places(place_on_facets(moved, placed_facets(), facet_batch));
+}
+
+Walls Engine::walls_of_planes()
+{
+  return {settings.wall, plane_walls};
+}
+
+Walls Engine::walls_of_drum()
+{
+  if (!follows_walls())
+    return {settings.wall, drum_walls};
+  return {settings.wall, drum_walls, drum_overlap, [this](std::size_t k) {
+            place_again(context(0.), placed_drum(), drum_batch, k);
+          }};
+}
+
+Walls Engine::walls_of_facets()
+{
+  if (!follows_walls())
+    return {settings.surface, facet_walls};
+  return {settings.surface, facet_walls, facet_overlap, [this](std::size_t k) {
+            place_again(context(0.), placed_facets(), facet_batch, k);
+          }};
+}
+
+void Engine::load_boundaries(double time_step)
+{
+  load_planes(time_step);
+  load_drum(time_step);
+  book_surface_work(time_step);
+}
+
+void Engine::load_planes(double time_step)
+{
+  for (Plane &plane : walls)
+    plane.force = Vec3::Zero();
+  for (std::size_t k = 0; k < plane_batch.size(); ++k)
+    walls[static_cast<std::size_t>(plane_batch.b[k])].force -=
+        plane_batch.load[k].force;
+  for (Plane &plane : walls)
+    plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
+}
+
+void Engine::load_drum(double time_step)
+{
+  if (!barrel.is_there())
+    return;
+  barrel.torque = drum_torque(barrel, drum_batch, drum_walls);
+  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
+}
+
+void Engine::book_surface_work(double time_step)
+{
+  if (!has_surface())
+    return;
+  load_surface(facet_candidates, facet_batch, facet_surface);
+  double power = 0.;
+  for (std::size_t v = 0; v < facet_surface.load.size(); ++v)
+    power += 0.5 * (surface_load_before[v] + facet_surface.load[v])
+                       .dot(facet_surface.velocity[v]);
+  pushed -= power * time_step;
+  surface_load_before = facet_surface.load;
+}
+} // namespace dem

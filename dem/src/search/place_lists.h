@@ -1,0 +1,334 @@
+#pragma once
+
+#include "../contact/follow.h"
+#include "carry_over.h"
+
+#include <dem/search/spot_lists.h>
+#include <dem/search/wall_places.h>
+
+#include <algorithm>
+#include <utility>
+
+/// Lists of places by pair of bodies: what those of stones and of walls have in
+/// common.
+namespace dem
+{
+namespace
+{
+/// Gaps beyond so many margins need not be known better.
+constexpr double far_margins = 3.;
+
+/// One entry of the list to be.
+struct Row
+{
+  std::int32_t source = -1; ///< where it was, -1: new
+  Spot spot;                ///< on a wall only `on_a`
+  FacetSpot foot;           ///< on drums and facets
+};
+
+/// Entries of one pair as they were: [first, last).
+struct OldRows
+{
+  std::size_t first = 0, last = 0;
+};
+
+/// What the entries of a batch are listed by: `b`, or what it stands for.
+using SecondOf = std::int32_t (*)(std::int32_t b);
+
+/// Finds the entries of keys that come in rising order.
+class OldList
+{
+public:
+  OldList(const ContactBatch &sorted, SecondOf second_body)
+      : batch(sorted), second_of(second_body)
+  {
+  }
+
+  OldRows next(const PairKey &key)
+  {
+    while (at < batch.size() && key_of(at) < key)
+      ++at;
+    const std::size_t first = at;
+    while (at < batch.size() && key_of(at) == key)
+      ++at;
+    return {first, at};
+  }
+
+private:
+  PairKey key_of(std::size_t k) const
+  {
+    return {batch.a[k], second_of(batch.b[k])};
+  }
+
+  const ContactBatch &batch;
+  SecondOf second_of;
+  std::size_t at = 0;
+};
+
+/// The list of one pair while it is made.
+struct PairList
+{
+  std::vector<Row> rows;
+  double clear = 0.;           ///< travel up to which the list is complete [m]
+  Vec3 between = Vec3::Zero(); ///< WatchedPair::between
+  bool is_new = true;          ///< else all rows stay as they are
+  SpotEvents events;
+
+  std::vector<Spot> spots() const
+  {
+    std::vector<Spot> all;
+    for (const Row &row : rows)
+      all.push_back(row.spot);
+    return all;
+  }
+
+  /// Keeps an old contact unless one that is kept is at its place.
+  void keep(const Row &row)
+  {
+    const bool is_double =
+        std::any_of(rows.begin(), rows.end(),
+                    [&](const Row &other)
+                    {
+                      // On walls beside each other on the stone, and of one
+                      // patch.
+                      return is_one_place(row.spot, other.spot) &&
+                             is_one_patch(row.foot.normal, other.foot.normal);
+                    });
+    if (is_double)
+      ++events.n_merged;
+    else
+      rows.push_back(row);
+  }
+
+  /// Adds new contacts, the nearest first.
+  void add(const std::vector<Spot> &found, bool is_first)
+  {
+    for (const Spot &spot : found)
+    {
+      if (rows.size() >= most_spots)
+      {
+        ++events.n_unlisted;
+        continue;
+      }
+      events.n_late += spot.overlap > 0. && !is_first;
+      rows.push_back({-1, spot, {}});
+    }
+  }
+};
+
+/// A contact that has come to another place, or lost its own.
+inline bool has_strayed(const ContactBatch &batch, std::size_t k)
+{
+  return batch.strayed[k] != 0 || batch.slack[k] >= kernel::closed_slack;
+}
+
+/// Touching contacts come first: of two at one place the other one goes.
+inline std::vector<std::size_t> alive_first(const ContactBatch &batch,
+                                            const OldRows &old)
+{
+  std::vector<std::size_t> alive;
+  for (const bool is_touching : {true, false})
+    for (std::size_t k = old.first; k < old.last; ++k)
+      if (batch.is_touching(k) == is_touching &&
+          batch.slack[k] < kernel::closed_slack)
+        alive.push_back(k);
+  return alive;
+}
+
+/// A pair that needs no search.
+inline PairList unchanged(const OldRows &old)
+{
+  PairList list;
+  list.is_new = false;
+  for (std::size_t k = old.first; k < old.last; ++k)
+    list.rows.push_back({static_cast<std::int32_t>(k), {}, {}});
+  return list;
+}
+
+/// Makes the lists of all pairs: `make(pair, old)` that of one which is due.
+template <class Make>
+std::vector<PairList> make_lists(const std::vector<WatchedPair> &pairs,
+                                 const ContactBatch &batch, SecondOf second_of,
+                                 const Make &make)
+{
+  OldList old_list(batch, second_of);
+  std::vector<OldRows> old;
+  old.reserve(pairs.size());
+  for (const WatchedPair &pair : pairs)
+    old.push_back(old_list.next(pair.key));
+  std::vector<PairList> lists(pairs.size());
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    lists[p] = make(pairs[p], old[p]);
+  return lists;
+}
+
+inline bool have_strayed(const ContactBatch &batch, const OldRows &old)
+{
+  for (std::size_t k = old.first; k < old.last; ++k)
+    if (has_strayed(batch, k))
+      return true;
+  return false;
+}
+
+inline bool has_open_places(const ContactBatch &batch, const OldRows &old)
+{
+  for (std::size_t k = old.first; k < old.last; ++k)
+    if (!batch.is_touching(k))
+      return true;
+  return false;
+}
+
+/// Places of the entries as they will stand, in the order of the pairs.
+struct Arrangement
+{
+  std::vector<std::int32_t> source;
+  std::vector<PairKey> key;
+  std::vector<const Row *> row;
+
+  Arrangement(const std::vector<WatchedPair> &pairs,
+              const std::vector<PairList> &lists)
+  {
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      for (const Row &one : lists[p].rows)
+      {
+        source.push_back(one.source);
+        key.push_back(pairs[p].key);
+        row.push_back(&one);
+      }
+  }
+
+  bool changes(const ContactBatch &batch) const
+  {
+    if (source.size() != batch.size())
+      return true;
+    for (std::size_t k = 0; k < source.size(); ++k)
+      if (source[k] != static_cast<std::int32_t>(k))
+        return true;
+    return false;
+  }
+};
+
+/// Gives up what the dropped contacts hold.
+inline void retire_dropped(const Arrangement &to, const ContactBatch &batch,
+                           Dissipation &retired)
+{
+  std::vector<std::uint8_t> is_kept(batch.size(), 0);
+  for (const std::int32_t source : to.source)
+    if (source >= 0)
+      is_kept[row_of(source)] = 1;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (!is_kept[k])
+      retire_contact(batch, k, retired);
+}
+
+/// Puts the batch in the order of the lists and evaluates new sides.
+inline void arrange(const SpotSearchInput &input, const Arrangement &to,
+                    ContactBatch &batch)
+{
+  const bool is_damage_new =
+      input.layout.has_damage && !batch.layout.has_damage;
+  batch.rearrange(input.layout, to.source);
+  const auto n = static_cast<std::int64_t>(to.source.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t entry = 0; entry < n; ++entry)
+  {
+    const auto k = static_cast<std::size_t>(entry);
+    batch.a[k] = to.key[k].first;
+    batch.b[k] = to.key[k].second;
+    batch.strayed[k] = 0;
+    if (to.source[k] >= 0)
+      continue;
+    const Spot &spot = to.row[k]->spot;
+    if (input.layout.has_partners)
+      place_pair(input.context, batch, k, spot);
+    else
+      renew_side(input.context, batch, k, true, spot.on_a);
+    batch.slack[k] = input.is_first ? 0. : std::max(0., spot.overlap);
+  }
+  if (is_damage_new)
+    note_corners(input.context.particles, batch);
+}
+
+/// Which layout the batch has, as far as the lists set it.
+inline bool is_same_layout(const BatchLayout &one, const BatchLayout &other)
+{
+  return one.has_rolling == other.has_rolling &&
+         one.has_damage == other.has_damage && one.has_spots == other.has_spots;
+}
+
+/// The pairs that bounding spheres allow, with what is known of them.
+inline std::vector<WatchedPair> merged(const std::vector<PairKey> &keys,
+                                       const std::vector<WatchedPair> &known)
+{
+  std::vector<WatchedPair> pairs;
+  pairs.reserve(keys.size());
+  auto old = known.begin();
+  for (const PairKey &key : keys)
+  {
+    while (old != known.end() && old->key < key)
+      ++old;
+    const bool is_known = old != known.end() && old->key == key;
+    pairs.push_back(is_known ? *old : WatchedPair{key, -1., 0., Vec3::Zero()});
+  }
+  return pairs;
+}
+
+/// Pairs that may touch, with how far each has travelled, and what is listed
+/// by.
+template <class Travelled>
+struct Watch
+{
+  std::vector<WatchedPair> &pairs;
+  Travelled travelled;
+  SecondOf second_of;
+};
+
+/// `b` is the stone or the plane itself.
+inline std::int32_t itself(std::int32_t b)
+{
+  return b;
+}
+
+/// Makes the lists that are due and puts the batch in their order, then calls
+/// arranged(Arrangement) if that is another one.
+template <class Travelled, class Make, class Arranged>
+SpotEvents renew(const SpotSearchInput &input, const Watch<Travelled> &watch,
+                 const Make &make, ContactBatch &batch, Dissipation &retired,
+                 const Arranged &arranged)
+{
+  std::vector<WatchedPair> &pairs = watch.pairs;
+  const std::vector<PairList> lists = make_lists(
+      pairs, batch, watch.second_of,
+      [&](const WatchedPair &pair, const OldRows &old)
+      {
+        const bool is_due =
+            pair.due < watch.travelled(pair.key) + input.notice ||
+            have_strayed(batch, old) ||
+            (pair.margin > 2. * input.margin && has_open_places(batch, old));
+        return is_due ? make(pair, old) : unchanged(old);
+      });
+  SpotEvents events;
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+  {
+    events += lists[p].events;
+    if (lists[p].is_new)
+    {
+      pairs[p].due = watch.travelled(pairs[p].key) + lists[p].clear;
+      pairs[p].margin = input.margin;
+      pairs[p].between = lists[p].between;
+    }
+  }
+  const Arrangement to(pairs, lists);
+  if (!to.changes(batch) && is_same_layout(input.layout, batch.layout))
+  {
+    std::fill(batch.strayed.begin(), batch.strayed.end(), std::uint8_t{0});
+    return events;
+  }
+  retire_dropped(to, batch, retired);
+  arrange(input, to, batch);
+  arranged(to);
+  return events;
+}
+} // namespace
+} // namespace dem

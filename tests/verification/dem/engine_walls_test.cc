@@ -1,0 +1,254 @@
+#include "dem_scene.h"
+#include "wall_meshes.h"
+
+#include <dem/packing/random.h>
+#include <dem/search/wall_places.h>
+
+#include <gtest/gtest.h>
+
+#include <shape/test_shapes.h>
+
+// Stones that meet drums and facets with their true surfaces.
+namespace
+{
+using dem::Vec3;
+
+dem::EngineParameters surface_parameters()
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.geometry.geometry = p.geometry.wall_geometry =
+      dem::ContactGeometry::surface;
+  // Of third power is what the expansions are out by.
+  p.geometry.refresh_tolerance = 5e-4;
+  p.wall.normal_stiffness = 1e6;
+  p.wall.shear_stiffness = 0.85e6;
+  p.surface = p.wall;
+  p.search_margin = 1e-3;
+  return p;
+}
+
+std::shared_ptr<const dem::Coefficients> rough_stone(unsigned seed)
+{
+  return std::make_shared<const dem::Coefficients>(
+      dem::test::random_stone(10, seed));
+}
+
+dem::Drum small_drum()
+{
+  dem::Drum drum;
+  drum.radius = 0.05;
+  drum.length = 0.06;
+  drum.shelf_height = 0.012;
+  drum.shelf_thickness = 0.006;
+  return drum;
+}
+
+/// A stone thrown about inside.
+void throw_stone(dem::Engine &engine, unsigned seed)
+{
+  dem::Random random(seed);
+  engine.add_stone(dem::make_body(rough_stone(seed), 0.01), Vec3::Zero(),
+                   random.rotation());
+  for (int d = 0; d < 3; ++d)
+  {
+    engine.particles().velocity(0)[d] = 2. * (random.uniform() - 0.5);
+    engine.particles().spin(0)[d] = 60. * (random.uniform() - 0.5);
+  }
+}
+
+/// What a run has done with its energy.
+struct EnergyRecord
+{
+  double drift = 0.;      ///< largest, over the energy [-]
+  double shape_work = 0.; ///< at the end, over the energy [-]
+  double stored = 0.;     ///< most, over the energy [-]
+};
+
+/// Inside a box, its sides bent in and out, with edges and vertices.
+dem::FacetSurface rough_box(double size, int n, double roughness)
+{
+  dem::FacetSurface all;
+  const Vec3 middle = Vec3::Constant(0.5 * size);
+  for (int d = 0; d < 3; ++d)
+    for (const double side : {-1., 1.})
+    {
+      const dem::FacetSurface floor =
+          support::flat_floor(1.4 * size / n, n, roughness,
+                              static_cast<unsigned>(3 * d) + (side > 0.));
+      const dem::Quaternion turn = dem::Quaternion::FromTwoVectors(
+          Vec3::UnitZ(), Vec3(-side * Vec3::Unit(d)));
+      const auto first = static_cast<std::int32_t>(all.position.size());
+      for (const Vec3 &x : floor.position)
+        all.position.push_back(middle + 0.5 * side * size * Vec3::Unit(d) +
+                               turn * x);
+      for (const auto &v : floor.triangles)
+        all.triangles.push_back({first + v[0], first + v[1], first + v[2]});
+    }
+  support::complete(all);
+  return all;
+}
+
+EnergyRecord run(dem::Engine &engine, double time_step, double end)
+{
+  const double start = engine.energy().kinetic;
+  EnergyRecord record;
+  while (engine.time() < end)
+  {
+    engine.advance(time_step);
+    const dem::EngineEnergy e = engine.energy();
+    record.stored = std::max(record.stored, e.elastic / start);
+    record.drift =
+        std::max(record.drift, std::abs((e.kinetic + e.elastic) / start - 1.));
+  }
+  record.shape_work = engine.energy().shape_work / start;
+  return record;
+}
+} // namespace
+
+// Springs alone, over some ten hits on the cylinder, the ends and the shelf:
+// what is left goes with the square of the step, 1.2e-4 at most here.
+TEST(SurfaceOnDrum, StoneKeepsItsEnergy)
+{
+  for (unsigned seed = 2; seed <= 5; ++seed)
+  {
+    dem::Engine engine(surface_parameters());
+    engine.set_drum(small_drum());
+    throw_stone(engine, seed);
+    const EnergyRecord record = run(engine, 2e-6, 0.12);
+    EXPECT_GT(record.stored, 0.1) << seed;
+    EXPECT_LT(record.drift, 3e-4) << seed;
+    EXPECT_LT(std::abs(record.shape_work), 1e-3) << seed;
+    EXPECT_EQ(engine.spot_events().n_jumps, 0);
+    EXPECT_EQ(engine.spot_events().n_ended, 0);
+    EXPECT_EQ(engine.spot_events().n_late, 0);
+  }
+}
+
+// A flat mesh acts as the plane: the same load for any stone and pose.
+TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
+{
+  dem::EngineParameters p = surface_parameters();
+  p.geometry.refresh_tolerance = 0.;
+  const dem::FacetSurface floor = support::flat_floor(0.006, 20, 0.);
+  for (unsigned seed = 1; seed <= 30; ++seed)
+  {
+    dem::Random random(seed);
+    const auto series = rough_stone(seed);
+    const dem::Body body = dem::make_body(series, 0.01);
+    const dem::Quaternion turned = random.rotation();
+    const dem::RadiusMap map(series);
+    const double height =
+        dem::find_supports({body, map},
+                           turned.conjugate() * Vec3(-Vec3::UnitZ()),
+                           {body.inscribed_radius, 0.})
+            .at(0)
+            .overlap;
+    const Vec3 centre(0.004 * random.uniform(), 0.004 * random.uniform(),
+                      height - 1e-5);
+    dem::Engine on_plane(p), on_mesh(p);
+    on_plane.add_plane(Vec3::Zero(), Vec3::UnitZ());
+    on_mesh.attach_surface(floor);
+    for (dem::Engine *engine : {&on_plane, &on_mesh})
+    {
+      engine->add_stone(body, centre, turned);
+      engine->advance(1e-12);
+    }
+    const dem::StoneLoad &exact = on_plane.particles().load[0],
+                         &found = on_mesh.particles().load[0];
+    ASSERT_GT(exact.force.z(), 1.);
+    EXPECT_LT((found.force - exact.force).norm(), 1e-10 * exact.force.norm());
+    // Normals on the plane come of gradients in single precision.
+    EXPECT_LT((found.moment - exact.moment).norm(),
+              2e-8 * 0.01 * exact.force.norm());
+    // What the stone gets the vertices give.
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3 &load : on_mesh.surface().load)
+      sum += load;
+    EXPECT_LT((sum + found.force).norm(), 1e-12 * exact.force.norm());
+  }
+}
+
+// Springs alone, between sides with edges and vertices that stand in and out:
+// what is left goes with the square of the step, and no place is lost.
+TEST(SurfaceOnFacets, StoneKeepsItsEnergy)
+{
+  for (const double roughness : {0., 0.15, 0.4})
+  {
+    double coarse = 0., fine = 0.;
+    for (unsigned seed = 1; seed <= 4; ++seed)
+      for (double *drift : {&coarse, &fine})
+      {
+        dem::Engine engine(surface_parameters());
+        engine.attach_surface(rough_box(0.06, 5, roughness));
+        throw_stone(engine, seed);
+        engine.particles().position(0) = Vec3::Constant(0.03);
+        const EnergyRecord record =
+            run(engine, drift == &coarse ? 4e-6 : 1e-6, 0.08);
+        EXPECT_GT(record.stored, 0.1);
+        EXPECT_LT(std::abs(record.shape_work), 1e-3);
+        *drift += record.drift;
+        const dem::SpotEvents &events = engine.spot_events();
+        EXPECT_EQ(events.n_jumps + events.n_ended + events.n_late, 0);
+        EXPECT_EQ(events.n_unlisted, 0);
+      }
+    // Largest of all steps: its place in an oscillation is by chance.
+    EXPECT_LT(coarse, 4 * 5e-4) << roughness;
+    EXPECT_GT(coarse / fine, 8.) << roughness;
+  }
+}
+
+// A cylinder of facets nears the cylinder with the square of their width.
+TEST(SurfaceOnFacets, FacetsOfACylinderConverge)
+{
+  dem::EngineParameters p = surface_parameters();
+  const double radius = 0.05;
+  dem::Drum drum;
+  drum.axis = Vec3::UnitZ();
+  drum.radius = radius;
+  drum.length = 1.;
+  double before = 0.;
+  for (const int n : {64, 128, 256, 512})
+  {
+    const dem::FacetSurface mesh =
+        support::cylinder_inside(radius, 0.1, n, std::max(2, n / 4));
+    double worst = 0.;
+    for (unsigned seed = 1; seed <= 12; ++seed)
+    {
+      dem::Random random(seed);
+      const auto series = rough_stone(seed);
+      const dem::Body body = dem::make_body(series, 0.01);
+      const dem::RadiusMap map(series);
+      const dem::Quaternion turned = random.rotation();
+      const double phi = 6. * random.uniform();
+      const Vec3 out(std::cos(phi), std::sin(phi), 0.);
+      dem::PosedStone stone{{body, map}, Vec3::Zero(), turned.matrix()};
+      double depth = -1.;
+      for (double at = 0.035; depth < 5e-5;)
+      {
+        stone.position = at * out;
+        const auto found =
+            dem::find_on_drum(stone, drum, dem::DrumPart::cylinder, 2e-3);
+        depth = found.places.empty() ? -2e-3 : found.places.front().overlap;
+        at += std::max(1e-5 - std::min(depth, 0.), 1e-5);
+      }
+      std::vector<double> force;
+      for (const bool is_mesh : {false, true})
+      {
+        dem::Engine engine(p);
+        if (is_mesh)
+          engine.attach_surface(mesh);
+        else
+          engine.set_drum(drum);
+        engine.add_stone(body, stone.position, turned);
+        engine.advance(1e-12);
+        force.push_back(engine.particles().load[0].force.norm());
+      }
+      worst = std::max(worst, std::abs(force[1] / force[0] - 1.));
+    }
+    if (before > 0.)
+    {
+      EXPECT_NEAR(before / worst, 4., 0.15) << n;
+    }
+    before = worst;
+  }
+}

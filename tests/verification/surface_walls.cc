@@ -1,0 +1,385 @@
+// Where stones meet walls, against a brute force that knows nothing but the
+// radius of the series: the table of docs/verification/surfaces.md.
+//
+//   surface_walls N SEED SHAPES [SHAPES ...]
+#include "wall_meshes.h"
+
+#include <dem/packing/random.h>
+#include <dem/search/wall_places.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <numeric>
+#include <shape_file.h>
+#include <string>
+#include <vector>
+
+namespace
+{
+using dem::Body;
+using dem::Vec3;
+
+struct Stone
+{
+  Body body;
+  dem::RadiusMap map;
+
+  explicit Stone(const dem::Coefficients &a)
+      : body(dem::make_body(std::make_shared<const dem::Coefficients>(a), 1.)),
+        map(body.series)
+  {
+  }
+};
+
+/// A compass search for the least value of a function of n numbers.
+template <std::size_t n, class Value>
+double compass(std::array<double, n> &at, double step, const Value &value)
+{
+  double best = value(at);
+  while (step > 1e-8)
+  {
+    bool is_better = false;
+    for (std::size_t c = 0; c < n; ++c)
+      for (const double sign : {1., -1.})
+      {
+        std::array<double, n> next = at;
+        next[c] += sign * step;
+        if (const double there = value(next); there < best)
+        {
+          best = there;
+          at = next;
+          is_better = true;
+        }
+      }
+    if (!is_better)
+      step *= 0.5;
+  }
+  return best;
+}
+
+/// A stone in the world, as the brute force sees it.
+struct Solid
+{
+  const Body &body;
+  Vec3 position;
+  dem::Mat3 rotation;
+  std::vector<Vec3> direction, point; ///< dense, in the body and the world
+
+  Solid(const Body &of, const Vec3 &at, const dem::Mat3 &turned)
+      : body(of), position(at), rotation(turned)
+  {
+    constexpr dem::DirectionGrid grid{48, 96};
+    for (int node = 0; node < grid.size(); ++node)
+    {
+      direction.push_back(
+          grid.direction(node / grid.n_azimuth, node % grid.n_azimuth));
+      point.push_back(on_surface(direction.back()));
+    }
+  }
+
+  Vec3 on_surface(const Vec3 &s) const
+  {
+    return position +
+           rotation * Vec3(body.scale * dem::radius(*body.series, s) * s);
+  }
+  bool is_inside(const Vec3 &x) const
+  {
+    const Vec3 in_body = rotation.transpose() * (x - position);
+    return in_body.norm() <
+           body.scale * dem::radius(*body.series, in_body.normalized());
+  }
+  double coarse_depth(const Vec3 &x, std::size_t &node) const
+  {
+    double least = 1e300;
+    for (std::size_t k = 0; k < point.size(); ++k)
+      if (const double d = (point[k] - x).squaredNorm(); d < least)
+      {
+        least = d;
+        node = k;
+      }
+    return (is_inside(x) ? 1. : -1.) * std::sqrt(least);
+  }
+  /// How deep a point is: its distance from the surface next to it.
+  double depth(const Vec3 &x, Vec3 &from) const
+  {
+    const Vec3 first = from.unitOrthogonal(), second = from.cross(first);
+    std::array<double, 2> turn{};
+    const auto direction_at = [&](const std::array<double, 2> &t)
+    { return (from + t[0] * first + t[1] * second).normalized(); };
+    const double least =
+        compass(turn, 0.02,
+                [&](const std::array<double, 2> &t)
+                { return (on_surface(direction_at(t)) - x).norm(); });
+    from = direction_at(turn);
+    return is_inside(x) ? least : -least;
+  }
+};
+
+/// A piece of a wall over two numbers, each 0 .. 1.
+struct Piece
+{
+  std::array<Vec3, 3> corner; ///< of a triangle
+  double radius = 0.;         ///< of a cylinder about z; 0: a triangle
+
+  Vec3 at(const std::array<double, 2> &t) const
+  {
+    if (radius > 0.)
+      return {radius * std::cos(t[0] / radius),
+              radius * std::sin(t[0] / radius), t[1]};
+    // The square folded to the triangle.
+    double u = std::clamp(t[0], 0., 1.), v = std::clamp(t[1], 0., 1.);
+    const double over = u + v - 1.;
+    if (over > 0.)
+    {
+      u -= 0.5 * over;
+      v -= 0.5 * over;
+    }
+    u = std::clamp(u, 0., 1.);
+    v = std::clamp(v, 0., 1. - u);
+    return corner[0] + u * (corner[1] - corner[0]) +
+           v * (corner[2] - corner[0]);
+  }
+};
+
+struct Start
+{
+  double depth = 0.;
+  std::size_t piece = 0, node = 0;
+  std::array<double, 2> at{};
+};
+
+/// Points of all pieces about the stone, the deepest first.
+std::vector<Start> starts(const Solid &stone, const std::vector<Piece> &pieces,
+                          double spacing)
+{
+  std::vector<Start> all;
+  const double reach = 1.1 * stone.body.circumscribed_radius;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const Piece &piece = pieces[p];
+    const auto add = [&](const std::array<double, 2> &t)
+    {
+      const Vec3 x = piece.at(t);
+      if ((x - stone.position).norm() > reach)
+        return;
+      Start start;
+      start.piece = p;
+      start.at = t;
+      start.depth = stone.coarse_depth(x, start.node);
+      all.push_back(start);
+    };
+    if (piece.radius > 0.)
+    {
+      const double angle =
+          std::atan2(stone.position.y(), stone.position.x()) * piece.radius;
+      for (double a = -reach; a < reach; a += spacing)
+        for (double z = -reach; z < reach; z += spacing)
+          add({angle + a, stone.position.z() + z});
+      continue;
+    }
+    const double size = std::max((piece.corner[1] - piece.corner[0]).norm(),
+                                 (piece.corner[2] - piece.corner[0]).norm());
+    const int n = std::clamp(static_cast<int>(size / spacing), 2, 60);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+        add({double(i) / n, double(j) / n});
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Start &a, const Start &b) { return a.depth > b.depth; });
+  return all;
+}
+
+/// The greatest depth of any point of the wall; below zero it is a gap.
+double deepest(const Solid &stone, const std::vector<Piece> &pieces,
+               double size)
+{
+  double best = -1e300;
+  std::vector<Start> tried;
+  for (const Start &start : starts(stone, pieces, 0.08 * size))
+  {
+    if (tried.size() >= 5)
+      break;
+    const auto is_beside = [&](const Start &other)
+    {
+      return other.piece == start.piece && (pieces[other.piece].at(other.at) -
+                                            pieces[start.piece].at(start.at))
+                                                   .norm() < 0.3 * size;
+    };
+    if (std::any_of(tried.begin(), tried.end(), is_beside))
+      continue;
+    tried.push_back(start);
+    const Piece &piece = pieces[start.piece];
+    const double scale =
+        piece.radius > 0. ? 1. : (piece.corner[1] - piece.corner[0]).norm();
+    std::array<double, 2> at = start.at;
+    Vec3 from = stone.direction[start.node];
+    best = std::max(best, -compass(at, 0.05 * size / scale,
+                                   [&](const std::array<double, 2> &t)
+                                   {
+                                     Vec3 next = from;
+                                     return -stone.depth(piece.at(t), next);
+                                   }));
+  }
+  return best;
+}
+
+struct Tally
+{
+  int n = 0, n_several = 0;
+  int n_missed = 0;  ///< the brute force has found a deeper place
+  int n_beaten = 0;  ///< the search has
+  double worst = 0.; ///< error of the gap over the diameter
+  double seconds = 0.;
+
+  void add(double exact, double found, double diameter)
+  {
+    ++n;
+    const double error = std::abs(exact - found) / diameter;
+    if (error > 1e-6)
+      ++(found < exact ? n_missed : n_beaten);
+    else
+      worst = std::max(worst, error);
+  }
+};
+
+/// A wall, a place above it and the way to it.
+struct Scene
+{
+  const char *name;
+  support::WallMesh mesh; ///< empty: the cylinder
+  dem::Drum drum;
+  std::vector<Piece> pieces;
+
+  bool is_cylinder() const { return mesh.surface.triangles.empty(); }
+};
+
+dem::WallSearchResult search(const Scene &scene, const dem::PosedStone &stone,
+                             double margin)
+{
+  if (scene.is_cylinder())
+    return dem::find_on_drum(stone, scene.drum, dem::DrumPart::cylinder,
+                             margin);
+  std::vector<std::int32_t> near;
+  const double reach = stone.stone.body.circumscribed_radius + margin;
+  for (std::int32_t t = 0; std::size_t(t) < scene.mesh.surface.triangles.size();
+       ++t)
+    if ((dem::nearest_point(stone.position,
+                            dem::corners_of(scene.mesh.surface, t))
+             .point -
+         stone.position)
+            .norm() < reach)
+      near.push_back(t);
+  return dem::find_on_facets(stone, scene.mesh.view(), near, margin);
+}
+
+Scene make_cylinder()
+{
+  Scene scene{"cylinder", {}, {}, {}};
+  scene.drum.axis = Vec3::UnitZ();
+  scene.drum.radius = 6.;
+  scene.drum.length = 100.;
+  scene.pieces.push_back({{}, 6.});
+  return scene;
+}
+
+Scene make_scene(const char *name, support::WallMesh mesh)
+{
+  Scene scene{name, std::move(mesh), {}, {}};
+  for (std::int32_t t = 0; std::size_t(t) < scene.mesh.surface.triangles.size();
+       ++t)
+    scene.pieces.push_back({dem::corners_of(scene.mesh.surface, t), 0.});
+  return scene;
+}
+
+double processor_time()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Down along `way` until the deepest overlap is as wanted, by the search.
+void approach(const Scene &scene, dem::PosedStone &stone, const Vec3 &way,
+              double overlap)
+{
+  const double size = dem::mean_radius(stone.stone.body);
+  for (int step = 0; step < 600; ++step)
+  {
+    const dem::WallSearchResult found = search(scene, stone, 0.2 * size);
+    const double now =
+        found.places.empty() ? -0.2 * size : found.places.front().overlap;
+    if (now > overlap - 1e-4 * size)
+      return;
+    stone.position += std::max(0.3 * (overlap - now), 1e-4 * size) * way;
+  }
+}
+
+void compare(const Scene &scene, const dem::PosedStone &stone, Tally &tally)
+{
+  const double size = dem::mean_radius(stone.stone.body);
+  const double before = processor_time();
+  const dem::WallSearchResult found = search(scene, stone, 0.02 * size);
+  tally.seconds += processor_time() - before;
+  tally.n_several += found.places.size() > 1;
+  const Solid solid(stone.stone.body, stone.position, stone.rotation);
+  tally.add(deepest(solid, scene.pieces, size),
+            found.places.empty() ? -1e3 : found.places.front().overlap,
+            2. * size);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  if (argc < 4)
+  {
+    std::fprintf(stderr, "surface_walls N SEED SHAPES [SHAPES ...]\n");
+    return 1;
+  }
+  std::vector<Stone> stones;
+  for (int k = 3; k < argc; ++k)
+    for (const spall::ShapeFile &shape : spall::read_shapes(argv[k]))
+      stones.emplace_back(shape.coefficients);
+  const std::vector<Scene> scenes = {
+      make_cylinder(), make_scene("flat mesh", support::flat_wall(1.2, 8, 0.)),
+      make_scene("inside of a box", support::box_corner(6.)),
+      make_scene("steps", support::stepped_wall(1.1, 8)),
+      make_scene("bulged mesh", support::flat_wall(1.2, 8, 0.35))};
+  std::printf(
+      "| wall | number | search misses the deepest place | brute force misses "
+      "it | worst error of the others over the diameter | more than one place "
+      "| us per search |\n|---|---|---|---|---|---|---|\n");
+  dem::Random random(std::stoull(argv[2]));
+  for (const Scene &scene : scenes)
+  {
+    Tally tally;
+    for (int k = 0; k < std::stoi(argv[1]); ++k)
+    {
+      const Stone &one = stones[static_cast<std::size_t>(
+          random.uniform() * static_cast<double>(stones.size()))];
+      const Vec3 aside(random.uniform() - 0.5, random.uniform() - 0.5, 0.);
+      const bool is_corner = std::string(scene.name) == "inside of a box";
+      dem::PosedStone stone{
+          {one.body, one.map}, {}, random.rotation().toRotationMatrix()};
+      Vec3 way = -Vec3::UnitZ();
+      if (scene.is_cylinder())
+        way =
+            (random.rotation() * Vec3::UnitX()).cwiseProduct(Vec3(1., 1., 0.));
+      else if (is_corner)
+        way = Vec3(-1. - 0.5 * random.uniform(), -1. - 0.5 * random.uniform(),
+                   -1. - 0.5 * random.uniform());
+      way.normalize();
+      stone.position = scene.is_cylinder() ? Vec3(way)
+                       : is_corner         ? Vec3(Vec3::Constant(3.) + aside)
+                                   : Vec3(3. * aside + 2.5 * Vec3::UnitZ());
+      const double overlap =
+          (k % 2 == 0 ? -1. : 1.) * 0.01 * (0.05 + 0.95 * random.uniform());
+      approach(scene, stone, way, overlap);
+      compare(scene, stone, tally);
+    }
+    std::printf("| %s | %d | %d | %d | %.1e | %.1f %% | %.0f |\n", scene.name,
+                tally.n, tally.n_missed, tally.n_beaten, tally.worst,
+                100. * tally.n_several / std::max(1, tally.n),
+                1e6 * tally.seconds / std::max(1, tally.n));
+    std::fflush(stdout);
+  }
+}
