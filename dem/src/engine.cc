@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <utility>
 
 namespace dem
@@ -99,12 +100,22 @@ void Engine::set_drum(const Drum &drum)
   lists_are_stale = true;
 }
 
+std::size_t Engine::add_surface(const std::string &name,
+                                const WallMaterial &material,
+                                FacetSurface surface)
+{
+  for (const SurfaceContacts &other : facet_surfaces)
+    if (other.name == name)
+      throw std::invalid_argument("facet surface: there are two of the name " +
+                                  name);
+  facet_surfaces.emplace_back(name, material, std::move(surface));
+  lists_are_stale = true;
+  return facet_surfaces.size() - 1;
+}
+
 void Engine::attach_surface(FacetSurface surface)
 {
-  facet_surface = std::move(surface);
-  topology = std::make_unique<FacetTopology>(facet_surface);
-  surface_load_before.assign(facet_surface.position.size(), Vec3::Zero());
-  lists_are_stale = true;
+  add_surface("surface", settings.surface, std::move(surface));
 }
 
 void Engine::set_friction(double friction)
@@ -183,8 +194,9 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
     if (plane.is_active)
       boundary = std::max(boundary, plane.velocity.squaredNorm());
   planes_travelled += std::sqrt(boundary) * time_step;
-  for (const Vec3 &velocity : facet_surface.velocity)
-    boundary = std::max(boundary, velocity.squaredNorm());
+  for (const SurfaceContacts &facets : facet_surfaces)
+    for (const Vec3 &velocity : facets.surface.velocity)
+      boundary = std::max(boundary, velocity.squaredNorm());
   // Of a drum the shelf alone comes nearer to a stone.
   const double rim =
       barrel.shelf_height > 0. ? barrel.spin * barrel.radius : 0.;
@@ -227,11 +239,11 @@ void Engine::rebuild_lists()
                  {wall_layout(settings, settings.wall, stones),
                   settings.geometry.wall_geometry, margin.width},
                  drum_batch, lost);
-  if (has_surface())
-    rebuild_facets(stones, facet_surface,
-                   {wall_layout(settings, settings.surface, stones),
+  for (SurfaceContacts &facets : facet_surfaces)
+    rebuild_facets(stones, facets.surface,
+                   {wall_layout(settings, facets.material, stones),
                     settings.geometry.wall_geometry, margin.width},
-                   facet_candidates, facet_batch, lost);
+                   facets.candidates, facets.batch, lost);
   pair_loads.prepare(pair_batch);
   steepest = branch_steepness();
   lists_are_stale = false;
@@ -301,7 +313,8 @@ void Engine::sort_in_space()
   renumber_pairs(place, pair_batch);
   renumber_planes(place, plane_batch);
   renumber_planes(place, drum_batch);
-  renumber_facets(place, facet_candidates, facet_batch);
+  for (SurfaceContacts &facets : facet_surfaces)
+    renumber_facets(place, facets.candidates, facets.batch);
 }
 
 double Engine::branch_steepness() const
@@ -322,9 +335,9 @@ bool Engine::evaluate_contacts(double time_step)
   plane_rows(walls, plane_walls);
   if (barrel.is_there())
     find_drum(stones, barrel, drum_batch, drum_walls);
-  if (has_surface())
-    find_facets(context(time_step), facet_surface, *topology, facet_batch,
-                facet_candidates, facet_walls);
+  for (SurfaceContacts &facets : facet_surfaces)
+    find_facets(context(time_step), facets.surface, facets.topology,
+                facets.batch, facets.candidates, facets.rows);
   return run_contacts(context(time_step));
 }
 
@@ -344,8 +357,8 @@ bool Engine::run_contacts(const ForceContext &all)
   add(wall_forces(all, {settings.wall, plane_walls}, plane_batch, ranges));
   if (barrel.is_there())
     add(wall_forces(all, {settings.wall, drum_walls}, drum_batch, ranges));
-  if (has_surface())
-    add(wall_forces(all, {settings.surface, facet_walls}, facet_batch, ranges));
+  for (SurfaceContacts &facets : facet_surfaces)
+    add(wall_forces(all, {facets.material, facets.rows}, facets.batch, ranges));
   lost += sum.lost;
   spots.events.n_jumps += sum.n_jumps;
   spots.events.n_ended += sum.n_ended;
@@ -361,11 +374,10 @@ void Engine::break_corners()
   const Timer timer(spent.breakage);
   ContactSet contacts{pair_batch,
                       plane_batch,
-                      facet_batch,
                       drum_batch,
                       {settings.wall, plane_walls},
-                      {settings.surface, facet_walls},
-                      {settings.wall, drum_walls}};
+                      {settings.wall, drum_walls},
+                      facet_surfaces};
   const std::size_t before = events.size();
   const BreakingSum done =
       break_stones(context(0.), stones, contacts, now, events);
@@ -395,7 +407,8 @@ void Engine::load_boundaries(double time_step)
 {
   load_planes(time_step);
   load_drum(time_step);
-  book_surface_work(time_step);
+  for (SurfaceContacts &facets : facet_surfaces)
+    facets.book_step(time_step);
 }
 
 void Engine::load_planes(double time_step)
@@ -417,19 +430,6 @@ void Engine::load_drum(double time_step)
   barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
 }
 
-void Engine::book_surface_work(double time_step)
-{
-  if (!has_surface())
-    return;
-  load_surface(facet_candidates, facet_batch, facet_surface);
-  double power = 0.;
-  for (std::size_t v = 0; v < facet_surface.load.size(); ++v)
-    power += 0.5 * (surface_load_before[v] + facet_surface.load[v])
-                       .dot(facet_surface.velocity[v]);
-  pushed -= power * time_step;
-  surface_load_before = facet_surface.load;
-}
-
 EngineEnergy Engine::energy() const
 {
   EngineEnergy energy;
@@ -437,9 +437,13 @@ EngineEnergy Engine::energy() const
   energy.rolling = lost.rolling;
   energy.damping = lost.damping;
   energy.shape_work = lost.shape_work;
-  for (const ContactBatch *batch :
-       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
+  for (const ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
     energy.elastic += elastic_energy(*batch);
+  for (const SurfaceContacts &facets : facet_surfaces)
+  {
+    energy.elastic += elastic_energy(facets.batch);
+    energy.surface_work += facets.work;
+  }
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
     energy.kinetic += stones.kinetic_energy(i);
@@ -451,7 +455,6 @@ EngineEnergy Engine::energy() const
   for (const Plane &plane : walls)
     energy.plane_work += plane.work;
   energy.drum_work = barrel.work;
-  energy.surface_work = pushed;
   return energy;
 }
 
