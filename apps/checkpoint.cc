@@ -80,7 +80,7 @@ void read_progress(std::istream &in, Progressed &done)
     entry.file = read_string(in);
   }
   read_value(in, done.roundness);
-  read_value(in, done.worst_balance);
+  read_value(in, done.worst_gain);
   read_value(in, done.loading_start);
   read_value(in, done.last);
   read_value(in, n);
@@ -105,7 +105,7 @@ void write_progress(std::ostream &out, const Progressed &done)
     write_string(out, entry.file);
   }
   write_value(out, done.roundness);
-  write_value(out, done.worst_balance);
+  write_value(out, done.worst_gain);
   write_value(out, done.loading_start);
   write_value(out, done.last);
   write_value(out, static_cast<std::uint64_t>(done.spent.size()));

@@ -25,7 +25,7 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
 struct RunRecord
 {
   Sample start, end; ///< of loading
-  double worst_balance = 0.;
+  double worst_gain = 0.;
   int threads = 1;
   std::map<std::string, double> seconds;
 };

@@ -182,6 +182,7 @@ void Engine::move_planes(double time_step)
     plane.point += time_step * plane.velocity;
     // Trapezoidal rule: this half with the old force, load_planes the other.
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
+    plane.impulse += 0.5 * time_step * plane.force;
   }
   barrel.angle += time_step * barrel.spin;
   barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
@@ -419,7 +420,10 @@ void Engine::load_planes(double time_step)
     walls[static_cast<std::size_t>(plane_batch.b[k])].force -=
         plane_batch.load[k].force;
   for (Plane &plane : walls)
+  {
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
+    plane.impulse += 0.5 * time_step * plane.force;
+  }
 }
 
 void Engine::load_drum(double time_step)

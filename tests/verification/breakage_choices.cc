@@ -175,6 +175,7 @@ void rest(const Rest &keys, const std::string &file)
   Triaxial test(case_with(file, {{"Contact", "geometry", keys.geometry},
                                  {"Breakage", "contacts", keys.contacts},
                                  {"Boundary", "lateral", keys.lateral},
+                                 {"Coupling", "exchange", "every_step"},
                                  {"Loading", "amplitude", "0"},
                                  {"Loading", "cycles", "20"},
                                  {"Time", "local_damping", keys.damping},
