@@ -53,6 +53,26 @@ void bring_back(const std::string &from, State &state)
   state.restore(in);
 }
 
+/// Passes that no longer come nearer: where the force of a contact jumps, as it
+/// touches or begins to slide, motion and loads need not agree at all.
+class Stall
+{
+public:
+  /// Whether to stop at this gap: one of the best, after some without progress.
+  bool is_over(double gap)
+  {
+    if (!std::isfinite(gap))
+      return true;
+    n_without = gap < 0.98 * best ? 0 : n_without + 1;
+    best = std::min(best, gap);
+    return n_without >= 4 && gap <= 1.5 * best;
+  }
+
+private:
+  double best = std::numeric_limits<double>::infinity();
+  int n_without = 0;
+};
+
 Field copy_of(FieldView field)
 {
   return {field.begin(), field.end()};
@@ -174,6 +194,7 @@ void Exchange::pass_window(const Stones &stones, double window)
         });
   std::vector<Relaxation> relaxation(joints.size(),
                                      Relaxation(parameters.relaxation));
+  Stall stalled;
   predict(window);
   for (report.passes = 1;; ++report.passes)
   {
@@ -181,7 +202,7 @@ void Exchange::pass_window(const Stones &stones, double window)
     report.gap = correct_bodies(start, window);
     if (!may_repeat || report.gap <= parameters.tolerance)
       break;
-    if (report.passes == parameters.max_passes || !std::isfinite(report.gap))
+    if (report.passes == parameters.max_passes || stalled.is_over(report.gap))
     {
       check_gap(stones.engine.time());
       ++unsettled_count;

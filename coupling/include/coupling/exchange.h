@@ -24,10 +24,11 @@ struct ExchangeParameters
   int stone_steps = 1; ///< of the stones in one window [-]
   RelaxationParameters relaxation;
   double tolerance = 1e-9; ///< gap between body and what stones saw of it [m]
-  /// After so many the last pass counts if its gap is small enough: where a
-  /// contact opens or closes, its dashpot jumps and nothing need agree.
+  /// After so many, or once they come no nearer, the last pass counts if its
+  /// gap is small enough: where the force of a contact jumps nothing need
+  /// agree.
   int max_passes = 30;
-  double gap_limit = 1e-6; ///< then [m]
+  double gap_limit = 1e-5; ///< then [m]
   /// Largest share of the exchanged work that may go astray [-].
   double ledger_limit = std::numeric_limits<double>::infinity();
 };

@@ -75,7 +75,7 @@ Rest rest(int n, coupling::ExchangeRule rule)
   rules.rule = rule;
   rules.tolerance = 1e-12;
   const bool is_explicit = rule == coupling::ExchangeRule::every_step;
-  rules.stone_steps = is_explicit ? 1 : 10;
+  rules.stone_steps = is_explicit ? 1 : 20;
   coupling::Exchange exchange(rules);
   const coupling::BodySteps steps{!is_explicit, 1};
   coupling::Body &sheet = exchange.add(
@@ -83,7 +83,7 @@ Rest rest(int n, coupling::ExchangeRule rule)
       square, "membrane", p.surface, coupling::StoneSide::outside, engine);
   const auto stones = coupling::stones_of(engine, support::no_shapes());
   const double step = 2e-5;
-  const auto n_windows = std::lround(0.35 / (step * rules.stone_steps));
+  const auto n_windows = std::lround(0.15 / (step * rules.stone_steps));
   for (long k = 0; k < n_windows; ++k)
     exchange.advance(stones, step * rules.stone_steps);
   const auto w = [&](int column, int row)
@@ -104,9 +104,11 @@ TEST(SphereOnMembrane, RestsWhereTheMeshAndItsWeightSay)
   for (const auto rule :
        {coupling::ExchangeRule::every_step, coupling::ExchangeRule::iterated})
   {
-    std::vector<double> error;
     for (const int n : {8, 16})
     {
+      if (n > 8 && rule == coupling::ExchangeRule::iterated)
+        continue; // dear, and nothing new
+
       const Rest found = rest(n, rule);
       // Motion has died out to 1e-4.
       const double centre = discrete_deflection(found.weight, n, n / 2, n / 2);

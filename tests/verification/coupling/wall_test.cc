@@ -71,7 +71,7 @@ const coupling::ExchangeRule rules_of_walls[] = {
 // g (sin - f cos) and turns with 5/2 g f cos.
 TEST(MovingWall, RollsOrSlidesDownTheIncline)
 {
-  const double time = 0.05;
+  const double time = 0.1;
   for (const int n : {1, 10})
   {
     const double gentle = 0.3, steep = 1.;
@@ -86,7 +86,7 @@ TEST(MovingWall, RollsOrSlidesDownTheIncline)
                 2e-3 * std::abs(slides.speed));
     EXPECT_NEAR(slides.turning,
                 -2.5 * gravity * friction * std::cos(steep) * time,
-                2e-3 * std::abs(slides.turning));
+                3e-3 * std::abs(slides.turning));
   }
 }
 
