@@ -1,5 +1,6 @@
 #pragma once
 
+#include <coupling/exchange.h>
 #include <dem/breakage/criterion.h>
 #include <dem/contact/material.h>
 #include <fem/membrane.h>
@@ -33,6 +34,15 @@ enum class StepRule
   fixed,  ///< Time/fixed_step
   stable, ///< at most Time/safety times what the present contacts allow
   error   ///< as stable, and short enough for the tolerances
+};
+
+/// How stones and membrane go through time together; not said: refused.
+enum class ExchangeChoice
+{
+  none,
+  every_step, ///< as coupling::ExchangeRule
+  one_pass,
+  iterated
 };
 
 enum class SurfaceFrames
@@ -79,6 +89,20 @@ enum class LoadForm
 {
   haversine,  ///< cycles of axial stress
   compression ///< moves down at a constant rate, once
+};
+
+struct CouplingParameters
+{
+  ExchangeChoice exchange = ExchangeChoice::none;
+  /// Rule and limit of the ledger are those given here.
+  coupling::ExchangeParameters rules;
+  double ledger_limit = 0.05; ///< see coupling::ExchangeParameters [-]
+  bool is_membrane_implicit = false;
+  int membrane_steps = 1; ///< of the membrane in one window [-]
+
+  /// Steps of the stones and the whole of the rules, with a membrane or
+  /// without one.
+  coupling::ExchangeParameters exchange_rules(Lateral lateral) const;
 };
 
 struct LoadingParameters
@@ -191,6 +215,7 @@ struct Case
   dem::BreakageParameters breakage;
   fem::MembraneParameters membrane;
   BoundaryParameters boundary;
+  CouplingParameters coupling;
   LoadingParameters loading;
   TimeParameters time;
   OutputParameters output;

@@ -81,9 +81,11 @@ void check_geometry(const Case &c, const Place &place)
 void check_time(const Case &c, const Place &place)
 {
   const double sample = c.loading.period() / c.output.samples_per_cycle;
-  if (c.time.step == StepRule::fixed && c.time.fixed_step > sample)
+  const int n = c.coupling.exchange_rules(c.boundary.lateral).stone_steps;
+  if (c.time.step == StepRule::fixed && n * c.time.fixed_step > sample)
     refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
-                   "must be at most one sample of history.csv, " +
+                   "a window of " + std::to_string(n) +
+                       " must be at most one sample of history.csv, " +
                        number_text(sample) +
                        " s (the period of Loading over "
                        "Output/samples_per_cycle)"});
@@ -92,6 +94,43 @@ void check_time(const Case &c, const Place &place)
                    std::to_string(c.output.frames_per_cycle),
                    "must be at most Output/samples_per_cycle = " +
                        std::to_string(c.output.samples_per_cycle)});
+}
+
+/// What a window is must be said, and must make sense.
+void check_coupling(const Case &c, const Place &place)
+{
+  const CouplingParameters &p = c.coupling;
+  if (c.boundary.lateral == Lateral::rigid)
+    return;
+  if (p.exchange == ExchangeChoice::none)
+    refuse(place,
+           {"Coupling", "exchange", "none",
+            "with Boundary/lateral = membrane must be one of "
+            "every_step, one_pass, iterated; spall check compares them"});
+  if (p.exchange == ExchangeChoice::every_step)
+  {
+    if (p.rules.stone_steps != 1)
+      refuse(place,
+             {"Coupling", "stone_steps", std::to_string(p.rules.stone_steps),
+              "must be 1 with Coupling/exchange = every_step"});
+    if (p.membrane_steps != 1)
+      refuse(place,
+             {"Coupling", "membrane_steps", std::to_string(p.membrane_steps),
+              "must be 1 with Coupling/exchange = every_step"});
+    if (p.is_membrane_implicit)
+      refuse(place, {"Coupling", "membrane_time", "implicit",
+                     "must be explicit with Coupling/exchange = every_step"});
+  }
+  if (c.time.step == StepRule::error && p.rules.stone_steps != 1)
+    refuse(place, {"Time", "step", "error",
+                   "must be fixed or stable with Coupling/stone_steps above "
+                   "1"});
+  if (c.membrane.law == fem::MembraneLaw::neo_hooke &&
+      c.membrane.poisson_ratio != 0.5)
+    refuse(place,
+           {"Membrane", "poisson_ratio", number_text(c.membrane.poisson_ratio),
+            "must be 0.5 with Membrane/law = neo_hooke, which is "
+            "incompressible"});
 }
 
 void check_particle(const Case &c, const Place &place)
@@ -150,6 +189,7 @@ void check_case(const Case &parameters, const Place &place)
   {
   case CaseKind::dynamic_triaxial:
     check_specimen(parameters, place);
+    check_coupling(parameters, place);
     return check_time(parameters, place);
   case CaseKind::single_particle:
     check_particle(parameters, place);

@@ -1,5 +1,7 @@
 #include "case_fields.h"
 
+#include "case_list.h"
+
 #include <dem/shape/spherical_harmonics.h>
 
 #include <algorithm>
@@ -8,49 +10,6 @@ namespace spall
 {
 namespace
 {
-/// What a line of the list says besides its field and range.
-struct Text
-{
-  std::string key, unit, sentence, reason = "";
-};
-
-/// Collects the lines of one section after the other.
-class List
-{
-public:
-  void in(const std::string &name) { section = name; }
-  void add(const Text &text, double &field, const Range &range)
-  {
-    put(text, &field, range);
-  }
-  void add(const Text &text, int &field, const Range &range)
-  {
-    put(text, &field, range);
-  }
-  void add(const Text &text, bool &field) { put(text, &field, {}); }
-  void add(const Text &text, std::string &field) { put(text, &field, {}); }
-  /// `names` in the order of the enumeration.
-  template <class Enum>
-  void add(const Text &text, Enum &field, const std::vector<std::string> &names)
-  {
-    Choice choice{names, [&field] { return static_cast<std::size_t>(field); },
-                  [&field](std::size_t k) { field = static_cast<Enum>(k); }};
-    put(text, std::move(choice), {});
-  }
-
-  std::vector<Parameter> parameters;
-
-private:
-  void put(const Text &text, decltype(Parameter::value) value,
-           const Range &range)
-  {
-    parameters.push_back({section, text.key, text.unit, text.sentence,
-                          std::move(value), range, text.reason});
-  }
-
-  std::string section;
-};
-
 void add_specimen(List &list, SpecimenParameters &s)
 {
   list.in("Specimen");
@@ -288,17 +247,6 @@ void add_breakage(List &list, dem::BreakageParameters &b)
   add_breakage_choices(list, b);
 }
 
-void add_membrane(List &list, fem::MembraneParameters &m)
-{
-  list.in("Membrane");
-  list.add({"youngs_modulus", "Pa", "E."}, m.youngs_modulus, above(0., 1e13));
-  list.add({"poisson_ratio", "-", "nu."}, m.poisson_ratio, below(0., 0.5));
-  list.add({"thickness", "m", "Undeformed."}, m.thickness, above(0., 0.1));
-  list.add({"density", "kg/m^3", "Undeformed."}, m.density, above(0., 3e4));
-  list.add({"mass_damping", "1/s", "alpha: force -alpha m v on each node."},
-           m.mass_damping, between(0., 1e5));
-}
-
 void add_boundary(List &list, BoundaryParameters &b)
 {
   list.in("Boundary");
@@ -411,6 +359,9 @@ const std::vector<Section> &sections()
        "The finite-element membrane round the specimen.",
        {dynamic_triaxial}},
       {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
+      {"Coupling",
+       "How stones and membrane exchange motion and loads.",
+       {dynamic_triaxial}},
       {"Loading",
        "Confinement, and what the top plate does.",
        {dynamic_triaxial}},
@@ -452,6 +403,7 @@ std::vector<Parameter> parameters_of(Case &of)
   add_breakage(list, of.breakage);
   add_membrane(list, of.membrane);
   add_boundary(list, of.boundary);
+  add_coupling(list, of.coupling);
   add_loading(list, of.loading);
   add_time(list, of.time);
   add_output(list, of.output);

@@ -118,6 +118,8 @@ std::string template_case(const std::string &kind)
   Case defaults =
       default_case(static_cast<CaseKind>(found - kind_names.begin()));
   defaults.material = "materials/graded_aggregate.prm";
+  if (defaults.kind == CaseKind::dynamic_triaxial) // must be said
+    defaults.coupling.exchange = ExchangeChoice::every_step;
   std::ostringstream out;
   print_comment(out, "",
                 "Case of kind " + kind +

@@ -93,6 +93,28 @@ void print_stones(const dem::Engine &engine)
               stones.size(), n_breakable, 2. * smallest, 2. * largest, mass);
 }
 
+/// The gain that counts, what the ways of exchange stand, and which to take.
+void print_exchange(const SetupStep &setup)
+{
+  const coupling::ExchangeGain &gain = *setup.gain;
+  const coupling::WindowGain &window = setup.window;
+  std::printf("exchange gain    %.4g, stable below %.4g\n", gain.gain,
+              gain.limit);
+  std::printf("of a window      %.4g: one_pass below %.4g, iterated without "
+              "relaxation below %.4g, best constant relaxation %.3g\n",
+              window.gain, window.one_pass_limit, window.unrelaxed_limit,
+              window.best_relaxation);
+  std::printf("membrane alone   explicit steps of at most %.4g s\n",
+              setup.membrane_step);
+  const char *advice = "iterated with aitken";
+  if (window.gain < 0.5 * window.unrelaxed_limit &&
+      setup.step < setup.membrane_step)
+    advice = "every_step";
+  else if (window.gain < 0.5 * window.one_pass_limit)
+    advice = "one_pass";
+  std::printf("recommended      Coupling/exchange = %s\n", advice);
+}
+
 void print_step(const Triaxial &test)
 {
   const dem::StepLimit limit =
@@ -103,8 +125,7 @@ void print_step(const Triaxial &test)
       "in a corner      %.4g s (the same stone on three walls)\n",
       dem::corner_step(test.engine().parameters(), test.engine().particles()));
   if (test.gain())
-    std::printf("exchange gain    %.4g, stable below %.4g\n", test.gain()->gain,
-                test.gain()->limit);
+    print_exchange(test.setup_step());
 }
 
 void print_cost(const Case &parameters, const Triaxial &test)

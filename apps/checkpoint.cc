@@ -80,7 +80,7 @@ void read_progress(std::istream &in, Progressed &done)
     entry.file = read_string(in);
   }
   read_value(in, done.roundness);
-  read_value(in, done.worst_balance);
+  read_value(in, done.worst_gain);
   read_value(in, done.peak_axial_stress);
   read_value(in, done.loading_start);
   read_value(in, done.last);
@@ -106,7 +106,7 @@ void write_progress(std::ostream &out, const Progressed &done)
     write_string(out, entry.file);
   }
   write_value(out, done.roundness);
-  write_value(out, done.worst_balance);
+  write_value(out, done.worst_gain);
   write_value(out, done.peak_axial_stress);
   write_value(out, done.loading_start);
   write_value(out, done.last);

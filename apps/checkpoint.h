@@ -19,7 +19,7 @@ struct Progressed
   int n_frames = 0;
   std::vector<dem::FrameEntry> frames;
   double roundness = 0.;
-  double worst_balance = 0., peak_axial_stress = 0.;
+  double worst_gain = 0., peak_axial_stress = 0.;
   Sample loading_start, last;          ///< rows of the history
   std::map<std::string, double> spent; ///< wall-clock by phase [s]
 };

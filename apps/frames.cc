@@ -29,14 +29,10 @@ dem::Vec3 end_of(const dem::Engine &engine, const dem::ContactBatch &batch,
     const dem::Plane &plane = engine.planes()[b];
     return from - (from - plane.point).dot(plane.normal) * plane.normal;
   }
-  const dem::FacetSpot &spot = engine.facets().spot[k];
-  const auto &corner =
-      engine.surface().triangles[static_cast<std::size_t>(spot.triangle)];
-  dem::Vec3 point = dem::Vec3::Zero();
-  for (std::size_t c = 0; c < 3; ++c)
-    point += spot.weight[c] *
-             engine.surface().position[static_cast<std::size_t>(corner[c])];
-  return point;
+  for (const dem::SurfaceContacts &facets : engine.surfaces())
+    if (&batch == &facets.batch)
+      return facets.point_of(k);
+  return from;
 }
 
 std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
@@ -64,7 +60,8 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
   add(engine.pairs(), dem::ContactKind::stone_stone);
   add(engine.on_planes(), dem::ContactKind::stone_plane);
   add(engine.on_drum(), dem::ContactKind::stone_plane);
-  add(engine.on_facets(), dem::ContactKind::stone_facet);
+  for (const dem::SurfaceContacts &facets : engine.surfaces())
+    add(facets.batch, dem::ContactKind::stone_facet);
   return lines;
 }
 } // namespace

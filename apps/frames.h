@@ -1,8 +1,8 @@
 #pragma once
 
-#include <coupling/membrane_driver.h>
 #include <dem/engine.h>
 #include <dem/io/vtk_output.h>
+#include <fem/membrane.h>
 
 #include <filesystem>
 #include <vector>
@@ -12,8 +12,8 @@ namespace spall
 /// What a frame shows besides balls and contacts.
 struct FrameParts
 {
-  const coupling::MembraneDriver *membrane = nullptr; ///< null: none
-  bool has_surfaces = false; ///< true surfaces of the stones
+  const fem::Membrane *membrane = nullptr; ///< null: none
+  bool has_surfaces = false;               ///< true surfaces of the stones
 };
 
 /// Writes frames/*_NNNNN.vtu of a run folder and run.pvd with all `entries`,

@@ -43,7 +43,7 @@ void LabTest::advance()
 {
   if (watch.is_due(engine().n_steps()))
   {
-    watch.look(engine(), nullptr, step);
+    watch.look(engine(), {}, step);
     if (parameters.time.step != StepRule::fixed)
       step = watch.state().longest;
   }

@@ -25,8 +25,10 @@ std::string history_header()
 }
 
 const char *const ledger_header =
-    "time_s,force_error_1,moment_error_1,power_error_1,membrane_work_J,"
-    "plate_work_J,energy_residual_J";
+    "time_s,work_given_J,work_taken_J,work_residual_1,impulse_given_x_Ns,"
+    "impulse_given_y_Ns,impulse_given_z_Ns,impulse_taken_x_Ns,"
+    "impulse_taken_y_Ns,impulse_taken_z_Ns,impulse_residual_1,gain_1,"
+    "passes_1,gap_m,membrane_work_J,plate_work_J,energy_residual_J";
 } // namespace
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
@@ -69,7 +71,7 @@ void Recorder::resume(Triaxial &test)
   roundness = done.roundness;
   loading_start = done.loading_start;
   last = done.last;
-  worst_balance = done.worst_balance;
+  worst_gain = done.worst_gain;
   peak_axial_stress = done.peak_axial_stress;
   spent_before = done.spent;
   stage_before = std::min(test.stage(), Stage::loading);
@@ -148,12 +150,23 @@ void Recorder::write_ledger(Triaxial &test, const Sample &sample)
 {
   if (!test.membrane())
     return;
-  const coupling::InterfaceBalance balance = test.membrane()->balance();
-  worst_balance = std::max({worst_balance, balance.force_error,
-                            balance.moment_error, balance.power_error});
-  ledger.write_row({sample.time, balance.force_error, balance.moment_error,
-                    balance.power_error, test.engine().energy().surface_work,
-                    test.plate_work(), sample.energy_residual});
+  const coupling::Exchange &exchange = *test.exchange();
+  const coupling::LedgerSums &sums = exchange.ledger();
+  worst_gain = std::max(worst_gain, test.exchange_gain());
+  std::vector<double> row{sample.time, sums.given, sums.taken,
+                          sums.work_residual()};
+  for (const dem::Vec3 &impulse : {sums.impulse_given, sums.impulse_taken})
+    row.insert(row.end(), impulse.begin(), impulse.end());
+  const std::vector<double> more{
+      sums.impulse_residual(),
+      test.exchange_gain(),
+      static_cast<double>(exchange.last_window().passes),
+      exchange.last_window().gap,
+      test.engine().energy().surface_work,
+      test.plate_work(),
+      sample.energy_residual};
+  row.insert(row.end(), more.begin(), more.end());
+  ledger.write_row(row);
 }
 
 void Recorder::write_frame(Triaxial &test, bool with_surfaces)
@@ -177,7 +190,7 @@ void Recorder::write_checkpoint(Triaxial &test)
   done.roundness = roundness;
   done.loading_start = loading_start;
   done.last = last;
-  done.worst_balance = worst_balance;
+  done.worst_gain = worst_gain;
   done.peak_axial_stress = peak_axial_stress;
   done.spent = wall_clock(
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
@@ -198,7 +211,7 @@ void Recorder::finish(Triaxial &test)
   RunRecord record;
   record.start = loading_start;
   record.end = last;
-  record.worst_balance = worst_balance;
+  record.worst_gain = worst_gain;
   record.peak_axial_stress = peak_axial_stress;
   record.threads = omp_get_max_threads();
   record.seconds = wall_clock(

@@ -53,7 +53,7 @@ private:
   Stage stage_before = Stage::preparation;
   double roundness = 0.;
   Sample loading_start, last;
-  double worst_balance = 0.;     ///< of the interface so far [-]
+  double worst_gain = 0.;        ///< of the exchange so far [-]
   double peak_axial_stress = 0.; ///< while loading, so far [Pa]
   double output_seconds = 0., preparation_seconds = 0.;
   dem::EngineClock preparation_clock;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace spall
@@ -107,8 +108,15 @@ Specimen make_specimen(const Case &parameters)
 
 namespace
 {
-coupling::ExchangeGain gain_of(const Case &parameters,
-                               const dem::Engine &engine, double time_step)
+/// What the exchange is asked about: the heaviest pair on the lightest node.
+struct MembraneNode
+{
+  coupling::ExchangeContact contact;
+  double mass = 0.;          ///< lightest that moves [kg]
+  double membrane_step = 0.; ///< longest of the membrane alone [s]
+};
+
+MembraneNode lightest_node(const Case &parameters, const dem::Engine &engine)
 {
   const int n = parameters.boundary.elements_per_side;
   const fem::Membrane membrane(
@@ -117,12 +125,11 @@ coupling::ExchangeGain gain_of(const Case &parameters,
                      dem::Vec3::Constant(parameters.specimen.side), {n, n, n}));
   // All nodes but those of the two rims move; the rims are the lightest.
   const auto mass = membrane.nodal_mass();
-  const double lightest_free = *std::max_element(mass.begin(), mass.end());
   const dem::WallMaterial &contact = parameters.membrane_contact;
-  return coupling::exchange_gain(
-      {contact.normal_stiffness, contact.normal_damping,
-       engine.particles().smallest_mass()},
-      {&lightest_free, 1}, membrane.stable_time_step(), time_step);
+  return {{contact.normal_stiffness, contact.normal_damping,
+           engine.particles().smallest_mass()},
+          *std::max_element(mass.begin(), mass.end()),
+          membrane.stable_time_step()};
 }
 
 void check_fixed(const Case &parameters, const dem::StepLimit &limit)
@@ -136,13 +143,46 @@ void check_fixed(const Case &parameters, const dem::StepLimit &limit)
 
 void check_gain(const Case &parameters, const coupling::ExchangeGain &gain)
 {
-  if (!gain.is_stable())
+  if (gain.gain >= gain.limit)
     throw InputError(
         parameters.file + ": MembraneContact/normal_stiffness = " +
         in_four_digits(parameters.membrane_contact.normal_stiffness) +
         " N/m: exchange gain k dt^2/(4 m) = " + in_four_digits(gain.gain) +
         " must be below " + in_four_digits(gain.limit) +
-        ": soften the contact, shorten the step or use a heavier membrane");
+        ": soften the contact, shorten the step, use a heavier membrane or "
+        "Coupling/exchange = iterated");
+}
+
+void check_membrane_step(const Case &parameters, const SetupStep &setup)
+{
+  const CouplingParameters &c = parameters.coupling;
+  const double own = c.rules.stone_steps * setup.step / c.membrane_steps;
+  if (!c.is_membrane_implicit && own > setup.membrane_step)
+    throw InputError(
+        parameters.file +
+        ": Coupling/membrane_steps = " + std::to_string(c.membrane_steps) +
+        ": explicit steps of the membrane of " + in_four_digits(own) +
+        " s must be at most " + in_four_digits(setup.membrane_step) +
+        " s: take more of them, or membrane_time = implicit");
+}
+
+/// Gains at this step, and what a pass can stand of them.
+void add_gains(const Case &parameters, const MembraneNode &node,
+               SetupStep &setup)
+{
+  const coupling::ExchangeParameters rules =
+      parameters.coupling.exchange_rules(parameters.boundary.lateral);
+  setup.membrane_step = node.membrane_step;
+  setup.window = coupling::window_gain(node.contact, node.mass,
+                                       rules.stone_steps * setup.step);
+  if (rules.rule == coupling::ExchangeRule::every_step)
+    setup.gain = coupling::exchange_gain(node.contact, {&node.mass, 1},
+                                         node.membrane_step, setup.step);
+  else
+    setup.gain = {setup.window.gain,
+                  rules.rule == coupling::ExchangeRule::one_pass
+                      ? setup.window.one_pass_limit
+                      : std::numeric_limits<double>::infinity()};
 }
 } // namespace
 
@@ -163,18 +203,19 @@ SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
     setup.step = parameters.time.safety * setup.cap;
   if (!has_membrane)
     return setup;
-  setup.gain = gain_of(parameters, engine, setup.step);
+  const MembraneNode node = lightest_node(parameters, engine);
+  add_gains(parameters, node, setup);
   if (is_fixed)
     check_gain(parameters, *setup.gain);
-  else
+  else if (setup.gain->gain > 0.)
   {
     // The gain goes with the square of the step.
     setup.cap = std::min(setup.cap, setup.step * std::sqrt(setup.gain->limit /
                                                            setup.gain->gain));
-    const double share = parameters.time.safety * setup.cap / setup.step;
-    setup.step *= share;
-    setup.gain->gain *= share * share;
+    setup.step = parameters.time.safety * setup.cap;
+    add_gains(parameters, node, setup);
   }
+  check_membrane_step(parameters, setup);
   return setup;
 }
 } // namespace spall

@@ -40,7 +40,11 @@ struct SetupStep
   /// Longest for any one stone on one wall, and for one contact on any node of
   /// the membrane [s].
   double cap = 0.;
-  std::optional<coupling::ExchangeGain> gain; ///< at `step`; with a membrane
+  /// With a membrane: of every_step at `step`, and of the window that the case
+  /// asks for.
+  std::optional<coupling::ExchangeGain> gain;
+  coupling::WindowGain window;
+  double membrane_step = 0.; ///< longest of the membrane alone [s]
 };
 
 /// With a membrane as it will be, on the cube of the nominal side. Throws

@@ -1,11 +1,14 @@
 #include "step_watch.h"
 
+#include "errors.h"
+
 #include <dem/integrate/contact_springs.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace spall
@@ -44,20 +47,21 @@ bool StepWatch::is_due(std::int64_t n_steps) const
 }
 
 dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
-                                      const coupling::MembraneDriver *membrane,
+                                      const Surroundings &around,
                                       double horizon)
 {
-  if (!membrane)
+  if (!around.has_membrane())
     return dem::contact_springs(engine, horizon);
-  dem::SpringNetwork network = membrane->springs(engine, horizon);
+  dem::SpringNetwork network = around.exchange->springs(engine, horizon);
+  if (around.exchange->rule() != coupling::ExchangeRule::every_step)
+    return network;
   if (record.membrane_step == 0. || record.n_checks % membrane_interval == 0)
-    record.membrane_step = membrane->stable_time_step();
+    record.membrane_step = around.cell->stable_time_step();
   network.point_frequency = membrane_headroom * 2. / record.membrane_step;
   return network;
 }
 
-void StepWatch::look(const dem::Engine &engine,
-                     const coupling::MembraneDriver *membrane,
+void StepWatch::look(const dem::Engine &engine, const Surroundings &around,
                      double present_step)
 {
   const auto start = std::chrono::steady_clock::now();
@@ -65,9 +69,10 @@ void StepWatch::look(const dem::Engine &engine,
   // What the stones may reach before the next look.
   const double horizon =
       is_fixed ? 0. : static_cast<double>(look_interval) * present_step;
-  const dem::SpringNetwork network = springs(engine, membrane, horizon);
+  const dem::SpringNetwork network = springs(engine, around, horizon);
   ++record.n_checks;
-  const dem::NetworkStep bound = dem::guaranteed_step(network);
+  dem::NetworkStep bound = dem::guaranteed_step(network);
+  bound.step = std::min(bound.step, gain_step(engine, around, present_step));
   if (is_fixed)
     judge_fixed(network, bound, present_step);
   else
@@ -77,10 +82,31 @@ void StepWatch::look(const dem::Engine &engine,
           .count();
 }
 
-void StepWatch::report(const dem::Engine &engine,
-                       const coupling::MembraneDriver *membrane)
+double StepWatch::gain_step(const dem::Engine &engine,
+                            const Surroundings &around, double step)
 {
-  const dem::SpringNetwork network = springs(engine, membrane, 0.);
+  if (!around.has_membrane() ||
+      around.exchange->rule() != coupling::ExchangeRule::one_pass)
+    return std::numeric_limits<double>::infinity();
+  const double gain = around.exchange->gain(engine, around.stone_steps * step);
+  const double limit = around.gain.one_pass_limit;
+  if (gain > 1.)
+    throw RunFailure(line("exchange gain %.3g at %.5f s, above 1 with "
+                          "Coupling/exchange = one_pass (limit %.3g)",
+                          gain, engine.time(), limit,
+                          ": use iterated, or shorter windows"));
+  if (gain > limit && gain > 1.1 * record.worst_gain)
+    say(line("warning: exchange gain %.3g at %.5f s, one pass is stable below "
+             "%.3g",
+             gain, engine.time(), limit, ""));
+  record.worst_gain = std::max(record.worst_gain, gain);
+  return gain > 0. ? step * std::sqrt(limit / gain)
+                   : std::numeric_limits<double>::infinity();
+}
+
+void StepWatch::report(const dem::Engine &engine, const Surroundings &around)
+{
+  const dem::SpringNetwork network = springs(engine, around, 0.);
   const dem::NetworkStep bound = dem::guaranteed_step(network);
   say(line("%.0f contacts: stable up to %.3g s for sure, unstable above %.3g "
            "s: ",

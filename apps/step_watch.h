@@ -2,7 +2,9 @@
 
 #include "case.h"
 
-#include <coupling/membrane_driver.h>
+#include <coupling/cell_body.h>
+#include <coupling/exchange.h>
+#include <coupling/gain.h>
 
 #include <string>
 #include <vector>
@@ -18,7 +20,19 @@ struct StepRecord
   double membrane_step = 0.; ///< of the membrane alone, last asked; 0: none [s]
   double said = 0.;          ///< step of the last line in the log [s]
   double worst_share = 0.;   ///< largest fixed step over limit [-]
+  double worst_gain = 0.;    ///< of the windows of one pass [-]
   double shortest_used = 0., longest_used = 0.; ///< while loading [s]
+};
+
+/// What moves around the stones.
+struct Surroundings
+{
+  const coupling::Exchange *exchange = nullptr; ///< null: planes only
+  const coupling::CellBody *cell = nullptr;
+  coupling::WindowGain gain; ///< at setup, for the limit of one pass
+  int stone_steps = 1;       ///< of a window
+
+  bool has_membrane() const { return cell && cell->has_membrane(); }
 };
 
 /// Looks at the contacts that exist and says how long a step may be.
@@ -34,11 +48,10 @@ public:
   /// Looks. With the rules stable and error, `longest` is then at most safety
   /// times the limit, and grows by no more than a tenth at a time. With
   /// the rule fixed a step above the limit is said in the log.
-  void look(const dem::Engine &engine, const coupling::MembraneDriver *membrane,
+  void look(const dem::Engine &engine, const Surroundings &around,
             double present_step);
   /// Says what the present contacts allow: bound, sharp limit, which stone.
-  void report(const dem::Engine &engine,
-              const coupling::MembraneDriver *membrane);
+  void report(const dem::Engine &engine, const Surroundings &around);
   /// The membrane has come or gone: its frequency is asked again.
   void forget_membrane() { record.membrane_step = 0.; }
 
@@ -55,8 +68,10 @@ public:
 private:
   /// Springs of the contacts, and of the membrane as it was last asked.
   dem::SpringNetwork springs(const dem::Engine &engine,
-                             const coupling::MembraneDriver *membrane,
-                             double horizon);
+                             const Surroundings &around, double horizon);
+  /// Step that the gain of one pass allows [s]; throws RunFailure above 1.
+  double gain_step(const dem::Engine &engine, const Surroundings &around,
+                   double step);
   void judge_fixed(const dem::SpringNetwork &network,
                    const dem::NetworkStep &bound, double step);
   void allow(const dem::SpringNetwork &network, const dem::NetworkStep &bound,

@@ -19,13 +19,11 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
   seconds["search"] = now.search - then.search;
   seconds["breakage"] = now.breakage - then.breakage;
   seconds["motion"] = now.motion - then.motion;
-  seconds["membrane"] = 0.;
-  seconds["transfer"] = 0.;
-  if (test.membrane())
-  {
-    seconds["membrane"] = test.membrane()->clock().membrane;
-    seconds["transfer"] = test.membrane()->clock().transfer;
-  }
+  const coupling::ExchangeClock exchange =
+      test.exchange() ? test.exchange()->clock() : coupling::ExchangeClock{};
+  seconds["membrane"] = exchange.bodies;
+  seconds["transfer"] = exchange.transfer;
+  seconds["repeating"] = exchange.keeping;
   seconds["step_watch"] = test.watch_seconds();
   seconds["step_probe"] = test.probe_seconds();
   seconds["output"] = recorded.output;
@@ -38,6 +36,28 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
     seconds[phase] += spent;
   return seconds;
 }
+
+namespace
+{
+void add_ledger(const coupling::Exchange &exchange, nlohmann::ordered_json &out)
+{
+  const coupling::LedgerSums &sums = exchange.ledger();
+  const auto triple = [](const dem::Vec3 &v) {
+    return std::array<double, 3>{v.x(), v.y(), v.z()};
+  };
+  out["interface"] = {
+      {"work_given_J", sums.given},
+      {"work_taken_J", sums.taken},
+      {"work_residual_1", sums.work_residual()},
+      {"impulse_given_Ns", triple(sums.impulse_given)},
+      {"impulse_taken_Ns", triple(sums.impulse_taken)},
+      {"impulse_residual_1", sums.impulse_residual()},
+      {"passes_per_window_1", static_cast<double>(exchange.n_passes()) /
+                                  static_cast<double>(std::max<std::int64_t>(
+                                      exchange.n_windows(), 1))},
+      {"n_unsettled_windows", exchange.n_unsettled()}};
+}
+} // namespace
 
 std::string summary_text(const Case &parameters, const Triaxial &test,
                          const RunRecord &record)
@@ -104,8 +124,11 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   if (test.gain())
   {
     out["exchange_gain_1"] = test.gain()->gain;
-    out["exchange_gain_limit_1"] = test.gain()->limit;
-    out["worst_balance_1"] = record.worst_balance;
+    if (std::isfinite(test.gain()->limit))
+      out["exchange_gain_limit_1"] = test.gain()->limit;
+    out["worst_gain_1"] = record.worst_gain;
+    if (test.exchange())
+      add_ledger(*test.exchange(), out);
   }
   out["preparation"] = {
       {"stress_Pa",

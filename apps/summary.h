@@ -25,7 +25,7 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
 struct RunRecord
 {
   Sample start, end;             ///< of loading
-  double worst_balance = 0.;     ///< of the interface [-]
+  double worst_gain = 0.;        ///< of the exchange [-]
   double peak_axial_stress = 0.; ///< while loading [Pa]
   int threads = 1;
   std::map<std::string, double> seconds;

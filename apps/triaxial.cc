@@ -26,9 +26,10 @@ Triaxial::Triaxial(const Case &c)
       servo(specimen.box,
             {c.boundary.servo_response_time, c.preparation.wall_speed}),
       setup(choose_step(c, *specimen.engine)), watch(c.time, setup.cap),
-      cycle_ticks(is_fixed() ? std::llround(c.loading.period() / setup.step)
+      cycle_ticks(is_fixed() ? std::llround(c.loading.period() /
+                                            (setup.step * steps_in_window()))
                              : c.output.samples_per_cycle),
-      n_cycles(c.loading.n_cycles()), exchange(setup.gain)
+      n_cycles(c.loading.n_cycles())
 {
   enter(Stage::preparation);
   engine().set_breaking(false);
@@ -38,8 +39,9 @@ Triaxial::Triaxial(const Case &c)
 
 double Triaxial::period() const
 {
-  return is_fixed() ? static_cast<double>(cycle_ticks) * setup.step
-                    : parameters.loading.period();
+  return is_fixed()
+             ? static_cast<double>(cycle_ticks) * setup.step * steps_in_window()
+             : parameters.loading.period();
 }
 
 double Triaxial::cycle() const
@@ -145,25 +147,54 @@ void Triaxial::place_boundaries()
   engine().set_local_damping(parameters.time.local_damping);
   const dem::Plane &top = planes[specimen.box[2][1]];
   plane_work_gone = top.work;
-  if (parameters.boundary.lateral == Lateral::membrane)
-    build_membrane();
-  plate.emplace(plate_mass(), upper.z());
-  plate->set_state({upper.z(), 0., -parameters.preparation.pressure * area,
-                    top.force.z(), 0.});
+  build_cell();
+  cell->set_plate({upper.z(), 0., -parameters.preparation.pressure * area,
+                   top.force.z(), 0.});
 }
 
-/// With the rim of the membrane that it carries [kg].
-double Triaxial::plate_mass() const
-{
-  return parameters.boundary.plate_mass + (driver ? driver->rim_mass() : 0.);
-}
-
-void Triaxial::build_membrane()
+void Triaxial::build_cell()
 {
   const int n = parameters.boundary.elements_per_side;
-  driver.emplace(parameters.membrane, fem::box_sides(lower, upper, {n, n, n}),
-                 engine());
-  watch.forget_membrane();
+  std::optional<fem::Membrane> membrane;
+  if (parameters.boundary.lateral == Lateral::membrane)
+  {
+    membrane.emplace(coupling::tube_between_rims(
+        parameters.membrane, fem::box_sides(lower, upper, {n, n, n})));
+    watch.forget_membrane();
+  }
+  const CouplingParameters &c = parameters.coupling;
+  const coupling::BodySteps steps =
+      membrane ? coupling::BodySteps{c.is_membrane_implicit, c.membrane_steps}
+               : coupling::BodySteps{};
+  auto body = std::make_unique<coupling::CellBody>(
+      parameters.boundary.plate_mass, upper.z(), std::move(membrane), steps);
+  cell = body.get();
+  joined = std::make_unique<coupling::Exchange>(
+      c.exchange_rules(parameters.boundary.lateral));
+  std::unique_ptr<coupling::Seam> seam = coupling::seam_of(
+      *cell, specimen.box[2][1], parameters.membrane_contact, engine());
+  joined->add(std::move(body), std::move(seam), engine());
+}
+
+/// The servo walls go along with the stones.
+coupling::Stones Triaxial::stones()
+{
+  return {engine(),
+          [this](double time_step)
+          {
+            servo.update(engine(), time_step);
+            engine().advance(time_step);
+          },
+          [this](std::ostream &out)
+          {
+            engine().save(out, specimen.shapes);
+            servo.save(out);
+          },
+          [this](std::istream &in)
+          {
+            engine().restore(in, specimen.shapes);
+            servo.restore(in);
+          }};
 }
 
 void Triaxial::consolidate()
@@ -177,7 +208,7 @@ void Triaxial::consolidate()
   const double from = parameters.preparation.pressure,
                to = parameters.loading.confining_pressure;
   const double isotropic = std::lerp(from, to, share);
-  if (driver)
+  if (cell->has_membrane())
   {
     pressure = share * to;
     for (int d = 0; d < 2; ++d)
@@ -196,13 +227,14 @@ void Triaxial::consolidate()
   else
     for (int d = 0; d < 2; ++d)
       servo.follow(d, isotropic);
-  step_boundaries([&](double) { return -isotropic * area; });
+  cell->set_drive(-isotropic * area);
+  step_boundaries();
   if (pace.ticks() >= stage_ticks)
   {
-    start_height = plate->height() - lower.z();
+    start_height = cell->plate().height() - lower.z();
     start_volume = volume();
     engine().set_breaking(parameters.breakage.is_active);
-    watch.report(engine(), membrane());
+    watch.report(engine(), surroundings());
     if (parameters.loading.form == LoadForm::compression)
       hold_plate();
     enter(Stage::loading);
@@ -212,10 +244,10 @@ void Triaxial::consolidate()
 /// A plate that is driven starts from rest.
 void Triaxial::hold_plate()
 {
-  fem::RigidPlate::State state = plate->state();
+  fem::RigidPlate::State state = cell->plate().state();
   state.speed = 0.;
   state.last_drive = -state.last_reaction;
-  plate->set_state(state);
+  cell->set_plate(state);
 }
 
 void Triaxial::load()
@@ -225,56 +257,33 @@ void Triaxial::load()
                         pace.share_after_step()) /
                        static_cast<double>(cycle_ticks);
   if (loading.form == LoadForm::compression)
-    step_boundaries([&](double reaction)
-                    { return compression_force(reaction); });
+    cell->set_acceleration(plate_acceleration());
   else
-    step_boundaries(
-        [&](double)
-        {
-          return -(loading.confining_pressure +
-                   loading.amplitude * haversine(phase)) *
-                 area;
-        });
+    cell->set_drive(
+        -(loading.confining_pressure + loading.amplitude * haversine(phase)) *
+        area);
+  step_boundaries();
   if (pace.ticks() >= n_cycles * cycle_ticks)
     now = Stage::done;
 }
 
-/// What moves the plate at a constant rate against its reaction [N]. It gets
-/// up to its speed in the first hundredth of the way, as a wave would run ahead
-/// of a jump.
-double Triaxial::compression_force(double reaction) const
+/// Of a plate that moves at a constant rate [m/s^2]. It gets up to its speed in
+/// the first hundredth of the time, as a wave would run ahead of a jump.
+double Triaxial::plate_acceleration() const
 {
   const LoadingParameters &loading = parameters.loading;
   constexpr double start = 0.01;
   const double share = cycle();
   const double speed =
       loading.final_strain * start_height / (period() * (1. - 0.5 * start));
-  const double acceleration = share < start ? -speed / (start * period()) : 0.;
-  return plate_mass() * acceleration - reaction;
+  return share < start ? -speed / (start * period()) : 0.;
 }
 
-template <class Drive>
-void Triaxial::step_boundaries(const Drive &drive)
+void Triaxial::step_boundaries()
 {
-  dem::Engine &stones = engine();
-  const double dt = pace.step();
-  plate->begin_step(dt);
-  dem::Plane &top = stones.planes()[specimen.box[2][1]];
-  top.velocity = plate->velocity() * dem::Vec3::UnitZ();
-  servo.update(stones, dt);
-  if (driver)
-  {
-    driver->set_pressure(pressure);
-    driver->begin_step(stones, plate->velocity(), dt);
-  }
-  stones.advance(dt);
-  double reaction = top.force.z();
-  if (driver)
-  {
-    driver->end_step(stones, dt);
-    reaction += driver->rim_reaction();
-  }
-  plate->end_step(drive(reaction), reaction, dt);
+  if (cell->has_membrane())
+    cell->set_pressure(pressure);
+  joined->advance(stones(), pace.step());
   pace.count();
   ++in_stage;
 }
@@ -282,7 +291,7 @@ void Triaxial::step_boundaries(const Drive &drive)
 double Triaxial::lateral_stress() const
 {
   const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.box);
-  return 0.5 * (on_planes.x() + on_planes.y()) + (driver ? pressure : 0.);
+  return 0.5 * (on_planes.x() + on_planes.y()) + (membrane() ? pressure : 0.);
 }
 
 /// Mean section of the specimen, that of the plate when loading began [m^2].
@@ -291,13 +300,13 @@ double Triaxial::section() const
   return now < Stage::loading
              ? area
              : area * (volume() / start_volume) * start_height /
-                   (plate->height() - lower.z());
+                   (cell->plate().height() - lower.z());
 }
 
 double Triaxial::volume() const
 {
-  return driver ? driver->enclosed_volume()
-                : dem::box_size(engine(), specimen.box).prod();
+  return membrane() ? membrane()->enclosed_volume()
+                    : dem::box_size(engine(), specimen.box).prod();
 }
 
 Sample Triaxial::sample(double roundness) const
@@ -316,7 +325,7 @@ Sample Triaxial::sample(double roundness) const
   s.lateral_stress = lateral_stress();
   if (now >= Stage::loading)
   {
-    s.axial_strain = 1. - (plate->height() - lower.z()) / start_height;
+    s.axial_strain = 1. - (cell->plate().height() - lower.z()) / start_height;
     s.volumetric_strain = 1. - volume() / start_volume;
   }
   s.laa = 100. * dem::abrasion(stones);
@@ -342,21 +351,14 @@ void Triaxial::add_energies(Sample &s) const
   s.damping = energy.damping;
   s.breakage = energy.breakage;
   s.shape_work = energy.shape_work;
-  if (plate)
+  if (cell)
   {
     const double top_work = engine().planes()[specimen.box[2][1]].work;
-    s.external_work += plate->drive_work() - (top_work - plane_work_gone);
-    s.kinetic_energy += plate->kinetic_energy();
-  }
-  if (driver)
-  {
-    const fem::MembraneEnergy membrane = driver->energy();
-    const double rim = 0.5 * driver->rim_mass() * plate->velocity() *
-                       plate->velocity(); // in the plate already
-    s.external_work += membrane.pressure_work;
-    s.kinetic_energy += membrane.kinetic - rim;
-    s.damping += membrane.damping;
-    s.membrane_strain_energy = membrane.strain;
+    const coupling::BodyEnergy closed = cell->energy();
+    s.external_work += closed.external - (top_work - plane_work_gone);
+    s.kinetic_energy += closed.kinetic;
+    s.damping += closed.lost;
+    s.membrane_strain_energy = closed.stored;
   }
   s.energy_residual =
       s.external_work -
@@ -382,10 +384,8 @@ void Triaxial::save(std::ostream &out) const
     dem::write_value(out, value);
   engine().save(out, specimen.shapes);
   servo.save(out);
-  if (plate)
-    dem::write_value(out, plate->state());
-  if (driver)
-    driver->save(out);
+  if (joined)
+    joined->save(out);
 }
 
 void Triaxial::restore(std::istream &in)
@@ -408,21 +408,13 @@ void Triaxial::restore(std::istream &in)
        {&area, &pressure, &plane_work_gone, &start_height, &start_volume})
     dem::read_value(in, *value);
   const bool has_boundaries = now > Stage::preparation;
-  if (has_boundaries && parameters.boundary.lateral == Lateral::membrane &&
-      !driver) // a probe goes back with the one it has
-    build_membrane();
+  if (has_boundaries && !joined) // a probe goes back with the one it has
+    build_cell();
   watch.set_state(record); // a new membrane would have it asked anew
   engine().restore(in, specimen.shapes);
   servo.restore(in);
-  if (has_boundaries)
-  {
-    fem::RigidPlate::State state;
-    dem::read_value(in, state);
-    plate.emplace(plate_mass(), state.z);
-    plate->set_state(state);
-  }
-  if (driver)
-    driver->restore(in);
+  if (joined)
+    joined->restore(in);
   resume_pace(time_then, ticks_then);
   if (now == Stage::done && pace.ticks() < n_cycles * cycle_ticks)
     now = Stage::loading;

@@ -6,8 +6,8 @@
 #include "step_probe.h"
 #include "step_watch.h"
 
-#include <coupling/membrane_driver.h>
-#include <fem/plate.h>
+#include <coupling/cell_body.h>
+#include <coupling/exchange.h>
 
 #include <iosfwd>
 #include <optional>
@@ -34,8 +34,8 @@ public:
   void advance();
 
   Stage stage() const { return now; }
-  double time_step() const { return pace.step(); } ///< the next one [s]
-  double period() const; ///< of a load cycle, a whole number of ticks [s]
+  double time_step() const; ///< of the stones, the next one [s]
+  double period() const;    ///< of a load cycle, a whole number of ticks [s]
   /// Ticks since the present stage began, and of one load cycle. Every run
   /// meets its ticks, whatever its steps; with a fixed step each is one.
   std::int64_t ticks() const { return pace.ticks(); }
@@ -53,12 +53,21 @@ public:
 
   const dem::Engine &engine() const { return *specimen.engine; }
   dem::Engine &engine() { return *specimen.engine; }
-  const coupling::MembraneDriver *membrane() const
+  /// Null without one, and in the preparation.
+  const fem::Membrane *membrane() const
   {
-    return driver ? &*driver : nullptr;
+    return cell && cell->has_membrane() ? &cell->membrane() : nullptr;
   }
+  /// Stones and what closes the specimen; null in the preparation.
+  const coupling::Exchange *exchange() const { return joined.get(); }
+  const SetupStep &setup_step() const { return setup; }
+  /// Of the exchange now [-]; 0 in the preparation.
+  double exchange_gain() const;
   /// Gain of the exchange at setup; only with a membrane.
-  const std::optional<coupling::ExchangeGain> &gain() const { return exchange; }
+  const std::optional<coupling::ExchangeGain> &gain() const
+  {
+    return setup.gain;
+  }
 
   /// How the preparation ended.
   struct Prepared
@@ -79,7 +88,7 @@ public:
   std::vector<std::string> take_notes() { return watch.take_notes(); }
   /// Breakage events since the last call.
   std::vector<dem::BreakageEvent> take_events();
-  double plate_work() const { return plate ? plate->drive_work() : 0.; }
+  double plate_work() const { return cell ? cell->plate().drive_work() : 0.; }
 
   void save(std::ostream &out) const; ///< full state, bit for bit
   /// Continues a saved test of the same case; throws std::runtime_error.
@@ -92,13 +101,13 @@ private:
   void enter(Stage next);
   bool is_at_rest();
   void place_boundaries();
-  void build_membrane();
-  double plate_mass() const;
-  /// A step of all boundaries; drive(reaction) is the force on the plate.
-  template <class Drive>
-  void step_boundaries(const Drive &drive);
+  void build_cell();
+  coupling::Stones stones();
+  int steps_in_window() const;
+  Surroundings surroundings() const;
+  void step_boundaries();
   void hold_plate();
-  double compression_force(double reaction) const;
+  double plate_acceleration() const;
   double section() const;
   bool is_fixed() const;
   double longest_step() const;
@@ -123,13 +132,12 @@ private:
   std::vector<dem::BreakageEvent> held_events;
   std::int64_t cycle_ticks = 0, stage_ticks = 0;
   int n_cycles = 0;
-  std::optional<coupling::ExchangeGain> exchange;
 
   Stage now = Stage::preparation;
   std::int64_t in_stage = 0;
   Prepared preparation;
-  std::optional<fem::RigidPlate> plate;
-  std::optional<coupling::MembraneDriver> driver;
+  std::unique_ptr<coupling::Exchange> joined;
+  coupling::CellBody *cell = nullptr; ///< of `joined`
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
   double area = 0.;            ///< of the plate [m^2]
   double pressure = 0.;        ///< on the membrane now [Pa]

@@ -81,7 +81,7 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
 {
   using Clock = std::chrono::steady_clock;
   auto since = Clock::now();
-  std::int64_t steps_before = test.engine().n_steps();
+  std::int64_t steps_before = test.engine().n_steps(), n_windows = 0;
   while (test.stage() != Stage::done && !is_stop_asked())
   {
     const bool was_preparing = test.stage() == Stage::preparation;
@@ -92,7 +92,7 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
       progress.say(note);
     if (was_preparing && test.stage() != Stage::preparation)
       describe_preparation(progress, test);
-    if (test.engine().n_steps() % 64 != 0 || !progress.is_due())
+    if (++n_windows % 64 != 0 || !progress.is_due())
       continue;
     const double seconds =
         std::chrono::duration<double>(Clock::now() - since).count();

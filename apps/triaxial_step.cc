@@ -28,20 +28,45 @@ bool Triaxial::is_fixed() const
   return parameters.time.step == StepRule::fixed;
 }
 
+/// Of the stones, between two exchanges with what closes the specimen.
+int Triaxial::steps_in_window() const
+{
+  return parameters.coupling.exchange_rules(parameters.boundary.lateral)
+      .stone_steps;
+}
+
+double Triaxial::time_step() const
+{
+  return now == Stage::preparation ? pace.step()
+                                   : pace.step() / steps_in_window();
+}
+
+Surroundings Triaxial::surroundings() const
+{
+  return {joined.get(), cell, setup.window, steps_in_window()};
+}
+
+double Triaxial::exchange_gain() const
+{
+  return joined ? joined->gain(engine(), pace.step()) : 0.;
+}
+
+/// Of the pace: of stones in the preparation, of windows from then on.
 double Triaxial::longest_step() const
 {
+  const int n = now == Stage::preparation ? 1 : steps_in_window();
   if (is_fixed())
-    return setup.step;
-  const double allowed = watch.state().longest;
+    return n * setup.step;
+  const double allowed = n * watch.state().longest;
   return probe.longest > 0. ? std::min(allowed, probe.longest) : allowed;
 }
 
 /// What is due before a step: a look at the contacts, a probe.
 void Triaxial::settle_step()
 {
-  if (watch.is_due(engine().n_steps()))
+  if (watch.is_due(engine().n_steps() / steps_in_window()))
   {
-    watch.look(engine(), membrane(), pace.step());
+    watch.look(engine(), surroundings(), time_step());
     // The steps of a probe stay as they are: they are to meet.
     if (!is_fixed() && probe.fine_left == 0)
       pace.replan(longest_step());
@@ -50,7 +75,7 @@ void Triaxial::settle_step()
     return;
   if (parameters.time.step == StepRule::error && pace.is_on_tick())
     start_probe();
-  watch.note_used(pace.step());
+  watch.note_used(time_step());
 }
 
 /// A run may go on with other steps where a load cycle ends.
@@ -66,7 +91,7 @@ void Triaxial::resume_pace(const TimeParameters &then, std::int64_t ticks_then)
         "(rules stable and error) Output/samples_per_cycle must be as before");
   probe = {};
   watch.set_state(StepWatch(parameters.time, setup.cap).state());
-  watch.look(engine(), membrane(), setup.step);
+  watch.look(engine(), surroundings(), setup.step);
   pace.begin(period() / static_cast<double>(cycle_ticks), longest_step(),
              pace.ticks() / ticks_then * cycle_ticks);
 }
@@ -82,8 +107,7 @@ void Triaxial::start_probe()
   probe.residual_start = energies.energy_residual;
   probe.work_start = energies.external_work;
   // Restoring drops the events that nobody has taken yet.
-  const auto events = engine().take_events();
-  held_events.insert(held_events.end(), events.begin(), events.end());
+  held_events = take_events();
   std::stringstream state;
   timed(probing, [&] { save(state); });
   Window coarse;
@@ -134,9 +158,9 @@ void Triaxial::follow_probe()
 void Triaxial::gather(Window &window) const
 {
   const dem::Engine &stones = engine();
-  window.axial += stones.planes()[specimen.box[2][1]].force.z() +
-                  (driver ? driver->rim_reaction() : 0.);
-  if (driver)
+  window.axial +=
+      stones.planes()[specimen.box[2][1]].force.z() + cell->rim_reaction();
+  if (membrane())
     for (const dem::Vec3 &load : stones.surface().load)
       window.lateral += load.norm();
   else
@@ -157,8 +181,11 @@ void Triaxial::close_window(Window &window) const
 std::vector<dem::BreakageEvent> Triaxial::take_events()
 {
   auto events = std::exchange(held_events, {});
-  const auto recent = engine().take_events();
-  events.insert(events.end(), recent.begin(), recent.end());
+  const auto take = [&events](const std::vector<dem::BreakageEvent> &more)
+  { events.insert(events.end(), more.begin(), more.end()); };
+  if (joined)
+    take(joined->take_events());
+  take(engine().take_events());
   return events;
 }
 } // namespace spall

@@ -201,8 +201,7 @@ std::vector<Row> summary_rows()
          return number_of(run.summary, "exchange_gain_1", 1., 2) + " / " +
                 number_of(run.summary, "exchange_gain_limit_1", 1., 2);
        }},
-      number_row("Worst imbalance of the interface (–)", "worst_balance_1", 1.,
-                 2),
+      number_row("Largest exchange gain of the run (–)", "worst_gain_1", 1., 2),
       number_row("Time step (µs)", "time_step_s", 1e6),
       text_row("Steps (–)", "n_steps"),
       text_row("Threads (–)", "threads"),

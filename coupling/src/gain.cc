@@ -52,4 +52,20 @@ ExchangeGain exchange_gain(const ExchangeContact &contact,
   result.limit = std::pow(std::sqrt(1. + beta * beta) - beta, 2);
   return result;
 }
+
+WindowGain window_gain(const ExchangeContact &contact, double nodal_mass,
+                       double window)
+{
+  check(contact, {&nodal_mass, 1}, 1., window);
+  const double beta = contact.damping_ratio;
+  WindowGain result;
+  result.gain = 0.25 * window * window * contact.stiffness / nodal_mass;
+  // Both are the smaller root of a quadratic in sqrt(gain).
+  result.one_pass_limit =
+      std::pow((std::sqrt(16. * beta * beta + 3.) - 4. * beta) / 3., 2);
+  result.unrelaxed_limit = std::pow(std::sqrt(1. + beta * beta) - beta, 2);
+  result.best_relaxation =
+      1. / (1. + result.gain + 2. * beta * std::sqrt(result.gain));
+  return result;
+}
 } // namespace coupling

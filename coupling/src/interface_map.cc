@@ -1,8 +1,11 @@
 #include <coupling/interface_map.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace coupling
 {
@@ -38,111 +41,130 @@ double relative(double error, double scale)
 }
 } // namespace
 
-InterfaceMap::InterfaceMap(const fem::Membrane &membrane)
-    : n_nodes(membrane.n_nodes()), quads(membrane.mesh().quads)
+InterfaceMap::InterfaceMap(const fem::SurfaceMesh &mesh, StoneSide side)
+    : nodes(mesh.nodes.size()), quads(mesh.quads), stones(side)
 {
 }
 
 dem::FacetSurface
-InterfaceMap::make_surface(const fem::Membrane &membrane) const
+InterfaceMap::make_surface(const NodeMotion &motion,
+                           std::span<const double> nodal_mass) const
 {
   dem::FacetSurface surface;
-  const std::size_t n_vertices = n_nodes + quads.size();
   for (std::size_t k = 0; k < quads.size(); ++k)
     for (std::size_t v = 0; v < 4; ++v)
-      surface.triangles.push_back({quads[k][v], quads[k][(v + 1) % 4],
-                                   static_cast<std::int32_t>(n_nodes + k)});
+    {
+      std::array<std::int32_t, 3> &triangle = surface.triangles.emplace_back();
+      triangle = {quads[k][v], quads[k][(v + 1) % 4],
+                  static_cast<std::int32_t>(nodes + k)};
+      if (stones == StoneSide::outside)
+        std::swap(triangle[0], triangle[1]);
+    }
 
-  std::vector<double> over_mass(n_vertices, 0.);
-  for (std::size_t k = 0; k < n_nodes; ++k)
-    if (!membrane.is_tied(static_cast<std::int32_t>(k)))
-      over_mass[k] = 1. / membrane.nodal_mass()[k];
+  std::vector<double> over_mass(n_vertices(), 0.);
+  for (std::size_t k = 0; k < nodes; ++k)
+    over_mass[k] = 1. / nodal_mass[k];
   for (std::size_t k = 0; k < quads.size(); ++k)
     for (const std::int32_t node : quads[k])
-      over_mass[n_nodes + k] += over_mass[index(node)] / 16.;
+      over_mass[nodes + k] += over_mass[index(node)] / 16.;
   for (const double entry : over_mass)
     surface.mass.push_back(effective_mass(entry));
 
-  surface.position.resize(n_vertices);
-  surface.velocity.resize(n_vertices);
-  surface.load.assign(n_vertices, Vector::Zero());
-  send_motion(membrane, surface);
+  surface.position.resize(n_vertices());
+  surface.velocity.resize(n_vertices());
+  surface.load.assign(n_vertices(), Vector::Zero());
+  send_motion(motion, surface);
   return surface;
 }
 
-void InterfaceMap::send_motion(const fem::Membrane &membrane,
+void InterfaceMap::send_motion(const NodeMotion &motion,
                                dem::FacetSurface &surface) const
 {
-  const auto send =
-      [this](std::span<const Vector> nodes, std::vector<Vector> &vertices)
+  const auto send = [this](FieldView of_nodes, Field &vertices)
   {
-    std::copy(nodes.begin(), nodes.end(), vertices.begin());
+    std::copy_n(of_nodes.begin(), nodes, vertices.begin());
     for (std::size_t k = 0; k < quads.size(); ++k)
-      vertices[n_nodes + k] = centre(nodes, quads[k]);
+      vertices[nodes + k] = centre(of_nodes, quads[k]);
   };
-  send(membrane.positions(), surface.position);
-  send(membrane.velocities(), surface.velocity);
+  send(motion.position, surface.position);
+  send(motion.velocity, surface.velocity);
 }
 
-void InterfaceMap::collect_load(const dem::FacetSurface &surface,
-                                std::vector<Vector> &nodal_load) const
+void InterfaceMap::collect(FieldView on_vertices, std::span<Vector> nodal) const
 {
-  nodal_load.assign(surface.load.begin(),
-                    surface.load.begin() +
-                        static_cast<std::ptrdiff_t>(n_nodes));
+  std::copy_n(on_vertices.begin(), nodes, nodal.begin());
   for (std::size_t k = 0; k < quads.size(); ++k)
     for (const std::int32_t node : quads[k])
-      nodal_load[index(node)] += 0.25 * surface.load[n_nodes + k];
+      nodal[index(node)] += 0.25 * on_vertices[nodes + k];
 }
 
-void InterfaceMap::refer_to_nodes(const fem::Membrane &membrane,
-                                  dem::SpringNetwork &springs) const
+std::array<dem::FarShare, 4> InterfaceMap::shares(std::size_t vertex) const
+{
+  std::array<dem::FarShare, 4> result;
+  if (vertex < nodes)
+    result[0] = {static_cast<std::int32_t>(vertex), 1.};
+  else
+    for (std::size_t v = 0; v < 4; ++v)
+      result[v] = {quads[vertex - nodes][v], 0.25};
+  return result;
+}
+
+void refer_to_nodes(std::span<const SurfacePoints> surfaces,
+                    dem::SpringNetwork &springs)
 {
   const std::size_t n_stones = springs.n_stones();
   springs.mass.resize(n_stones);
-  springs.mass.insert(springs.mass.end(), membrane.nodal_mass().begin(),
-                      membrane.nodal_mass().end());
+  // Where vertices and nodes of each surface begin among the bodies.
+  std::vector<std::size_t> first_vertex{n_stones}, first_node;
+  for (const SurfacePoints &surface : surfaces)
+  {
+    first_node.push_back(springs.mass.size());
+    first_vertex.push_back(first_vertex.back() + surface.map->n_vertices());
+    // Nobody asks for the mass of a prescribed node.
+    for (const double mass : surface.nodal_mass)
+      springs.mass.push_back(std::isinf(mass) ? 1. : mass);
+  }
   for (auto &shares : springs.b)
   {
     const auto old = shares;
     if (old[0].body < 0 || index(old[0].body) < n_stones)
       continue;
+    const auto after = std::upper_bound(first_vertex.begin(),
+                                        first_vertex.end(), index(old[0].body));
+    const auto s = static_cast<std::size_t>(after - first_vertex.begin()) - 1;
     shares = {};
     std::size_t n_shares = 0;
-    const auto add = [&](std::int32_t node, double weight)
+    for (const dem::FarShare &of_vertex : old)
     {
-      if (membrane.is_tied(node))
-        return;
-      const auto body = static_cast<std::int32_t>(n_stones) + node;
-      std::size_t place = 0;
-      while (place < n_shares && shares[place].body != body)
-        ++place;
-      // The corners of a triangle lie in one quad: four nodes at most.
-      n_shares = std::max(n_shares, place + 1);
-      shares[place] = {body, shares[place].weight + weight};
-    };
-    for (const dem::FarShare &share : old)
-    {
-      if (share.body < 0)
+      if (of_vertex.body < 0)
         continue;
-      const std::size_t vertex = index(share.body) - n_stones;
-      if (vertex < n_nodes)
-        add(static_cast<std::int32_t>(vertex), share.weight);
-      else
-        for (const std::int32_t node : quads[vertex - n_nodes])
-          add(node, 0.25 * share.weight);
+      for (const dem::FarShare &of_node :
+           surfaces[s].map->shares(index(of_vertex.body) - first_vertex[s]))
+      {
+        if (of_node.body < 0 ||
+            std::isinf(surfaces[s].nodal_mass[index(of_node.body)]))
+          continue;
+        const auto body =
+            static_cast<std::int32_t>(first_node[s]) + of_node.body;
+        std::size_t place = 0;
+        while (place < n_shares && shares[place].body != body)
+          ++place;
+        // The corners of a triangle lie in one quad: four nodes at most.
+        n_shares = std::max(n_shares, place + 1);
+        shares[place] = {body, shares[place].weight +
+                                   of_vertex.weight * of_node.weight};
+      }
     }
   }
 }
 
 InterfaceBalance check_balance(const dem::FacetSurface &surface,
-                               const fem::Membrane &membrane,
-                               std::span<const Vector> nodal_load)
+                               const NodeMotion &motion, FieldView nodal_load)
 {
-  if (nodal_load.size() != membrane.n_nodes())
+  if (nodal_load.size() != motion.position.size())
     throw std::invalid_argument(
         "interface balance: " + std::to_string(nodal_load.size()) +
-        " loads for " + std::to_string(membrane.n_nodes()) + " nodes");
+        " loads for " + std::to_string(motion.position.size()) + " nodes");
   Vector force = Vector::Zero(), moment = Vector::Zero();
   double power = 0., force_scale = 0., moment_scale = 0., power_scale = 0.;
   for (std::size_t k = 0; k < surface.load.size(); ++k)
@@ -158,8 +180,8 @@ InterfaceBalance check_balance(const dem::FacetSurface &surface,
   for (std::size_t k = 0; k < nodal_load.size(); ++k)
   {
     force += nodal_load[k];
-    moment += membrane.positions()[k].cross(nodal_load[k]);
-    power += membrane.velocities()[k].dot(nodal_load[k]);
+    moment += motion.position[k].cross(nodal_load[k]);
+    power += motion.velocity[k].dot(nodal_load[k]);
   }
   return {relative(force.norm(), force_scale),
           relative(moment.norm(), moment_scale),

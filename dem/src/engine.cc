@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <utility>
 
 namespace dem
@@ -98,12 +99,22 @@ void Engine::set_drum(const Drum &drum)
   lists_are_stale = true;
 }
 
+std::size_t Engine::add_surface(const std::string &name,
+                                const WallMaterial &material,
+                                FacetSurface surface)
+{
+  for (const SurfaceContacts &other : facet_surfaces)
+    if (other.name == name)
+      throw std::invalid_argument("facet surface: there are two of the name " +
+                                  name);
+  facet_surfaces.emplace_back(name, material, std::move(surface));
+  lists_are_stale = true;
+  return facet_surfaces.size() - 1;
+}
+
 void Engine::attach_surface(FacetSurface surface)
 {
-  facet_surface = std::move(surface);
-  topology = std::make_unique<FacetTopology>(facet_surface);
-  surface_load_before.assign(facet_surface.position.size(), Vec3::Zero());
-  lists_are_stale = true;
+  add_surface("surface", settings.surface, std::move(surface));
 }
 
 void Engine::set_friction(double friction)
@@ -170,6 +181,7 @@ void Engine::move_planes(double time_step)
     plane.point += time_step * plane.velocity;
     // Trapezoidal rule: this half with the old force, load_planes the other.
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
+    plane.impulse += 0.5 * time_step * plane.force;
   }
   barrel.angle += time_step * barrel.spin;
   barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
@@ -181,8 +193,9 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   for (const Plane &plane : walls)
     if (plane.is_active)
       boundary = std::max(boundary, plane.velocity.squaredNorm());
-  for (const Vec3 &velocity : facet_surface.velocity)
-    boundary = std::max(boundary, velocity.squaredNorm());
+  for (const SurfaceContacts &facets : facet_surfaces)
+    for (const Vec3 &velocity : facets.surface.velocity)
+      boundary = std::max(boundary, velocity.squaredNorm());
   // Of a drum the shelf alone comes nearer to a stone.
   const double rim =
       barrel.shelf_height > 0. ? barrel.spin * barrel.radius : 0.;
@@ -223,8 +236,8 @@ void Engine::rebuild_lists()
   rebuild_plane_list();
   if (barrel.is_there())
     rebuild_drum_list();
-  if (has_surface())
-    rebuild_facet_list();
+  for (SurfaceContacts &facets : facet_surfaces)
+    rebuild_facet_list(facets);
   pair_loads.prepare(pair_batch);
   steepest = branch_steepness();
   lists_are_stale = false;
@@ -281,11 +294,16 @@ void Engine::sort_in_space()
   if (follows_walls())
   {
     renumber_drum_places(place, drum_batch, drum_walls);
-    renumber_facet_places(place, facet_candidates, facet_batch);
+    for (SurfaceContacts &facets : facet_surfaces)
+    {
+      renumber_facet_places(place, facets.candidates, facets.batch);
+      renumber_watched(place, facets.watched);
+    }
     return;
   }
   renumber_planes(place, drum_batch);
-  renumber_facets(place, facet_candidates, facet_batch);
+  for (SurfaceContacts &facets : facet_surfaces)
+    renumber_facets(place, facets.candidates, facets.batch);
 }
 
 double Engine::branch_steepness() const
@@ -315,8 +333,8 @@ bool Engine::run_contacts(const ForceContext &all)
   sum += wall_forces(all, walls_of_planes(), plane_batch, ranges);
   if (barrel.is_there())
     sum += wall_forces(all, walls_of_drum(), drum_batch, ranges);
-  if (has_surface())
-    sum += wall_forces(all, walls_of_facets(), facet_batch, ranges);
+  for (SurfaceContacts &facets : facet_surfaces)
+    sum += wall_forces(all, walls_of_facets(facets), facets.batch, ranges);
   lost += sum.lost;
   count_places(sum);
   return sum.wants_breakage;
@@ -335,9 +353,12 @@ void Engine::count_places(const ForceSum &sum)
 void Engine::break_corners()
 {
   const Timer timer(spent.breakage);
-  ContactSet contacts{pair_batch,     plane_batch,       facet_batch,
-                      drum_batch,     walls_of_planes(), walls_of_facets(),
-                      walls_of_drum()};
+  std::vector<Walls> of_surfaces;
+  for (SurfaceContacts &facets : facet_surfaces)
+    of_surfaces.push_back(walls_of_facets(facets));
+  ContactSet contacts{pair_batch,        plane_batch,     drum_batch,
+                      walls_of_planes(), walls_of_drum(), facet_surfaces,
+                      of_surfaces};
   const std::size_t before = events.size();
   const BreakingSum done =
       break_stones(context(0.), stones, contacts, now, events);
@@ -370,9 +391,13 @@ EngineEnergy Engine::energy() const
   energy.rolling = lost.rolling;
   energy.damping = lost.damping;
   energy.shape_work = lost.shape_work;
-  for (const ContactBatch *batch :
-       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
+  for (const ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
     energy.elastic += elastic_energy(*batch);
+  for (const SurfaceContacts &facets : facet_surfaces)
+  {
+    energy.elastic += elastic_energy(facets.batch);
+    energy.surface_work += facets.work;
+  }
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
     energy.kinetic += stones.kinetic_energy(i);
@@ -384,7 +409,6 @@ EngineEnergy Engine::energy() const
   for (const Plane &plane : walls)
     energy.plane_work += plane.work;
   energy.drum_work = barrel.work;
-  energy.surface_work = pushed;
   return energy;
 }
 

@@ -44,25 +44,25 @@ void Engine::rebuild_drum_list()
                    lost);
 }
 
-void Engine::rebuild_facet_list()
+void Engine::rebuild_facet_list(SurfaceContacts &facets)
 {
-  const WallSearch search{wall_layout(settings, settings.surface, stones),
+  const WallSearch search{wall_layout(settings, facets.material, stones),
                           settings.geometry.wall_geometry, margin.width};
   if (!follows_walls())
   {
-    rebuild_facets(stones, facet_surface, search, facet_candidates, facet_batch,
-                   lost);
+    rebuild_facets(stones, facets.surface, search, facets.candidates,
+                   facets.batch, lost);
     return;
   }
-  FacetCandidates near = near_facets(stones, facet_surface, search);
-  near.spot = std::move(facet_candidates.spot);
-  near.wake = std::move(facet_candidates.wake);
-  facet_candidates = std::move(near);
+  FacetCandidates near = near_facets(stones, facets.surface, search);
+  near.spot = std::move(facets.candidates.spot);
+  near.wake = std::move(facets.candidates.wake);
+  facets.candidates = std::move(near);
   const ForceContext still = context(0.);
   spots.renew_facets(
       spot_search(still, search.layout),
-      {{facet_surface, *topology}, walls_travelled, facet_candidates},
-      facet_batch, lost);
+      {facets.mesh(), walls_travelled, facets.candidates, facets.watched},
+      facets.batch, lost);
 }
 
 PlacedDrum Engine::placed_drum()
@@ -70,13 +70,10 @@ PlacedDrum Engine::placed_drum()
   return {barrel, shelf, drum_walls, drum_overlap};
 }
 
-PlacedFacets Engine::placed_facets()
+PlacedFacets Engine::placed_facets(SurfaceContacts &facets)
 {
-  return {{facet_surface, *topology},
-          facet_candidates,
-          walls_travelled,
-          facet_walls,
-          facet_overlap};
+  return {facets.mesh(), facets.candidates, walls_travelled, facets.rows,
+          facets.overlap};
 }
 
 void Engine::meet_walls(double time_step)
@@ -90,11 +87,12 @@ void Engine::meet_walls(double time_step)
     shelf.turn(barrel);
     count_places(place_on_drum(moved, placed_drum(), drum_batch));
   }
-  if (has_surface() && !follows_walls())
-    find_facets(moved, facet_surface, *topology, facet_batch, facet_candidates,
-                facet_walls);
-  else if (has_surface())
-    count_places(place_on_facets(moved, placed_facets(), facet_batch));
+  for (SurfaceContacts &facets : facet_surfaces)
+    if (follows_walls())
+      count_places(place_on_facets(moved, placed_facets(facets), facets.batch));
+    else
+      find_facets(moved, facets.surface, facets.topology, facets.batch,
+                  facets.candidates, facets.rows);
 }
 
 Walls Engine::walls_of_planes()
@@ -111,12 +109,13 @@ Walls Engine::walls_of_drum()
           }};
 }
 
-Walls Engine::walls_of_facets()
+Walls Engine::walls_of_facets(SurfaceContacts &facets)
 {
   if (!follows_walls())
-    return {settings.surface, facet_walls};
-  return {settings.surface, facet_walls, facet_overlap, [this](std::size_t k) {
-            place_again(context(0.), placed_facets(), facet_batch, k);
+    return {facets.material, facets.rows};
+  return {facets.material, facets.rows, facets.overlap,
+          [this, &facets](std::size_t k) {
+            place_again(context(0.), placed_facets(facets), facets.batch, k);
           }};
 }
 
@@ -124,7 +123,8 @@ void Engine::load_boundaries(double time_step)
 {
   load_planes(time_step);
   load_drum(time_step);
-  book_surface_work(time_step);
+  for (SurfaceContacts &facets : facet_surfaces)
+    facets.book_step(time_step);
 }
 
 void Engine::load_planes(double time_step)
@@ -135,7 +135,10 @@ void Engine::load_planes(double time_step)
     walls[static_cast<std::size_t>(plane_batch.b[k])].force -=
         plane_batch.load[k].force;
   for (Plane &plane : walls)
+  {
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
+    plane.impulse += 0.5 * time_step * plane.force;
+  }
 }
 
 void Engine::load_drum(double time_step)
@@ -146,16 +149,4 @@ void Engine::load_drum(double time_step)
   barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
 }
 
-void Engine::book_surface_work(double time_step)
-{
-  if (!has_surface())
-    return;
-  load_surface(facet_candidates, facet_batch, facet_surface);
-  double power = 0.;
-  for (std::size_t v = 0; v < facet_surface.load.size(); ++v)
-    power += 0.5 * (surface_load_before[v] + facet_surface.load[v])
-                       .dot(facet_surface.velocity[v]);
-  pushed -= power * time_step;
-  surface_load_before = facet_surface.load;
-}
 } // namespace dem

@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 
 #include <cmath>
+#include <istream>
+#include <ostream>
 #include <stdexcept>
 
 namespace fem
@@ -35,6 +37,11 @@ void check(const Solid &body, const SolidSupports &supports,
 
 struct CondensedSolid::State
 {
+  void check_time_step() const
+  {
+    if (!(time_step > 0.))
+      throw std::logic_error("condensed solid: built without a time step");
+  }
   VectorXd stiffness_times(const VectorXd &q) const;
   VectorXd to_rows(std::span<const Eigen::Vector3d> load) const;
   void send_out(const VectorXd &q, std::vector<Eigen::Vector3d> &field) const;
@@ -44,6 +51,7 @@ struct CondensedSolid::State
   double time_step = 0.;
   MatrixXd compliance; ///< of the interface at rest [m/N]
   MatrixXd inverse;    ///< of M + dt / 2 C + dt^2 / 4 K
+  Eigen::LLT<MatrixXd> mass;
   std::vector<double> frequencies;
 
   VectorXd q, speed, acceleration;  ///< interface, then inner amplitudes
@@ -108,6 +116,7 @@ CondensedSolid::CondensedSolid(const Solid &body,
     matrix.diagonal().tail(size - n) +=
         0.25 * dt * dt * s.system.inner_stiffness;
     s.inverse = matrix.llt().solve(MatrixXd::Identity(size, size));
+    s.mass.compute(s.system.mass);
   }
   s.q = s.speed = s.acceleration = VectorXd::Zero(size);
   s.braking = s.braking_change = s.q;
@@ -141,12 +150,23 @@ void CondensedSolid::settle(std::span<const Eigen::Vector3d> load)
   s.send_out(s.speed, s.velocity);
 }
 
+void CondensedSolid::set_load(std::span<const Eigen::Vector3d> load)
+{
+  State &s = *state;
+  s.check_time_step();
+  s.load = s.to_rows(load);
+  VectorXd force = -s.stiffness_times(s.q) - s.braking;
+  force.head(s.load.size()) += s.load;
+  s.acceleration = s.mass.solve(force);
+  if (s.system.damping.size() > 0)
+    s.braking_change.noalias() = s.system.damping * s.acceleration;
+}
+
 void CondensedSolid::advance(std::span<const Eigen::Vector3d> load)
 {
   State &s = *state;
+  s.check_time_step();
   const double dt = s.time_step;
-  if (!(dt > 0.))
-    throw std::logic_error("condensed solid: built without a time step");
   const VectorXd next = s.to_rows(load);
   const Index n = next.size();
   const VectorXd start = s.q, speed = s.speed;
@@ -196,6 +216,50 @@ SolidEnergy CondensedSolid::energy() const
   energy.damping = s.lost;
   energy.load_work = s.load_work;
   return energy;
+}
+
+void CondensedSolid::save(std::ostream &out) const
+{
+  const auto write = [&out](const VectorXd &values)
+  {
+    const Index n = values.size();
+    out.write(reinterpret_cast<const char *>(&n), sizeof(n));
+    out.write(reinterpret_cast<const char *>(values.data()),
+              static_cast<std::streamsize>(sizeof(double)) * n);
+  };
+  const State &s = *state;
+  for (const VectorXd *values : {&s.q, &s.speed, &s.acceleration, &s.braking,
+                                 &s.braking_change, &s.load})
+    write(*values);
+  write(Eigen::Vector2d(s.load_work, s.lost));
+}
+
+void CondensedSolid::load(std::istream &in)
+{
+  const auto read = [&in](VectorXd &values, Index expected)
+  {
+    Index n = -1;
+    in.read(reinterpret_cast<char *>(&n), sizeof(n));
+    if (!in || n != expected)
+      throw std::runtime_error("condensed solid: the checkpoint ends early or "
+                               "belongs to another body");
+    values.resize(n);
+    if (!in.read(reinterpret_cast<char *>(values.data()),
+                 static_cast<std::streamsize>(sizeof(double)) * n))
+      throw std::runtime_error("condensed solid: the checkpoint ends early");
+  };
+  State &s = *state;
+  const Index size = s.q.size();
+  for (VectorXd *values :
+       {&s.q, &s.speed, &s.acceleration, &s.braking, &s.braking_change})
+    read(*values, size);
+  read(s.load, s.load.size());
+  VectorXd sums;
+  read(sums, 2);
+  s.load_work = sums(0);
+  s.lost = sums(1);
+  s.send_out(s.q, s.displacement);
+  s.send_out(s.speed, s.velocity);
 }
 
 std::size_t CondensedSolid::n_unknowns() const

@@ -186,6 +186,13 @@ void Membrane::set_positions(std::span<const Vector> positions)
   state->start_from(positions);
 }
 
+void Membrane::set_load(std::span<const Vector> load)
+{
+  check_membrane_size("loads", load.size(), n_nodes());
+  std::copy(load.begin(), load.end(), state->now.load.begin());
+  state->now.has_acceleration = 0;
+}
+
 void Membrane::begin_step(double time_step)
 {
   check_membrane_step(time_step);

@@ -56,6 +56,12 @@ void PlateBody::set_motion(const Vector &velocity, const Vector &spin)
   now.given_spin = spin;
 }
 
+void PlateBody::set_loads(const PlateLoad &drive, const PlateLoad &reaction)
+{
+  now.drive = drive;
+  now.reaction = reaction;
+}
+
 double PlateBody::inertia_about(int axis) const
 {
   const Vector in_body = now.orientation.conjugate() * Vector::Unit(axis);

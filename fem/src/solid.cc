@@ -72,6 +72,7 @@ void Solid::State::update_dashpots()
       }
   }
   ++n_dashpot_changes;
+  identity.reset();
 }
 
 /// Whoever sets the velocity of a support does the work that its mass takes.
@@ -199,6 +200,12 @@ void Solid::absorb(std::int32_t boundary)
   }
   state->supports.collect(state->absorber, state->has_absorber);
   state->update_dashpots();
+}
+
+void Solid::set_load(std::span<const Vector> load)
+{
+  state->set_load(load);
+  state->now.has_acceleration = false;
 }
 
 void Solid::begin_step(double time_step)

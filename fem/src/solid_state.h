@@ -62,7 +62,7 @@ struct Solid::State
                            const NodeField &speed);
   double strain_energy() const;
   double largest_frequency() const;
-  std::uint64_t fingerprint() const;
+  std::uint64_t fingerprint() const; ///< asked often, made once
 
   const SolidParameters parameters;
   const SolidMesh mesh;
@@ -75,6 +75,7 @@ struct Solid::State
   SolidMotion now;
   KeptFactor kept;
   int n_dashpot_changes = 0;
+  mutable std::optional<std::uint64_t> identity;
 };
 
 /// Throws std::invalid_argument with the name of what makes no sense.

@@ -131,12 +131,20 @@ void run_small(const Choice &choice, const std::string &file)
   std::fflush(stdout);
 }
 
+std::vector<const dem::ContactBatch *> batches(const dem::Engine &engine)
+{
+  std::vector<const dem::ContactBatch *> all{&engine.pairs(),
+                                             &engine.on_planes()};
+  for (const dem::SurfaceContacts &facets : engine.surfaces())
+    all.push_back(&facets.batch);
+  return all;
+}
+
 /// Sum of the cumulative factors of all contacts.
 double factors(const dem::Engine &engine)
 {
   double sum = 0.;
-  for (const dem::ContactBatch *batch :
-       {&engine.pairs(), &engine.on_planes(), &engine.on_facets()})
+  for (const dem::ContactBatch *batch : batches(engine))
     for (const auto *column : {&batch->factor_a, &batch->factor_b})
       for (std::size_t k = 0; k < std::min(batch->size(), column->size()); ++k)
         sum += (*column)[k];
@@ -147,8 +155,7 @@ double factors(const dem::Engine &engine)
 double n_at_risk(const dem::Engine &engine)
 {
   int n = 0;
-  for (const dem::ContactBatch *batch :
-       {&engine.pairs(), &engine.on_planes(), &engine.on_facets()})
+  for (const dem::ContactBatch *batch : batches(engine))
     for (const auto *column : {&batch->corner_a, &batch->corner_b})
       for (std::size_t k = 0; k < std::min(batch->size(), column->size()); ++k)
         n += (*column)[k] > 0.f && batch->is_touching(k);
@@ -168,6 +175,7 @@ void rest(const Rest &keys, const std::string &file)
   Triaxial test(case_with(file, {{"Contact", "geometry", keys.geometry},
                                  {"Breakage", "contacts", keys.contacts},
                                  {"Boundary", "lateral", keys.lateral},
+                                 {"Coupling", "exchange", "every_step"},
                                  {"Loading", "amplitude", "0"},
                                  {"Loading", "cycles", "20"},
                                  {"Time", "local_damping", keys.damping},

@@ -8,8 +8,9 @@ namespace coupling
 /// Stability of the explicit exchange of motion and load at a light node.
 struct ExchangeGain
 {
-  double gain = 0.;  ///< k dt^2 / (4 m*) at the lightest node [-]
-  double limit = 1.; ///< largest stable value with the damping in use [-]
+  double gain = 0.; ///< k dt^2 / (4 m*) at the lightest node [-]
+  /// Largest stable value with the damping in use; infinite: any [-].
+  double limit = 1.;
   bool is_stable() const { return gain < limit; }
 };
 
@@ -30,4 +31,22 @@ struct ExchangeContact
 ExchangeGain exchange_gain(const ExchangeContact &contact,
                            std::span<const double> nodal_mass,
                            double membrane_step, double time_step);
+
+/// Of one contact on the lightest node through a window, the stone moving as it
+/// likes: gain = k T^2 / (4 m). A pass answers a motion d of the node by
+/// -(gain + 2 beta sqrt(gain)) d.
+struct WindowGain
+{
+  double gain = 0.; ///< [-]
+  /// One pass: 3 gain + 8 beta sqrt(gain) < 1; sharp without damping [-].
+  double one_pass_limit = 1. / 3.;
+  /// Passes without relaxation converge below; sharp: gain + 2 beta sqrt(gain)
+  /// < 1 [-].
+  double unrelaxed_limit = 1.;
+  double best_relaxation = 1.; ///< 1 / (1 + gain + 2 beta sqrt(gain)) [-]
+};
+
+/// Throws std::invalid_argument.
+WindowGain window_gain(const ExchangeContact &contact, double nodal_mass,
+                       double window);
 } // namespace coupling

@@ -2,11 +2,28 @@
 
 #include <dem/boundary/facet_surface.h>
 #include <dem/integrate/stable_step.h>
-#include <fem/membrane.h>
+#include <fem/surface_mesh.h>
 
 namespace coupling
 {
-/// Joins the quads of a membrane to the triangles of a facet surface: each
+/// Columns over the nodes of a body's surface.
+using Field = std::vector<Eigen::Vector3d>;
+using FieldView = std::span<const Eigen::Vector3d>;
+
+struct NodeMotion
+{
+  FieldView position; ///< [m]
+  FieldView velocity; ///< [m/s]
+};
+
+/// Where the stones are, seen from the quads.
+enum class StoneSide
+{
+  inside, ///< a membrane round them: normals point away from the stones
+  outside ///< a body that they lie on: normals point to the stones
+};
+
+/// Joins the quads of a body to the triangles of a facet surface: each
 /// quad becomes four triangles round its centre. With T the map from nodes to
 /// vertices (rows sum to one: a node to itself, a quarter of each of four nodes
 /// to a centre), motion goes out as x_s = T x and loads come back as
@@ -14,28 +31,45 @@ namespace coupling
 class InterfaceMap
 {
 public:
-  explicit InterfaceMap(const fem::Membrane &membrane);
+  explicit InterfaceMap(const fem::SurfaceMesh &mesh,
+                        StoneSide side = StoneSide::inside);
 
-  /// The surface with its topology, positions, velocities and masses set.
-  dem::FacetSurface make_surface(const fem::Membrane &membrane) const;
+  /// The surface with its topology, positions, velocities and masses set;
+  /// `nodal_mass` is infinite where nodes are prescribed [kg].
+  dem::FacetSurface make_surface(const NodeMotion &motion,
+                                 std::span<const double> nodal_mass) const;
 
   /// Positions and velocities of the vertices from the nodes.
-  void send_motion(const fem::Membrane &membrane,
-                   dem::FacetSurface &surface) const;
+  void send_motion(const NodeMotion &motion, dem::FacetSurface &surface) const;
 
-  /// Nodal loads from the loads on the vertices [N]; overwrites.
-  void collect_load(const dem::FacetSurface &surface,
-                    std::vector<Eigen::Vector3d> &nodal_load) const;
+  /// What acts on the nodes from what acts on the vertices, loads or impulses;
+  /// overwrites.
+  void collect(FieldView on_vertices, std::span<Eigen::Vector3d> nodal) const;
 
-  /// Springs whose points are the vertices get the nodes instead: a centre is
-  /// a quarter of each corner; tied nodes are walls.
-  void refer_to_nodes(const fem::Membrane &membrane,
-                      dem::SpringNetwork &springs) const;
+  /// The nodes that a vertex moves with, up to four; unused shares are -1.
+  std::array<dem::FarShare, 4> shares(std::size_t vertex) const;
+
+  std::size_t n_nodes() const { return nodes; }
+  std::size_t n_vertices() const { return nodes + quads.size(); }
 
 private:
-  std::size_t n_nodes;
+  std::size_t nodes;
   std::vector<std::array<std::int32_t, 4>> quads;
+  StoneSide stones;
 };
+
+/// The nodes behind one facet surface of the engine.
+struct SurfacePoints
+{
+  const InterfaceMap *map = nullptr;
+  std::vector<double> nodal_mass; ///< infinite: prescribed [kg]
+};
+
+/// Springs whose points are the vertices of these surfaces, one after the
+/// other, get the nodes instead: a centre is a quarter of each corner;
+/// prescribed nodes are walls.
+void refer_to_nodes(std::span<const SurfacePoints> surfaces,
+                    dem::SpringNetwork &springs);
 
 /// Sums over both sides of the interface at one instant.
 struct InterfaceBalance
@@ -46,6 +80,5 @@ struct InterfaceBalance
 };
 
 InterfaceBalance check_balance(const dem::FacetSurface &surface,
-                               const fem::Membrane &membrane,
-                               std::span<const Eigen::Vector3d> nodal_load);
+                               const NodeMotion &motion, FieldView nodal_load);
 } // namespace coupling

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/boundary/drum.h>
+#include <dem/boundary/surface_contacts.h>
 #include <dem/breakage/events.h>
 #include <dem/contact/placed_walls.h>
 #include <dem/integrate/time_step.h>
@@ -28,7 +29,7 @@ struct EngineEnergy
   double fracture = 0.;   ///< sum of G_c A_i over the events
   double plane_work = 0.; ///< done by the planes on the stones
   double drum_work = 0.;  ///< done by the drum on the stones
-  double surface_work = 0.; ///< done by the facet surface on the stones
+  double surface_work = 0.; ///< done by the facet surfaces on the stones
   double gravity_work = 0.;
 };
 
@@ -53,11 +54,15 @@ public:
   std::size_t add_plane(const Vec3 &point, const Vec3 &normal);
   /// The drum of the scene (one); its spin may change at any time.
   void set_drum(const Drum &drum);
-  /// The facet surface of the scene (one); lists are rebuilt.
+  /// Adds a facet surface; returns its number. Throws std::invalid_argument on
+  /// a surface that is none, or a name that is taken.
+  std::size_t add_surface(const std::string &name, const WallMaterial &material,
+                          FacetSurface surface);
+  /// Adds one with the law EngineParameters::surface.
   void attach_surface(FacetSurface surface);
 
-  /// One velocity Verlet step [s]. Velocities of planes and the motion of the
-  /// facet surface (already at the end of the step) are set before.
+  /// One velocity Verlet step [s]. Velocities of planes and the motion of
+  /// facet surfaces (already at the end of the step) are set before.
   void advance(double time_step);
 
   const EngineParameters &parameters() const { return settings; }
@@ -72,17 +77,31 @@ public:
   Particles &particles() { return stones; }
   const ContactBatch &pairs() const { return pair_batch; }
   const ContactBatch &on_planes() const { return plane_batch; }
-  const ContactBatch &on_facets() const { return facet_batch; }
   const ContactBatch &on_drum() const { return drum_batch; }
   Drum &drum() { return barrel; }
   const Drum &drum() const { return barrel; }
   std::vector<Plane> &planes() { return walls; }
   const std::vector<Plane> &planes() const { return walls; }
   void deactivate_plane(std::size_t plane);
-  FacetSurface &surface() { return facet_surface; }
-  const FacetSurface &surface() const { return facet_surface; }
-  bool has_surface() const { return topology != nullptr; }
-  const FacetCandidates &facets() const { return facet_candidates; }
+  std::span<SurfaceContacts> surfaces() { return facet_surfaces; }
+  std::span<const SurfaceContacts> surfaces() const { return facet_surfaces; }
+  /// Parts of one of the surfaces.
+  FacetSurface &surface(std::size_t number = 0)
+  {
+    return facet_surfaces.at(number).surface;
+  }
+  const FacetSurface &surface(std::size_t number = 0) const
+  {
+    return facet_surfaces.at(number).surface;
+  }
+  const ContactBatch &on_facets(std::size_t number = 0) const
+  {
+    return facet_surfaces.at(number).batch;
+  }
+  const FacetCandidates &facets(std::size_t number = 0) const
+  {
+    return facet_surfaces.at(number).candidates;
+  }
 
   double time() const { return now; } ///< [s]
   std::int64_t n_steps() const { return step_count; }
@@ -115,7 +134,7 @@ private:
   void rebuild_pair_list();
   void rebuild_plane_list();
   void rebuild_drum_list();
-  void rebuild_facet_list();
+  void rebuild_facet_list(SurfaceContacts &facets);
   bool follows_walls() const; ///< stones, with their surfaces
   ContactGeometry pair_geometry() const;
   SpotSearchInput spot_search(const ForceContext &still,
@@ -126,16 +145,15 @@ private:
   bool run_contacts(const ForceContext &all);
   void count_places(const ForceSum &sum);
   PlacedDrum placed_drum();
-  PlacedFacets placed_facets();
+  PlacedFacets placed_facets(SurfaceContacts &facets);
   Walls walls_of_planes();
   Walls walls_of_drum();
-  Walls walls_of_facets();
+  Walls walls_of_facets(SurfaceContacts &facets);
   void break_corners();
   void load_boundaries(double time_step);
   double branch_steepness() const;
   void load_planes(double time_step);
   void load_drum(double time_step);
-  void book_surface_work(double time_step);
   ForceContext context(double time_step);
   /// Calls call(value) for every plain value that a checkpoint keeps.
   template <class Self, class Visit>
@@ -145,12 +163,10 @@ private:
   ElasticityTable elasticity;
   Particles stones;
   std::vector<Plane> walls;
-  FacetSurface facet_surface;
-  std::unique_ptr<FacetTopology> topology;
+  std::vector<SurfaceContacts> facet_surfaces;
   Drum barrel;
   DrumShelf shelf; ///< where `barrel` stands; read where places are
-  ContactBatch pair_batch, plane_batch, facet_batch, drum_batch;
-  FacetCandidates facet_candidates;
+  ContactBatch pair_batch, plane_batch, drum_batch;
   PairLoads pair_loads;
 
   bool lists_are_stale = true;
@@ -168,15 +184,14 @@ private:
   int refused_count = 0;
   Dissipation lost;
   WorkColumns work;
-  double released = 0., fractured = 0., pushed = 0.;
-  std::vector<Vec3> surface_load_before;
+  double released = 0., fractured = 0.;
   std::vector<BreakageEvent> events;
   EngineClock spent;
 
   // Space to work in, kept from step to step.
   std::vector<RangeSum> ranges;
-  std::vector<WallRow> plane_walls, facet_walls;
+  std::vector<WallRow> plane_walls;
   std::vector<WallRow> drum_walls; ///< those of the last step are read
-  std::vector<double> drum_overlap, facet_overlap;
+  std::vector<double> drum_overlap;
 };
 } // namespace dem

@@ -16,26 +16,45 @@ namespace
 struct Request
 {
   std::int32_t stone = -1;
-  int kind = 0; ///< as BreakageEvent::kind
+  int batch = 0; ///< as batch_of
   std::size_t contact = 0;
   bool is_side_a = true;
 
-  auto order() const { return std::tie(stone, kind, contact); }
+  auto order() const { return std::tie(stone, batch, contact); }
 };
 
 /// Names one contact of the stone that broke.
 struct Place
 {
-  int kind = 0;
+  int batch = 0; ///< as batch_of
   std::size_t contact = 0;
 };
 
-ContactBatch &batch_of(ContactSet &contacts, int kind)
+/// Pairs, planes, drum, then one batch for each facet surface.
+constexpr int first_surface = 3;
+
+int n_batches(const ContactSet &contacts)
 {
-  return kind == 0   ? contacts.pairs
-         : kind == 1 ? contacts.on_planes
-         : kind == 2 ? contacts.on_facets
-                     : contacts.on_drum;
+  return first_surface + static_cast<int>(contacts.surfaces.size());
+}
+
+SurfaceContacts &surface_of(ContactSet &contacts, int batch)
+{
+  return contacts.surfaces[static_cast<std::size_t>(batch - first_surface)];
+}
+
+ContactBatch &batch_of(ContactSet &contacts, int batch)
+{
+  return batch == 0   ? contacts.pairs
+         : batch == 1 ? contacts.on_planes
+         : batch == 2 ? contacts.on_drum
+                      : surface_of(contacts, batch).batch;
+}
+
+/// As BreakageEvent::kind.
+int kind_of(int batch)
+{
+  return batch == 2 ? 3 : std::min(batch, 2);
 }
 
 /// K_G that the caps of this side have [1/m^2].
@@ -87,9 +106,9 @@ std::vector<Request> collect(ContactSet &contacts,
                              const BreakageParameters &breakage)
 {
   std::vector<Request> requests;
-  for (int kind = 0; kind < n_contact_kinds; ++kind)
+  for (int number = 0; number < n_batches(contacts); ++number)
   {
-    ContactBatch &batch = batch_of(contacts, kind);
+    ContactBatch &batch = batch_of(contacts, number);
     for (std::size_t k = 0; batch.layout.has_damage && k < batch.size(); ++k)
     {
       const int event = std::exchange(batch.event[k], std::uint8_t{0});
@@ -97,9 +116,9 @@ std::vector<Request> collect(ContactSet &contacts,
         continue;
       const int sides = sides_of(batch, k, event, breakage);
       if (sides & 1)
-        requests.push_back({batch.a[k], kind, k, true});
+        requests.push_back({batch.a[k], number, k, true});
       if (sides & 2)
-        requests.push_back({batch.b[k], kind, k, false});
+        requests.push_back({batch.b[k], number, k, false});
     }
   }
   std::sort(requests.begin(), requests.end(),
@@ -108,45 +127,51 @@ std::vector<Request> collect(ContactSet &contacts,
   return requests;
 }
 
-/// Touching contacts of the stone, in order of kind and number; its surface is
+/// Touching contacts of the stone, in order of batch and number; its surface is
 /// forgotten at all of its contacts.
 std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t stone)
 {
   std::vector<Place> found;
-  const auto forget = [&](int kind, std::size_t k, bool is_a)
+  const auto forget = [&](int number, std::size_t k, bool is_a)
   {
-    ContactBatch &batch = batch_of(contacts, kind);
+    ContactBatch &batch = batch_of(contacts, number);
     forget_side(batch, k, is_a);
     if (batch.is_touching(k))
-      found.push_back({kind, k});
+      found.push_back({number, k});
   };
   for (std::size_t k = 0; k < contacts.pairs.size(); ++k)
     if (contacts.pairs.b[k] == stone)
       forget(0, k, false);
-  for (int kind = 0; kind < n_contact_kinds; ++kind)
+  for (int number = 0; number < n_batches(contacts); ++number)
   {
-    const ContactBatch &batch = batch_of(contacts, kind);
+    const ContactBatch &batch = batch_of(contacts, number);
     const auto begin = batch.a.begin(),
                end = begin + static_cast<std::ptrdiff_t>(batch.size());
     const auto [first, last] = std::equal_range(begin, end, stone);
     for (auto entry = first; entry != last; ++entry)
-      forget(kind, static_cast<std::size_t>(entry - begin), true);
+      forget(number, static_cast<std::size_t>(entry - begin), true);
   }
   return found;
+}
+
+/// The walls of any batch but that of the pairs.
+Walls walls_of(ContactSet &contacts, int batch)
+{
+  if (batch < first_surface)
+    return batch == 1 ? contacts.planes : contacts.drum;
+  return contacts.of_surfaces[static_cast<std::size_t>(batch - first_surface)];
 }
 
 /// Evaluates a contact anew; returns the energy that it gave up [J].
 double reset(const ForceContext &context, ContactSet &contacts,
              const Place &place)
 {
-  ContactBatch &batch = batch_of(contacts, place.kind);
+  ContactBatch &batch = batch_of(contacts, place.batch);
   const std::size_t k = place.contact;
-  const Walls &walls = place.kind == 1   ? contacts.planes
-                       : place.kind == 2 ? contacts.facets
-                                         : contacts.drum;
-  const double released = place.kind == 0
-                              ? reset_pair(context, batch, k)
-                              : reset_wall(context, walls, batch, k);
+  const double released =
+      place.batch == 0
+          ? reset_pair(context, batch, k)
+          : reset_wall(context, walls_of(contacts, place.batch), batch, k);
   if (batch.layout.has_damage && !batch.is_touching(k))
   {
     batch.factor_a[k] = 0.;
@@ -179,9 +204,11 @@ BreakageMode mode_now(ContactBatch &batch, const Request &request,
 std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
                       const Request &request)
 {
-  if (request.kind >= 2)
+  if (request.batch >= first_surface)
+    return request.batch - first_surface;
+  if (request.batch == 2)
     return -1;
-  if (request.kind == 1)
+  if (request.batch == 1)
     return batch.b[request.contact];
   const std::int32_t other =
       request.is_side_a ? batch.b[request.contact] : batch.a[request.contact];
@@ -193,7 +220,7 @@ std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
 double share_of(const Request &request, const BreakageParameters &breakage)
 {
   const bool is_split =
-      breakage.share == EnergyShare::compliance && request.kind == 0;
+      breakage.share == EnergyShare::compliance && request.batch == 0;
   return is_split ? 0.5 : 1.;
 }
 
@@ -246,7 +273,7 @@ BreakageEvent announce(const Particles &particles, ContactBatch &batch,
   BreakageEvent event;
   event.stone = particles.id[static_cast<std::size_t>(request.stone)];
   event.other = other_of(particles, batch, request);
-  event.kind = request.kind;
+  event.kind = kind_of(request.batch);
   event.mode = mode_now(batch, request, breakage);
   event.force_before = batch.normal_force[k];
   event.overlap = batch.overlap[k];
@@ -262,7 +289,7 @@ bool carry_out(const ForceContext &context, Particles &particles,
                BreakageEvent &event)
 {
   const BreakageParameters &breakage = context.parameters.breakage;
-  ContactBatch &batch = batch_of(contacts, request.kind);
+  ContactBatch &batch = batch_of(contacts, request.batch);
   const auto i = static_cast<std::size_t>(request.stone);
   double &factor = factor_of(batch, request);
   factor = factor_after(event.mode, factor);
@@ -292,7 +319,7 @@ BreakingSum break_stones(const ForceContext &context, Particles &particles,
   BreakingSum sum;
   for (const Request &request : collect(contacts, breakage))
   {
-    ContactBatch &batch = batch_of(contacts, request.kind);
+    ContactBatch &batch = batch_of(contacts, request.batch);
     const auto is_off = [&]
     {
       return !particles.is_breakable[static_cast<std::size_t>(request.stone)] ||

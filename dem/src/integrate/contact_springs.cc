@@ -261,19 +261,20 @@ void add_drum(const Engine &engine, double horizon, SpringNetwork &network)
   }
 }
 
-void add_facets(const Engine &engine, SpringNetwork &network)
+/// `first_point`: the body of vertex 0 in the network.
+void add_facets(const Engine &engine, const SurfaceContacts &facets,
+                std::int32_t first_point, SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
-  const ContactBatch &batch = engine.on_facets();
-  const FacetSurface &surface = engine.surface();
-  const auto first_point = static_cast<std::int32_t>(stones.size());
+  const ContactBatch &batch = facets.batch;
+  const FacetSurface &surface = facets.surface;
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
-    const FacetSpot &spot = engine.facets().spot[k];
+    const FacetSpot &spot = facets.candidates.spot[k];
     if (!batch.is_touching(k) || spot.triangle < 0)
       continue;
     const Vec3 lever = wall_lever(engine, batch, k, spot.normal);
-    Contact c = wall_contact(engine.parameters().surface, lever, spot.normal);
+    Contact c = wall_contact(facets.material, lever, spot.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k, batch.overlap[k], c);
     c.a = batch.a[k];
@@ -305,12 +306,13 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
   add_planes(engine, horizon, network);
   if (engine.drum().is_there())
     add_drum(engine, horizon, network);
-  if (engine.has_surface())
+  for (const SurfaceContacts &facets : engine.surfaces())
   {
+    const auto first_point = static_cast<std::int32_t>(network.mass.size());
     // Nobody asks for the mass of a prescribed vertex.
-    for (const double mass : engine.surface().mass)
+    for (const double mass : facets.surface.mass)
       network.mass.push_back(std::isinf(mass) ? 1. : mass);
-    add_facets(engine, network);
+    add_facets(engine, facets, first_point, network);
   }
   return network;
 }

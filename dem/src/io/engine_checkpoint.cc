@@ -2,6 +2,7 @@
 #include <dem/io/binary.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dem
 {
@@ -65,6 +66,18 @@ void visit_surface(Surface &surface, const Visit &visit)
   visit(surface.load);
 }
 
+void save_name(std::ostream &out, const std::string &name)
+{
+  write_column(out, std::vector<char>(name.begin(), name.end()));
+}
+
+std::string read_name(std::istream &in)
+{
+  std::vector<char> name;
+  read_column(in, name);
+  return {name.begin(), name.end()};
+}
+
 template <class Candidates, class Visit>
 void visit_candidates(Candidates &candidates, const Visit &visit)
 {
@@ -79,6 +92,57 @@ void visit_batch(Batch &batch, const Visit &visit)
 {
   ContactBatch::visit(
       batch.layout, [&visit](bool, auto &column) { visit(column); }, batch);
+}
+
+void save_batch(std::ostream &out, const ContactBatch &batch)
+{
+  write_value(out, batch.layout);
+  write_value(out, batch.size());
+  visit_batch(batch, [&out](const auto &column) { write_column(out, column); });
+}
+
+void restore_batch(std::istream &in, ContactBatch &batch)
+{
+  read_value(in, batch.layout);
+  std::size_t n = 0;
+  read_value(in, n);
+  batch.set_size(n);
+  visit_batch(batch, [&in](auto &column) { read_column(in, column); });
+}
+
+template <class Facets, class Visit>
+void visit_contacts(Facets &facets, const Visit &visit)
+{
+  visit_candidates(facets.candidates, visit);
+  visit(facets.watched);
+  visit(facets.impulse);
+  visit(facets.load_before);
+}
+
+void save_facets(std::ostream &out, const SurfaceContacts &facets)
+{
+  const auto put = [&out](const auto &column) { write_column(out, column); };
+  save_name(out, facets.name);
+  write_value(out, facets.material);
+  visit_surface(facets.surface, put);
+  save_batch(out, facets.batch);
+  visit_contacts(facets, put);
+  write_value(out, facets.work);
+}
+
+SurfaceContacts restore_facets(std::istream &in)
+{
+  const auto get = [&in](auto &column) { read_column(in, column); };
+  const std::string name = read_name(in);
+  WallMaterial material;
+  read_value(in, material);
+  FacetSurface surface;
+  visit_surface(surface, get);
+  SurfaceContacts facets(name, material, std::move(surface));
+  restore_batch(in, facets.batch);
+  visit_contacts(facets, get);
+  read_value(in, facets.work);
+  return facets;
 }
 } // namespace
 
@@ -96,7 +160,6 @@ void Engine::visit_state(Self &self, const Visit &visit)
   visit(self.travelled_sorted);
   visit(self.released);
   visit(self.fractured);
-  visit(self.pushed);
   visit(self.step_count);
   visit(self.rebuild_count);
   visit(self.event_count);
@@ -113,20 +176,15 @@ void Engine::save(std::ostream &out, const Library &library) const
   for (const Body &body : stones.body)
     save_body(out, body, library);
   put(walls);
-  visit_surface(facet_surface, put);
   write_value(out, barrel);
   put(drum_walls);
-  for (const ContactBatch *batch :
-       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
-  {
-    write_value(out, batch->layout);
-    write_value(out, batch->size());
-    visit_batch(*batch, put);
-  }
-  visit_candidates(facet_candidates, put);
+  for (const ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
+    save_batch(out, *batch);
+  write_value(out, facet_surfaces.size());
+  for (const SurfaceContacts &facets : facet_surfaces)
+    save_facets(out, facets);
   put(work.damped);
   put(work.lifted);
-  put(surface_load_before);
   const auto put_value = [&out](const auto &value) { write_value(out, value); };
   visit_state(*this, put_value);
   SpotLists::visit(spots, put_value, put);
@@ -148,28 +206,20 @@ void Engine::restore(std::istream &in, const Library &library)
   }
   stones.renew_frames();
   get(walls);
-  visit_surface(facet_surface, get);
-  topology = facet_surface.triangles.empty()
-                 ? nullptr
-                 : std::make_unique<FacetTopology>(facet_surface);
   read_value(in, barrel);
   shelf = DrumShelf(barrel);
   get(drum_walls);
-  for (ContactBatch *batch :
-       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
-  {
-    read_value(in, batch->layout);
-    std::size_t n = 0;
-    read_value(in, n);
-    batch->set_size(n);
-    visit_batch(*batch, get);
-  }
+  for (ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
+    restore_batch(in, *batch);
+  std::size_t n_surfaces = 0;
+  read_value(in, n_surfaces);
+  facet_surfaces.clear();
+  for (std::size_t s = 0; s < n_surfaces; ++s)
+    facet_surfaces.push_back(restore_facets(in));
   pair_loads.prepare(pair_batch);
   pair_finder.forget();
-  visit_candidates(facet_candidates, get);
   get(work.damped);
   get(work.lifted);
-  get(surface_load_before);
   const auto get_value = [&in](auto &value) { read_value(in, value); };
   visit_state(*this, get_value);
   SpotLists::visit(spots, get_value, get);

@@ -77,6 +77,10 @@ PairList list_support(const SpotSearchInput &input, const PairKey &key,
   return list;
 }
 
+bool by_key(const WatchedPair &one, const WatchedPair &other)
+{
+  return one.key < other.key;
+}
 } // namespace
 
 SpotEvents &SpotEvents::operator+=(const SpotEvents &part)
@@ -141,10 +145,16 @@ void SpotLists::renew_planes(const SpotSearchInput &input,
       batch, retired, [](const Arrangement &) {});
 }
 
+void renumber_watched(const std::vector<std::int32_t> &place,
+                      std::vector<WatchedPair> &walls)
+{
+  for (WatchedPair &pair : walls)
+    pair.key.first = place[row_of(pair.key.first)];
+  std::sort(walls.begin(), walls.end(), by_key);
+}
+
 void SpotLists::renumber(const std::vector<std::int32_t> &place)
 {
-  const auto by_key = [](const WatchedPair &one, const WatchedPair &other)
-  { return one.key < other.key; };
   for (WatchedPair &pair : pairs)
   {
     const std::int32_t a = place[row_of(pair.key.first)],
@@ -153,12 +163,8 @@ void SpotLists::renumber(const std::vector<std::int32_t> &place)
     pair.between = Vec3::Zero();
     pair.key = std::minmax(a, b);
   }
-  for (std::vector<WatchedPair> *walls : {&supports, &on_drum, &on_facets})
-  {
-    for (WatchedPair &pair : *walls)
-      pair.key.first = place[row_of(pair.key.first)];
-    std::sort(walls->begin(), walls->end(), by_key);
-  }
   std::sort(pairs.begin(), pairs.end(), by_key);
+  renumber_watched(place, supports);
+  renumber_watched(place, on_drum);
 }
 } // namespace dem

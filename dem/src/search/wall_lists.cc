@@ -236,13 +236,14 @@ void SpotLists::renew_facets(const SpotSearchInput &asked,
   std::vector<PairKey> keys;
   for (const std::int32_t stone : facets.candidates.stone)
     keys.emplace_back(stone, 0);
-  const SpotSearchInput input = first_look(asked, on_facets);
-  on_facets = merged(keys, on_facets);
+  const SpotSearchInput input = first_look(asked, facets.stones);
+  facets.stones = merged(keys, facets.stones);
   const auto travelled = [&](const PairKey &key)
   { return particles.travelled[row_of(key.first)] + facets.travelled; };
   events += renew(
       input,
-      Watch{on_facets, travelled, [](std::int32_t) { return std::int32_t{0}; }},
+      Watch{facets.stones, travelled,
+            [](std::int32_t) { return std::int32_t{0}; }},
       [&](const WatchedPair &pair, const OldRows &old)
       {
         const double gap = sphere_gap(particles, facets, pair.key.first);

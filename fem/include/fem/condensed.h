@@ -2,6 +2,7 @@
 
 #include <fem/solid.h>
 
+#include <iosfwd>
 #include <memory>
 
 namespace fem
@@ -29,6 +30,9 @@ public:
 
   /// Equilibrium under these loads on the interface [N]; at rest afterwards.
   void settle(std::span<const Eigen::Vector3d> load);
+  /// From now on this load acts, until the next is given [N]: the next step
+  /// starts with the acceleration that it makes.
+  void set_load(std::span<const Eigen::Vector3d> load);
   /// One implicit step to loads that hold at its end.
   void advance(std::span<const Eigen::Vector3d> load);
 
@@ -41,6 +45,10 @@ public:
   std::size_t n_unknowns() const; ///< of the reduced system
   /// Frequencies of the inner modes, ascending [rad/s].
   std::span<const double> inner_frequencies() const;
+
+  void save(std::ostream &out) const; ///< full state, bit for bit
+  /// Throws std::runtime_error if the stream ends early or holds another body.
+  void load(std::istream &in);
 
 private:
   struct State;

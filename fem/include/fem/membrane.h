@@ -79,6 +79,10 @@ public:
   /// for any alpha. Throws std::runtime_error when the energy is not finite.
   void end_step(std::span<const Eigen::Vector3d> load, double time_step);
 
+  /// From now on this load acts, until the next is given [N]: what comes next
+  /// starts with the acceleration that it makes.
+  void set_load(std::span<const Eigen::Vector3d> load);
+
   /// One implicit step of any length to loads that hold at its end: Newton's
   /// method with the exact tangent of material, tension and pressure. Throws
   /// std::runtime_error if it does not converge in 30 corrections; the state is

@@ -46,6 +46,9 @@ public:
   void set_motion(const Eigen::Vector3d &velocity,
                   const Eigen::Vector3d &spin); ///< [m/s], [rad/s]
 
+  /// From now on these act, until the next are given.
+  void set_loads(const PlateLoad &drive, const PlateLoad &reaction);
+
   void begin_step(double time_step);
   /// What drives the plate (weight included) and what it touches, at the new
   /// position.

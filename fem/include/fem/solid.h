@@ -88,6 +88,10 @@ public:
   void end_step(std::span<const Eigen::Vector3d> load, double time_step);
   StepLimit stable_time_step() const;
 
+  /// From now on this load acts, until the next is given [N]: what comes next
+  /// starts with the acceleration that it makes.
+  void set_load(std::span<const Eigen::Vector3d> load);
+
   /// One implicit step to loads that hold at its end. The matrix is factored
   /// again only when the step, the rule or the supports have changed.
   void advance(std::span<const Eigen::Vector3d> load, double time_step,

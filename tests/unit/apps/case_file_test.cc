@@ -38,7 +38,9 @@ protected:
   {
     return write("case.prm", "subsection Specimen\n  set gradation = g.csv\n"
                              "  set shapes =\nend\n" +
-                                 more);
+                                 more +
+                                 "subsection Coupling\n"
+                                 "  set exchange = every_step\nend\n");
   }
 
   fs::path folder;
@@ -88,15 +90,45 @@ TEST_F(CaseFile, CommandLineWinsOverCaseOverMaterial)
   EXPECT_EQ(c.stone.shear_modulus, dem::StoneMaterial().shear_modulus);
 }
 
+// There is no silent way of exchange, and no impossible one.
+TEST_F(CaseFile, ExchangeMustBeSaid)
+{
+  const std::string plain =
+      write("case.prm", "subsection Specimen\n  set gradation = g.csv\n"
+                        "  set shapes =\nend\n");
+  EXPECT_NE(message_of(plain).find("Coupling/exchange = none"),
+            std::string::npos);
+  const auto with = [&](const std::string &keys)
+  {
+    return message_of(
+        write("case.prm", "subsection Specimen\n  set gradation = g.csv\n"
+                          "  set shapes =\nend\nsubsection Coupling\n" +
+                              keys + "end\n"));
+  };
+  const std::string every_step = "  set exchange = every_step\n";
+  EXPECT_NE(with(every_step + "  set stone_steps = 2\n")
+                .find("Coupling/stone_steps = 2"),
+            std::string::npos);
+  EXPECT_NE(with(every_step + "  set membrane_time = implicit\n")
+                .find("Coupling/membrane_time"),
+            std::string::npos);
+  EXPECT_EQ(with("  set exchange = iterated\n  set stone_steps = 2\n"
+                 "  set membrane_time = implicit\n"),
+            "");
+}
+
 TEST_F(CaseFile, JsonGivesTheSameCase)
 {
   const std::string json =
       write("case.json", R"({"Specimen": {"gradation": "g.csv", "shapes": "",
                                     "solid_fraction": 0.5},
+                       "Coupling": {"exchange": "one_pass"},
                        "Breakage": {"is_active": false}})");
   const std::string prm =
       write("case.prm", "subsection Specimen\n  set gradation = g.csv\n"
                         "  set shapes =\n  set solid_fraction = 0.5\nend\n"
+                        "subsection Coupling\n"
+                        "  set exchange = one_pass\nend\n"
                         "subsection Breakage\n  set is_active = false\nend\n");
   Case a = read_case(json, {}), b = read_case(prm, {});
   a.file = b.file;

@@ -1,6 +1,6 @@
 #include "flat_mesh.h"
 
-#include <coupling/interface_map.h>
+#include <coupling/membrane_body.h>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +37,18 @@ fem::SurfaceMesh renumbered(const fem::SurfaceMesh &mesh, unsigned int seed)
   return out;
 }
 
+coupling::NodeMotion motion_of(const fem::Membrane &membrane)
+{
+  return {membrane.positions(), membrane.velocities()};
+}
+
+dem::FacetSurface make_surface(const coupling::InterfaceMap &map,
+                               const fem::Membrane &membrane)
+{
+  return map.make_surface(motion_of(membrane),
+                          coupling::movable_mass(membrane));
+}
+
 /// A membrane in the midst of some motion.
 void shake(fem::Membrane &membrane, unsigned int seed)
 {
@@ -58,16 +70,17 @@ TEST(InterfaceMap, ForceMomentAndPowerBalance)
     const fem::SurfaceMesh mesh =
         seed == 0 ? small_box() : renumbered(small_box(), seed);
     fem::Membrane membrane(fem::MembraneParameters(), mesh);
-    const coupling::InterfaceMap map(membrane);
-    dem::FacetSurface surface = map.make_surface(membrane);
+    const coupling::InterfaceMap map(membrane.mesh());
+    dem::FacetSurface surface = make_surface(map, membrane);
     shake(membrane, 10 * seed);
-    map.send_motion(membrane, surface);
+    map.send_motion(motion_of(membrane), surface);
     surface.load =
         support::random_vectors(surface.position.size(), 1e4, seed + 50);
-    std::vector<Vector> nodal_load(3, Vector::Ones()); // to be overwritten
-    map.collect_load(surface, nodal_load);
+    // To be overwritten.
+    std::vector<Vector> nodal_load(membrane.n_nodes(), Vector::Ones());
+    map.collect(surface.load, nodal_load);
     const coupling::InterfaceBalance balance =
-        coupling::check_balance(surface, membrane, nodal_load);
+        coupling::check_balance(surface, motion_of(membrane), nodal_load);
     EXPECT_LT(balance.force_error, 1e-15);
     EXPECT_LT(balance.moment_error, 1e-15);
     EXPECT_LT(balance.power_error, 1e-15);
@@ -80,12 +93,12 @@ TEST(InterfaceMap, SpringsMoveFromVerticesToNodes)
 {
   fem::Membrane membrane(fem::MembraneParameters(), renumbered(small_box(), 3));
   membrane.tie({0, 5});
-  const coupling::InterfaceMap map(membrane);
-  dem::FacetSurface surface = map.make_surface(membrane);
+  const coupling::InterfaceMap map(membrane.mesh());
+  dem::FacetSurface surface = make_surface(map, membrane);
   auto positions = support::random_vectors(membrane.n_nodes(), 1., 4);
   positions[0] = positions[5] = Vector::Zero();
   membrane.set_positions(positions);
-  map.send_motion(membrane, surface);
+  map.send_motion(motion_of(membrane), surface);
   dem::SpringNetwork springs;
   springs.mass.assign(2 + surface.mass.size(), 1.);
   springs.inertia.assign(2, 1.);
@@ -99,7 +112,8 @@ TEST(InterfaceMap, SpringsMoveFromVerticesToNodes)
   }
   springs.a.push_back(0);
   springs.b.push_back({dem::FarShare{1, 1.}}); // two stones: left alone
-  map.refer_to_nodes(membrane, springs);
+  const coupling::SurfacePoints points{&map, coupling::movable_mass(membrane)};
+  coupling::refer_to_nodes({&points, 1}, springs);
   ASSERT_EQ(springs.n_bodies(), 2 + membrane.n_nodes());
   EXPECT_EQ(springs.mass[2 + 7], membrane.nodal_mass()[7]);
   for (std::size_t k = 0; k < surface.triangles.size(); ++k)
@@ -125,44 +139,48 @@ TEST(InterfaceMap, SpringsMoveFromVerticesToNodes)
 TEST(InterfaceMap, BalanceSeesAWrongLoad)
 {
   fem::Membrane membrane(fem::MembraneParameters(), small_box());
-  const coupling::InterfaceMap map(membrane);
-  dem::FacetSurface surface = map.make_surface(membrane);
+  const coupling::InterfaceMap map(membrane.mesh());
+  dem::FacetSurface surface = make_surface(map, membrane);
   shake(membrane, 4);
-  map.send_motion(membrane, surface);
+  map.send_motion(motion_of(membrane), surface);
   surface.load = support::random_vectors(surface.position.size(), 1., 7);
-  std::vector<Vector> load;
-  map.collect_load(surface, load);
+  std::vector<Vector> load(membrane.n_nodes());
+  map.collect(surface.load, load);
   std::swap(load[11], load[12]); // the sum of forces stays
   const coupling::InterfaceBalance balance =
-      coupling::check_balance(surface, membrane, load);
+      coupling::check_balance(surface, motion_of(membrane), load);
   EXPECT_LT(balance.force_error, 1e-15);
   EXPECT_GT(balance.moment_error, 1e-4);
   EXPECT_GT(balance.power_error, 1e-4);
   load[3] *= 1.01;
-  EXPECT_GT(coupling::check_balance(surface, membrane, load).force_error, 1e-5);
+  EXPECT_GT(
+      coupling::check_balance(surface, motion_of(membrane), load).force_error,
+      1e-5);
   load.pop_back();
-  EXPECT_THROW(coupling::check_balance(surface, membrane, load),
+  EXPECT_THROW(coupling::check_balance(surface, motion_of(membrane), load),
                std::invalid_argument);
 }
 
 TEST(InterfaceMap, NoLoadIsNoError)
 {
   const fem::Membrane membrane(fem::MembraneParameters(), small_box());
-  const coupling::InterfaceMap map(membrane);
-  const dem::FacetSurface surface = map.make_surface(membrane);
-  std::vector<Vector> load;
-  map.collect_load(surface, load);
-  EXPECT_EQ(coupling::check_balance(surface, membrane, load).moment_error, 0.);
+  const coupling::InterfaceMap map(membrane.mesh());
+  const dem::FacetSurface surface = make_surface(map, membrane);
+  std::vector<Vector> load(membrane.n_nodes());
+  map.collect(surface.load, load);
+  EXPECT_EQ(
+      coupling::check_balance(surface, motion_of(membrane), load).moment_error,
+      0.);
   load[0].x() = 1.;
-  EXPECT_TRUE(
-      std::isinf(coupling::check_balance(surface, membrane, load).force_error));
+  EXPECT_TRUE(std::isinf(
+      coupling::check_balance(surface, motion_of(membrane), load).force_error));
 }
 
 TEST(InterfaceMap, SurfaceCoversTheQuadsAndFacesOutwards)
 {
   const fem::Membrane membrane(fem::MembraneParameters(), small_box());
   const dem::FacetSurface surface =
-      coupling::InterfaceMap(membrane).make_surface(membrane);
+      make_surface(coupling::InterfaceMap(membrane.mesh()), membrane);
   const Vector middle(0.05, 0.04, 0.06);
   ASSERT_EQ(surface.triangles.size(), 4 * membrane.mesh().quads.size());
   double area = 0.;
@@ -179,6 +197,21 @@ TEST(InterfaceMap, SurfaceCoversTheQuadsAndFacesOutwards)
   EXPECT_EQ(surface.velocity.size(), surface.position.size());
 }
 
+TEST(InterfaceMap, StonesOutsideTurnTheFacets)
+{
+  const fem::Membrane membrane(fem::MembraneParameters(), small_box());
+  const auto inside =
+      make_surface(coupling::InterfaceMap(membrane.mesh()), membrane);
+  const auto outside = make_surface(
+      coupling::InterfaceMap(membrane.mesh(), coupling::StoneSide::outside),
+      membrane);
+  for (std::size_t k = 0; k < inside.triangles.size(); ++k)
+  {
+    EXPECT_EQ(inside.triangles[k][0], outside.triangles[k][1]);
+    EXPECT_EQ(inside.triangles[k][1], outside.triangles[k][0]);
+  }
+}
+
 // 1 / M = sum w^2 / m: four nodes of weight 1/4 and mass m weigh 4 m.
 TEST(InterfaceMap, MassesForTheDashpot)
 {
@@ -186,7 +219,7 @@ TEST(InterfaceMap, MassesForTheDashpot)
                          support::flat_square(0.1, 4));
   membrane.tie(support::square_rim(4));
   const dem::FacetSurface surface =
-      coupling::InterfaceMap(membrane).make_surface(membrane);
+      make_surface(coupling::InterfaceMap(membrane.mesh()), membrane);
   const double m = 1100. * 1e-3 * 0.025 * 0.025;
   ASSERT_EQ(surface.mass.size(), 25u + 16u);
   EXPECT_TRUE(std::isinf(surface.mass[0]));

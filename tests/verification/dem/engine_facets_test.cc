@@ -282,3 +282,67 @@ TEST(EngineFacets, WorkOfTheSurfaceIsBooked)
   EXPECT_NEAR(support::energy_residual(engine), 0.,
               2e-3 * engine.energy().surface_work);
 }
+
+namespace
+{
+/// Two halves of a valley along y with these slopes; stones lie above.
+std::array<dem::FacetSurface, 2> valley(double slope)
+{
+  std::array<dem::FacetSurface, 2> halves;
+  for (const int side : {0, 1})
+  {
+    const double x = side == 0 ? -0.05 : 0.05;
+    const std::array<std::int32_t, 3> first =
+        side == 0 ? std::array<std::int32_t, 3>{2, 1, 0}
+                  : std::array<std::int32_t, 3>{0, 1, 2};
+    halves[static_cast<std::size_t>(side)] = support::fixed_surface(
+        {{0., -0.05, 0.}, {0., 0.05, 0.}, {x, 0., std::abs(x) * slope}},
+        {first});
+  }
+  return halves;
+}
+} // namespace
+
+// A ball in a valley whose slopes are two surfaces: each carries what the
+// equilibrium of the ball asks for, by its own law, and both sums of impulses
+// are the momentum that gravity has given.
+TEST(EngineFacets, TwoSurfacesCarryTheBallBetweenThem)
+{
+  dem::EngineParameters p = floor_parameters();
+  p.surface.friction = 0.;
+  p.surface.rolling_friction = 0.;
+  dem::Engine engine(p);
+  const double slope = 0.75, cosine = 0.8;
+  support::add_sphere(engine, ball_radius, {0., 0., ball_radius / cosine});
+  dem::WallMaterial soft = p.surface;
+  soft.normal_stiffness = 0.5 * p.surface.normal_stiffness;
+  const auto halves = valley(slope);
+  EXPECT_EQ(engine.add_surface("left", p.surface, halves[0]), 0u);
+  EXPECT_EQ(engine.add_surface("right", soft, halves[1]), 1u);
+  EXPECT_THROW(engine.add_surface("left", soft, halves[0]),
+               std::invalid_argument);
+  const double dt = 0.1 * unit_time(engine);
+  support::advance(engine, dt, 2000);
+
+  const double weight = gravity * engine.particles().mass(0);
+  const double normal = 0.5 * weight / cosine; // on each slope
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    dem::Vec3 load = dem::Vec3::Zero();
+    for (const dem::Vec3 &on_vertex : engine.surface(s).load)
+      load += on_vertex;
+    EXPECT_NEAR(load.norm(), normal, 1e-9 * normal) << s;
+    const std::size_t k = support::only_touch(engine.on_facets(s));
+    ASSERT_LT(k, engine.on_facets(s).size());
+    const double stiffness = engine.surfaces()[s].material.normal_stiffness;
+    EXPECT_NEAR(engine.on_facets(s).overlap[k], normal / stiffness,
+                1e-9 * normal / stiffness)
+        << s;
+  }
+  dem::Vec3 impulse = dem::Vec3::Zero();
+  for (const dem::SurfaceContacts &facets : engine.surfaces())
+    for (const dem::Vec3 &part : facets.impulse)
+      impulse += part;
+  EXPECT_NEAR(impulse.z(), -weight * engine.time(),
+              1e-9 * weight * engine.time());
+}

@@ -13,6 +13,8 @@ struct Plane
   Vec3 velocity = Vec3::Zero(); ///< [m/s]
   Vec3 force = Vec3::Zero();    ///< of the stones on the plane, out [N]
   double work = 0.;             ///< done by the plane on the stones, out [J]
+  Vec3 impulse = Vec3::Zero();  ///< force over time, set to zero by its reader
+                                ///< [N s]
   bool is_active = true;        ///< false: stones do not see it
 };
 } // namespace dem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/boundary/surface_contacts.h>
 #include <dem/contact/forces.h>
 
 #include <optional>
@@ -12,7 +13,7 @@ struct BreakageEvent
 {
   double time = 0.;        ///< [s]
   std::int64_t stone = -1; ///< id of the stone that broke
-  std::int64_t other = -1; ///< id of the other stone, plane, or -1
+  std::int64_t other = -1; ///< id of the other stone, plane, surface, or -1
   int kind = 0;            ///< 0 stone, 1 plane, 2 facet surface, 3 drum
   BreakageMode mode = BreakageMode::none;
   double force_before = 0.;    ///< elastic normal [N]
@@ -33,15 +34,13 @@ struct ContactSet
 {
   ContactBatch &pairs;
   ContactBatch &on_planes;
-  ContactBatch &on_facets;
   ContactBatch &on_drum;
   Walls planes;
-  Walls facets;
   Walls drum;
+  std::span<SurfaceContacts> surfaces;
+  std::span<const Walls> of_surfaces; ///< in their order
 };
 
-/// BreakageEvent::kind is below this.
-inline constexpr int n_contact_kinds = 4;
 /// What break_stones has done besides the events.
 struct BreakingSum
 {

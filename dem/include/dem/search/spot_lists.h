@@ -4,8 +4,8 @@
 #include <dem/boundary/plane.h>
 #include <dem/contact/forces.h>
 #include <dem/contact/wall_place.h>
-#include <dem/search/near_pairs.h>
 #include <dem/search/stone_maps.h>
+#include <dem/search/watched_pair.h>
 
 namespace dem
 {
@@ -27,19 +27,6 @@ struct SpotEvents
 inline constexpr std::size_t most_spots = 8;
 /// Likewise on a facet surface, which has several sides.
 inline constexpr std::size_t most_wall_places = 24;
-
-/// Two bodies that may touch, stone before stone, plane, or part of a drum.
-struct WatchedPair
-{
-  PairKey key;
-  /// Travel of both together up to which no place but the listed ones can come
-  /// into contact [m].
-  double due = 0.;
-  double margin = 0.; ///< of the last search [m]
-  /// Between the hulls of two stones when last looked at, body frame of the
-  /// first; zero: not known [-]
-  Vec3 between = Vec3::Zero();
-};
 
 /// What the lists of places are made from.
 struct SpotSearchInput
@@ -68,6 +55,7 @@ struct WatchedFacets
   FacetMesh mesh;
   double travelled = 0.; ///< by the fastest vertex at each step [m]
   FacetCandidates &candidates;
+  std::vector<WatchedPair> &stones; ///< on it, sorted
 
   /// Those that a stone of the candidates may reach.
   std::span<const std::int32_t> triangles_of(std::int32_t stone) const;
@@ -110,11 +98,10 @@ public:
     column(self.pairs);
     column(self.supports);
     column(self.on_drum);
-    column(self.on_facets);
   }
 
 private:
-  std::vector<WatchedPair> pairs, supports, on_drum, on_facets; ///< sorted
+  std::vector<WatchedPair> pairs, supports, on_drum; ///< sorted
   double reach = -1.; ///< Travel::centres that `pairs` is good for [m]
 };
 } // namespace dem

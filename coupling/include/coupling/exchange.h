@@ -1,0 +1,140 @@
+#pragma once
+
+#include <coupling/body.h>
+#include <coupling/ledger.h>
+#include <coupling/relaxation.h>
+#include <coupling/seam.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace coupling
+{
+enum class ExchangeRule : std::int64_t
+{
+  every_step, ///< one explicit step of all together, no lag
+  one_pass,   ///< stones follow bodies that are predicted with the last loads
+  iterated    ///< until motion and loads of the window agree
+};
+
+struct ExchangeParameters
+{
+  ExchangeRule rule = ExchangeRule::every_step;
+  int stone_steps = 1; ///< of the stones in one window [-]
+  RelaxationParameters relaxation;
+  double tolerance = 1e-9; ///< gap between body and what stones saw of it [m]
+  /// After so many, or once they come no nearer, the last pass counts if its
+  /// gap is small enough: where the force of a contact jumps nothing need
+  /// agree.
+  int max_passes = 30;
+  double gap_limit = 1e-5; ///< then [m]
+  /// Largest share of the exchanged work that may go astray [-].
+  double ledger_limit = std::numeric_limits<double>::infinity();
+};
+
+/// The side of the stones, with all that steps along with them: what an
+/// iteration must undo. save and restore are for the rule iterated only.
+struct Stones
+{
+  dem::Engine &engine;
+  std::function<void(double time_step)> advance;
+  std::function<void(std::ostream &)> save;
+  std::function<void(std::istream &)> restore;
+};
+
+using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
+
+/// An engine alone; `library` as for Engine::save, kept by the caller.
+Stones stones_of(dem::Engine &engine, const ShapeLibrary &library);
+
+/// Wall-clock spent in the bodies, and in keeping and undoing the rest [s].
+struct ExchangeClock
+{
+  double bodies = 0., transfer = 0., keeping = 0.;
+};
+
+/// How the last window went.
+struct WindowReport
+{
+  int passes = 0;  ///< of the stones
+  double gap = 0.; ///< left between bodies and what stones saw of them [m]
+};
+
+/// Takes stones and bodies through time together, window by window. In a
+/// window the boundaries move straight and evenly to where the bodies are
+/// expected; the mean load over the window, impulse over length, then moves the
+/// bodies from its start to its end (docs/theory/interface.md).
+class Exchange
+{
+public:
+  /// Throws std::invalid_argument on parameters that make no sense.
+  explicit Exchange(const ExchangeParameters &parameters);
+
+  /// Adds a body whose nodes all are a facet surface of the engine.
+  Body &add(std::unique_ptr<Body> body, const fem::SurfaceMesh &mesh,
+            const std::string &name, const dem::WallMaterial &contact,
+            StoneSide side, dem::Engine &engine);
+  /// Adds a body with its own seam. Throws std::invalid_argument on an
+  /// implicit body with the rule every_step.
+  Body &add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
+            const dem::Engine &engine);
+
+  /// One window [s]. Throws std::runtime_error when passes leave too large a
+  /// gap or the ledger is beyond its limit.
+  void advance(const Stones &stones, double window);
+
+  /// k dt^2 / (4 m) of the present contacts, at most: of every node with all
+  /// that press on it (docs/theory/interface.md) [-].
+  double gain(const dem::Engine &engine, double window) const;
+  /// dem::contact_springs() with the nodes as points; in windows, where bodies
+  /// move as they are told, with walls instead. The facet surfaces of the
+  /// engine are those of the bodies, in their order.
+  dem::SpringNetwork springs(const dem::Engine &engine, double horizon) const;
+  ExchangeRule rule() const { return parameters.rule; }
+
+  const LedgerSums &ledger() const { return books; }
+  const WindowReport &last_window() const { return report; }
+  std::int64_t n_passes() const { return pass_count; }
+  std::int64_t n_windows() const { return window_count; }
+  /// Windows that were left with a gap above the tolerance.
+  std::int64_t n_unsettled() const { return unsettled_count; }
+  ExchangeClock clock() const { return spent; }
+  /// Breakage events that the engine had before a window was repeated.
+  std::vector<dem::BreakageEvent> take_events();
+
+  void save(std::ostream &out) const; ///< bit for bit, bodies included
+  void restore(std::istream &in);     ///< std::runtime_error
+
+private:
+  struct Joint
+  {
+    std::unique_ptr<Body> body;
+    std::unique_ptr<Seam> seam;
+    Field at;     ///< where stones see it [m]
+    Field target; ///< where they will see it at the end of the window [m]
+    Field load;   ///< mean of the last window, or of the end of step [N]
+  };
+
+  void step_together(const Stones &stones, double time_step);
+  void pass_window(const Stones &stones, double window);
+  void predict(double window);
+  void run_stones(const Stones &stones, double window);
+  double correct_bodies(const std::vector<std::string> &start, double window);
+  void open_books(const dem::Engine &engine);
+  void close_books(const dem::Engine &engine, double window);
+  void check_ledger() const;
+  void check_gap(double time) const;
+
+  ExchangeParameters parameters;
+  std::vector<Joint> joints;
+  LedgerSums books;
+  WindowReport report;
+  std::int64_t pass_count = 0, window_count = 0, unsettled_count = 0;
+  std::vector<dem::BreakageEvent> held_events;
+  ExchangeClock spent;
+  std::vector<SeamSums> given_before;
+  std::vector<double> taken_before;
+  std::vector<Field> load_before;
+};
+} // namespace coupling

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <coupling/body.h>
+#include <fem/condensed.h>
+#include <fem/solid_surface.h>
+
+namespace coupling
+{
+BodyEnergy energy_of(const fem::SolidEnergy &energy);
+
+/// An elastic body touched on one part of its surface.
+class SolidBody : public Body
+{
+public:
+  /// `boundary` as SolidMesh::Face.
+  SolidBody(fem::Solid its_solid, std::int32_t boundary,
+            const BodySteps &steps);
+  const fem::SurfaceMesh &mesh() const { return surface.mesh; }
+  fem::Solid &solid() { return body; }
+  const fem::Solid &solid() const { return body; }
+  /// On all nodes of the body, besides the stones: weight, for one [N]. It
+  /// acts from now on. Throws std::invalid_argument.
+  void set_dead_load(Field load);
+
+  NodeMotion motion() const override { return {position, velocity}; }
+  /// Mass of a hanging node is with its parents: infinite here.
+  std::vector<double> nodal_mass() const override;
+  void begin_step(double time_step) override;
+  void end_step(FieldView load, double time_step) override;
+  double stable_time_step() const override
+  {
+    return body.stable_time_step().guaranteed;
+  }
+  BodyEnergy energy() const override;
+  void save(std::ostream &out) const override { body.save(out); }
+  void restore(std::istream &in) override;
+
+private:
+  void start(FieldView load) override;
+  void implicit_step(FieldView load, double time_step) override;
+  double dead_potential() const;
+  FieldView on_body(FieldView load);
+  void read_motion();
+
+  fem::Solid body;
+  fem::SolidSurface surface;
+  Field position, velocity; ///< of the surface
+  Field dead_load;          ///< on the body [N]
+  double dead_start = 0.;   ///< dead_potential() when it was set [J]
+  Field body_load;          ///< space to work in
+};
+
+/// A linear body condensed on the nodes of one part of its surface.
+class CondensedBody : public Body
+{
+public:
+  /// From a body at rest; `window` is that of the exchange, of which the
+  /// condensed body takes steps.n implicit steps [s]. Throws as CondensedSolid.
+  CondensedBody(const fem::Solid &body, std::int32_t boundary,
+                int n_inner_modes, int n_steps, double window);
+  const fem::SurfaceMesh &mesh() const { return surface.mesh; }
+
+  NodeMotion motion() const override
+  {
+    return {position, reduced.velocities()};
+  }
+  std::vector<double> nodal_mass() const override { return mass; }
+  void begin_step(double time_step) override; ///< throws std::logic_error
+  void end_step(FieldView load, double time_step) override; ///< the same
+  double stable_time_step() const override;
+  BodyEnergy energy() const override { return energy_of(reduced.energy()); }
+  void save(std::ostream &out) const override { reduced.save(out); }
+  void restore(std::istream &in) override;
+
+private:
+  void start(FieldView load) override { reduced.set_load(load); }
+  void implicit_step(FieldView load, double time_step) override;
+  void read_motion();
+
+  fem::SolidSurface surface;
+  fem::CondensedSolid reduced;
+  std::vector<double> mass;
+  double own_step = 0.;
+  Field position;
+};
+} // namespace coupling

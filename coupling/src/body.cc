@@ -1,0 +1,29 @@
+#include <coupling/body.h>
+
+#include <algorithm>
+
+namespace coupling
+{
+void Body::advance(FieldView load, double window)
+{
+  start(load);
+  const double time_step = window / scheme.n;
+  for (int step = 0; step < scheme.n; ++step)
+    if (scheme.is_implicit)
+      implicit_step(load, time_step);
+    else
+    {
+      begin_step(time_step);
+      end_step(load, time_step);
+    }
+}
+
+double Body::squared_frequency(std::span<const double> stiffness) const
+{
+  const std::vector<double> mass = nodal_mass();
+  double largest = 0.;
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    largest = std::max(largest, stiffness[k] / mass[k]);
+  return largest;
+}
+} // namespace coupling

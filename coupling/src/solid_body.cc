@@ -1,0 +1,164 @@
+#include <coupling/solid_body.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace coupling
+{
+namespace
+{
+/// Lumped mass of the nodes of a surface; infinite where there is none [kg].
+std::vector<double> surface_mass(const fem::Solid &body,
+                                 const fem::SolidSurface &surface)
+{
+  std::vector<double> mass;
+  for (const std::int32_t node : surface.node)
+  {
+    const double own = body.nodal_mass()[static_cast<std::size_t>(node)];
+    mass.push_back(own > 0. ? own : std::numeric_limits<double>::infinity());
+  }
+  return mass;
+}
+} // namespace
+
+BodyEnergy energy_of(const fem::SolidEnergy &energy)
+{
+  return {energy.strain, energy.kinetic, energy.damping + energy.absorbed,
+          energy.support_work, energy.load_work};
+}
+
+SolidBody::SolidBody(fem::Solid its_solid, std::int32_t boundary,
+                     const BodySteps &steps)
+    : Body(steps), body(std::move(its_solid)),
+      surface(fem::boundary_surface(body.mesh(), boundary)),
+      position(surface.node.size()), velocity(position),
+      dead_load(body.mesh().nodes.size(), Eigen::Vector3d::Zero()),
+      body_load(dead_load)
+{
+  read_motion();
+}
+
+void SolidBody::set_dead_load(Field load)
+{
+  if (load.size() != dead_load.size())
+    throw std::invalid_argument("solid body: " + std::to_string(load.size()) +
+                                " dead loads for " +
+                                std::to_string(dead_load.size()) + " nodes");
+  dead_load = std::move(load);
+  dead_start = dead_potential();
+  body.set_load(dead_load);
+}
+
+double SolidBody::dead_potential() const
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < dead_load.size(); ++k)
+    sum += dead_load[k].dot(body.displacements()[k]);
+  return sum;
+}
+
+BodyEnergy SolidBody::energy() const
+{
+  BodyEnergy energy = energy_of(body.energy());
+  const double dead = dead_potential() - dead_start;
+  energy.load_work -= dead;
+  energy.external += dead;
+  return energy;
+}
+
+std::vector<double> SolidBody::nodal_mass() const
+{
+  return surface_mass(body, surface);
+}
+
+FieldView SolidBody::on_body(FieldView load)
+{
+  body_load = dead_load;
+  fem::add_loads(surface, load, body_load);
+  return body_load;
+}
+
+void SolidBody::read_motion()
+{
+  fem::send_motion(body, surface, position, velocity);
+}
+
+void SolidBody::begin_step(double time_step)
+{
+  body.begin_step(time_step);
+  read_motion();
+}
+
+void SolidBody::end_step(FieldView load, double time_step)
+{
+  body.end_step(on_body(load), time_step);
+  read_motion();
+}
+
+void SolidBody::restore(std::istream &in)
+{
+  body.load(in);
+  read_motion();
+}
+
+void SolidBody::start(FieldView load)
+{
+  body.set_load(on_body(load));
+}
+
+void SolidBody::implicit_step(FieldView load, double time_step)
+{
+  body.advance(on_body(load), time_step);
+  read_motion();
+}
+
+CondensedBody::CondensedBody(const fem::Solid &body, std::int32_t boundary,
+                             int n_inner_modes, int n_steps, double window)
+    : Body({true, n_steps}),
+      surface(fem::boundary_surface(body.mesh(), boundary)),
+      reduced(body, {surface.node, n_inner_modes, window / n_steps}),
+      mass(surface_mass(body, surface)), own_step(window / n_steps)
+{
+  read_motion();
+}
+
+void CondensedBody::read_motion()
+{
+  position = surface.mesh.nodes;
+  for (std::size_t k = 0; k < position.size(); ++k)
+    position[k] += reduced.displacements()[k];
+}
+
+void CondensedBody::begin_step(double)
+{
+  throw std::logic_error("condensed body: has implicit steps only");
+}
+
+void CondensedBody::end_step(FieldView, double time_step)
+{
+  begin_step(time_step);
+}
+
+double CondensedBody::stable_time_step() const
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+void CondensedBody::implicit_step(FieldView load, double time_step)
+{
+  if (std::abs(time_step - own_step) > 1e-9 * own_step)
+    throw std::invalid_argument(
+        "condensed body: step " + std::to_string(time_step) +
+        " s, was built for " + std::to_string(own_step) + " s");
+  reduced.advance(load);
+  read_motion();
+}
+
+void CondensedBody::restore(std::istream &in)
+{
+  reduced.load(in);
+  read_motion();
+}
+} // namespace coupling

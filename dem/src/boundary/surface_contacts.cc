@@ -1,0 +1,40 @@
+#include <dem/boundary/surface_contacts.h>
+
+#include <utility>
+
+namespace dem
+{
+SurfaceContacts::SurfaceContacts(std::string its_name, const WallMaterial &law,
+                                 FacetSurface at_start)
+    : name(std::move(its_name)), material(law), surface(std::move(at_start)),
+      topology(surface), impulse(surface.position.size(), Vec3::Zero()),
+      load_before(impulse)
+{
+}
+
+Vec3 SurfaceContacts::point_of(std::size_t k) const
+{
+  const FacetSpot &spot = candidates.spot[k];
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+  Vec3 point = Vec3::Zero();
+  for (std::size_t c = 0; c < 3; ++c)
+    point +=
+        spot.weight[c] * surface.position[static_cast<std::size_t>(corner[c])];
+  return point;
+}
+
+void SurfaceContacts::book_step(double time_step)
+{
+  load_surface(candidates, batch, surface);
+  double power = 0.;
+  for (std::size_t v = 0; v < surface.load.size(); ++v)
+  {
+    const Vec3 mean = 0.5 * (load_before[v] + surface.load[v]);
+    power += mean.dot(surface.velocity[v]);
+    impulse[v] += time_step * mean;
+  }
+  work -= power * time_step;
+  load_before = surface.load;
+}
+} // namespace dem

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "dem_scene.h"
+
+#include <coupling/exchange.h>
+#include <coupling/rigid_body.h>
+
+#include <memory>
+#include <sstream>
+
+/// Small scenes of stones and bodies together.
+namespace support
+{
+/// n x n quads on the square of this side round (0, 0, z), outside is +z.
+inline fem::SurfaceMesh square_at(double side, double z, int n = 1)
+{
+  fem::SurfaceMesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      mesh.nodes.emplace_back(side * (double(i) / n - 0.5),
+                              side * (double(j) / n - 0.5), z);
+  for (std::int32_t j = 0; j < n; ++j)
+    for (std::int32_t i = 0; i < n; ++i)
+    {
+      const std::int32_t low = j * (n + 1) + i, high = low + n + 1;
+      mesh.quads.push_back({low, low + 1, high + 1, high});
+    }
+  return mesh;
+}
+
+/// A plate that moves along z only.
+inline fem::PlateBodyParameters upright(double mass)
+{
+  fem::PlateBodyParameters p;
+  p.mass = mass;
+  p.moves = {false, false, true};
+  p.turns = {false, false, false};
+  return p;
+}
+
+inline const coupling::ShapeLibrary &no_shapes()
+{
+  static const coupling::ShapeLibrary none;
+  return none;
+}
+
+inline std::string saved(const dem::Engine &engine)
+{
+  std::ostringstream out(std::ios::binary);
+  engine.save(out, no_shapes());
+  return out.str();
+}
+
+/// Momentum of all stones [N s].
+inline dem::Vec3 momentum(const dem::Engine &engine)
+{
+  dem::Vec3 sum = dem::Vec3::Zero();
+  for (std::size_t i = 0; i < engine.particles().size(); ++i)
+    sum += engine.particles().mass(i) * engine.particles().velocity(i);
+  return sum;
+}
+
+/// Of the whole scene: what came from outside less what is there and lost [J].
+inline double residual(const dem::Engine &engine,
+                       std::initializer_list<const coupling::Body *> bodies)
+{
+  // The stones' own balance counts the work of the surfaces as given.
+  double sum = energy_residual(engine);
+  for (const coupling::Body *body : bodies)
+  {
+    const coupling::BodyEnergy e = body->energy();
+    sum += e.external + e.load_work - e.stored - e.kinetic - e.lost;
+  }
+  return sum;
+}
+} // namespace support
