@@ -1,5 +1,6 @@
 #include "lab_test.h"
 
+#include "contact_places.h"
 #include "errors.h"
 #include "los_angeles.h"
 #include "parameter.h"
@@ -134,6 +135,7 @@ void LabTest::summarise(nlohmann::ordered_json &summary) const
   summary["laa_percent"] = abrasion_percent();
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
+  add_contact_places(engine(), summary);
   if (first_event_time >= 0.)
   {
     summary["first_event_force_N"] = first_event_force;

@@ -1,5 +1,7 @@
 #include "summary.h"
 
+#include "contact_places.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -112,15 +114,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
                              record.start.energy_residual) /
                             work)
                  : 0.;
-  if (engine.particles().follows_surfaces)
-  {
-    const dem::SpotEvents &places = engine.spot_events();
-    out["contact_places"] = {
-        {"searches", places.n_scans},  {"found_late", places.n_late},
-        {"jumped", places.n_jumps},    {"ended", places.n_ended},
-        {"merged", places.n_merged},   {"not_listed", places.n_unlisted},
-        {"led_nowhere", places.n_lost}};
-  }
+  add_contact_places(engine, out);
   if (test.gain())
   {
     out["exchange_gain_1"] = test.gain()->gain;

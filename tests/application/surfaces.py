@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The small rigid triaxial test with true surfaces and no rolling resistance.
+"""The small triaxial test with true surfaces and no rolling resistance.
 
-    surfaces.py SPALL
+    surfaces.py SPALL rigid|membrane
 
 It comes to rest, keeps its energy, and gives the same digits with one thread
 and with two.
@@ -46,7 +46,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folders = [pathlib.Path(scratch) / name for name in ("one", "two")]
         for threads, folder in enumerate(folders, start=1):
-            run(sys.argv[1], folder, "rigid", settings=SURFACES,
+            run(sys.argv[1], folder, sys.argv[2], settings=SURFACES,
                 threads=threads)
         found = faults(folders[0])
         texts = [(folder / "history.csv").read_text() for folder in folders]
