@@ -6,7 +6,7 @@ const std::vector<Family> &families()
 {
   static const std::vector<Family> list = {laws(),        impacts(), rolling(),
                                            integration(), shape(),   breakage(),
-                                           membrane()};
+                                           membrane(),    coupling()};
   return list;
 }
 } // namespace spall::verify

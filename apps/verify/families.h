@@ -12,6 +12,7 @@ Family integration();
 Family shape();
 Family breakage();
 Family membrane();
+Family coupling();
 
 /// All of them, in the order of the table.
 const std::vector<Family> &families();

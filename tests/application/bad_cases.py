@@ -8,6 +8,7 @@ from test_meshes import (box_triangles, mushroom_triangles, stl,
 
 # Small and quick should a case be accepted by mistake.
 SOUND = {
+    "Coupling": {"exchange": "every_step"},
     "Specimen": {"side": 0.05, "gradation": "g.csv", "shapes": "",
                  "solid_fraction": 0.4},
     "Loading": {"cycles": 1, "consolidation_time": 0},
@@ -96,6 +97,9 @@ VALUES = [
     value("Time", "force_tolerance", "5 %", "a number"),
     value("Time", "energy_tolerance", "-0.01", "above 0"),
     value("Time", "energy_tolerance", "2", "at most 1"),
+    value("Coupling", "exchange", "none", "every_step, one_pass, iterated"),
+    value("Coupling", "stone_steps", "2", "must be 1"),
+    value("Coupling", "ledger_limit", "0", "above 0"),
     value("Material", "file", "granite.prm", "no such file"),
 ]
 

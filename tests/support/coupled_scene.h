@@ -60,6 +60,13 @@ inline dem::Vec3 momentum(const dem::Engine &engine)
   return sum;
 }
 
+/// What a body has got less what it has and lost [J].
+inline double missing(const coupling::Body &body)
+{
+  const coupling::BodyEnergy e = body.energy();
+  return e.external + e.load_work - e.stored - e.kinetic - e.lost;
+}
+
 /// Of the whole scene: what came from outside less what is there and lost [J].
 inline double residual(const dem::Engine &engine,
                        std::initializer_list<const coupling::Body *> bodies)
@@ -67,10 +74,7 @@ inline double residual(const dem::Engine &engine,
   // The stones' own balance counts the work of the surfaces as given.
   double sum = energy_residual(engine);
   for (const coupling::Body *body : bodies)
-  {
-    const coupling::BodyEnergy e = body->energy();
-    sum += e.external + e.load_work - e.stored - e.kinetic - e.lost;
-  }
+    sum += missing(*body);
   return sum;
 }
 } // namespace support
