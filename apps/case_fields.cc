@@ -207,8 +207,9 @@ void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
            w.shear_damping, between(0., 5.));
 }
 
-void add_contact(List &list, dem::GeometryParameters &c)
+void add_contact(List &list, Case &of)
 {
+  dem::GeometryParameters &c = of.contact;
   list.in("Contact");
   list.add({"geometry", "-",
             "ball: overlap of the ball carriers; radial: of the local radii "
@@ -223,6 +224,10 @@ void add_contact(List &list, dem::GeometryParameters &c)
        "The expansion of a shape is renewed when the contact direction has "
        "moved this far in the body; 0: every step."},
       c.refresh_tolerance, between(0., 0.1));
+  list.add({"friction_limit", "-",
+            "Normal force in the limits of friction and rolling: elastic, of "
+            "the spring alone; total, with its dashpot."},
+           of.friction_limit, {"elastic", "total"});
 }
 
 /// What the model leaves open; the first name is the article's or the default.
@@ -438,7 +443,7 @@ std::vector<Parameter> parameters_of(Case &of)
   list.in("MembraneContact");
   add_wall(list, of.membrane_contact, between(0., 0.),
            "the membrane has no rotational unknowns to take the moment");
-  add_contact(list, of.contact);
+  add_contact(list, of);
   add_breakage(list, of.breakage);
   add_membrane(list, of.membrane);
   add_boundary(list, of.boundary);

@@ -112,6 +112,8 @@ kernel::Task make_task(SurfaceOwner &owner,
   task.contacts = contacts_view(owner.batch);
   task.surfaces = {&owner, renew, mix, relocate};
   task.coefficients = coefficients;
+  task.coefficients.limit_damping =
+      context.parameters.friction_limit == FrictionLimit::total ? 1. : 0.;
   task.time_step = context.time_step;
   task.refresh_tolerance = context.parameters.geometry.refresh_tolerance;
   task.reads_surface = owner.batch.layout.has_sides;

@@ -16,6 +16,9 @@ struct ContactCoefficients
   double rolling_friction = 0.; ///< f_r [-]
   double normal_damping = 0.;   ///< beta_n [-]
   double shear_damping = 0.;    ///< beta_s [-]
+  /// Part of the normal dashpot in the force that limits friction: 0 the
+  /// elastic force alone, 1 the total one [-]
+  double limit_damping = 0.;
 };
 
 /// How two surfaces stand and move against each other. Normal from A to B.
@@ -208,9 +211,10 @@ advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
 /// One step of the rolling-resistant incremental law (MODEL 5.4): total normal
 /// force without tension, Mindlin shear spring with Coulomb slider, rolling
 /// spring k_r = k_s R^2 with limit f_r R F_n, dashpots c = 2 beta sqrt(m* k)
-/// with the tangent stiffness; the shear dashpot rests while sliding. Work is
-/// taken as the integrator does it: half with the old force, half with the new
-/// one. Returns the force on A; the rolling moment on A is history.rolling.
+/// with the tangent stiffness; the shear dashpot rests while sliding. F_n of
+/// both limits is elastic or total, see `limit_damping`. Work is taken as the
+/// integrator does it: half with the old force, half with the new one. Returns
+/// the force on A; the rolling moment on A is history.rolling.
 template <class Real>
 DEM_LANE_INLINE Triple<Real>
 advance_contact(const ContactMotion<Real> &motion,
@@ -228,9 +232,10 @@ advance_contact(const ContactMotion<Real> &motion,
       max(Real(-spring.force),
           Real(-2. * pair.normal_damping *
                sqrt(motion.reduced_mass * spring.stiffness) * opening_rate));
+  const Real pressing = spring.force + pair.limit_damping * normal_dashpot;
   const SpringStep<Real> shear = advance_spring<Real>(
       {history.shear, history.shear_compliance, moved_before}, n, moved,
-      spring.shear_stiffness, pair.friction * spring.force);
+      spring.shear_stiffness, pair.friction * pressing);
   const Real shear_viscosity =
       shear.holds * (2. * pair.shear_damping) *
       sqrt(motion.reduced_mass * spring.shear_stiffness);
@@ -252,7 +257,7 @@ advance_contact(const ContactMotion<Real> &motion,
     const SpringStep<Real> rolling = advance_spring<Real>(
         {history.rolling, history.rolling_compliance, turn}, n, turn,
         spring.shear_stiffness * motion.rolling_radius * motion.rolling_radius,
-        pair.rolling_friction * motion.rolling_radius * spring.force);
+        pair.rolling_friction * motion.rolling_radius * pressing);
     lost.rolling += rolling.dissipated;
     history.rolling = rolling.value;
     history.rolling_compliance = rolling.compliance;
