@@ -234,7 +234,8 @@ void add_contact(List &list, Case &of)
 void add_breakage_choices(List &list, dem::BreakageParameters &b)
 {
   list.add({"hysteresis", "-",
-            "Energy counts again once it has fallen by this share and risen."},
+            "Swings of the energy below this share of it are noise and do not "
+            "count."},
            b.hysteresis, below(0., 1.));
   list.add({"contacts", "-",
             "seen: only contacts whose overlap follows the surface break "
@@ -261,6 +262,15 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
             "Depth of an event: exact volume, or the article's zero-mean "
             "kernel."},
            b.closure, {"exact", "article"});
+  list.add(
+      {"memory", "-",
+       "Where the cumulative factor of a contact that opens goes: lost with "
+       "the contact, or kept by the patch of the stone."},
+      b.memory, {"contact", "patch"});
+  list.add({"inscribed", "-",
+            "Sphere of r_ins, which tells corners: about the origin of the "
+            "series, or the largest one inside."},
+           b.inscribed, {"origin", "free"});
 }
 
 void add_breakage(List &list, dem::BreakageParameters &b)

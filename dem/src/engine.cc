@@ -64,7 +64,10 @@ void Engine::add_stone(const Body &body, const Vec3 &position,
 {
   stones.follows_surfaces =
       settings.geometry.geometry == ContactGeometry::surface;
-  stones.add(body, position, orientation,
+  Body stone = body;
+  if (settings.breakage.inscribed == InscribedSphereAt::free)
+    free_corner_radius(stone, sphere_rule(settings.breakage.quadrature_rings));
+  stones.add(stone, position, orientation,
              material == 0 ? settings.stone.density
                            : settings.other_solids.at(material - 1u).density);
   stones.material.back() = material;
@@ -337,6 +340,7 @@ bool Engine::run_contacts(const ForceContext &all)
   {
     sum.lost += part.lost;
     sum.wants_breakage |= part.wants_breakage;
+    sum.has_switched |= part.has_switched;
     sum.has_strayed |= part.has_strayed;
     sum.n_jumps += part.n_jumps;
     sum.n_ended += part.n_ended;
@@ -346,12 +350,22 @@ bool Engine::run_contacts(const ForceContext &all)
     add(wall_forces(all, {settings.wall, drum_walls}, drum_batch, ranges));
   if (has_surface())
     add(wall_forces(all, {settings.surface, facet_walls}, facet_batch, ranges));
+  if (sum.has_switched)
+    exchange_factors();
   lost += sum.lost;
   spots.events.n_jumps += sum.n_jumps;
   spots.events.n_ended += sum.n_ended;
   // Two contacts may be one now, and what is gone may be found elsewhere.
   lists_are_stale |= sum.has_strayed;
   return sum.wants_breakage;
+}
+
+void Engine::exchange_factors()
+{
+  for (ContactBatch *batch :
+       {&pair_batch, &plane_batch, &facet_batch, &drum_batch})
+    if (batch->layout.has_damage)
+      patches.exchange(stones, *batch);
 }
 
 /// Work is booked by the trapezoidal rule: this half of the step with the

@@ -2,6 +2,7 @@
 
 #include <dem/boundary/drum.h>
 #include <dem/breakage/events.h>
+#include <dem/breakage/patch_factors.h>
 #include <dem/integrate/time_step.h>
 #include <dem/integrate/verlet.h>
 #include <dem/measure/assembly.h>
@@ -119,6 +120,7 @@ private:
   void sort_in_space();
   bool evaluate_contacts(double time_step);
   bool run_contacts(const ForceContext &all);
+  void exchange_factors();
   void break_corners();
   void load_boundaries(double time_step);
   double branch_steepness() const;
@@ -140,6 +142,7 @@ private:
   ContactBatch pair_batch, plane_batch, facet_batch, drum_batch;
   FacetCandidates facet_candidates;
   PairLoads pair_loads;
+  PatchFactors patches; ///< empty unless patches keep factors
 
   bool lists_are_stale = true;
   SearchMargin margin;

@@ -11,8 +11,8 @@ namespace dem::kernel
 {
 /// StoneState in numbers, and where its fields are.
 inline constexpr int stone_row = 16, at_position = 0, at_radius = 3,
-                     at_velocity = 4, at_mass = 7, at_spin = 8,
-                     at_inertia = 11, at_orientation = 12;
+                     at_velocity = 4, at_mass = 7, at_spin = 8, at_inertia = 11,
+                     at_orientation = 12;
 
 /// StoneLoad in numbers: force, moment, two to fill the line.
 inline constexpr int load_row = 8, at_moment = 3;
@@ -56,7 +56,7 @@ struct Contacts
   double *slack; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
   const float *corner_a, *corner_b;
-  double *level;
+  double *turn;
   std::uint8_t *event;
 };
 
@@ -102,6 +102,7 @@ struct Task
   double fracture_energy; ///< G_c [J/m^2]
   double hysteresis;      ///< of the counted energy [-]
   bool counts_shear;    ///< the energy of the criterion is that of both springs
+  bool keeps_factors;   ///< patches take the factors of contacts that end
   bool adds_loads_only; ///< forces are taken as the last step left them
   const double *walls;  ///< WallRow
 };

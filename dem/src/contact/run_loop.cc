@@ -90,7 +90,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.factor_b.data(),
           batch.corner_a.data(),
           batch.corner_b.data(),
-          batch.level.data(),
+          batch.turn.data(),
           batch.event.data()};
 }
 
@@ -123,6 +123,8 @@ kernel::Task make_task(SurfaceOwner &owner,
   task.hysteresis = context.parameters.breakage.hysteresis;
   task.counts_shear =
       context.parameters.breakage.energy == CriterionEnergy::with_shear;
+  task.keeps_factors =
+      context.parameters.breakage.memory == FactorMemory::patch;
   task.adds_loads_only = context.adds_loads_only;
   return task;
 }
@@ -149,6 +151,7 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
       row[c] += range.load[c];
     sum.lost += range.lost;
     sum.wants_breakage |= range.wants_breakage;
+    sum.has_switched |= range.has_switched;
     sum.has_strayed |= range.has_strayed;
     sum.n_jumps += range.n_jumps;
     sum.n_ended += range.n_ended;

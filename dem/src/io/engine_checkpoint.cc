@@ -24,8 +24,9 @@ void save_body(std::ostream &out, const Body &body, const Library &library)
   write_value(out, place);
   if (place == is_own)
     write_column(out, *body.series);
-  for (const double value : {body.scale, body.volume, body.inscribed_radius,
-                             body.circumscribed_radius, body.max_slope})
+  for (const double value :
+       {body.scale, body.volume, body.inscribed_radius, body.corner_radius,
+        body.circumscribed_radius, body.max_slope})
     write_value(out, value);
   write_value(out, body.gyration);
   write_value(out, body.principal.coeffs());
@@ -48,8 +49,9 @@ void restore_body(std::istream &in, Body &body, const Library &library)
       throw std::runtime_error("checkpoint names a shape that is not there");
     body.series = library[static_cast<std::size_t>(place)];
   }
-  for (double *value : {&body.scale, &body.volume, &body.inscribed_radius,
-                        &body.circumscribed_radius, &body.max_slope})
+  for (double *value :
+       {&body.scale, &body.volume, &body.inscribed_radius, &body.corner_radius,
+        &body.circumscribed_radius, &body.max_slope})
     read_value(in, *value);
   read_value(in, body.gyration);
   read_value(in, body.principal.coeffs());
@@ -127,6 +129,7 @@ void Engine::save(std::ostream &out, const Library &library) const
   put(work.damped);
   put(work.lifted);
   put(surface_load_before);
+  put(patches.factors);
   const auto put_value = [&out](const auto &value) { write_value(out, value); };
   visit_state(*this, put_value);
   SpotLists::visit(spots, put_value, put);
@@ -170,6 +173,7 @@ void Engine::restore(std::istream &in, const Library &library)
   get(work.damped);
   get(work.lifted);
   get(surface_load_before);
+  get(patches.factors);
   const auto get_value = [&in](auto &value) { read_value(in, value); };
   visit_state(*this, get_value);
   SpotLists::visit(spots, get_value, get);
