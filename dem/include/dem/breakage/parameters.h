@@ -81,7 +81,7 @@ struct BreakageParameters
   /// inscribed radius, depth of the chip): 2 n^2 nodes.
   int quadrature_rings = 40;
   /// Swings of the energy below this share of it do not count [-]
-  double hysteresis = 0.;
+  double hysteresis = 0.01;
   EventContacts contacts = EventContacts::seen;
   CriterionEnergy energy = CriterionEnergy::normal;
   CapCurvature curvature = CapCurvature::own;

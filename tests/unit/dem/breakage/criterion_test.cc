@@ -99,10 +99,9 @@ TEST(CountEnergy, WithoutBandEveryRiseCounts)
 TEST(BreakageParameters, OnlySomeChoicesNeedATurn)
 {
   BreakageParameters p;
-  EXPECT_FALSE(p.needs_turn());
-  p.hysteresis = 0.01;
   EXPECT_TRUE(p.needs_turn());
   p.hysteresis = 0.;
+  EXPECT_FALSE(p.needs_turn());
   p.energy = CriterionEnergy::with_shear;
   EXPECT_TRUE(p.needs_turn());
 }
