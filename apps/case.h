@@ -212,6 +212,7 @@ struct Case
                                      .normal_damping = 0.62,
                                      .shear_damping = 0.62};
   dem::GeometryParameters contact;
+  dem::FrictionLimit friction_limit = dem::FrictionLimit::elastic;
   dem::BreakageParameters breakage;
   fem::MembraneParameters membrane;
   BoundaryParameters boundary;

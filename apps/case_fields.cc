@@ -166,8 +166,9 @@ void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
            w.shear_damping, between(0., 5.));
 }
 
-void add_contact(List &list, dem::GeometryParameters &c)
+void add_contact(List &list, Case &of)
 {
+  dem::GeometryParameters &c = of.contact;
   list.in("Contact");
   list.add({"geometry", "-",
             "ball: overlap of the ball carriers; radial: of the local radii "
@@ -183,13 +184,18 @@ void add_contact(List &list, dem::GeometryParameters &c)
        "The expansion of a shape is renewed when the contact direction has "
        "moved this far in the body; 0: every step."},
       c.refresh_tolerance, between(0., 0.1));
+  list.add({"friction_limit", "-",
+            "Normal force in the limits of friction and rolling: elastic, of "
+            "the spring alone; total, with its dashpot."},
+           of.friction_limit, {"elastic", "total"});
 }
 
 /// What the model leaves open; the first name is the article's or the default.
 void add_breakage_choices(List &list, dem::BreakageParameters &b)
 {
   list.add({"hysteresis", "-",
-            "Energy counts again once it has fallen by this share and risen."},
+            "Swings of the energy below this share of it are noise and do not "
+            "count."},
            b.hysteresis, below(0., 1.));
   list.add({"contacts", "-",
             "seen: only contacts whose overlap follows the surface break "
@@ -216,6 +222,15 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
             "Depth of an event: exact volume, or the article's zero-mean "
             "kernel."},
            b.closure, {"exact", "article"});
+  list.add(
+      {"memory", "-",
+       "Where the cumulative factor of a contact that opens goes: lost with "
+       "the contact, or kept by the patch of the stone."},
+      b.memory, {"contact", "patch"});
+  list.add({"inscribed", "-",
+            "Sphere of r_ins, which tells corners: about the origin of the "
+            "series, or the largest one inside."},
+           b.inscribed, {"origin", "free"});
 }
 
 void add_breakage(List &list, dem::BreakageParameters &b)
@@ -399,7 +414,7 @@ std::vector<Parameter> parameters_of(Case &of)
   list.in("MembraneContact");
   add_wall(list, of.membrane_contact, between(0., 0.),
            "the membrane has no rotational unknowns to take the moment");
-  add_contact(list, of.contact);
+  add_contact(list, of);
   add_breakage(list, of.breakage);
   add_membrane(list, of.membrane);
   add_boundary(list, of.boundary);

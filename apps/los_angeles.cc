@@ -60,6 +60,7 @@ dem::EngineParameters engine_settings(const Case &parameters)
   settings.other_solids = {parameters.charge.steel};
   settings.wall = settings.surface = parameters.wall;
   settings.geometry = parameters.contact;
+  settings.friction_limit = parameters.friction_limit;
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.time.local_damping;
   settings.gravity = -gravity * dem::Vec3::UnitZ();

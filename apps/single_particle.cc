@@ -74,6 +74,7 @@ std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
   settings.stone = parameters.stone;
   settings.wall = settings.surface = parameters.wall;
   settings.geometry = parameters.contact;
+  settings.friction_limit = parameters.friction_limit;
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.time.local_damping;
   settings.search_margin = 0.1 * parameters.particle.diameter;

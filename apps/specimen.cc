@@ -49,6 +49,7 @@ dem::EngineParameters engine_parameters(const Case &parameters)
                        ? parameters.membrane_contact
                        : parameters.wall;
   engine.geometry = parameters.contact;
+  engine.friction_limit = parameters.friction_limit;
   engine.breakage = parameters.breakage;
   engine.local_damping = parameters.preparation.local_damping;
   return engine;

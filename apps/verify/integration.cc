@@ -165,42 +165,99 @@ Drift run_gas(double wall_stiffness, double time_step)
       for (std::size_t k = 0; k < batch->size(); ++k)
         now += batch->is_touching(k);
     drift.n_impacts += now > touching ? static_cast<int>(now - touching) : 0;
+    const bool is_free = now == 0 && touching == 0;
     touching = now;
     const dem::EngineEnergy e = engine.energy();
-    if (now == 0)
+    // Half of what the last force is taken back by acts in the next step.
+    if (is_free)
       drift.residual =
           std::max(drift.residual, std::abs(e.kinetic / start - 1.));
   }
   return drift;
 }
 
-// 1 us is the default of Time/fixed_step. An impact of two balls lasts some 100
-// steps, and F ~ delta^1.5 sets in smoothly. The force of a linear wall sets in
-// with a kink: on the default wall of 1e8 N/m an impact of the smallest ball
-// lasts 7 steps, and each leaves up to (omega dt)^2 / 8 of either sign; a
-// tenth of the step brings it below as well.
+// 1 us is the default of Time/fixed_step. An impact of the smallest ball on the
+// default wall of 1e8 N/m lasts 7 steps of it, one of two balls some 100.
 std::vector<Row> energy_drift()
 {
-  const Drift soft = run_gas(1e5, 1e-6), stiff = run_gas(1e8, 1e-6),
-              fine = run_gas(1e8, 1e-7);
-  const auto text = [](const char *what, const Drift &drift)
-  { return what + std::to_string(drift.n_impacts) + " impacts"; };
-  return {at_most(text("kinetic energy, 1 us, soft walls, ", soft), "-",
-                  soft.residual, 1e-4),
-          at_most(text("kinetic energy, 1 us, walls of 1e8 N/m, ", stiff), "-",
-                  stiff.residual, 2e-3),
-          at_most(text("kinetic energy, 0.1 us, walls of 1e8 N/m, ", fine), "-",
-                  fine.residual, 1e-4)};
+  std::vector<Row> rows;
+  const struct
+  {
+    const char *name;
+    double stiffness, time_step;
+  } runs[] = {{"1 us, walls of 1e5 N/m", 1e5, 1e-6},
+              {"1 us, walls of 1e8 N/m", 1e8, 1e-6},
+              {"2 us, walls of 1e8 N/m", 1e8, 2e-6}};
+  for (const auto &run : runs)
+  {
+    const Drift drift = run_gas(run.stiffness, run.time_step);
+    rows.push_back(at_most(std::string("kinetic energy, ") + run.name + ", " +
+                               std::to_string(drift.n_impacts) + " impacts",
+                           "-", drift.residual, 1e-4));
+  }
+  return rows;
+}
+
+/// A ball flies into a corner of linear walls; `phase` of a step passes until
+/// it touches the first.
+struct CornerImpact
+{
+  double time_step = 0.; ///< over sqrt(m / k) [-]
+  double phase = 0.;     ///< 0 .. 1 [-]
+};
+
+/// Kinetic energy after the impacts over that before [-].
+double energy_kept(const CornerImpact &impact)
+{
+  dem::EngineParameters p = bare_parameters();
+  p.wall.normal_stiffness = 1e8;
+  dem::Engine engine(p);
+  for (int axis = 0; axis < 2; ++axis)
+    engine.add_plane(dem::Vec3::Zero(), dem::Vec3::Unit(axis));
+  add_sphere(engine, ball_radius, dem::Vec3::Constant(ball_radius));
+  const double dt =
+      impact.time_step * std::sqrt(engine.particles().mass(0) / 1e8);
+  dem::Vec3 &velocity = engine.particles().velocity(0);
+  velocity = {-1., -0.7, 0.};
+  engine.particles().position(0) -= dt * impact.phase * velocity;
+  engine.particles().position(0).y() += 0.13 * dt;
+  const double start = engine.energy().kinetic;
+  advance(engine, dt, 5 + static_cast<int>(std::ceil(5. / impact.time_step)));
+  return engine.energy().kinetic / start;
+}
+
+/// Largest change of the energy over 200 phases.
+double worst_change(double time_step)
+{
+  double worst = 0.;
+  for (int k = 0; k < 200; ++k)
+    worst = std::max(worst,
+                     std::abs(energy_kept({time_step, (k + 0.5) / 200.}) - 1.));
+  return worst;
+}
+
+// Whatever the step: round-off of places of 1 cm, overlaps being micrometres.
+std::vector<Row> linear_impacts()
+{
+  std::vector<Row> rows;
+  for (const double step : {0.05, 0.5, 1., 1.4})
+    rows.push_back(
+        at_most("energy lost, omega dt = " + std::to_string(step).substr(0, 4),
+                "-", worst_change(step), 1e-11));
+  return rows;
 }
 } // namespace
 
 Family integration()
 {
-  return {"integration",
-          "The integrator of the engine: velocity Verlet with quaternions.",
-          {{"orders", "harmonic motion; eigenmode of rocking", orders},
-           {"moving_axis", "differences under halved steps", moving_axis},
-           {"energy_drift", "undamped, without friction: nothing is lost",
-            energy_drift}}};
+  return {
+      "integration",
+      "The integrator of the engine: velocity Verlet with quaternions.",
+      {{"orders", "harmonic motion; eigenmode of rocking", orders},
+       {"moving_axis", "differences under halved steps", moving_axis},
+       {"linear_impacts",
+        "undamped, into a corner, 200 phases: nothing is lost", linear_impacts},
+       {"energy_drift", "undamped, without friction: nothing is lost",
+        energy_drift}}};
 }
 } // namespace spall::verify

@@ -17,6 +17,7 @@ dem::EngineParameters parameters_of(const BallMaterial &ball)
   p.stone.shear_modulus = ball.shear_modulus;
   p.stone.poisson_ratio = ball.poisson_ratio;
   p.stone.friction = ball.friction;
+  p.friction_limit = ball.friction_limit;
   p.stone.normal_damping = damping_of(ball.restitution);
   return p;
 }
@@ -67,7 +68,11 @@ void add_missile(dem::Engine &engine, const Missile &missile)
 BallMaterial elastic_ball(double density, double young_modulus,
                           double poisson_ratio)
 {
-  return {density, 0.5 * young_modulus / (1. + poisson_ratio), poisson_ratio};
+  BallMaterial ball;
+  ball.density = density;
+  ball.shear_modulus = 0.5 * young_modulus / (1. + poisson_ratio);
+  ball.poisson_ratio = poisson_ratio;
+  return ball;
 }
 
 double damping_of(double restitution)

@@ -12,6 +12,8 @@ struct BallMaterial
   double poisson_ratio = 0.; ///< nu [-]
   double friction = 0.;      ///< mu [-]
   double restitution = 1.;   ///< e of the normal impact [-]
+  /// Of friction, with the force of the dashpot or without.
+  dem::FrictionLimit friction_limit = dem::FrictionLimit::elastic;
 };
 
 /// Density, Young's modulus [Pa] and Poisson's ratio; no friction, e = 1.

@@ -63,7 +63,10 @@ void Engine::add_stone(const Body &body, const Vec3 &position,
                        const Quaternion &orientation, std::uint8_t material)
 {
   stones.follows_surfaces = settings.geometry.follows_surfaces();
-  stones.add(body, position, orientation,
+  Body stone = body;
+  if (settings.breakage.inscribed == InscribedSphereAt::free)
+    free_corner_radius(stone, sphere_rule(settings.breakage.quadrature_rings));
+  stones.add(stone, position, orientation,
              material == 0 ? settings.stone.density
                            : settings.other_solids.at(material - 1u).density);
   stones.material.back() = material;
@@ -335,6 +338,8 @@ bool Engine::run_contacts(const ForceContext &all)
     sum += wall_forces(all, walls_of_drum(), drum_batch, ranges);
   for (SurfaceContacts &facets : facet_surfaces)
     sum += wall_forces(all, walls_of_facets(facets), facets.batch, ranges);
+  if (sum.has_switched)
+    exchange_factors();
   lost += sum.lost;
   count_places(sum);
   return sum.wants_breakage;
@@ -346,6 +351,19 @@ void Engine::count_places(const ForceSum &sum)
   spots.events.n_ended += sum.n_ended;
   // Two contacts may be one now, and what is gone may be found elsewhere.
   lists_are_stale |= sum.has_strayed;
+}
+
+void Engine::exchange_factors()
+{
+  const auto exchange = [this](ContactBatch &batch)
+  {
+    if (batch.layout.has_damage)
+      patches.exchange(stones, batch);
+  };
+  for (ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
+    exchange(*batch);
+  for (SurfaceContacts &facets : facet_surfaces)
+    exchange(facets.batch);
 }
 
 /// Work is booked by the trapezoidal rule: this half of the step with the

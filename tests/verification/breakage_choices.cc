@@ -2,11 +2,12 @@
 // docs/verification/breakage.md has it: one contact of two stones, and the
 // small triaxial test.
 //
-//     breakage_choices SMALL.prm SHAPE.json
+//     breakage_choices SMALL.prm SHAPE.json [TABLE ...]
 #include <dem/measure/assembly.h>
 #include <dem/shape/measures.h>
 
 #include <algorithm>
+#include <array>
 #include <case_file.h>
 #include <cstdio>
 #include <iostream>
@@ -38,7 +39,9 @@ const std::vector<Choice> choices = {
     {"curvature_floor_ratio = 5", {{"Breakage", "curvature_floor_ratio", "5"}}},
     {"curvature_floor_ratio = 20",
      {{"Breakage", "curvature_floor_ratio", "20"}}},
-    {"hysteresis = 0.01", {{"Breakage", "hysteresis", "0.01"}}},
+    {"hysteresis = 0", {{"Breakage", "hysteresis", "0"}}},
+    {"memory = patch", {{"Breakage", "memory", "patch"}}},
+    {"inscribed = free", {{"Breakage", "inscribed", "free"}}},
     {"contacts = all", {{"Breakage", "contacts", "all"}}},
     {"is_active = false", {{"Breakage", "is_active", "false"}}}};
 
@@ -162,6 +165,96 @@ double n_at_risk(const dem::Engine &engine)
   return n;
 }
 
+/// Sums up what the cumulative factors gain, step by step; what contacts lose
+/// as they open, or in a step that makes the lists anew, does not count.
+class Gains
+{
+public:
+  double total = 0.;
+
+  void look(const dem::Engine &engine)
+  {
+    std::size_t place = 0;
+    for (const dem::ContactBatch *batch :
+         {&engine.pairs(), &engine.on_planes(), &engine.on_facets()})
+    {
+      gather(*batch, batch->factor_a, place++);
+      gather(*batch, batch->factor_b, place++);
+    }
+  }
+
+private:
+  struct Column
+  {
+    std::vector<std::int32_t> a, b;
+    std::vector<double> factor;
+  };
+
+  void gather(const dem::ContactBatch &batch, const std::vector<double> &factor,
+              std::size_t place)
+  {
+    Column &old = before[place];
+    if (old.a == batch.a && old.b == batch.b)
+      for (std::size_t k = 0; k < std::min(batch.size(), factor.size()); ++k)
+        total += std::max(0., factor[k] - old.factor[k]);
+    old = {batch.a, batch.b, factor};
+  }
+
+  std::array<Column, 6> before;
+};
+
+/// Load cycles whose gains count.
+struct Span
+{
+  const char *amplitude; ///< [Pa]
+  int first = 0, last = 0;
+};
+
+/// Gains per second and corner in contact of a specimen in the membrane whose
+/// stones are too strong to break: its path is that of every band. In units of
+/// the fracture energy of the case.
+double gain_rate(const std::string &file, const Span &cycles,
+                 const std::string &hysteresis)
+{
+  constexpr double strength = 1e6;
+  const std::vector<Override> keys = {
+      {"Loading", "amplitude", cycles.amplitude},
+      {"Loading", "cycles", std::to_string(cycles.last)},
+      {"Breakage", "hysteresis", hysteresis},
+      {"Breakage", "fracture_energy", std::to_string(strength)}};
+  Triaxial test(case_with(file, keys));
+  while (test.stage() != Stage::loading || test.cycle() < cycles.first)
+    test.advance();
+  Gains gains;
+  double seconds_at_risk = 0.;
+  while (test.stage() != Stage::done)
+  {
+    const double time = test.engine().time();
+    test.advance();
+    gains.look(test.engine());
+    seconds_at_risk += (test.engine().time() - time) * n_at_risk(test.engine());
+  }
+  return gains.total / seconds_at_risk * strength /
+         case_with(file, {}).breakage.fracture_energy;
+}
+
+/// What a band takes from rest and from load cycles.
+void band_table(const std::string &file)
+{
+  std::printf("\n| hysteresis | at rest | in load cycles | of that with 0 |\n"
+              "|---|---|---|---|\n");
+  double all = 0.;
+  for (const char *band : {"0", "0.01", "0.02", "0.05", "0.1", "0.2"})
+  {
+    const double at_rest = gain_rate(file, {"0", 16, 20}, band),
+                 loaded = gain_rate(file, {"100e3", 2, 6}, band);
+    all = all > 0. ? all : loaded;
+    std::printf("| %s | %.2g | %.4g | %.4f |\n", band, at_rest, loaded,
+                loaded / all);
+    std::fflush(stdout);
+  }
+}
+
 /// A specimen that only rests, with the names of its keys. Balls gather damage
 /// only where all contacts do.
 struct Rest
@@ -206,34 +299,31 @@ void rest(const Rest &keys, const std::string &file)
   std::printf(" %.1g |\n", kinetic);
   std::fflush(stdout);
 }
-} // namespace
 
-int main(int argc, char **argv)
+void contact_table(const std::string &file, const dem::Body &body)
 {
-  if (argc != 3)
-  {
-    std::cerr << "usage: breakage_choices SMALL.prm SHAPE.json\n";
-    return 1;
-  }
-  const std::string file = argv[1];
-  const dem::Body body =
-      dem::make_body(std::make_shared<const dem::Coefficients>(
-                         read_shape(argv[2]).coefficients),
-                     0.01);
   std::printf("| choice | first event (N) | largest force (N) | events | mode "
               "II | volume (mm^3) | released (mJ) | G_c A_i (mJ) |\n"
               "|---|---|---|---|---|---|---|---|\n");
   for (const Choice &choice : choices)
     press(choice, file, body);
+}
+
+void specimen_table(const std::string &file)
+{
   std::printf("\n| choice | events | mode II | LAA (%%) | released (mJ) | G_c "
               "A_i (mJ) | permanent strain (%%) | coordination |\n"
               "|---|---|---|---|---|---|---|---|\n");
   for (const Choice &choice : choices)
     run_small(choice, file);
+}
+
+void rest_table(const std::string &file)
+{
   std::printf("\n| geometry | sides | D_a | hysteresis | 0 to 40 ms | to 80 | "
               "to 120 | to 160 | to 200 | kinetic energy (J) |\n"
               "|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const char *hysteresis : {"0", "0.01", "0.05"})
+  for (const char *hysteresis : {"0", "0.01"})
     for (const Rest &keys :
          {Rest{"radial", "seen", "rigid", "0.5", hysteresis},
           Rest{"radial", "seen", "rigid", "0", hysteresis},
@@ -241,5 +331,34 @@ int main(int argc, char **argv)
           Rest{"ball", "all", "rigid", "0.5", hysteresis},
           Rest{"ball", "all", "membrane", "0.5", hysteresis}})
       rest(keys, file);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  if (argc < 3)
+  {
+    std::cerr << "usage: breakage_choices SMALL.prm SHAPE.json [TABLE ...]\n"
+                 "tables: contact specimen rest bands; all by default\n";
+    return 1;
+  }
+  const std::string file = argv[1];
+  const std::vector<std::string> tables(argv + 3, argv + argc);
+  const auto is_asked = [&tables](const char *table)
+  {
+    return tables.empty() ||
+           std::find(tables.begin(), tables.end(), table) != tables.end();
+  };
+  if (is_asked("contact"))
+    contact_table(file,
+                  dem::make_body(std::make_shared<const dem::Coefficients>(
+                                     read_shape(argv[2]).coefficients),
+                                 0.01));
+  if (is_asked("specimen"))
+    specimen_table(file);
+  if (is_asked("rest"))
+    rest_table(file);
+  if (is_asked("bands"))
+    band_table(file);
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <dem/boundary/drum.h>
 #include <dem/boundary/surface_contacts.h>
 #include <dem/breakage/events.h>
+#include <dem/breakage/patch_factors.h>
 #include <dem/contact/placed_walls.h>
 #include <dem/integrate/time_step.h>
 #include <dem/integrate/verlet.h>
@@ -149,6 +150,7 @@ private:
   Walls walls_of_planes();
   Walls walls_of_drum();
   Walls walls_of_facets(SurfaceContacts &facets);
+  void exchange_factors();
   void break_corners();
   void load_boundaries(double time_step);
   double branch_steepness() const;
@@ -168,6 +170,7 @@ private:
   DrumShelf shelf; ///< where `barrel` stands; read where places are
   ContactBatch pair_batch, plane_batch, drum_batch;
   PairLoads pair_loads;
+  PatchFactors patches; ///< empty unless patches keep factors
 
   bool lists_are_stale = true;
   SearchMargin margin;

@@ -17,6 +17,7 @@ struct EngineParameters
   WallMaterial wall;    ///< stones on planes
   WallMaterial surface; ///< stones on the facet surface
   GeometryParameters geometry;
+  FrictionLimit friction_limit = FrictionLimit::elastic; ///< all contacts
   BreakageParameters breakage;
   Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
   double local_damping = 0.;   ///< D_a [-]

@@ -293,10 +293,11 @@ bool carry_out(const ForceContext &context, Particles &particles,
   const auto i = static_cast<std::size_t>(request.stone);
   double &factor = factor_of(batch, request);
   factor = factor_after(event.mode, factor);
-  const SpallResult result = apply_spall(
-      particles.body[i], spall_at(batch, request, breakage),
-      {breakage.kernel_floor, breakage.kernel_scale, breakage.closure},
-      sphere_rule(breakage.quadrature_rings));
+  const SpallResult result =
+      apply_spall(particles.body[i], spall_at(batch, request, breakage),
+                  {breakage.kernel_floor, breakage.kernel_scale,
+                   breakage.closure, breakage.inscribed},
+                  sphere_rule(breakage.quadrature_rings));
   if (!result.is_accepted)
     return false;
   event.removed_volume = result.removed_volume;

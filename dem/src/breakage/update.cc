@@ -167,6 +167,8 @@ SpallResult apply_spall(const Body &body, const Spall &spall,
   Body after = own_body(std::move(coefficients), rule);
   if (!(after.inscribed_radius > 0.))
     return result;
+  if (shape.inscribed == InscribedSphereAt::free)
+    free_corner_radius(after, rule);
   result.removed_volume = body.volume - after.volume;
   result.body = std::move(after);
   result.is_accepted = true;

@@ -30,8 +30,6 @@ double SideColumns::local_radius(std::size_t k,
 
 ContactHistory<double> ContactBatch::history(std::size_t k) const
 {
-  const double energy_share =
-      layout.is_hertz ? hertz_energy_share : linear_energy_share;
   ContactHistory<double> history;
   history.shear = shear[k];
   if (layout.has_rolling)
@@ -42,7 +40,9 @@ ContactHistory<double> ContactBatch::history(std::size_t k) const
   history.dashpot = dashpot[k];
   history.shear_compliance = shear_compliance[k];
   history.normal_force = normal_force[k];
-  history.normal_energy = energy_share * normal_force[k] * overlap[k];
+  history.normal_energy =
+      layout.is_hertz ? hertz_energy_share * normal_force[k] * overlap[k]
+                      : linear_energy(layout.normal_stiffness, overlap[k]);
   return history;
 }
 

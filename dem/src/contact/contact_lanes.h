@@ -62,9 +62,9 @@ Lanes expanded_radius(const Side &side, std::int64_t k,
   return load(side.radius + k) + dot(gradient, w) + 0.5 * diagonal + mixed;
 }
 
+/// The normal energy is that of a Hertz spring.
 ContactHistory<Lanes> load_history(const Contacts &contacts, std::int64_t k,
-                                   const Lanes &overlap_before,
-                                   double energy_share)
+                                   const Lanes &overlap_before)
 {
   ContactHistory<Lanes> history;
   history.shear = load_vector(contacts.shear, k);
@@ -76,7 +76,8 @@ ContactHistory<Lanes> load_history(const Contacts &contacts, std::int64_t k,
   history.dashpot = load_vector(contacts.dashpot, k);
   history.shear_compliance = load(contacts.shear_compliance + k);
   history.normal_force = load(contacts.normal_force + k);
-  history.normal_energy = energy_share * history.normal_force * overlap_before;
+  history.normal_energy =
+      hertz_energy_share * history.normal_force * overlap_before;
   return history;
 }
 
@@ -154,7 +155,8 @@ void damage_side(const Task &task, std::int64_t k, const Loading &loading,
       old, loading.energy_before, loading.energy,
       select(is_at_risk, task.fracture_energy * slope * loading.overlap,
              Lanes(1.)));
-  store(select(is_at_risk, step.factor, select(is_touching, old, Lanes(0.))),
+  const LaneMask is_kept = is_touching || LaneMask(task.keeps_factors);
+  store(select(is_at_risk, step.factor, select(is_kept, old, Lanes(0.))),
         factor + k);
   const LaneMask breaks =
       is_at_risk && (step.factor > 1. || step.energy_ratio > 1.);
@@ -182,18 +184,37 @@ Loading counted_loading(const Task &task, std::int64_t k,
     counted.energy +=
         0.5 * dot(shear, shear) * load(contacts.shear_compliance + k);
   }
-  counted.energy_before = load(contacts.level + k);
-  store(counted_level(counted.energy_before, counted.energy, task.hysteresis),
-        contacts.level + k);
+  const CountedEnergy<Lanes> passed =
+      count_energy(load(contacts.turn + k), counted.energy, task.hysteresis);
+  counted.energy_before = passed.from;
+  store(passed.turn, contacts.turn + k);
   return counted;
+}
+
+/// Marks the contacts that begin or end.
+void mark_switched(const Task &task, std::int64_t k, const Loading &last,
+                   RangeSum &sum)
+{
+  const LaneMask has_switched =
+      (last.overlap > 0.) != (last.energy_before > 0.);
+  if (!any(has_switched))
+    return;
+  sum.has_switched = true;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (has_switched[static_cast<std::size_t>(lane)])
+    {
+      std::uint8_t &event = task.contacts.event[k + lane];
+      event = static_cast<std::uint8_t>(event | 4u);
+    }
 }
 
 void find_damage(const Task &task, std::int64_t k, const Loading &last,
                  RangeSum &sum)
 {
   const Contacts &contacts = task.contacts;
-  const Loading loading =
-      contacts.level ? counted_loading(task, k, last) : last;
+  if (task.keeps_factors)
+    mark_switched(task, k, last, sum);
+  const Loading loading = contacts.turn ? counted_loading(task, k, last) : last;
   damage_side(task, k, loading, contacts.corner_a, contacts.factor_a, 1u, sum);
   if (contacts.corner_b)
     damage_side(task, k, loading, contacts.corner_b, contacts.factor_b, 2u,

@@ -56,7 +56,7 @@ struct Contacts
   double *slack; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
   const float *corner_a, *corner_b;
-  double *level;
+  double *turn;
   std::uint8_t *event;
 };
 
@@ -102,6 +102,7 @@ struct Task
   double fracture_energy; ///< G_c [J/m^2]
   double hysteresis;      ///< of the counted energy [-]
   bool counts_shear;    ///< the energy of the criterion is that of both springs
+  bool keeps_factors;   ///< patches take the factors of contacts that end
   bool adds_loads_only; ///< forces are taken as the last step left them
   const double *walls;  ///< WallRow
   const double *wall_overlap; ///< by row; null unless places are found before

@@ -42,7 +42,7 @@ BatchLayout pair_layout(const EngineParameters &parameters,
   layout.has_damage =
       particles.has_shapes &&
       may_break(parameters.breakage, parameters.geometry.geometry);
-  layout.has_level = layout.has_damage && parameters.breakage.needs_level();
+  layout.has_turn = layout.has_damage && parameters.breakage.needs_turn();
   return layout;
 }
 

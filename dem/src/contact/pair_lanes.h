@@ -156,8 +156,7 @@ NormalSpring<Lanes> pair_spring(const Task &task, std::int64_t k,
   const Lanes overlap_before = load(contacts.overlap + k);
   if (!any(pair.overlap > 0. || overlap_before > 0.))
     return; // all is zero and stays so
-  ContactHistory<Lanes> history =
-      load_history(contacts, k, overlap_before, hertz_energy_share);
+  ContactHistory<Lanes> history = load_history(contacts, k, overlap_before);
   const Lanes energy_before = history.normal_energy;
   LaneVector force;
   if (task.adds_loads_only)

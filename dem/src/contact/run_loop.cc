@@ -90,7 +90,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.factor_b.data(),
           batch.corner_a.data(),
           batch.corner_b.data(),
-          batch.level.data(),
+          batch.turn.data(),
           batch.event.data()};
 }
 
@@ -112,6 +112,8 @@ kernel::Task make_task(SurfaceOwner &owner,
   task.contacts = contacts_view(owner.batch);
   task.surfaces = {&owner, renew, mix, relocate};
   task.coefficients = coefficients;
+  task.coefficients.limit_damping =
+      context.parameters.friction_limit == FrictionLimit::total ? 1. : 0.;
   task.time_step = context.time_step;
   task.refresh_tolerance = context.parameters.geometry.refresh_tolerance;
   task.reads_surface = owner.batch.layout.has_sides;
@@ -121,6 +123,8 @@ kernel::Task make_task(SurfaceOwner &owner,
   task.hysteresis = context.parameters.breakage.hysteresis;
   task.counts_shear =
       context.parameters.breakage.energy == CriterionEnergy::with_shear;
+  task.keeps_factors =
+      context.parameters.breakage.memory == FactorMemory::patch;
   task.adds_loads_only = context.adds_loads_only;
   return task;
 }
@@ -130,6 +134,7 @@ ForceSum &ForceSum::operator+=(const ForceSum &part)
   lost += part.lost;
   wants_breakage |= part.wants_breakage;
   has_strayed |= part.has_strayed;
+  has_switched |= part.has_switched;
   n_jumps += part.n_jumps;
   n_ended += part.n_ended;
   return *this;
@@ -157,6 +162,7 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
       row[c] += range.load[c];
     sum.lost += range.lost;
     sum.wants_breakage |= range.wants_breakage;
+    sum.has_switched |= range.has_switched;
     sum.has_strayed |= range.has_strayed;
     sum.n_jumps += range.n_jumps;
     sum.n_ended += range.n_ended;

@@ -36,11 +36,11 @@ SurfaceSide evaluate_side(const Body &body, const Vec3 &direction,
   side.expansion.gradient *= body.scale;
   side.expansion.hessian *= body.scale;
   const PrincipalCurvatures kappa = principal_curvatures(side.expansion);
-  const double floor = 1. / (floor_ratio * body.inscribed_radius);
+  const double floor = 1. / (floor_ratio * body.corner_radius);
   side.curvature = {std::max(kappa.maximum, floor),
                     std::max(kappa.minimum, floor),
                     rounded(kappa.max_direction),
-                    is_corner(kappa.maximum, body.inscribed_radius)};
+                    is_corner(kappa.maximum, body.corner_radius)};
   return side;
 }
 } // namespace dem

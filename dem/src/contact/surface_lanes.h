@@ -193,8 +193,7 @@ ContactMotion<Lanes> surface_motion(const StoneLanes &a, const StoneLanes &b,
   const Lanes overlap_before = load(contacts.overlap + k);
   if (!any(pair.overlap > 0. || overlap_before > 0.))
     return; // all is zero and stays so
-  ContactHistory<Lanes> history =
-      load_history(contacts, k, overlap_before, hertz_energy_share);
+  ContactHistory<Lanes> history = load_history(contacts, k, overlap_before);
   const Lanes energy_before = history.normal_energy;
   LaneVector force;
   if (task.adds_loads_only)
@@ -324,33 +323,31 @@ void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
                      const Target &target)
 {
   const Contacts &contacts = task.contacts;
-  const Lanes overlap_before = load(contacts.overlap + k);
-  if (!any(geometry.overlap > 0. || overlap_before > 0.))
+  if (!any_loaded(task, k, geometry.overlap))
     return;
-  ContactHistory<Lanes> history =
-      load_history(contacts, k, overlap_before,
-                   task.is_hertz ? hertz_energy_share : linear_energy_share);
-  const Lanes energy_before = history.normal_energy;
+  WallHistory history = load_wall_history(task, k);
+  const ContactHistory<Lanes> &springs = history.springs;
+  const Lanes energy_before = springs.normal_energy;
   LaneVector force;
   if (task.adds_loads_only)
-    force = kept_force(history, wall.vector(at_normal));
+    force = kept_force(springs, wall.vector(at_normal));
   else
   {
     const ContactMotion<Lanes> motion = support_motion(a, wall, geometry);
-    force =
-        advance_contact(motion,
-                        wall_spring(task, k,
-                                    {motion.normal, Lanes(0.),
-                                     motion.rolling_radius, geometry.overlap}),
-                        task.coefficients, task.time_step, history, lost);
-    store_history(history, contacts, k);
+    force = advance_wall_contact(
+        task, motion, geometry.overlap,
+        wall_spring(task, k,
+                    {motion.normal, Lanes(0.), motion.rolling_radius,
+                     geometry.overlap}),
+        history, lost);
+    store_history(springs, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }
   scatter_walls(task, k, n_valid, force,
-                cross(geometry.arm, force) + history.rolling, target);
+                cross(geometry.arm, force) + springs.rolling, target);
   if (task.has_damage)
     find_damage(task, k,
-                {geometry.overlap, energy_before, history.normal_energy},
+                {geometry.overlap, energy_before, springs.normal_energy},
                 target.sum);
 }
 [[gnu::flatten]] void advance_surface_walls(const Task &task, std::int64_t k,

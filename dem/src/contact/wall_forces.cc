@@ -40,11 +40,12 @@ BatchLayout wall_layout(const EngineParameters &parameters,
 {
   BatchLayout layout;
   layout.is_hertz = wall.law == WallLaw::hertz;
+  layout.normal_stiffness = layout.is_hertz ? 0. : wall.normal_stiffness;
   layout.has_rolling = wall.rolling_friction > 0.;
   const ContactGeometry geometry = parameters.geometry.wall_geometry;
   layout.has_damage =
       particles.has_shapes && may_break(parameters.breakage, geometry);
-  layout.has_level = layout.has_damage && parameters.breakage.needs_level();
+  layout.has_turn = layout.has_damage && parameters.breakage.needs_turn();
   layout.has_sides = layout.has_damage ||
                      (particles.has_shapes &&
                       (geometry != ContactGeometry::ball || layout.is_hertz)) ||

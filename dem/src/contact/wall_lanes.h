@@ -101,6 +101,70 @@ NormalSpring<Lanes> wall_spring(const Task &task, std::int64_t k,
                       Lanes(task.shear_factor * root), geometry.overlap);
 }
 
+/// History of contacts with walls and the overlaps of the last step.
+struct WallHistory
+{
+  Lanes overlap;
+  ContactHistory<Lanes> springs;
+};
+
+WallHistory load_wall_history(const Task &task, std::int64_t k)
+{
+  WallHistory history{load(task.contacts.overlap + k), {}};
+  history.springs = load_history(task.contacts, k, history.overlap);
+  if (!task.is_hertz)
+    history.springs.normal_energy =
+        linear_energy(task.normal_factor, history.overlap);
+  return history;
+}
+
+/// Takes from linear springs what they give too much where a contact begins or
+/// ends within the step. Its last force is taken back by a pull.
+void cut_at_crossing(const Task &task, const ContactMotion<Lanes> &motion,
+                     const Lanes &overlap, const WallHistory &before,
+                     NormalSpring<Lanes> &spring)
+{
+  const LaneMask begins = overlap > 0. && before.overlap <= 0.,
+                 ends = before.overlap > 0. && overlap <= 0.;
+  if (!any(begins || ends))
+    return;
+  const double dt = task.time_step;
+  const Lanes stiffness = task.normal_factor * dt * dt / motion.reduced_mass;
+  const Lanes closed = -dt * dot(motion.velocity, motion.normal);
+  const Lanes opened = dt * dot(motion.velocity_before, motion.normal_before);
+  const Lanes pressing = before.springs.normal_force -
+                         dot(before.springs.dashpot, motion.normal_before);
+  spring.force -=
+      select(begins,
+             spring.force * part_before_begin<Lanes>(
+                                {overlap, closed - overlap, stiffness}),
+             Lanes(0.)) +
+      select(ends,
+             pressing *
+                 part_after_end<Lanes>(
+                     {before.overlap, opened - before.overlap, stiffness}),
+             Lanes(0.));
+}
+
+/// One step of the law at walls; the springs go into `history`.
+LaneVector advance_wall_contact(const Task &task,
+                                const ContactMotion<Lanes> &motion,
+                                const Lanes &overlap,
+                                NormalSpring<Lanes> spring,
+                                WallHistory &history, Losses<Lanes> &lost)
+{
+  if (!task.is_hertz)
+    cut_at_crossing(task, motion, overlap, history, spring);
+  return advance_contact(motion, spring, task.coefficients, task.time_step,
+                         history.springs, lost);
+}
+
+/// Whether some of the contacts have loads now or had them in the last step.
+bool any_loaded(const Task &task, std::int64_t k, const Lanes &overlap)
+{
+  return any(overlap > 0. || load(task.contacts.normal_force + k) != 0.);
+}
+
 [[gnu::flatten]] void advance_walls(const Task &task, std::int64_t k,
                                     int n_valid, Losses<Lanes> &lost,
                                     const Target &target)
@@ -110,31 +174,29 @@ NormalSpring<Lanes> wall_spring(const Task &task, std::int64_t k,
   const WallLanes wall(task.walls, contacts.b + k);
   const WallGeometry geometry =
       locate_walls(task, k, a, wall, valid_lanes(n_valid));
-  const Lanes overlap_before = load(contacts.overlap + k);
-  if (!any(geometry.overlap > 0. || overlap_before > 0.))
+  if (!any_loaded(task, k, geometry.overlap))
     return;
-  ContactHistory<Lanes> history =
-      load_history(contacts, k, overlap_before,
-                   task.is_hertz ? hertz_energy_share : linear_energy_share);
-  const Lanes energy_before = history.normal_energy;
+  WallHistory history = load_wall_history(task, k);
+  const ContactHistory<Lanes> &springs = history.springs;
+  const Lanes energy_before = springs.normal_energy;
   LaneVector force;
   if (task.adds_loads_only)
-    force = kept_force(history, geometry.normal);
+    force = kept_force(springs, geometry.normal);
   else
   {
-    force = advance_contact(wall_motion(a, wall, geometry),
-                            wall_spring(task, k, geometry), task.coefficients,
-                            task.time_step, history, lost);
-    store_history(history, contacts, k);
+    force = advance_wall_contact(task, wall_motion(a, wall, geometry),
+                                 geometry.overlap,
+                                 wall_spring(task, k, geometry), history, lost);
+    store_history(springs, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }
   scatter_walls(task, k, n_valid, force,
                 cross(geometry.distance * geometry.normal, force) +
-                    history.rolling,
+                    springs.rolling,
                 target);
   if (task.has_damage)
     find_damage(task, k,
-                {geometry.overlap, energy_before, history.normal_energy},
+                {geometry.overlap, energy_before, springs.normal_energy},
                 target.sum);
 }
 } // namespace

@@ -25,8 +25,9 @@ void save_body(std::ostream &out, const Body &body, const Library &library)
   write_value(out, place);
   if (place == is_own)
     write_column(out, *body.series);
-  for (const double value : {body.scale, body.volume, body.inscribed_radius,
-                             body.circumscribed_radius, body.max_slope})
+  for (const double value :
+       {body.scale, body.volume, body.inscribed_radius, body.corner_radius,
+        body.circumscribed_radius, body.max_slope})
     write_value(out, value);
   write_value(out, body.gyration);
   write_value(out, body.principal.coeffs());
@@ -49,8 +50,9 @@ void restore_body(std::istream &in, Body &body, const Library &library)
       throw std::runtime_error("checkpoint names a shape that is not there");
     body.series = library[static_cast<std::size_t>(place)];
   }
-  for (double *value : {&body.scale, &body.volume, &body.inscribed_radius,
-                        &body.circumscribed_radius, &body.max_slope})
+  for (double *value :
+       {&body.scale, &body.volume, &body.inscribed_radius, &body.corner_radius,
+        &body.circumscribed_radius, &body.max_slope})
     read_value(in, *value);
   read_value(in, body.gyration);
   read_value(in, body.principal.coeffs());
@@ -185,6 +187,7 @@ void Engine::save(std::ostream &out, const Library &library) const
     save_facets(out, facets);
   put(work.damped);
   put(work.lifted);
+  put(patches.factors);
   const auto put_value = [&out](const auto &value) { write_value(out, value); };
   visit_state(*this, put_value);
   SpotLists::visit(spots, put_value, put);
@@ -220,6 +223,7 @@ void Engine::restore(std::istream &in, const Library &library)
   pair_finder.forget();
   get(work.damped);
   get(work.lifted);
+  get(patches.factors);
   const auto get_value = [&in](auto &value) { read_value(in, value); };
   visit_state(*this, get_value);
   SpotLists::visit(spots, get_value, get);

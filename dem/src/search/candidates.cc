@@ -180,8 +180,8 @@ void note_corners(const Particles &particles, ContactBatch &batch)
       note_corner(particles, batch, k, true);
     if (batch.layout.has_partners && batch.side_b.is_known(k))
       note_corner(particles, batch, k, false);
-    if (batch.layout.has_level)
-      batch.level[k] = batch.stored_energy(k);
+    if (batch.layout.has_turn)
+      batch.turn[k] = batch.stored_energy(k);
   }
 }
 

@@ -16,8 +16,9 @@ constexpr int stride = 2;
 /// A node may be nearer than one of the first look beside it by at most this
 /// part of the radius.
 constexpr double coarse_slack = 0.15;
-/// The gap between nodes may be smaller by this part of the radius.
-constexpr double fine_slack = 0.04;
+/// The gap between nodes may be smaller by this part of the radius: a sharp
+/// corner between them.
+constexpr double fine_slack = 0.08;
 /// Two places on a stone nearer than this are one [rad].
 constexpr double one_place = 0.03;
 
@@ -143,7 +144,8 @@ bool is_listed(const Spot &spot, std::span<const Spot> list)
                      { return is_one_place(spot, other); });
 }
 
-/// Whether a minimum of the maps is that of a place in the list.
+/// Whether a minimum of the maps is that of a place in the list: two places
+/// may be nearer than the nodes, so only the near half of a node's share is.
 bool leads_to(const Spot &start, std::span<const Spot> list)
 {
   constexpr double node_spacing = std::numbers::pi / nodes.n_polar;
@@ -151,7 +153,7 @@ bool leads_to(const Spot &start, std::span<const Spot> list)
                      [&](const Spot &spot)
                      {
                        return (start.on_a - spot.on_a).squaredNorm() <
-                              node_spacing * node_spacing;
+                              0.25 * node_spacing * node_spacing;
                      });
 }
 

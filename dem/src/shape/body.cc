@@ -2,6 +2,7 @@
 
 #include <dem/assert.h>
 #include <dem/shape/body.h>
+#include <dem/shape/form.h>
 #include <dem/shape/measures.h>
 
 #include <algorithm>
@@ -65,7 +66,7 @@ Body measured(const Coefficients &coefficients, const SphereQuadrature &rule)
       std::minmax_element(radii.begin(), radii.end());
   Body body;
   body.volume = volume(radii, rule);
-  body.inscribed_radius = *lowest;
+  body.inscribed_radius = body.corner_radius = *lowest;
   body.circumscribed_radius = radius_margin * *highest;
   body.max_slope =
       slope_margin * *std::max_element(slopes.begin(), slopes.end());
@@ -79,7 +80,7 @@ Body make_sphere(double radius)
   Body body;
   body.scale = radius;
   body.volume = 4. / 3. * std::numbers::pi * std::pow(radius, 3);
-  body.inscribed_radius = radius;
+  body.inscribed_radius = body.corner_radius = radius;
   body.circumscribed_radius = radius;
   body.gyration.setConstant(0.4 * radius * radius);
   return body;
@@ -102,6 +103,7 @@ Body resized(const Body &body, double radius)
   result.scale *= factor;
   result.volume *= std::pow(factor, 3);
   result.inscribed_radius *= factor;
+  result.corner_radius *= factor;
   result.circumscribed_radius *= factor;
   result.max_slope *= factor;
   result.gyration *= factor * factor;
@@ -114,6 +116,13 @@ Body own_body(Coefficients coefficients, const SphereQuadrature &rule)
   Body body = measured(coefficients, rule);
   body.series = std::make_shared<const Coefficients>(std::move(coefficients));
   return body;
+}
+
+void free_corner_radius(Body &body, const SphereQuadrature &rule)
+{
+  if (body.series)
+    body.corner_radius =
+        body.scale * inscribed_sphere(*body.series, rule).radius;
 }
 
 double mean_radius(const Body &body)

@@ -85,6 +85,12 @@ Vec3 climb(const std::vector<Vec3> &points, Vec3 centre, double sharpness,
 InscribedSphere inscribed_sphere(std::span<const double> coefficients)
 {
   static const SphereQuadrature rule = make_quadrature(120, 240);
+  return inscribed_sphere(coefficients, rule);
+}
+
+InscribedSphere inscribed_sphere(std::span<const double> coefficients,
+                                 const SphereQuadrature &rule)
+{
   const std::vector<double> radii = node_radii(coefficients, rule);
   std::vector<Vec3> points;
   for (std::size_t k = 0; k < radii.size(); ++k)

@@ -143,3 +143,76 @@ TEST(EngineBreakage, NothingBreaksThatMayNot)
     EXPECT_EQ(dem::abrasion(press.engine.particles()), 0.);
   }
 }
+
+namespace
+{
+/// Force of the first event on the tip between linear walls [N].
+double first_event()
+{
+  return 2. * std::numbers::pi * tip_radius() * fracture_energy;
+}
+
+/// Factor of the contact with plate 1 [-].
+double factor(const Press &press)
+{
+  const dem::ContactBatch &batch = press.engine.on_planes();
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (batch.b[k] == 1)
+      return batch.factor_a[k];
+  return 0.;
+}
+
+/// Plates that go this way for so many steps [m/s].
+void drive(Press &press, double speed, int n_steps)
+{
+  press.engine.planes()[0].velocity.x() = speed;
+  press.engine.planes()[1].velocity.x() = -speed;
+  support::advance(press.engine, press.time_step, n_steps);
+}
+
+/// Growth of the factor in 500 swings of 0.1 % of the force, at rest under a
+/// third of the force of an event.
+double damage_of_noise(double hysteresis)
+{
+  dem::EngineParameters p = press_parameters();
+  p.breakage.hysteresis = hysteresis;
+  Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  press.load_to(first_event() / 3.);
+  drive(press, 0., 1000);
+  const double before = factor(press);
+  constexpr int n = 50;
+  const double swing = 1e-3 * press.force() / p.wall.normal_stiffness;
+  for (int cycle = 0; cycle < 500; ++cycle)
+    for (const double sign : {-1., 1.})
+      drive(press, sign * swing / (n * press.time_step), n);
+  return factor(press) - before;
+}
+} // namespace
+
+// Read literally, every swing counts its 0.1 % of a third: 500 make a sixth.
+TEST(EngineBreakage, NoiseAtRestDoesNoDamage)
+{
+  EXPECT_NEAR(damage_of_noise(0.), 500. * 1e-3 / 3., 0.02);
+  EXPECT_EQ(damage_of_noise(dem::BreakageParameters{}.hysteresis), 0.);
+}
+
+// Pressed to 0.6 of the force of an event, let go, and pressed to 0.6 again.
+TEST(EngineBreakage, PatchKeepsTheFactor)
+{
+  using enum dem::FactorMemory;
+  for (const dem::FactorMemory memory : {contact, patch})
+  {
+    dem::EngineParameters p = press_parameters();
+    p.breakage.memory = memory;
+    Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+    EXPECT_TRUE(press.load_to(0.6 * first_event()).empty());
+    EXPECT_NEAR(factor(press), 0.6, 0.03);
+    while (press.force() > 0.)
+      drive(press, -slow, 10);
+    drive(press, -slow, 50);
+    EXPECT_EQ(factor(press), 0.);
+    drive(press, slow, 0);
+    EXPECT_EQ(press.load_to(0.6 * first_event()).empty(), memory == contact);
+    EXPECT_LT(press.engine.time(), 0.02);
+  }
+}

@@ -54,17 +54,35 @@ damage_step(const Real &factor, const Real &energy_before, const Real &energy,
 BreakageMode mode_of(const DamageStep<double> &step,
                      ModePrecedence precedence = ModePrecedence::instantaneous);
 
-/// The level above which energy counts anew, `hysteresis` = h: it follows the
-/// energy up, and down only once that has fallen by the share h of the level.
-/// With h = 0 it is the energy. Noise within the band is not counted (MODEL
-/// 6.3); a cycle of unloading and loading counts its swing less the band.
+/// Energy of a contact as the cumulative factor counts it.
 template <class Real>
-DEM_LANE_INLINE Real counted_level(const Real &level, const Real &energy,
-                                   double hysteresis)
+struct CountedEnergy
 {
+  Real from = Real(0.); ///< what rises above this counts [J]
+  /// Where the energy turned last: its maximum while it counts; minus its
+  /// minimum while it has fallen and waits [J]
+  Real turn = Real(0.);
+};
+
+/// Lets pass swings of the energy below the share `hysteresis` = h of it (MODEL
+/// 6.3): energy that has fallen from its maximum by more than h of that counts
+/// again once it has risen from its minimum by more than h of itself, then all
+/// of the rise. Larger swings count in full; with h = 0 all do (Eq. 4).
+template <class Real>
+DEM_LANE_INLINE CountedEnergy<Real>
+count_energy(const Real &turn, const Real &energy, double hysteresis)
+{
+  using std::abs;
   using std::max;
   using std::min;
-  return min(max(level, energy), Real(energy / (1. - hysteresis)));
+  const auto was_counting = turn >= 0.;
+  const Real extreme = abs(turn), rest = Real(1. - hysteresis);
+  const auto counts = (was_counting && energy >= rest * extreme) ||
+                      (!was_counting && rest * energy > extreme);
+  const Real lowest = select(was_counting, energy, min(extreme, energy));
+  const Real highest = select(was_counting, max(extreme, energy), energy);
+  return {select(was_counting || counts, extreme, energy),
+          select(counts, highest, -lowest)};
 }
 
 /// Eq. 6: mode I takes one off, mode II sets to zero.

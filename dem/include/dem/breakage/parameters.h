@@ -53,6 +53,20 @@ enum class DepthClosure
   article ///< zero-mean kernel, a_00 by Eqs. 17, 18
 };
 
+/// What keeps the cumulative factor when a contact opens.
+enum class FactorMemory
+{
+  contact, ///< nothing: it is lost (the article)
+  patch    ///< the patch of the stone: the next contact there goes on with it
+};
+
+/// The sphere whose radius r_ins tells corners (Eq. 14) and floors curvatures.
+enum class InscribedSphereAt
+{
+  origin, ///< of the series
+  free    ///< the largest sphere inside
+};
+
 /// Parameters of the energy criterion (article, Table 2) and its choices.
 struct BreakageParameters
 {
@@ -66,8 +80,8 @@ struct BreakageParameters
   /// Rings of the rule that measures a stone anew after an event (volume,
   /// inscribed radius, depth of the chip): 2 n^2 nodes.
   int quadrature_rings = 40;
-  /// Energy counts again once it has fallen by this share and risen [-]
-  double hysteresis = 0.;
+  /// Swings of the energy below this share of it do not count [-]
+  double hysteresis = 0.01;
   EventContacts contacts = EventContacts::seen;
   CriterionEnergy energy = CriterionEnergy::normal;
   CapCurvature curvature = CapCurvature::own;
@@ -75,9 +89,11 @@ struct BreakageParameters
   ModePrecedence precedence = ModePrecedence::instantaneous;
   BrokenSides sides = BrokenSides::larger;
   DepthClosure closure = DepthClosure::exact;
+  FactorMemory memory = FactorMemory::contact;
+  InscribedSphereAt inscribed = InscribedSphereAt::origin;
 
-  /// Whether contacts must remember the energy that has been counted.
-  bool needs_level() const
+  /// Whether contacts must remember where their energy turned.
+  bool needs_turn() const
   {
     return hysteresis > 0. || energy == CriterionEnergy::with_shear;
   }

@@ -31,6 +31,7 @@ struct KernelRule
   double floor = 2.5; ///< c_lambda [-]
   double scale = 1.;  ///< s [-]
   DepthClosure closure = DepthClosure::exact;
+  InscribedSphereAt inscribed = InscribedSphereAt::origin;
 };
 
 /// Angular width of the Gaussian kernel: max(lambda_patch, c_lambda / N_s),

@@ -36,13 +36,14 @@ struct TripleColumn
 /// Which optional columns a batch has: only what its scene needs.
 struct BatchLayout
 {
-  bool is_hertz = false;     ///< the normal spring; else it is linear
-  bool has_rolling = false;  ///< a rolling spring
-  bool has_sides = false;    ///< the surface of the stone(s)
-  bool has_partners = false; ///< B is a stone
-  bool has_damage = false;   ///< cumulative factors and events
-  bool has_level = false;    ///< the energy that damage has counted
-  bool has_spots = false;    ///< contacts follow their surfaces
+  bool is_hertz = false;        ///< the normal spring; else it is linear
+  double normal_stiffness = 0.; ///< of a linear one [N/m]
+  bool has_rolling = false;     ///< a rolling spring
+  bool has_sides = false;       ///< the surface of the stone(s)
+  bool has_partners = false;    ///< B is a stone
+  bool has_damage = false;      ///< cumulative factors and events
+  bool has_turn = false;        ///< where the counted energy turned last
+  bool has_spots = false;       ///< contacts follow their surfaces
 };
 
 /// What contacts remember of the surface of the stone on one side: the
@@ -101,8 +102,9 @@ struct ContactBatch
   std::vector<StoneLoad> load; ///< against walls: on the stone; 0 if open
   /// Stone against stone: where the load on B is added, see PairLoads.
   std::vector<std::int32_t> target;
-  std::vector<double> overlap;            ///< last; 0: open [m]
-  std::vector<double> normal_force;       ///< elastic, last [N]
+  std::vector<double> overlap; ///< last; 0: open [m]
+  /// Elastic, last; where a linear contact has just ended < 0 [N]
+  std::vector<double> normal_force;
   std::vector<double> shear_compliance;   ///< 1 / k_s, last [m/N]
   std::vector<double> rolling_compliance; ///< 1 / k_r, last [rad/(N m)]
   SideColumns side_a, side_b;
@@ -115,9 +117,9 @@ struct ContactBatch
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<float> corner_a, corner_b;
-  /// Above this the energy of the criterion counts anew [J].
-  std::vector<double> level;
-  std::vector<std::uint8_t> event; ///< bit 0: side A breaks, bit 1: side B
+  std::vector<double> turn; ///< CountedEnergy::turn [J]
+  /// Bit 0: side A breaks, bit 1: side B, bit 2: the contact began or ended.
+  std::vector<std::uint8_t> event;
 
   std::size_t size() const { return n; }
   bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
@@ -177,7 +179,7 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has.has_damage && has.has_partners, batches.factor_b...);
   call(has.has_damage, batches.corner_a...);
   call(has.has_damage && has.has_partners, batches.corner_b...);
-  call(has.has_level, batches.level...);
+  call(has.has_turn, batches.turn...);
   call(has.has_damage, batches.event...);
 }
 } // namespace dem

@@ -51,7 +51,8 @@ struct ForceSum
 {
   Dissipation lost;
   bool wants_breakage = false;
-  bool has_strayed = false; ///< as RangeSum
+  bool has_switched = false; ///< as RangeSum
+  bool has_strayed = false;  ///< as RangeSum
   int n_jumps = 0;
   int n_ended = 0;
 

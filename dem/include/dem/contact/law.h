@@ -16,6 +16,9 @@ struct ContactCoefficients
   double rolling_friction = 0.; ///< f_r [-]
   double normal_damping = 0.;   ///< beta_n [-]
   double shear_damping = 0.;    ///< beta_s [-]
+  /// Part of the normal dashpot in the force that limits friction: 0 the
+  /// elastic force alone, 1 the total one [-]
+  double limit_damping = 0.;
 };
 
 /// How two surfaces stand and move against each other. Normal from A to B.
@@ -36,14 +39,21 @@ struct ContactMotion
 template <class Real>
 struct NormalSpring
 {
-  Real force = Real(0.);           ///< elastic [N]
-  Real stiffness = Real(0.);       ///< tangent k_n [N/m]
-  Real energy = Real(0.);          ///< stored [J]
+  Real force = Real(0.);     ///< elastic; < 0 only to take back what it was [N]
+  Real stiffness = Real(0.); ///< tangent k_n [N/m]
+  Real energy = Real(0.);    ///< stored [J]
   Real shear_stiffness = Real(0.); ///< k_s [N/m]
 };
 
-/// Share of F delta that the normal spring stores: F ~ delta^(3/2), F ~ delta.
-inline constexpr double hertz_energy_share = 0.4, linear_energy_share = 0.5;
+/// Share of F delta that a Hertz spring stores: F ~ delta^(3/2).
+inline constexpr double hertz_energy_share = 0.4;
+
+/// Energy of a linear spring, k_n delta^2 / 2 [J].
+template <class Real>
+DEM_LANE_INLINE Real linear_energy(double normal_stiffness, const Real &overlap)
+{
+  return 0.5 * normal_stiffness * overlap * overlap;
+}
 
 /// F = C_H delta^(3/2), k_n = 3/2 C_H delta^(1/2), E = 2/5 F delta,
 /// k_s = C_s delta^(1/2) (MODEL 5.1). `overlap` >= 0 [m].
@@ -72,9 +82,52 @@ DEM_LANE_INLINE NormalSpring<Real> linear_spring(double normal_stiffness,
   NormalSpring<Real> spring;
   spring.stiffness = select(is_touching, Real(normal_stiffness), Real(0.));
   spring.force = normal_stiffness * overlap;
-  spring.energy = linear_energy_share * spring.force * overlap;
+  spring.energy = linear_energy(normal_stiffness, overlap);
   spring.shear_stiffness = select(is_touching, Real(shear_stiffness), Real(0.));
   return spring;
+}
+
+/// A contact of a linear spring that begins or ends between two steps: inside
+/// at one end of the step, outside at the other (docs/theory/contact.md).
+template <class Real>
+struct Crossing
+{
+  Real inside = Real(0.);    ///< overlap at the one end > 0 [m]
+  Real outside = Real(0.);   ///< gap at the other; <= 0: not crossed [m]
+  Real stiffness = Real(0.); ///< k_n dt^2 / m* [-]
+};
+
+/// Part of the first force of a contact that was not there for the whole step
+/// before it, such that an undamped impact loses no energy by it [-].
+template <class Real>
+DEM_LANE_INLINE Real part_before_begin(const Crossing<Real> &at)
+{
+  using std::max;
+  using std::sqrt;
+  const Real way = max(
+      Real(0.), Real(at.inside + at.outside - 0.5 * at.stiffness * at.inside));
+  const auto is_crossed = at.outside > 0.;
+  const Real sum =
+      way + sqrt(max(Real(0.),
+                     Real(way * way + at.stiffness * at.inside * at.outside)));
+  return select(is_crossed, at.outside / select(is_crossed, sum, Real(1.)),
+                Real(0.));
+}
+
+/// Part of the last force of a contact that was not there for the whole step
+/// after it, likewise [-].
+template <class Real>
+DEM_LANE_INLINE Real part_after_end(const Crossing<Real> &at)
+{
+  using std::max;
+  using std::sqrt;
+  const Real way = at.inside + at.outside;
+  const auto is_crossed = at.outside > 0.;
+  const Real sum =
+      way + sqrt(max(Real(0.),
+                     Real(way * way - at.stiffness * at.inside * at.outside)));
+  return select(is_crossed, at.outside / select(is_crossed, sum, Real(1.)),
+                Real(0.));
 }
 
 /// What a contact carries from step to step. Springs act on body A.
@@ -208,9 +261,10 @@ advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
 /// One step of the rolling-resistant incremental law (MODEL 5.4): total normal
 /// force without tension, Mindlin shear spring with Coulomb slider, rolling
 /// spring k_r = k_s R^2 with limit f_r R F_n, dashpots c = 2 beta sqrt(m* k)
-/// with the tangent stiffness; the shear dashpot rests while sliding. Work is
-/// taken as the integrator does it: half with the old force, half with the new
-/// one. Returns the force on A; the rolling moment on A is history.rolling.
+/// with the tangent stiffness; the shear dashpot rests while sliding. F_n of
+/// both limits is elastic or total, see `limit_damping`. Work is taken as the
+/// integrator does it: half with the old force, half with the new one. Returns
+/// the force on A; the rolling moment on A is history.rolling.
 template <class Real>
 DEM_LANE_INLINE Triple<Real>
 advance_contact(const ContactMotion<Real> &motion,
@@ -219,18 +273,20 @@ advance_contact(const ContactMotion<Real> &motion,
                 ContactHistory<Real> &history, Losses<Real> &lost)
 {
   using std::max;
+  using std::min;
   using std::sqrt;
   const Triple<Real> &n = motion.normal;
   const Real opening_rate = dot(motion.velocity, n);
   const Triple<Real> moved = Real(time_step) * motion.velocity;
   const Triple<Real> moved_before = Real(time_step) * motion.velocity_before;
   const Real normal_dashpot =
-      max(Real(-spring.force),
+      max(min(Real(0.), Real(-spring.force)),
           Real(-2. * pair.normal_damping *
                sqrt(motion.reduced_mass * spring.stiffness) * opening_rate));
+  const Real pressing = spring.force + pair.limit_damping * normal_dashpot;
   const SpringStep<Real> shear = advance_spring<Real>(
       {history.shear, history.shear_compliance, moved_before}, n, moved,
-      spring.shear_stiffness, pair.friction * spring.force);
+      spring.shear_stiffness, pair.friction * pressing);
   const Real shear_viscosity =
       shear.holds * (2. * pair.shear_damping) *
       sqrt(motion.reduced_mass * spring.shear_stiffness);
@@ -252,7 +308,7 @@ advance_contact(const ContactMotion<Real> &motion,
     const SpringStep<Real> rolling = advance_spring<Real>(
         {history.rolling, history.rolling_compliance, turn}, n, turn,
         spring.shear_stiffness * motion.rolling_radius * motion.rolling_radius,
-        pair.rolling_friction * motion.rolling_radius * spring.force);
+        pair.rolling_friction * motion.rolling_radius * pressing);
     lost.rolling += rolling.dissipated;
     history.rolling = rolling.value;
     history.rolling_compliance = rolling.compliance;

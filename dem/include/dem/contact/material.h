@@ -41,6 +41,14 @@ struct WallMaterial
   double shear_damping = 0.62;     ///< beta_sw [-]
 };
 
+/// The normal force F_n in the limits f F_n of friction and f_r R F_n of
+/// rolling.
+enum class FrictionLimit
+{
+  elastic, ///< of the spring alone (the article)
+  total    ///< with its dashpot: the impulse of friction is f that of F_n
+};
+
 enum class ContactGeometry
 {
   ball,   ///< overlap of the ball carriers

@@ -15,8 +15,9 @@ struct RangeSum
   double load[6] = {};
   Dissipation lost;
   bool wants_breakage = false;
-  bool has_strayed = false; ///< some contact is no more where it was
-  int n_jumps = 0;          ///< loaded contacts that are elsewhere now
-  int n_ended = 0;          ///< loaded contacts that have no place any more
+  bool has_switched = false; ///< patches keep factors: contacts began or ended
+  bool has_strayed = false;  ///< some contact is no more where it was
+  int n_jumps = 0;           ///< loaded contacts that are elsewhere now
+  int n_ended = 0;           ///< loaded contacts that have no place any more
 };
 } // namespace dem

@@ -17,7 +17,9 @@ struct Body
   std::shared_ptr<const Coefficients> series; ///< a_j; null: a sphere
   double scale = 1.;  ///< [m] if the series is dimensionless, else [-]
   double volume = 0.; ///< [m^3]
-  double inscribed_radius = 0.;     ///< min of r over the quadrature nodes [m]
+  double inscribed_radius = 0.; ///< min of r over the quadrature nodes [m]
+  /// r_ins that tells corners: the above, or of the largest sphere inside [m]
+  double corner_radius = 0.;
   double circumscribed_radius = 0.; ///< nothing of the stone is outside [m]
   double max_slope = 0.;            ///< |grad_S r| is nowhere larger [m]
   /// Principal moments of inertia about the origin of the series over the mass
@@ -42,6 +44,9 @@ Body resized(const Body &body, double radius);
 /// A stone of this shape with exactly these coefficients (after an event).
 Body own_body(Coefficients coefficients,
               const SphereQuadrature &rule = standard_quadrature());
+
+/// Tells corners by the largest sphere inside the stone from now on.
+void free_corner_radius(Body &body, const SphereQuadrature &rule);
 
 /// a_00 / sqrt(4 pi) of the stone [m]; for a sphere its radius.
 double mean_radius(const Body &body);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/vector.h>
+#include <dem/shape/quadrature.h>
 
 #include <span>
 
@@ -33,4 +33,8 @@ struct InscribedSphere
 /// the highest top of the distance to the surface that is reached from the
 /// origin uphill.
 InscribedSphere inscribed_sphere(std::span<const double> coefficients);
+
+/// The same over the nodes of a rule.
+InscribedSphere inscribed_sphere(std::span<const double> coefficients,
+                                 const SphereQuadrature &rule);
 } // namespace dem

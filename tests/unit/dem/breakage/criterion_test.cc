@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
+#include <vector>
 
 using namespace dem;
 
@@ -50,27 +52,56 @@ TEST(DamageStep, PrecedenceIsAChoice)
             BreakageMode::instantaneous);
 }
 
-TEST(CountedLevel, FollowsUpAndFallsBehindByTheBand)
+namespace
 {
-  EXPECT_DOUBLE_EQ(counted_level(1., 2., 0.1), 2.);
-  EXPECT_DOUBLE_EQ(counted_level(1., 0.95, 0.1), 1.); // within the band
-  EXPECT_DOUBLE_EQ(counted_level(1., 0.45, 0.1), 0.5);
-  EXPECT_DOUBLE_EQ(counted_level(1., 0., 0.1), 0.); // open
+/// Sum of what counts of a sequence of energies.
+double counted(double turn, const std::vector<double> &energies, double band)
+{
+  double sum = 0.;
+  for (const double energy : energies)
+  {
+    const CountedEnergy<double> now = count_energy(turn, energy, band);
+    sum += std::max(0., energy - now.from);
+    turn = now.turn;
+  }
+  return sum;
+}
+} // namespace
+
+TEST(CountEnergy, PassesSwingsWithinTheBand)
+{
+  EXPECT_EQ(counted(1., {0.95, 0.91, 1., 0.92, 0.99}, 0.1), 0.);
+  // Fallen, but not up again by more than the band.
+  EXPECT_EQ(counted(1., {0.5, 0.55, 0.46, 0.5}, 0.1), 0.);
 }
 
-TEST(CountedLevel, WithoutBandIsTheEnergy)
+TEST(CountEnergy, CountsLargerSwingsInFull)
 {
-  for (const double energy : {0., 0.3, 1., 4.})
-    EXPECT_DOUBLE_EQ(counted_level(1., energy, 0.), energy);
+  EXPECT_DOUBLE_EQ(counted(1., {0.5, 2.}, 0.1), 1.5);
+  EXPECT_DOUBLE_EQ(counted(1., {0.8, 0.5, 0.52, 0.7, 1., 2.}, 0.1), 1.5);
+  EXPECT_DOUBLE_EQ(counted(1., {0.95, 2.}, 0.1), 1.); // no swing: a rise
+  EXPECT_DOUBLE_EQ(counted(0., {0.1, 0.3}, 0.1), 0.3);
+  EXPECT_DOUBLE_EQ(counted(1., {0., 0., 0.3, 0., 0.2}, 0.1), 0.5); // opened
 }
 
-TEST(BreakageParameters, OnlySomeChoicesNeedALevel)
+TEST(CountEnergy, WithoutBandEveryRiseCounts)
+{
+  const std::vector<double> energies = {0.3, 0.31, 0.2, 0., 1., 4., 3.9, 3.95};
+  double rises = 0., before = 1.;
+  for (const double energy : energies)
+  {
+    rises += std::max(0., energy - before);
+    before = energy;
+  }
+  EXPECT_DOUBLE_EQ(counted(1., energies, 0.), rises);
+}
+
+TEST(BreakageParameters, OnlySomeChoicesNeedATurn)
 {
   BreakageParameters p;
-  EXPECT_FALSE(p.needs_level());
-  p.hysteresis = 0.01;
-  EXPECT_TRUE(p.needs_level());
+  EXPECT_TRUE(p.needs_turn());
   p.hysteresis = 0.;
+  EXPECT_FALSE(p.needs_turn());
   p.energy = CriterionEnergy::with_shear;
-  EXPECT_TRUE(p.needs_level());
+  EXPECT_TRUE(p.needs_turn());
 }

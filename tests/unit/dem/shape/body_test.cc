@@ -64,3 +64,26 @@ TEST(Body, BoundsHoldBetweenTheNodes)
     }
   }
 }
+
+// An ellipsoid about a point off its centre: from there the surface is nearer
+// than the radius of the largest sphere inside, its short axis.
+TEST(Body, CornersMayBeToldByTheLargestSphere)
+{
+  const Vec3 axes(0.012, 0.010, 0.008), off(0., 0., 0.002);
+  const auto series = std::make_shared<const Coefficients>(test::project(
+      20,
+      [&](const Vec3 &s)
+      {
+        // |off + r s| in the metric of the ellipsoid is one.
+        const Vec3 u = s.cwiseQuotient(axes), o = off.cwiseQuotient(axes);
+        const double b = u.dot(o), c = o.squaredNorm() - 1.;
+        return (-b + std::sqrt(b * b - u.squaredNorm() * c)) / u.squaredNorm();
+      }));
+  Body body = own_body(*series);
+  EXPECT_EQ(body.corner_radius, body.inscribed_radius);
+  EXPECT_NEAR(body.corner_radius, 0.006, 0.02 * 0.006);
+  free_corner_radius(body, standard_quadrature());
+  EXPECT_NEAR(body.corner_radius, 0.008, 5e-3 * 0.008);
+  EXPECT_NEAR(resized(body, 2. * mean_radius(body)).corner_radius, 0.016,
+              5e-3 * 0.016);
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <dem/contact/batch.h>
+#include <dem/shape/direction_grid.h>
+
+#include <vector>
+
+namespace dem
+{
+/// Cumulative factors that contacts have left on the surfaces of their stones:
+/// one for each patch of about 11 degrees. The next contact there takes it.
+class PatchFactors
+{
+public:
+  static constexpr DirectionGrid patches{16, 32};
+
+  /// Contacts that ended leave their factors, those that began take what is
+  /// there, one after the other: of the batch those that its loop has marked
+  /// (ContactBatch::event, bit 2).
+  void exchange(const Particles &particles, ContactBatch &batch);
+
+  /// By id of the stone, then patch; grows with use [-].
+  std::vector<double> factors;
+
+private:
+  void exchange_side(std::int64_t stone, const Triple<double> &on_body,
+                     bool begins, double &factor);
+};
+} // namespace dem
