@@ -100,7 +100,7 @@ inline constexpr int slots_per_stone = 4;
 /// Where a contact with the facet surface presses.
 struct FacetSpot
 {
-  std::int32_t triangle = -1;
+  std::int64_t triangle = -1; ///< as wide as the rest: no gaps in a checkpoint
   std::array<double, 3> weight{}; ///< barycentric [-]
   Vec3 normal = Vec3::UnitX();    ///< from the stone to the surface [-]
 };
