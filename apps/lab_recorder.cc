@@ -148,6 +148,7 @@ void LabRecorder::finish(LabTest &test)
   nlohmann::ordered_json summary;
   summary["kind"] = kind_names[static_cast<std::size_t>(parameters.kind)];
   summary["title"] = parameters.title;
+  summary["is_complete"] = test.share_done() >= 1.;
   summary["threads"] = omp_get_max_threads();
   test.summarise(summary);
   summary["energy_residual_ratio_1"] = residual_ratio(test);

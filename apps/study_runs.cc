@@ -48,9 +48,17 @@ std::string body(const std::string &resolved)
       std::min(resolved.find("subsection"), resolved.size()));
 }
 
+nlohmann::ordered_json summary_of(const fs::path &run)
+{
+  return nlohmann::ordered_json::parse(text_of(run / "summary.json"), nullptr,
+                                       false);
+}
+
+/// A run that was stopped leaves a summary too, of how far it came.
 bool is_done(const StudyPoint &point, const fs::path &folder)
 {
-  return fs::exists(folder / "summary.json") &&
+  const auto summary = summary_of(folder);
+  return summary.is_object() && summary.value("is_complete", false) &&
          body(text_of(folder / "case.prm")) == body(point.resolved);
 }
 
@@ -107,8 +115,7 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
 /// NaN where the summary has no such number.
 std::vector<double> outcomes_of(const Study &study, const fs::path &run)
 {
-  const auto summary = nlohmann::ordered_json::parse(
-      text_of(run / "summary.json"), nullptr, false);
+  const auto summary = summary_of(run);
   std::vector<double> values;
   for (const std::string &name : study.outcomes)
     values.push_back(summary.is_object()

@@ -71,6 +71,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   nlohmann::ordered_json out;
   out["kind"] = "dynamic_triaxial";
   out["title"] = parameters.title;
+  out["is_complete"] = test.cycle() >= parameters.loading.n_cycles();
   out["lateral"] =
       parameters.boundary.lateral == Lateral::membrane ? "membrane" : "rigid";
   out["n_stones"] = engine.particles().size();
