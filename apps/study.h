@@ -19,6 +19,11 @@ struct SweptKey
   std::string place; ///< in the study file
 
   bool is_variant() const { return section == variant_key; }
+  /// Of a figure.
+  std::string id() const
+  {
+    return is_variant() ? section : section + "_" + key;
+  }
   std::string name() const
   {
     return is_variant() ? section : section + "/" + key;

@@ -31,7 +31,8 @@ struct Abscissa
 
 Abscissa abscissa_of(const SweptKey &key, const std::vector<Level> &levels)
 {
-  const bool is_wide = !levels.empty() && levels.front().x > 0. &&
+  const bool is_wide = !key.is_variant() && !levels.empty() &&
+                       levels.front().x > 0. &&
                        levels.back().x > many_times * levels.front().x;
   return {(is_wide ? "log10 of " : "") + key.name(), is_wide};
 }
@@ -43,7 +44,7 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   const std::string &name = data.study.outcomes[outcome];
   const std::vector<Level> levels = levels_of(data, k, outcome);
   const Abscissa along = abscissa_of(key, levels);
-  Chart chart{name + "_" + key.section + "_" + key.key,
+  Chart chart{name + "_" + key.id(),
               name + " over " + key.name() +
                   ": means, one standard deviation up and down, and the single "
                   "cases (grey).",
@@ -88,7 +89,7 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
 Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
 {
   const Study &study = data.study;
-  Chart chart{"curve_" + study.keys[k].section + "_" + study.keys[k].key,
+  Chart chart{"curve_" + study.keys[k].id(),
               study.curve_y + " over " + study.curve_x + " for values of " +
                   study.keys[k].name() + ", all seeds.",
               study.curve_x, study.curve_y};

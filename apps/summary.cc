@@ -116,6 +116,10 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
                             work)
                  : 0.;
   add_contact_places(engine, out);
+  // Springs gained (< 0) by turning, over the external work of the loading.
+  out["shape_work_ratio_1"] =
+      work != 0. ? (record.end.shape_work - record.start.shape_work) / work
+                 : 0.;
   if (test.gain())
   {
     out["exchange_gain_1"] = test.gain()->gain;

@@ -35,7 +35,8 @@ def faults(folder):
     share = abs(last["shape_work_J"]) / last["external_work_J"]
     if share > 5e-3:
         found.append(f"shape work is {share} of the external work")
-    # Few stones between walls, those without a load counted too.
+    # A hundred stones, those without a load counted too: 3.0 to 3.8 was found
+    # over nine seeds.
     if not 2.5 < result["coordination_start_1"] < 6.:
         found.append(f"coordination {result['coordination_start_1']}")
     if "contact_places" not in result:

@@ -3,13 +3,13 @@
 //
 //   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
 #include "bench_measure.h"
+#include "brute_force.h"
 #include "geometry_methods.h"
 #include "report/chart.h"
 
 #include <dem/packing/random.h>
 
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -22,6 +22,7 @@ namespace
 using dem::Body;
 using dem::Vec3;
 using spall::Meeting;
+using support::processor_time;
 
 constexpr double ball_radius = 0.01; ///< [m]
 constexpr double diameter = 2. * ball_radius;
@@ -60,11 +61,6 @@ struct Row
   double nanoseconds = 0.; ///< per contact and step
   Errors errors;
 };
-
-double processor_time()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// Pairs of one shape that just touch.
 struct Pairs

@@ -4,13 +4,14 @@
 //   surface_pairs N SEED SHAPES [SHAPES ...]
 //
 // Pairs that both do not agree on go to stderr, a line each.
+#include "brute_force.h"
+
 #include <dem/packing/random.h>
 #include <dem/search/spots.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <shape_file.h>
 #include <string>
 #include <vector>
@@ -19,18 +20,9 @@ namespace
 {
 using dem::Body;
 using dem::Vec3;
-
-struct Stone
-{
-  Body body;
-  dem::RadiusMap map;
-
-  explicit Stone(const dem::Coefficients &a)
-      : body(dem::make_body(std::make_shared<const dem::Coefficients>(a), 1.)),
-        map(body.series)
-  {
-  }
-};
+using support::processor_time;
+using support::Tally;
+using Stone = support::MappedBody;
 
 Vec3 on_surface(const Body &body, const Vec3 &s)
 {
@@ -194,27 +186,6 @@ Start best_place(const Pair &pair, bool is_apart)
   return best;
 }
 
-struct Tally
-{
-  int n = 0, n_several = 0;
-  int n_missed = 0;  ///< the brute force has found a nearer place
-  int n_beaten = 0;  ///< the search has
-  double worst = 0.; ///< error of the gap over the diameter of the smaller one
-  double seconds = 0.;
-
-  /// Overlaps over the diameter of the smaller stone; whether both agree.
-  bool add(double exact, double found)
-  {
-    const double error = std::abs(exact - found);
-    const bool is_same = error <= 1e-6;
-    if (is_same)
-      worst = std::max(worst, error);
-    else
-      ++(found < exact ? n_missed : n_beaten);
-    return is_same;
-  }
-};
-
 dem::SpotSearch search(const dem::MappedPair &pair, double margin)
 {
   return dem::find_spots(
@@ -239,11 +210,6 @@ dem::MappedPair approach(const dem::MappedPair &from, double overlap)
     distance -= std::max(0.3 * (overlap - now), 1e-4 * size);
   }
   return pair;
-}
-
-double processor_time()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 /// What each of two places is for the other: where the brute force gets from
@@ -275,7 +241,6 @@ void compare(int number, const dem::MappedPair &pair, Tally &tally)
   const double before = processor_time();
   const dem::SpotSearch search_result = search(pair, 0.02 * size);
   tally.seconds += processor_time() - before;
-  ++tally.n;
   tally.n_several += search_result.spots.size() > 1;
   const dem::Spot found = search_result.spots.empty()
                               ? dem::Spot{.overlap = -0.02 * size}

@@ -2,6 +2,7 @@
 // radius of the series: the table of docs/verification/surfaces.md.
 //
 //   surface_walls N SEED SHAPES [SHAPES ...]
+#include "brute_force.h"
 #include "wall_meshes.h"
 
 #include <dem/packing/random.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <numeric>
 #include <shape_file.h>
 #include <string>
@@ -20,18 +20,9 @@ namespace
 {
 using dem::Body;
 using dem::Vec3;
-
-struct Stone
-{
-  Body body;
-  dem::RadiusMap map;
-
-  explicit Stone(const dem::Coefficients &a)
-      : body(dem::make_body(std::make_shared<const dem::Coefficients>(a), 1.)),
-        map(body.series)
-  {
-  }
-};
+using support::processor_time;
+using support::Tally;
+using Stone = support::MappedBody;
 
 /// A compass search for the least value of a function of n numbers.
 template <std::size_t n, class Value>
@@ -225,25 +216,6 @@ double deepest(const Solid &stone, const std::vector<Piece> &pieces,
   return best;
 }
 
-struct Tally
-{
-  int n = 0, n_several = 0;
-  int n_missed = 0;  ///< the brute force has found a deeper place
-  int n_beaten = 0;  ///< the search has
-  double worst = 0.; ///< error of the gap over the diameter
-  double seconds = 0.;
-
-  void add(double exact, double found, double diameter)
-  {
-    ++n;
-    const double error = std::abs(exact - found) / diameter;
-    if (error > 1e-6)
-      ++(found < exact ? n_missed : n_beaten);
-    else
-      worst = std::max(worst, error);
-  }
-};
-
 /// A wall, a place above it and the way to it.
 struct Scene
 {
@@ -293,11 +265,6 @@ Scene make_scene(const char *name, support::WallMesh mesh)
   return scene;
 }
 
-double processor_time()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// Down along `way` until the deepest overlap is as wanted, by the search.
 void approach(const Scene &scene, dem::PosedStone &stone, const Vec3 &way,
               double overlap)
@@ -322,9 +289,10 @@ void compare(const Scene &scene, const dem::PosedStone &stone, Tally &tally)
   tally.seconds += processor_time() - before;
   tally.n_several += found.places.size() > 1;
   const Solid solid(stone.stone.body, stone.position, stone.rotation);
-  tally.add(deepest(solid, scene.pieces, size),
-            found.places.empty() ? -1e3 : found.places.front().overlap,
-            2. * size);
+  const double overlap =
+      found.places.empty() ? -1e3 : found.places.front().overlap;
+  tally.add(deepest(solid, scene.pieces, size) / (2. * size),
+            overlap / (2. * size));
 }
 } // namespace
 

@@ -1,3 +1,5 @@
+#include "node_minima.h"
+
 #include <dem/search/spots.h>
 
 #include <algorithm>
@@ -117,17 +119,7 @@ private:
 
   bool is_minimum(int node) const
   {
-    const double own = gap[static_cast<std::size_t>(node)];
-    for (int down = -1; down <= 1; ++down)
-      for (int right = -1; right <= 1; ++right)
-      {
-        const int other = nodes.neighbour(node / nodes.n_azimuth,
-                                          node % nodes.n_azimuth, down, right);
-        const double there = gap[static_cast<std::size_t>(other)];
-        if (there < own || (there == own && other < node))
-          return false;
-      }
-    return own < far;
+    return gap[static_cast<std::size_t>(node)] < far && is_least_gap(gap, node);
   }
 
   const Ordered &search;

@@ -1,3 +1,5 @@
+#include "node_minima.h"
+
 #include <dem/search/wall_places.h>
 
 #include <algorithm>
@@ -53,22 +55,8 @@ void for_nearest_nodes(const PosedStone &stone, double range,
             gap[static_cast<std::size_t>(node)] = look(node);
             seen.push_back(node);
           }
-  const auto is_least = [&](int node)
-  {
-    const double own = gap[static_cast<std::size_t>(node)];
-    for (int down = -1; down <= 1; ++down)
-      for (int right = -1; right <= 1; ++right)
-      {
-        const int other = nodes.neighbour(node / nodes.n_azimuth,
-                                          node % nodes.n_azimuth, down, right);
-        const double there = gap[static_cast<std::size_t>(other)];
-        if (there < own || (there == own && other < node))
-          return false;
-      }
-    return own < range;
-  };
   for (const int node : seen)
-    if (is_least(node))
+    if (gap[static_cast<std::size_t>(node)] < range && is_least_gap(gap, node))
       call(node);
 }
 

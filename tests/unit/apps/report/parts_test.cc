@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -98,6 +99,49 @@ TEST(ReportChart, AxesHaveRoundTicksAroundTheData)
   expect_axis(nice_axis(0.512, 0.516, 5), 0.512, 0.516, 0.001);
   // Zero is near: it is taken in.
   expect_axis(nice_axis(2., 9.7, 5), 0., 10., 2.);
+}
+
+TEST(ReportChart, DecadesCoverTheData)
+{
+  expect_axis(decade_axis(0.003, 20.), -3., 2., 1.);
+  expect_axis(decade_axis(0.1, 100.), -1., 2., 1.);
+  expect_axis(decade_axis(5., 5.), 0., 1., 1.);
+  EXPECT_TRUE(decade_axis(1., 2.).is_log);
+}
+
+// Three decades: the middle one of a curve is at two thirds of the height, and
+// what has no logarithm is not drawn.
+TEST(ReportChart, LogarithmicAxesAreEvenInDecades)
+{
+  Chart chart{"c", "C.", "x (m)", "y (m)"};
+  chart.has_log_y = true;
+  Curve curve;
+  curve.line_width = 0.;
+  curve.marker = Marker::dot;
+  curve.x = {0., 1., 2., 3.};
+  curve.y = {1e-3, 1e-2, 0., 1.};
+  chart.curves.push_back(curve);
+  std::istringstream lines(draw(chart));
+  std::vector<double> height;
+  for (std::string text; std::getline(lines, text);)
+    if (const auto at = text.find("cy=\""); at != std::string::npos)
+      height.push_back(std::stod(text.substr(at + 4)));
+  ASSERT_EQ(height.size(), 3u);
+  EXPECT_NEAR((height[1] - height[0]) / (height[2] - height[0]), 1. / 3., 2e-3);
+  EXPECT_NE(draw(chart).find("10\u207b\u00b3"), std::string::npos);
+}
+
+TEST(ReportChart, NamesStandAtWholeNumbers)
+{
+  Chart chart{"c", "C.", "x", "y"};
+  chart.x_names = {"soft", "stiff"};
+  Curve curve;
+  curve.x = {1., 2.};
+  curve.y = {3., 4.};
+  chart.curves.push_back(curve);
+  const std::string svg = draw(chart);
+  EXPECT_NE(svg.find(">soft</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">stiff</text>"), std::string::npos);
 }
 
 TEST(ReportChart, ConstantAndAbsentDataHaveAnAxis)
