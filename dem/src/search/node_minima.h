@@ -2,24 +2,76 @@
 
 #include <dem/shape/radius_map.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 namespace dem
 {
-/// Whether no node of a map beside this one has a smaller gap; of equal ones
-/// the first counts. `gap` has an entry for every node.
-template <class Gaps>
-bool is_least_gap(const Gaps &gap, int node)
+/// Gaps at the nodes of a map, infinite where nobody looked, with a margin so
+/// that every node has all its neighbours beside it.
+class NodeGaps
 {
-  constexpr DirectionGrid nodes = RadiusMap::nodes;
-  const double own = gap[static_cast<std::size_t>(node)];
-  for (int down = -1; down <= 1; ++down)
-    for (int right = -1; right <= 1; ++right)
+public:
+  NodeGaps() { value.fill(std::numeric_limits<float>::infinity()); }
+
+  void set(int node, float gap) { value[place(node)] = gap; }
+  float at(int node) const { return value[place(node)]; }
+
+  /// After the last gap is set: what lies round and beyond the poles.
+  void close()
+  {
+    for (int i = 0; i < nodes.n_polar; ++i)
     {
-      const int other = nodes.neighbour(node / nodes.n_azimuth,
-                                        node % nodes.n_azimuth, down, right);
-      const double there = gap[static_cast<std::size_t>(other)];
-      if (there < own || (there == own && other < node))
-        return false;
+      value[place(i, -1)] = value[place(i, nodes.n_azimuth - 1)];
+      value[place(i, nodes.n_azimuth)] = value[place(i, 0)];
     }
-  return true;
-}
+    turn_over(0, -1);
+    turn_over(nodes.n_polar - 1, nodes.n_polar);
+  }
+
+  /// Whether no node beside this one has a smaller gap; of equal ones the
+  /// first counts.
+  bool is_least(int node) const
+  {
+    const float *const own = &value[place(node)];
+    for (int down = -1; down <= 1; ++down)
+      for (int right = -1; right <= 1; ++right)
+      {
+        const float there = own[down * row + right];
+        if (there < *own ||
+            (there == *own && neighbour(node, down, right) < node))
+          return false;
+      }
+    return true;
+  }
+
+private:
+  static constexpr DirectionGrid nodes = RadiusMap::nodes;
+  static constexpr int row = nodes.n_azimuth + 2;
+
+  static std::size_t place(int ring, int column)
+  {
+    return static_cast<std::size_t>((ring + 1) * row + column + 1);
+  }
+  static std::size_t place(int node)
+  {
+    return place(node / nodes.n_azimuth, node % nodes.n_azimuth);
+  }
+  static int neighbour(int node, int down, int right)
+  {
+    return nodes.neighbour(node / nodes.n_azimuth, node % nodes.n_azimuth, down,
+                           right);
+  }
+  /// Beyond a pole the last ring comes again from the other side.
+  void turn_over(int ring, int beyond)
+  {
+    constexpr int half = nodes.n_azimuth / 2;
+    std::copy_n(&value[place(ring, half - 1)], half + 1,
+                &value[place(beyond, -1)]);
+    std::copy_n(&value[place(ring, 0)], half + 1, &value[place(beyond, half)]);
+  }
+
+  std::array<float, static_cast<std::size_t>((nodes.n_polar + 2) * row)> value;
+};
 } // namespace dem

@@ -1,9 +1,15 @@
 #include "place_lists.h"
 
+#include <algorithm>
+
 namespace dem
 {
 namespace
 {
+/// Stones are searched for places within so many margins: what is not listed
+/// yet tells how long the list is good for.
+constexpr double reach_margins = 2.;
+
 /// Gap between the points of two surfaces where an old contact is [m].
 double gap_at(const Particles &particles, const PairKey &pair,
               const RelativePose &pose, const Spot &spot)
@@ -42,9 +48,16 @@ PairList list_pair(const SpotSearchInput &input, const WatchedPair &watched,
         gap_at(particles, pair, pose, spot) < input.margin)
       list.keep({static_cast<std::int32_t>(k), spot, {}});
   }
-  const SpotSearch search =
-      find_spots(mapped, separation, input.margin, list.spots());
+  SpotSearch search = find_spots(mapped, separation,
+                                 reach_margins * input.margin, list.spots());
   list.events.n_lost = search.n_lost;
+  // The places are complete until the next one comes within the margin.
+  const auto beyond =
+      std::ranges::find_if(search.spots, [&](const Spot &spot)
+                           { return spot.overlap <= -input.margin; });
+  list.clear = beyond == search.spots.end() ? reach_margins * input.margin
+                                            : -beyond->overlap;
+  search.spots.erase(beyond, search.spots.end());
   list.add(search.spots, input.is_first);
   return list;
 }

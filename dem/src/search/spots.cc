@@ -1,3 +1,4 @@
+#include "node_list.h"
 #include "node_minima.h"
 
 #include <dem/search/spots.h>
@@ -11,13 +12,6 @@ namespace dem
 {
 namespace
 {
-constexpr double far = std::numeric_limits<double>::infinity();
-constexpr DirectionGrid nodes = RadiusMap::nodes;
-/// Nodes of the first look: every second ring and column.
-constexpr int stride = 2;
-/// A node may be nearer than one of the first look beside it by at most this
-/// part of the radius.
-constexpr double coarse_slack = 0.15;
 /// The gap between nodes may be smaller by this part of the radius: a sharp
 /// corner between them.
 constexpr double fine_slack = 0.08;
@@ -49,85 +43,27 @@ std::array<Ordered, 2> both_ways(const MappedPair &pair,
           Ordered{pair.b, pair.a, inverted(pair.pose), back, true}};
 }
 
-/// Nodes of one stone in the field |x| - r(x / |x|) of another.
-class NodeGaps
+/// Calls call(position) for every node of one stone that is nearer to the other
+/// one than its neighbours are, and than `range` [m].
+template <class Call>
+void for_nearest_nodes(const Ordered &pair, double range, const Call &call)
 {
-public:
-  /// Looks at every node that may be within `range` of the field.
-  NodeGaps(const Ordered &pair, double range)
-      : search(pair), scale(pair.sampled.body.scale),
-        slab(pair.between.normal.cast<float>() * static_cast<float>(scale))
-  {
-    gap.fill(far);
-    const double slack = coarse_slack * mean_radius(pair.sampled.body);
-    // Nothing of the field is lower along the normal.
-    const double face =
-        pair.sampled.map.height(pair.between.normal).height * scale +
-        pair.between.gap;
-    const auto lowest = static_cast<float>(face - range - slack);
-    for (int i = 0; i < nodes.n_polar; i += stride)
-      for (int k = 0; k < nodes.n_azimuth; k += stride)
-      {
-        const int node = i * nodes.n_azimuth + k;
-        if (search.sampled.map.point(node).dot(slab) > lowest &&
-            gap_at(node, range + slack) < range + slack)
-          look_around(i, k, range);
-      }
-  }
-
-  /// Calls call(node, gap) for every local minimum.
-  template <class Call>
-  void for_minima(const Call &call) const
-  {
-    for (const int node : looked_at)
-      if (is_minimum(node))
-        call(node, gap[static_cast<std::size_t>(node)]);
-  }
-
-  Vec3 position(int node) const
-  {
-    return scale * search.sampled.map.point(node).cast<double>();
-  }
-
-private:
-  /// From node to field: along the ray from the centre of the field, times the
-  /// cosine of the surface there; infinite where the node is farther than
-  /// `range` from all of it.
-  double gap_at(int node, double range) const
-  {
-    const Vec3 branch = position(node) - search.pose.position;
-    const Body &field = search.field.body;
-    const double reach = field.circumscribed_radius + range;
-    const double square = branch.squaredNorm();
-    if (square > reach * reach)
-      return far;
-    const RadiusMap::Look look =
-        search.field.map.towards(search.pose.rotation.transpose() * branch);
-    return look.cosine * (std::sqrt(square) - field.scale * look.radius);
-  }
-
-  void look_around(int i, int k, double range)
-  {
-    for (int down = 0; down < stride; ++down)
-      for (int right = 0; right < stride; ++right)
-      {
-        const int node = (i + down) * nodes.n_azimuth + k + right;
-        gap[static_cast<std::size_t>(node)] = gap_at(node, range);
-        looked_at.push_back(node);
-      }
-  }
-
-  bool is_minimum(int node) const
-  {
-    return gap[static_cast<std::size_t>(node)] < far && is_least_gap(gap, node);
-  }
-
-  const Ordered &search;
-  double scale;
-  Eigen::Vector3f slab;
-  std::array<double, static_cast<std::size_t>(nodes.size())> gap;
-  std::vector<int> looked_at;
-};
+  // Nothing of the field is lower along the normal than this face.
+  const double face = pair.sampled.map.height(pair.between.normal).height *
+                          pair.sampled.body.scale +
+                      pair.between.gap;
+  NodeList list(pair.sampled, pair.between.normal, face - range);
+  std::array<float, kernel::map_nodes + kernel::map_spare> gap;
+  find_gaps(pair.field, pair.pose, range, list.points(), list.size(),
+            gap.data());
+  NodeGaps gaps;
+  for (int k = 0; k < list.size(); ++k)
+    gaps.set(list.node(k), gap[static_cast<std::size_t>(k)]);
+  gaps.close();
+  for (int k = 0; k < list.size(); ++k)
+    if (gap[static_cast<std::size_t>(k)] < range && gaps.is_least(list.node(k)))
+      call(list.position(k));
+}
 
 bool is_listed(const Spot &spot, std::span<const Spot> list)
 {
@@ -140,7 +76,7 @@ bool is_listed(const Spot &spot, std::span<const Spot> list)
 /// may be nearer than the nodes, so only the near half of a node's share is.
 bool leads_to(const Spot &start, std::span<const Spot> list)
 {
-  constexpr double node_spacing = std::numbers::pi / nodes.n_polar;
+  constexpr double node_spacing = std::numbers::pi / RadiusMap::nodes.n_polar;
   return std::any_of(list.begin(), list.end(),
                      [&](const Spot &spot)
                      {
@@ -231,9 +167,8 @@ bool may_touch(const MappedPair &pair, double margin)
                      [&](const Ordered &search)
                      {
                        bool is_near = false;
-                       NodeGaps(search, margin)
-                           .for_minima([&](int, double gap)
-                                       { is_near |= gap < margin; });
+                       for_nearest_nodes(search, margin,
+                                         [&](const Vec3 &) { is_near = true; });
                        return is_near;
                      });
 }
@@ -248,13 +183,12 @@ SpotSearch find_spots(const MappedPair &pair, const Separation &separation,
   for (const Ordered &search : both_ways(pair, separation))
   {
     const double range = margin + fine_slack * mean_radius(search.sampled.body);
-    const NodeGaps gaps(search, range);
-    gaps.for_minima(
-        [&](int node, double gap)
+    for_nearest_nodes(
+        search, range,
+        [&](const Vec3 &position)
         {
-          const Spot start = start_at(search, gaps.position(node));
-          if (gap > range || leads_to(start, known) ||
-              leads_to(start, found.spots))
+          const Spot start = start_at(search, position);
+          if (leads_to(start, known) || leads_to(start, found.spots))
             return;
           const Spot spot = polish(a, b, pair.pose, start);
           if (!spot.is_found)
@@ -273,28 +207,19 @@ std::vector<Spot> find_supports(const MappedStone &stone, const Vec3 &normal,
                                 const SupportHeights &heights,
                                 std::span<const Spot> known)
 {
-  const Eigen::Vector3f up =
-      static_cast<float>(stone.body.scale) * normal.cast<float>();
-  const auto lowest =
-      static_cast<float>(heights.lowest - fine_slack * mean_radius(stone.body));
-  const auto height = [&](int node) { return stone.map.point(node).dot(up); };
-  const auto is_summit = [&](int node)
-  {
-    const float own = height(node);
-    for (int down = -1; down <= 1; ++down)
-      for (int right = -1; right <= 1; ++right)
-        if (height(nodes.neighbour(node / nodes.n_azimuth,
-                                   node % nodes.n_azimuth, down, right)) > own)
-          return false;
-    return true;
-  };
+  const NodeList list(stone, normal,
+                      heights.lowest - fine_slack * mean_radius(stone.body));
+  NodeGaps depths;
+  for (int k = 0; k < list.size(); ++k)
+    depths.set(list.node(k), -static_cast<float>(list.position(k).dot(normal)));
+  depths.close();
   std::vector<Spot> found;
-  for (int node = 0; node < nodes.size(); ++node)
+  for (int k = 0; k < list.size(); ++k)
   {
-    if (height(node) < lowest || !is_summit(node))
+    if (!depths.is_least(list.node(k)))
       continue;
-    const Support support = find_support(
-        stone.body, normal, stone.map.point(node).cast<double>().normalized());
+    const Support support =
+        find_support(stone.body, normal, list.position(k).normalized());
     const Spot spot{support.direction, Vec3::UnitZ(),
                     support.height - heights.wall, support.is_found};
     if (spot.is_found && support.height > heights.lowest &&

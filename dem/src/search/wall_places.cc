@@ -1,3 +1,4 @@
+#include "node_list.h"
 #include "node_minima.h"
 
 #include <dem/search/wall_places.h>
@@ -39,10 +40,8 @@ template <class Distance, class Call>
 void for_nearest_nodes(const PosedStone &stone, double range,
                        const Distance &distance, const Call &call)
 {
-  std::vector<double> gap(static_cast<std::size_t>(nodes.size()), far);
+  NodeGaps gaps;
   const double slack = coarse_slack * stone.stone.body.circumscribed_radius;
-  const auto look = [&](int node)
-  { return distance(node_point(stone, node), range); };
   std::vector<int> seen;
   for (int i = 0; i < nodes.n_polar; i += stride)
     for (int k = 0; k < nodes.n_azimuth; k += stride)
@@ -52,11 +51,13 @@ void for_nearest_nodes(const PosedStone &stone, double range,
           for (int right = 0; right < stride; ++right)
           {
             const int node = (i + down) * nodes.n_azimuth + k + right;
-            gap[static_cast<std::size_t>(node)] = look(node);
+            gaps.set(node, static_cast<float>(
+                               distance(node_point(stone, node), range)));
             seen.push_back(node);
           }
+  gaps.close();
   for (const int node : seen)
-    if (gap[static_cast<std::size_t>(node)] < range && is_least_gap(gap, node))
+    if (gaps.at(node) < range && gaps.is_least(node))
       call(node);
 }
 
@@ -171,18 +172,65 @@ private:
   std::vector<Face> faces;
 };
 
-/// How deep a vertex is in the stone, by its map; far outside: -infinity.
-double rough_depth(const PosedStone &stone, const Vec3 &vertex, double range)
+/// Calls call(vertex) for every corner of the triangles round a vertex.
+template <class Call>
+void for_corners_round(const FacetMesh &mesh, std::int32_t vertex,
+                       const Call &call)
 {
-  const Body &body = stone.stone.body;
-  const Vec3 branch = vertex - stone.position;
-  const double distance = branch.norm();
-  if (distance > body.circumscribed_radius + range || distance == 0.)
-    return -far;
-  const RadiusMap::Look look =
-      stone.stone.map.towards(stone.rotation.transpose() * branch);
-  return look.cosine * (body.scale * look.radius - distance);
+  const auto at = static_cast<std::size_t>(vertex);
+  for (std::int32_t r = mesh.topology.row_start[at];
+       r < mesh.topology.row_start[at + 1]; ++r)
+    for (const std::int32_t corner :
+         mesh.surface.triangles[static_cast<std::size_t>(
+             mesh.topology.row_triangle[static_cast<std::size_t>(r)])])
+      call(corner);
 }
+
+/// Gaps of the vertices of some triangles, and of those next to them, from a
+/// stone by its map.
+class VertexGaps
+{
+public:
+  VertexGaps(const PosedStone &stone, const FacetMesh &mesh,
+             std::span<const std::int32_t> triangles, double range)
+  {
+    for (const std::int32_t t : triangles)
+      for (const std::int32_t v :
+           mesh.surface.triangles[static_cast<std::size_t>(t)])
+        for_corners_round(mesh, v,
+                          [this](std::int32_t corner)
+                          { vertices.push_back(corner); });
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
+    const std::size_t room = vertices.size() + kernel::map_spare;
+    std::vector<float> x(room), y(room), z(room);
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      const Vec3 branch =
+          mesh.surface.position[static_cast<std::size_t>(vertices[k])] -
+          stone.position;
+      x[k] = static_cast<float>(branch.x());
+      y[k] = static_cast<float>(branch.y());
+      z[k] = static_cast<float>(branch.z());
+    }
+    gaps.resize(room);
+    find_gaps(stone.stone, {Vec3::Zero(), stone.rotation}, range,
+              {x.data(), y.data(), z.data()}, static_cast<int>(vertices.size()),
+              gaps.data());
+  }
+
+  float of(std::int32_t vertex) const
+  {
+    const auto found =
+        std::lower_bound(vertices.begin(), vertices.end(), vertex);
+    return gaps[static_cast<std::size_t>(found - vertices.begin())];
+  }
+
+private:
+  std::vector<std::int32_t> vertices; ///< sorted
+  std::vector<float> gaps;
+};
 
 /// Calls call(triangle, corner) once for every vertex that is deeper in the
 /// stone than the others of its triangles, and not farther than `range`.
@@ -191,22 +239,14 @@ void for_deepest_vertices(const PosedStone &stone, const FacetMesh &mesh,
                           std::span<const std::int32_t> triangles, double range,
                           const Call &call)
 {
-  const auto depth = [&](std::int32_t v)
+  const VertexGaps gaps(stone, mesh, triangles, range);
+  const auto is_deepest = [&](std::int32_t v)
   {
-    return rough_depth(
-        stone, mesh.surface.position[static_cast<std::size_t>(v)], range);
-  };
-  const auto is_deepest = [&](std::int32_t v, double own)
-  {
-    const auto at = static_cast<std::size_t>(v);
-    for (std::int32_t r = mesh.topology.row_start[at];
-         r < mesh.topology.row_start[at + 1]; ++r)
-      for (const std::int32_t other :
-           mesh.surface.triangles[static_cast<std::size_t>(
-               mesh.topology.row_triangle[static_cast<std::size_t>(r)])])
-        if (other != v && depth(other) > own)
-          return false;
-    return true;
+    bool is_least = true;
+    for_corners_round(mesh, v,
+                      [&](std::int32_t other)
+                      { is_least &= gaps.of(other) >= gaps.of(v); });
+    return is_least;
   };
   std::vector<std::int32_t> seen;
   for (const std::int32_t t : triangles)
@@ -217,8 +257,7 @@ void for_deepest_vertices(const PosedStone &stone, const FacetMesh &mesh,
       if (std::find(seen.begin(), seen.end(), v) != seen.end())
         continue;
       seen.push_back(v);
-      const double own = depth(v);
-      if (own > -range && is_deepest(v, own))
+      if (gaps.of(v) < range && is_deepest(v))
         call(t, c);
     }
 }

@@ -57,8 +57,6 @@ DirectionGrid::Place DirectionGrid::locate(const Vec3 &direction) const
   place.column = std::min(static_cast<int>(right), n_azimuth - 1);
   place.down = down - (place.ring + 1);
   place.right = right - place.column;
-  place.sine_square = std::max(aside_square / direction.squaredNorm(),
-                               0.0625 * polar_step * polar_step);
   return place;
 }
 

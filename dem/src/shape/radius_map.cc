@@ -25,6 +25,18 @@ const SphereQuadrature &node_rule()
   return rule;
 }
 
+const std::vector<Eigen::Vector3f> &node_directions()
+{
+  static const std::vector<Eigen::Vector3f> directions = []
+  {
+    std::vector<Eigen::Vector3f> all;
+    for (const Vec3 &direction : node_rule().direction)
+      all.push_back(direction.cast<float>());
+    return all;
+  }();
+  return directions;
+}
+
 std::vector<double> sampled_radii(const Coefficients *series)
 {
   return series ? node_radii(*series, node_rule())
@@ -36,11 +48,15 @@ std::vector<double> sampled_radii(const Coefficients *series)
 RadiusMap::RadiusMap(std::shared_ptr<const Coefficients> sampled)
     : series(std::move(sampled))
 {
-  const std::vector<double> radii = sampled_radii(series.get());
-  radius = GridValues(nodes, radii);
-  for (std::size_t node = 0; node < radii.size(); ++node)
-    points.push_back((radii[node] * node_rule().direction[node]).cast<float>());
+  radius = GridValues(nodes, sampled_radii(series.get()));
   measure_hull();
+}
+
+Eigen::Vector3f RadiusMap::point(int node) const
+{
+  const auto r = static_cast<float>(
+      radius.at(node / nodes.n_azimuth, node % nodes.n_azimuth));
+  return r * node_directions()[static_cast<std::size_t>(node)];
 }
 
 int RadiusMap::highest_neighbour(int node,
@@ -92,25 +108,6 @@ void RadiusMap::measure_hull()
   // Between two sides 0.13 rad apart a point rises by (0.13 / 2)^2 / 2 in
   // either direction, and corners between nodes by about as much.
   hull_slack = 0.01 * largest;
-}
-
-RadiusMap::Look RadiusMap::towards(const Vec3 &direction) const
-{
-  const DirectionGrid::Place at = nodes.locate(direction);
-  const double top = radius.at(at.ring, at.column);
-  const double bottom = radius.at(at.ring + 1, at.column);
-  const double along_top = radius.at(at.ring, at.column + 1) - top;
-  const double along_bottom = radius.at(at.ring + 1, at.column + 1) - bottom;
-  const double upper = top + at.right * along_top,
-               lower = bottom + at.right * along_bottom;
-  const double r = upper + at.down * (lower - upper);
-  constexpr double per_radian = nodes.n_polar * std::numbers::inv_pi;
-  const double polar = (lower - upper) * per_radian;
-  const double azimuthal =
-      (along_top + at.down * (along_bottom - along_top)) * per_radian;
-  const double slope_square =
-      polar * polar + azimuthal * azimuthal / at.sine_square;
-  return {r, r / std::sqrt(r * r + slope_square)};
 }
 
 RadiusMap::Height RadiusMap::height(const Vec3 &direction) const

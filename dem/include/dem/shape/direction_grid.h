@@ -29,8 +29,6 @@ struct DirectionGrid
   {
     int ring = 0, column = 0;
     double down = 0., right = 0.; ///< part of the way, 0 .. 1
-    double sine_square = 1.;      ///< of the polar angle, not below that of a
-                                  ///< quarter of a step
   };
   /// Of a direction that need not be unit, within 1e-5 rad.
   Place locate(const Vec3 &direction) const;
@@ -50,6 +48,8 @@ public:
     return value[static_cast<std::size_t>((ring + 1) * (grid.n_azimuth + 1) +
                                           column)];
   }
+  /// Row after row.
+  const float *data() const { return value.data(); }
 
 private:
   DirectionGrid grid;

@@ -9,7 +9,7 @@
 namespace dem
 {
 /// The radius of a shape on a grid of directions and the heights of its hull,
-/// to look up what need not be exact: where two stones may touch. About 25 kB.
+/// to look up what need not be exact: where two stones may touch. About 30 kB.
 class RadiusMap
 {
 public:
@@ -23,20 +23,10 @@ public:
   const std::shared_ptr<const Coefficients> &source() const { return series; }
 
   /// Point of the surface at a node, in units of the series [-] or [m].
-  const Eigen::Vector3f &point(int node) const
-  {
-    return points[static_cast<std::size_t>(node)];
-  }
+  Eigen::Vector3f point(int node) const;
 
-  /// What the grid says of one direction.
-  struct Look
-  {
-    double radius = 0.; ///< by bilinear interpolation [-] or [m]
-    /// Cosine of the angle between the ray and the normal of the surface [-]
-    double cosine = 1.;
-  };
-  /// At any direction, not necessarily unit.
-  Look towards(const Vec3 &direction) const;
+  /// Radii of the nodes, as GridValues has them.
+  const float *radii() const { return radius.data(); }
 
   /// The hull in one direction.
   struct Height
@@ -54,8 +44,7 @@ private:
 
   std::shared_ptr<const Coefficients> series;
   GridValues radius, hull;
-  std::vector<Eigen::Vector3f> points; ///< of the nodes
-  std::vector<std::int32_t> summit;    ///< node that is highest along a side
+  std::vector<std::int32_t> summit; ///< node that is highest along a side
   double hull_slack = 0.; ///< what the hull may be higher than its table
 };
 } // namespace dem
