@@ -3,7 +3,7 @@
 
     compare.py BEFORE_BUILD AFTER_BUILD [--packing P.csv] [--repeat N]
                [--steps N] [--scenes rest,jolt,collapse] [--threads 1]
-               [--shapes DIR] [--breakage]
+               [--shapes DIR] [--geometry G] [--breakage]
 
 A BUILD is a build folder or the program itself. Without --packing a lattice
 of 5000 stones is made (make_packing.py). The builds run ABAB..., so that a
@@ -39,6 +39,7 @@ def arguments():
     parser.add_argument("--scenes", default="rest,jolt,collapse")
     parser.add_argument("--threads", default="1")
     parser.add_argument("--shapes")
+    parser.add_argument("--geometry")
     parser.add_argument("--breakage", action="store_true")
     return parser.parse_args()
 
@@ -53,15 +54,20 @@ def packing_for(options, folder):
     if not options.shapes:
         return packing
     closed = folder / "closed.csv"
-    bench(options.before, packing, "--shapes", options.shapes, "--save",
-          closed, "--steps", 1, "--settle", 0)
+    bench(options.before, packing, *shape_words(options), "--save", closed,
+          "--steps", 1, "--settle", 0)
     return closed
+
+
+def shape_words(options):
+    words = ["--shapes", options.shapes] if options.shapes else []
+    return words + (["--geometry", options.geometry] if options.geometry else [])
 
 
 def compare(options, packing, scene, threads):
     """A row: ratio of rates, after over before."""
     words = ["--scene", scene, "--steps", options.steps]
-    words += ["--shapes", options.shapes] if options.shapes else []
+    words += shape_words(options)
     words += ["--breakage"] if options.breakage else []
     found = {options.before: [], options.after: []}
     for _ in range(options.repeat):
