@@ -1,5 +1,7 @@
 #pragma once
 
+#include "subgrade_case.h"
+
 #include <coupling/exchange.h>
 #include <dem/breakage/criterion.h>
 #include <dem/contact/material.h>
@@ -16,12 +18,13 @@ enum class CaseKind
 {
   dynamic_triaxial,
   single_particle,
-  los_angeles
+  los_angeles,
+  subgrade
 };
 
 /// By the number of CaseKind.
 inline const std::vector<std::string> kind_names = {
-    "dynamic_triaxial", "single_particle", "los_angeles"};
+    "dynamic_triaxial", "single_particle", "los_angeles", "subgrade"};
 
 enum class Lateral
 {
@@ -96,12 +99,13 @@ struct CouplingParameters
   ExchangeChoice exchange = ExchangeChoice::none;
   /// Rule and limit of the ledger are those given here.
   coupling::ExchangeParameters rules;
-  double ledger_limit = 0.05; ///< see coupling::ExchangeParameters [-]
-  bool is_membrane_implicit = false;
-  int membrane_steps = 1; ///< of the membrane in one window [-]
+  double ledger_limit = 0.05;        ///< see coupling::ExchangeParameters [-]
+  bool is_membrane_implicit = false; ///< membrane or subgrade
+  int membrane_steps = 1;            ///< of it in one window [-]
 
-  /// Steps of the stones and the whole of the rules, with a membrane or
-  /// without one.
+  /// Steps of the stones and the whole of the rules.
+  coupling::ExchangeParameters exchange_rules() const;
+  /// The same with a membrane or without one.
   coupling::ExchangeParameters exchange_rules(Lateral lateral) const;
 };
 
@@ -217,6 +221,7 @@ struct Case
   fem::MembraneParameters membrane;
   BoundaryParameters boundary;
   CouplingParameters coupling;
+  SubgradeParameters subgrade;
   LoadingParameters loading;
   TimeParameters time;
   OutputParameters output;

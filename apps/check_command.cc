@@ -1,4 +1,5 @@
 #include "case_file.h"
+#include "check_parts.h"
 #include "commands.h"
 #include "errors.h"
 #include "lab_test.h"
@@ -9,21 +10,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 namespace spall
 {
 namespace
 {
-/// Resident memory of the program [MiB].
-double memory_in_use()
-{
-  std::ifstream status("/proc/self/statm");
-  double pages = 0., resident = 0.;
-  status >> pages >> resident;
-  return resident * 4096. / (1024. * 1024.);
-}
-
 /// Wall-clock of one step of the stones when they are packed [s]: the cloud is
 /// drawn together to the expected solid fraction and evaluated in place.
 double packed_step_cost(const Case &parameters)
@@ -71,50 +62,6 @@ double membrane_step_cost(const Case &parameters)
          n_steps;
 }
 
-void print_memory()
-{
-  std::printf("memory           %.0f MiB\n", memory_in_use());
-}
-
-void print_stones(const dem::Engine &engine)
-{
-  const dem::Particles &stones = engine.particles();
-  double smallest = stones.radius(0), largest = smallest, mass = 0.;
-  std::size_t n_breakable = 0;
-  for (std::size_t i = 0; i < stones.size(); ++i)
-  {
-    smallest = std::min(smallest, stones.radius(i));
-    largest = std::max(largest, stones.radius(i));
-    mass += stones.mass(i);
-    n_breakable += stones.is_breakable[i];
-  }
-  std::printf("stones           %zu, %zu breakable, diameter %.4g to %.4g m, "
-              "%.4g kg\n",
-              stones.size(), n_breakable, 2. * smallest, 2. * largest, mass);
-}
-
-/// The gain that counts, what the ways of exchange stand, and which to take.
-void print_exchange(const SetupStep &setup)
-{
-  const coupling::ExchangeGain &gain = *setup.gain;
-  const coupling::WindowGain &window = setup.window;
-  std::printf("exchange gain    %.4g, stable below %.4g\n", gain.gain,
-              gain.limit);
-  std::printf("of a window      %.4g: one_pass below %.4g, iterated without "
-              "relaxation below %.4g, best constant relaxation %.3g\n",
-              window.gain, window.one_pass_limit, window.unrelaxed_limit,
-              window.best_relaxation);
-  std::printf("membrane alone   explicit steps of at most %.4g s\n",
-              setup.membrane_step);
-  const char *advice = "iterated with aitken";
-  if (window.gain < 0.5 * window.unrelaxed_limit &&
-      setup.step < setup.membrane_step)
-    advice = "every_step";
-  else if (window.gain < 0.5 * window.one_pass_limit)
-    advice = "one_pass";
-  std::printf("recommended      Coupling/exchange = %s\n", advice);
-}
-
 void print_step(const Triaxial &test)
 {
   const dem::StepLimit limit =
@@ -125,7 +72,7 @@ void print_step(const Triaxial &test)
       "in a corner      %.4g s (the same stone on three walls)\n",
       dem::corner_step(test.engine().parameters(), test.engine().particles()));
   if (test.gain())
-    print_exchange(test.setup_step());
+    print_exchange(test.setup_step(), "membrane");
 }
 
 void print_cost(const Case &parameters, const Triaxial &test)
@@ -195,6 +142,8 @@ int check_command(Words words)
               parameters.title.c_str());
   if (parameters.kind == CaseKind::dynamic_triaxial)
     check_triaxial(parameters);
+  else if (parameters.kind == CaseKind::subgrade)
+    check_subgrade_cost(parameters);
   else
     check_lab(parameters);
   return 0;

@@ -5,6 +5,7 @@
 #include "los_angeles.h"
 #include "parameter.h"
 #include "single_particle.h"
+#include "subgrade.h"
 
 #include <dem/io/binary.h>
 
@@ -42,9 +43,9 @@ LabTest::LabTest(const Case &c, ShapeLibrary library,
 
 void LabTest::advance()
 {
-  if (watch.is_due(engine().n_steps()))
+  if (watch.is_due(engine().n_steps() / steps_in_move()))
   {
-    watch.look(engine(), {}, step);
+    watch.look(engine(), surroundings(), step);
     if (parameters.time.step != StepRule::fixed)
       step = watch.state().longest;
   }
@@ -59,9 +60,14 @@ void LabTest::stop_after(int)
                    " has no turns or cycles");
 }
 
+std::vector<dem::BreakageEvent> LabTest::new_events()
+{
+  return engine().take_events();
+}
+
 std::vector<dem::BreakageEvent> LabTest::take_events()
 {
-  auto events = engine().take_events();
+  auto events = new_events();
   if (first_event_time < 0. && !events.empty())
   {
     first_event_time = events[0].time;
@@ -94,8 +100,11 @@ std::vector<Quantity> LabTest::row() const
   std::vector<Quantity> all = {{"time_s", engine().time()}};
   for (const Quantity &one : measured())
     all.push_back(one);
-  const dem::EngineEnergy e = engine().energy();
-  const double work = external_work();
+  dem::EngineEnergy e = engine().energy();
+  const coupling::BodyEnergy around = bodies();
+  e.kinetic += around.kinetic;
+  e.damping += around.lost;
+  const double work = external_work() + around.external;
   const std::vector<Quantity> common = {
       {"laa_percent", abrasion_percent()},
       {"n_events_1", static_cast<double>(engine().n_events())},
@@ -109,7 +118,7 @@ std::vector<Quantity> LabTest::row() const
       {"shape_work_J", e.shape_work},
       {"energy_residual_J",
        work - (e.kinetic + e.elastic + e.friction + e.rolling + e.damping +
-               e.breakage + e.shape_work)}};
+               e.breakage + e.shape_work + around.stored)}};
   all.insert(all.end(), common.begin(), common.end());
   return all;
 }
@@ -168,6 +177,8 @@ std::unique_ptr<LabTest> make_lab_test(const Case &parameters)
 {
   if (parameters.kind == CaseKind::single_particle)
     return std::make_unique<SingleParticle>(parameters);
+  if (parameters.kind == CaseKind::subgrade)
+    return std::make_unique<Subgrade>(parameters);
   return std::make_unique<LosAngeles>(parameters);
 }
 } // namespace spall

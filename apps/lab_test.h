@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case.h"
+#include "frames.h"
 #include "specimen.h"
 #include "step_watch.h"
 
@@ -26,8 +27,8 @@ struct Quantity
   double value = 0.;
 };
 
-/// A test with stones and rigid boundaries alone, step by step: what the single
-/// particle and the Los Angeles drum have in common.
+/// A test with stones and what is around them, step by step: what the single
+/// particle, the Los Angeles drum and the subgrade have in common.
 class LabTest
 {
 public:
@@ -35,7 +36,7 @@ public:
   LabTest(const LabTest &) = delete;
   LabTest &operator=(const LabTest &) = delete;
 
-  /// One step.
+  /// One step, or the steps of a window.
   void advance();
   /// Share of the whole test that is done; 1: it is over [-].
   virtual double share_done() const = 0;
@@ -62,6 +63,15 @@ public:
   /// Continues a saved test of the same case; throws std::runtime_error.
   virtual void restore(std::istream &in);
 
+  /// Stones and the bodies around them; null: there are none.
+  virtual const coupling::Exchange *exchange() const { return nullptr; }
+  /// Gain of the exchange now [-].
+  virtual double exchange_gain() const { return 0.; }
+  /// Bodies that a frame shows.
+  virtual std::vector<FrameBody> frame_bodies() const { return {}; }
+  /// Tables that are written when the test ends.
+  virtual void write_tables(const std::filesystem::path &) const {}
+
   /// Breakage events since the last call.
   std::vector<dem::BreakageEvent> take_events();
   const dem::Engine &engine() const { return *stones; }
@@ -83,6 +93,14 @@ protected:
   virtual std::vector<Quantity> measured() const = 0;
   /// Done by gravity and boundaries on the stones [J].
   virtual double external_work() const;
+  /// Of the bodies around the stones.
+  virtual coupling::BodyEnergy bodies() const { return {}; }
+  virtual std::vector<dem::BreakageEvent> new_events();
+  /// What the watch looks at besides the stones.
+  virtual Surroundings surroundings() const { return {}; }
+  /// Of the engine in one move().
+  virtual int steps_in_move() const { return 1; }
+  const ShapeLibrary &library() const { return shapes; }
 
   Case parameters;
 
@@ -94,6 +112,7 @@ private:
   double first_event_time = -1., first_event_force = 0.; ///< [s], [N]
 };
 
-/// The scene of a single_particle or los_angeles case. Throws InputError.
+/// The scene of a single_particle, los_angeles or subgrade case. Throws
+/// InputError.
 std::unique_ptr<LabTest> make_lab_test(const Case &parameters);
 } // namespace spall

@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "event_rows.h"
 #include "frames.h"
+#include "ledger_rows.h"
 #include "summary.h"
 
 #include <algorithm>
@@ -24,11 +25,9 @@ std::string history_header()
   return header;
 }
 
-const char *const ledger_header =
-    "time_s,work_given_J,work_taken_J,work_residual_1,impulse_given_x_Ns,"
-    "impulse_given_y_Ns,impulse_given_z_Ns,impulse_taken_x_Ns,"
-    "impulse_taken_y_Ns,impulse_taken_z_Ns,impulse_residual_1,gain_1,"
-    "passes_1,gap_m,membrane_work_J,plate_work_J,energy_residual_J";
+const std::string ledger_header =
+    std::string(ledger_columns) +
+    ",membrane_work_J,plate_work_J,energy_residual_J";
 } // namespace
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
@@ -151,21 +150,11 @@ void Recorder::write_ledger(Triaxial &test, const Sample &sample)
   if (!test.membrane())
     return;
   const coupling::Exchange &exchange = *test.exchange();
-  const coupling::LedgerSums &sums = exchange.ledger();
   worst_gain = std::max(worst_gain, test.exchange_gain());
-  std::vector<double> row{sample.time, sums.given, sums.taken,
-                          sums.work_residual()};
-  for (const dem::Vec3 &impulse : {sums.impulse_given, sums.impulse_taken})
-    row.insert(row.end(), impulse.begin(), impulse.end());
-  const std::vector<double> more{
-      sums.impulse_residual(),
-      test.exchange_gain(),
-      static_cast<double>(exchange.last_window().passes),
-      exchange.last_window().gap,
-      test.engine().energy().surface_work,
-      test.plate_work(),
-      sample.energy_residual};
-  row.insert(row.end(), more.begin(), more.end());
+  std::vector<double> row =
+      ledger_row(sample.time, exchange, test.exchange_gain());
+  row.insert(row.end(), {test.engine().energy().surface_work, test.plate_work(),
+                         sample.energy_residual});
   ledger.write_row(row);
 }
 

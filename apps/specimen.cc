@@ -161,10 +161,10 @@ void check_membrane_step(const Case &parameters, const SetupStep &setup)
   if (!c.is_membrane_implicit && own > setup.membrane_step)
     throw InputError(
         parameters.file +
-        ": Coupling/membrane_steps = " + std::to_string(c.membrane_steps) +
+        ": Coupling/body_steps = " + std::to_string(c.membrane_steps) +
         ": explicit steps of the membrane of " + in_four_digits(own) +
         " s must be at most " + in_four_digits(setup.membrane_step) +
-        " s: take more of them, or membrane_time = implicit");
+        " s: take more of them, or body_time = implicit");
 }
 
 /// Gains at this step, and what a pass can stand of them.

@@ -2,7 +2,7 @@
 
 #include "case.h"
 
-#include <coupling/cell_body.h>
+#include <coupling/body.h>
 #include <coupling/exchange.h>
 #include <coupling/gain.h>
 
@@ -28,11 +28,12 @@ struct StepRecord
 struct Surroundings
 {
   const coupling::Exchange *exchange = nullptr; ///< null: planes only
-  const coupling::CellBody *cell = nullptr;
+  /// What moves with it and bends; null: nothing.
+  const coupling::Body *body = nullptr;
   coupling::WindowGain gain; ///< at setup, for the limit of one pass
   int stone_steps = 1;       ///< of a window
 
-  bool has_membrane() const { return cell && cell->has_membrane(); }
+  bool has_body() const { return body != nullptr; }
 };
 
 /// Looks at the contacts that exist and says how long a step may be.
