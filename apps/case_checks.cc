@@ -10,22 +10,13 @@
 
 namespace spall
 {
-namespace
-{
-/// One refusal: section, key and value as given, and what is allowed.
-struct Fault
-{
-  std::string section, key, value, allowed;
-};
-
-[[noreturn]] void refuse(const Place &place, const Fault &fault)
+void refuse(const Place &place, const Fault &fault)
 {
   throw InputError(place(fault.section, fault.key) + ": " + fault.section +
                    "/" + fault.key + " = " + fault.value + ": " +
                    fault.allowed);
 }
 
-/// A folder of shapes, or none.
 void check_shapes(const Case &c, const Place &place, const std::string &section,
                   const std::string &shapes)
 {
@@ -35,6 +26,8 @@ void check_shapes(const Case &c, const Place &place, const std::string &section,
                    "must be a folder of shape files, or empty for spheres"});
 }
 
+namespace
+{
 void check_specimen(const Case &c, const Place &place)
 {
   const SpecimenParameters &s = c.specimen;
@@ -100,13 +93,17 @@ void check_time(const Case &c, const Place &place)
 void check_coupling(const Case &c, const Place &place)
 {
   const CouplingParameters &p = c.coupling;
-  if (c.boundary.lateral == Lateral::rigid)
+  if (c.lateral() == Lateral::rigid)
     return;
   if (p.exchange == ExchangeChoice::none)
     refuse(place,
            {"Coupling", "exchange", "none",
-            "with Boundary/lateral = membrane must be one of "
-            "every_step, one_pass, iterated; spall check compares them"});
+            std::string("with ") +
+                (c.kind == CaseKind::vibratory_compaction
+                     ? "Container/form = flexible"
+                     : "Boundary/lateral = membrane") +
+                " must be one of every_step, one_pass, iterated; spall check "
+                "compares them"});
   if (p.exchange == ExchangeChoice::every_step)
   {
     if (p.rules.stone_steps != 1)
@@ -196,6 +193,10 @@ void check_case(const Case &parameters, const Place &place)
     return check_lab_time(parameters, place);
   case CaseKind::los_angeles:
     check_drum(parameters, place);
+    return check_lab_time(parameters, place);
+  case CaseKind::vibratory_compaction:
+    check_compaction(parameters, place);
+    check_coupling(parameters, place);
     return check_lab_time(parameters, place);
   }
 }

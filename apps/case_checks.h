@@ -14,4 +14,19 @@ using Place =
 /// What no single range can say: parameters against each other and against
 /// the files they name. Throws InputError.
 void check_case(const Case &parameters, const Place &place);
+
+/// One refusal: section, key and value as given, and what is allowed.
+struct Fault
+{
+  std::string section, key, value, allowed;
+};
+[[noreturn]] void refuse(const Place &place,
+                         const Fault &fault); ///< InputError
+
+/// A folder of shapes, or none.
+void check_shapes(const Case &c, const Place &place, const std::string &section,
+                  const std::string &shapes);
+
+/// Of a vibratory_compaction case alone, all but its time and coupling.
+void check_compaction(const Case &c, const Place &place);
 } // namespace spall

@@ -358,6 +358,14 @@ const std::vector<Section> &sections()
        {single_particle}},
       {"Charge", "Stones and steel balls in the drum.", {los_angeles}},
       {"Drum", "The Los Angeles drum and how long it turns.", {los_angeles}},
+      {"Container", "What the stones are in.", {vibratory_compaction}},
+      {"Filling",
+       "The stones, and how they get to their density.",
+       {vibratory_compaction}},
+      {"Plate", "The rigid plate on the stones.", {vibratory_compaction}},
+      {"Vibration",
+       "The exciter on the plate, and what is written.",
+       {vibratory_compaction}},
       {"Specimen", "The stones and the room they fill.", {dynamic_triaxial}},
       {"Preparation",
        "Compaction of the random cloud by servo walls.",
@@ -367,16 +375,16 @@ const std::vector<Section> &sections()
       {"Wall", "Stone against plates, rigid sides, platens and drum."},
       {"MembraneContact",
        "Stone against membrane: linear springs.",
-       {dynamic_triaxial}},
+       {dynamic_triaxial, vibratory_compaction}},
       {"Contact", "What counts as overlap."},
       {"Breakage", "Energy criterion of micro-breakage."},
       {"Membrane",
        "The finite-element membrane round the specimen.",
-       {dynamic_triaxial}},
+       {dynamic_triaxial, vibratory_compaction}},
       {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
       {"Coupling",
        "How stones and membrane exchange motion and loads.",
-       {dynamic_triaxial}},
+       {dynamic_triaxial, vibratory_compaction}},
       {"Loading",
        "Confinement, and what the top plate does.",
        {dynamic_triaxial}},
@@ -396,6 +404,7 @@ std::vector<Parameter> parameters_of(Case &of)
   add_press(list, of.press);
   add_charge(list, of.charge);
   add_drum(list, of.drum);
+  add_compaction(list, of);
   add_specimen(list, of.specimen);
   add_preparation(list, of.preparation);
   list.in("Material");
@@ -441,6 +450,16 @@ Case default_case(CaseKind kind)
   c.kind = kind;
   if (kind == CaseKind::dynamic_triaxial)
     return c;
+  if (kind == CaseKind::vibratory_compaction)
+  {
+    c.title = "vibratory compaction test";
+    c.contact.wall_geometry = dem::ContactGeometry::radial;
+    c.time.step = StepRule::stable;
+    // A sleeve that stands 330 kPa from above, not latex.
+    c.membrane.youngs_modulus = 1e8;
+    c.membrane.thickness = 3e-3;
+    return c;
+  }
   c.wall.law = dem::WallLaw::hertz;
   c.contact.wall_geometry = dem::ContactGeometry::radial;
   if (kind == CaseKind::single_particle)

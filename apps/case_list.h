@@ -52,4 +52,6 @@ private:
 
 void add_membrane(List &list, fem::MembraneParameters &m);
 void add_coupling(List &list, CouplingParameters &c);
+/// Container, Filling, Plate and Vibration.
+void add_compaction(List &list, Case &of);
 } // namespace spall

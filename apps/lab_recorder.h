@@ -41,7 +41,7 @@ private:
 
   Case parameters;
   std::filesystem::path folder;
-  CsvFile history, events;
+  CsvFile history, events, ledger;
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   double output_seconds = 0.;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <coupling/exchange.h>
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// Columns of ledger.csv that every test with an exchange has.
+std::string ledger_header();
+
+/// A row of them; `window` is the present one [s].
+std::vector<double> ledger_row(const coupling::Exchange &exchange,
+                               const dem::Engine &engine, double window);
+} // namespace spall
