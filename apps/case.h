@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compaction_case.h"
 #include "subgrade_case.h"
 
 #include <coupling/exchange.h>
@@ -19,12 +20,14 @@ enum class CaseKind
   dynamic_triaxial,
   single_particle,
   los_angeles,
+  vibratory_compaction,
   subgrade
 };
 
 /// By the number of CaseKind.
 inline const std::vector<std::string> kind_names = {
-    "dynamic_triaxial", "single_particle", "los_angeles", "subgrade"};
+    "dynamic_triaxial", "single_particle", "los_angeles",
+    "vibratory_compaction", "subgrade"};
 
 enum class Lateral
 {
@@ -202,6 +205,10 @@ struct Case
   PressParameters press;
   ChargeParameters charge;
   DrumParameters drum;
+  ContainerParameters container;
+  FillingParameters filling;
+  PlateParameters plate;
+  VibrationParameters vibration;
   SpecimenParameters specimen;
   PreparationParameters preparation;
   std::string material; ///< file with the next three and breakage; may be empty
@@ -227,6 +234,15 @@ struct Case
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
+
+  /// Whether a membrane is round the stones.
+  Lateral lateral() const
+  {
+    const bool is_rigid = kind == CaseKind::vibratory_compaction
+                              ? container.form == ContainerForm::rigid
+                              : boundary.lateral == Lateral::rigid;
+    return is_rigid ? Lateral::rigid : Lateral::membrane;
+  }
 };
 
 /// A case of this kind with its defaults.

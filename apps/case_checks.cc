@@ -111,13 +111,17 @@ void check_time(const Case &c, const Place &place)
 void check_coupling(const Case &c, const Place &place)
 {
   const CouplingParameters &p = c.coupling;
-  if (c.boundary.lateral == Lateral::rigid)
+  if (c.lateral() == Lateral::rigid)
     return;
   if (p.exchange == ExchangeChoice::none)
     refuse(place,
            {"Coupling", "exchange", "none",
-            "with Boundary/lateral = membrane must be one of "
-            "every_step, one_pass, iterated; spall check compares them"});
+            std::string("with ") +
+                (c.kind == CaseKind::vibratory_compaction
+                     ? "Container/form = flexible"
+                     : "Boundary/lateral = membrane") +
+                " must be one of every_step, one_pass, iterated; spall check "
+                "compares them"});
   check_every_step(c, place);
   if (c.time.step == StepRule::error && p.rules.stone_steps != 1)
     refuse(place, {"Time", "step", "error",
@@ -194,6 +198,10 @@ void check_case(const Case &parameters, const Place &place)
     return check_lab_time(parameters, place);
   case CaseKind::los_angeles:
     check_drum(parameters, place);
+    return check_lab_time(parameters, place);
+  case CaseKind::vibratory_compaction:
+    check_compaction(parameters, place);
+    check_coupling(parameters, place);
     return check_lab_time(parameters, place);
   case CaseKind::subgrade:
     check_subgrade(parameters, place);

@@ -29,4 +29,7 @@ void check_every_step(const Case &c, const Place &place);
 /// What no single range can say: parameters against each other and against
 /// the files they name. Throws InputError.
 void check_case(const Case &parameters, const Place &place);
+
+/// Of a vibratory_compaction case alone, all but its time and coupling.
+void check_compaction(const Case &c, const Place &place);
 } // namespace spall

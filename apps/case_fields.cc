@@ -357,10 +357,18 @@ const std::vector<Section> &sections()
        {single_particle}},
       {"Charge", "Stones and steel balls in the drum.", {los_angeles}},
       {"Drum", "The Los Angeles drum and how long it turns.", {los_angeles}},
+      {"Container", "What the stones are in.", {vibratory_compaction}},
+      {"Filling",
+       "The stones, and how they get to their density.",
+       {vibratory_compaction}},
+      {"Plate", "The rigid plate on the stones.", {vibratory_compaction}},
+      {"Vibration",
+       "The exciter on the plate, and what is written.",
+       {vibratory_compaction}},
       {"Layer",
        "The stones on the subgrade, in a box with rigid sides.",
        {subgrade}},
-      {"Plate", "The rigid body that loads the stones.", {subgrade}},
+      {"LoadPlate", "The rigid body that loads the stones.", {subgrade}},
       {"Subgrade", "The elastic ground, its top at z = 0.", {subgrade}},
       {"Pulse", "What the plate or sleeper gets while loading.", {subgrade}},
       {"Record", "What is written, and how often.", {subgrade}},
@@ -373,17 +381,17 @@ const std::vector<Section> &sections()
       {"Wall", "Stone against plates, rigid sides, platens and drum."},
       {"MembraneContact",
        "Stone against membrane: linear springs.",
-       {dynamic_triaxial}},
+       {dynamic_triaxial, vibratory_compaction}},
       {"Contact", "What counts as overlap."},
       {"Breakage", "Energy criterion of micro-breakage."},
       {"GroundContact", "Stone against subgrade: linear springs.", {subgrade}},
       {"Membrane",
        "The finite-element membrane round the specimen.",
-       {dynamic_triaxial}},
+       {dynamic_triaxial, vibratory_compaction}},
       {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
       {"Coupling",
        "How stones and membrane or subgrade exchange motion and loads.",
-       {dynamic_triaxial, subgrade}},
+       {dynamic_triaxial, vibratory_compaction, subgrade}},
       {"Loading",
        "Confinement, and what the top plate does.",
        {dynamic_triaxial}},
@@ -403,6 +411,7 @@ std::vector<Parameter> parameters_of(Case &of)
   add_press(list, of.press);
   add_charge(list, of.charge);
   add_drum(list, of.drum);
+  add_compaction(list, of);
   add_subgrade(list, of.subgrade);
   add_specimen(list, of.specimen);
   add_preparation(list, of.preparation);
@@ -457,6 +466,16 @@ Case default_case(CaseKind kind)
     c.coupling.rules.stone_steps = 10;
     c.time.fixed_step = 5e-6;
     c.time.local_damping = 0.; // waves run
+    return c;
+  }
+  if (kind == CaseKind::vibratory_compaction)
+  {
+    c.title = "vibratory compaction test";
+    c.contact.wall_geometry = dem::ContactGeometry::radial;
+    c.time.step = StepRule::stable;
+    // A sleeve that stands 330 kPa from above, not latex.
+    c.membrane.youngs_modulus = 1e8;
+    c.membrane.thickness = 3e-3;
     return c;
   }
   c.wall.law = dem::WallLaw::hertz;

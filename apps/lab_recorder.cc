@@ -23,20 +23,16 @@ std::string header_of(const LabTest &test)
   return header;
 }
 
-double value_of(const LabTest &test, const std::string &column)
-{
-  for (const Quantity &one : test.row())
-    if (column == one.name)
-      return one.value;
-  return 0.;
-}
-
 /// Energy residual over the largest of the terms that it is left of [-].
 double residual_ratio(const LabTest &test)
 {
-  const double scale = value_of(test, "external_work_J");
-  return scale != 0. ? std::abs(value_of(test, "energy_residual_J") / scale)
-                     : 0.;
+  double residual = 0., scale = 0.;
+  for (const Quantity &one : test.row())
+    if (const std::string name = one.name; name == "energy_residual_J")
+      residual = one.value;
+    else if (name == "external_work_J")
+      scale = one.value;
+  return scale != 0. ? std::abs(residual / scale) : 0.;
 }
 } // namespace
 
@@ -58,9 +54,8 @@ void LabRecorder::start(LabTest &test)
   write_text(folder / "case.prm", resolved_case(parameters));
   history.open(folder / "history.csv", header_of(test));
   events.open(folder / "events.csv", events_header(test.progress_column()));
-  if (test.exchange())
-    ledger.open(folder / "ledger.csv",
-                std::string(ledger_columns) + ",energy_residual_J");
+  if (test.has_ledger())
+    ledger.open(folder / "ledger.csv", ledger_header());
   write_row(test);
   write_frame(test);
 }
@@ -74,7 +69,7 @@ void LabRecorder::resume(LabTest &test)
   write_text(folder / "case.prm", resolved_case(parameters));
   history.resume(folder / "history.csv", done.history_size);
   events.resume(folder / "events.csv", done.events_size);
-  if (test.exchange())
+  if (test.has_ledger())
     ledger.resume(folder / "ledger.csv", done.ledger_size);
   frames = done.frames;
   n_frames = done.n_frames;
@@ -84,6 +79,8 @@ void LabRecorder::resume(LabTest &test)
 void LabRecorder::after_step(LabTest &test)
 {
   const Due due = test.due();
+  for (const NamedText &file : test.take_files())
+    write_text(folder / file.name, file.text);
   if (!due.row && !due.frame && !due.checkpoint)
     return;
   const double begun = elapsed();
@@ -103,17 +100,9 @@ void LabRecorder::write_row(const LabTest &test)
   for (const Quantity &one : test.row())
     row.push_back(one.value);
   history.write_row(row);
-  write_ledger(test);
-}
-
-void LabRecorder::write_ledger(const LabTest &test)
-{
-  if (!test.exchange())
-    return;
-  std::vector<double> row =
-      ledger_row(test.engine().time(), *test.exchange(), test.exchange_gain());
-  row.push_back(value_of(test, "energy_residual_J"));
-  ledger.write_row(row);
+  if (test.exchange())
+    ledger.write_row(ledger_row(*test.exchange(), test.engine(),
+                                test.steps_in_move() * test.time_step()));
 }
 
 void LabRecorder::write_events(LabTest &test)
@@ -124,8 +113,8 @@ void LabRecorder::write_events(LabTest &test)
 
 void LabRecorder::write_frame(const LabTest &test)
 {
-  spall::write_frame(folder, test.engine(),
-                     {nullptr, true, test.frame_bodies()}, n_frames++, frames);
+  spall::write_frame(folder, test.engine(), test.frame_parts(), n_frames++,
+                     frames);
 }
 
 std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
@@ -158,7 +147,7 @@ void LabRecorder::write_checkpoint(LabTest &test)
   Progressed done;
   done.history_size = history.flushed_size();
   done.events_size = events.flushed_size();
-  if (test.exchange())
+  if (test.has_ledger())
     done.ledger_size = ledger.flushed_size();
   done.frames = frames;
   done.n_frames = n_frames;
@@ -184,7 +173,6 @@ void LabRecorder::finish(LabTest &test)
   summary["energy_residual_ratio_1"] = residual_ratio(test);
   if (test.exchange())
     add_ledger(*test.exchange(), summary);
-  test.write_tables(folder);
   summary["wall_clock_s"] = wall_clock(test);
   summary["version"] = SPALL_VERSION;
   write_text(folder / "summary.json", summary.dump(2) + "\n");

@@ -9,15 +9,12 @@
 
 namespace spall
 {
-/// Columns of ledger.csv that every exchange has.
-inline constexpr const char *ledger_columns =
-    "time_s,work_given_J,work_taken_J,work_residual_1,impulse_given_x_Ns,"
-    "impulse_given_y_Ns,impulse_given_z_Ns,impulse_taken_x_Ns,"
-    "impulse_taken_y_Ns,impulse_taken_z_Ns,impulse_residual_1,gain_1,"
-    "passes_1,gap_m";
+/// Columns of ledger.csv that every test with an exchange has.
+std::string ledger_header();
 
-std::vector<double> ledger_row(double time, const coupling::Exchange &exchange,
-                               double gain);
+/// A row of them; `window` is the present one [s].
+std::vector<double> ledger_row(const coupling::Exchange &exchange,
+                               const dem::Engine &engine, double window);
 
 /// The sums of the whole run, for summary.json.
 void add_ledger(const coupling::Exchange &exchange,

@@ -25,9 +25,10 @@ std::string history_header()
   return header;
 }
 
-const std::string ledger_header =
-    std::string(ledger_columns) +
-    ",membrane_work_J,plate_work_J,energy_residual_J";
+std::string triaxial_ledger_header()
+{
+  return ledger_header() + ",membrane_work_J,plate_work_J,energy_residual_J";
+}
 } // namespace
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
@@ -49,7 +50,7 @@ void Recorder::start()
   history.open(folder / "history.csv", history_header());
   events.open(folder / "events.csv", events_header("cycle_1"));
   if (parameters.boundary.lateral == Lateral::membrane)
-    ledger.open(folder / "ledger.csv", ledger_header);
+    ledger.open(folder / "ledger.csv", triaxial_ledger_header());
 }
 
 void Recorder::resume(Triaxial &test)
@@ -64,7 +65,7 @@ void Recorder::resume(Triaxial &test)
   if (test.membrane())
     ledger.resume(folder / "ledger.csv", done.ledger_size);
   else if (parameters.boundary.lateral == Lateral::membrane)
-    ledger.open(folder / "ledger.csv", ledger_header);
+    ledger.open(folder / "ledger.csv", triaxial_ledger_header());
   frames = done.frames;
   n_frames = done.n_frames;
   roundness = done.roundness;
@@ -149,12 +150,12 @@ void Recorder::write_ledger(Triaxial &test, const Sample &sample)
 {
   if (!test.membrane())
     return;
-  const coupling::Exchange &exchange = *test.exchange();
   worst_gain = std::max(worst_gain, test.exchange_gain());
   std::vector<double> row =
-      ledger_row(sample.time, exchange, test.exchange_gain());
-  row.insert(row.end(), {test.engine().energy().surface_work, test.plate_work(),
-                         sample.energy_residual});
+      ledger_row(*test.exchange(), test.engine(), test.window());
+  for (const double more : {test.engine().energy().surface_work,
+                            test.plate_work(), sample.energy_residual})
+    row.push_back(more);
   ledger.write_row(row);
 }
 

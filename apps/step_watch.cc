@@ -50,13 +50,13 @@ dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
                                       const Surroundings &around,
                                       double horizon)
 {
-  if (!around.has_body())
+  if (!around.has_membrane())
     return dem::contact_springs(engine, horizon);
   dem::SpringNetwork network = around.exchange->springs(engine, horizon);
   if (around.exchange->rule() != coupling::ExchangeRule::every_step)
     return network;
   if (record.membrane_step == 0. || record.n_checks % membrane_interval == 0)
-    record.membrane_step = around.body->stable_time_step();
+    record.membrane_step = around.membrane->stable_time_step();
   network.point_frequency = membrane_headroom * 2. / record.membrane_step;
   return network;
 }
@@ -85,7 +85,7 @@ void StepWatch::look(const dem::Engine &engine, const Surroundings &around,
 double StepWatch::gain_step(const dem::Engine &engine,
                             const Surroundings &around, double step)
 {
-  if (!around.has_body() ||
+  if (!around.has_membrane() ||
       around.exchange->rule() != coupling::ExchangeRule::one_pass)
     return std::numeric_limits<double>::infinity();
   const double gain = around.exchange->gain(engine, around.stone_steps * step);

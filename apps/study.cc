@@ -141,6 +141,8 @@ std::string seed_key_of(CaseKind kind)
     return "Charge/seed";
   case CaseKind::subgrade:
     return "Layer/seed";
+  case CaseKind::vibratory_compaction:
+    return "Filling/seed";
   case CaseKind::dynamic_triaxial:
     break;
   }

@@ -32,25 +32,21 @@ double sum_down(coupling::FieldView loads)
     sum -= load.z();
   return sum;
 }
-
-double weight_of(const dem::Particles &stones)
-{
-  double sum = 0.;
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    sum += gravity * stones.mass(i);
-  return sum;
-}
 } // namespace
 
 Subgrade::Subgrade(const Case &c) : Subgrade(c, make_stone_box(c)) {}
 
-Subgrade::Subgrade(const Case &c, StoneBox scene)
-    : LabTest(c, std::move(scene.shapes), std::move(scene.engine)), pulses(c),
+Subgrade::Subgrade(const Case &c, StoneBox its_scene)
+    : LabTest(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
+              first_step(c, its_scene.limit)),
+      scene(std::move(its_scene)),
+      pouring(scene.room, pouring_parameters(c), scene.layers,
+              static_cast<std::uint64_t>(c.subgrade.layer.seed)),
+      pulses(c),
       joined(std::make_unique<coupling::Exchange>(c.coupling.exchange_rules()))
 {
   build_ground();
-  setup = ground_setup(c, *ground, engine().particles().smallest_mass(),
-                       time_step());
+  setup = ground_setup(c, *ground, scene.all.smallest_mass(), time_step());
   check_ground_setup(c, setup);
   for (const double depth : parse_depths(c.subgrade.record.stress_depths))
   {
@@ -60,6 +56,7 @@ Subgrade::Subgrade(const Case &c, StoneBox scene)
   }
   dead_stress.assign(stress_names.size(), 0.);
   peak_stress = dead_stress;
+  pouring.prepare(engine());
 }
 
 void Subgrade::build_ground()
@@ -143,11 +140,6 @@ Surroundings Subgrade::surroundings() const
           parameters.coupling.rules.stone_steps};
 }
 
-double Subgrade::exchange_gain() const
-{
-  return joined->gain(engine(), window_of(parameters, time_step()));
-}
-
 void Subgrade::move(double time_step)
 {
   const double before = engine().time();
@@ -165,46 +157,36 @@ void Subgrade::move(double time_step)
     take_row();
 }
 
+/// Stones and plate: what carries them is what they weigh, and no stone is
+/// out of balance.
 bool Subgrade::is_at_rest() const
 {
-  const dem::Particles &all = engine().particles();
-  const double weight = weight_of(all);
-  double up = force_on_ground();
-  for (const dem::Plane &plane : engine().planes())
-    up -= plane.force.z();
-  return std::abs(up - weight - force_on_plate()) < rest_share * weight &&
-         dem::unbalanced_force_ratio(all, engine().pairs()) <
-             parameters.subgrade.layer.unbalanced_ratio &&
-         dem::contact_network(all, engine().pairs()).n_contacts > 0;
+  const LoadPlateParameters &p = parameters.subgrade.plate;
+  const double on_plate = p.mass * gravity + p.static_load;
+  return std::abs(force_on_plate() - on_plate) < rest_share * on_plate &&
+         dem::unbalanced_weight_ratio(engine().particles(),
+                                      engine().parameters().gravity) <
+             parameters.subgrade.layer.unbalanced_ratio;
 }
 
 void Subgrade::pour(double time_step)
 {
+  pouring.steer(engine(), time_step);
   engine().advance(time_step);
-  if (engine().n_steps() % rest_interval == 0 && is_at_rest())
-  {
-    engine().come_to_rest();
-    engine().set_friction(parameters.stone.friction);
-    now.placed_at = engine().time();
-    build_plate(height_above(engine().particles(), parameters.subgrade.plate));
-    now.stage = Stage::placing;
-  }
-  else if (engine().time() > parameters.subgrade.layer.max_time)
-    throw RunFailure("the stones are not at rest " +
-                     std::to_string(engine().time()) +
-                     " s after they were poured: see Layer/max_time, "
-                     "unbalanced_ratio, local_damping");
+  if (!pouring.is_done())
+    return;
+  now.placed_at = engine().time();
+  build_plate(height_above(engine().particles(), parameters.subgrade.plate));
+  now.stage = Stage::placing;
 }
 
 void Subgrade::place(double time_step)
 {
-  joined->advance(coupling::stones_of(engine(), library()),
+  joined->advance(coupling::stones_of(engine(), shapes),
                   window_of(parameters, time_step));
-  const LoadPlateParameters &p = parameters.subgrade.plate;
-  const double weight = p.mass * gravity + p.static_load,
-               spent = engine().time() - now.placed_at;
+  const double spent = engine().time() - now.placed_at;
   if (joined->n_windows() % rest_interval == 0 && spent > 2. * ramp &&
-      std::abs(force_on_plate() - weight) < rest_share * weight && is_at_rest())
+      is_at_rest())
     start_loading();
   else if (spent > parameters.subgrade.layer.max_time)
     throw RunFailure("plate and stones are not at rest " +
@@ -271,10 +253,12 @@ void Subgrade::balance_ground()
 
 void Subgrade::load_plate(double time_step)
 {
-  joined->advance(coupling::stones_of(engine(), library()),
+  joined->advance(coupling::stones_of(engine(), shapes),
                   window_of(parameters, time_step));
-  if (loading_time() >= duration())
-    now.stage = Stage::done;
+  if (loading_time() < duration())
+    return;
+  now.stage = Stage::done;
+  has_tables = true;
 }
 
 double Subgrade::loading_time() const
@@ -302,7 +286,11 @@ double Subgrade::duration() const
 std::string Subgrade::phase() const
 {
   if (now.stage < Stage::loading)
-    return now.stage == Stage::pouring ? "pouring" : "placing";
+    return now.stage == Stage::pouring
+               ? "pouring, layer " +
+                     std::to_string(std::min(pouring.layers().size() + 1,
+                                             pouring.n_layers()))
+               : "placing";
   char text[40];
   std::snprintf(text, sizeof text, "loading %.4f s", loading_time());
   return text;
@@ -373,7 +361,9 @@ void Subgrade::take_row()
   now.lowest = std::max(now.lowest, plate_settlement());
   now.deepest = std::max(now.deepest, ground_settlement());
   now.peak_force = std::max(now.peak_force, force_on_ground());
-  now.worst_gain = std::max(now.worst_gain, exchange_gain());
+  now.worst_gain =
+      std::max(now.worst_gain,
+               joined->gain(engine(), window_of(parameters, time_step())));
   const std::vector<double> stress = stresses();
   for (std::size_t k = 0; k < stress.size(); ++k)
     peak_stress[k] = std::max(peak_stress[k], stress[k]);
@@ -415,11 +405,11 @@ std::vector<Quantity> Subgrade::measured() const
   const std::vector<double> stress = stresses();
   for (std::size_t k = 0; k < stress.size(); ++k)
     row.push_back({stress_names[k].c_str(), stress[k]});
-  row.push_back({"bodies_stored_energy_J", bodies().stored});
+  row.push_back({"bodies_stored_energy_J", body_energy().stored});
   return row;
 }
 
-coupling::BodyEnergy Subgrade::bodies() const
+coupling::BodyEnergy Subgrade::body_energy() const
 {
   coupling::BodyEnergy sum = ground->energy();
   if (plate)
@@ -435,15 +425,10 @@ coupling::BodyEnergy Subgrade::bodies() const
   return sum;
 }
 
-double Subgrade::external_work() const
-{
-  return engine().energy().gravity_work;
-}
-
-std::vector<dem::BreakageEvent> Subgrade::new_events()
+std::vector<dem::BreakageEvent> Subgrade::fresh_events()
 {
   auto events = joined->take_events();
-  const auto last = LabTest::new_events();
+  const auto last = LabTest::fresh_events();
   events.insert(events.end(), last.begin(), last.end());
   return events;
 }

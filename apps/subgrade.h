@@ -28,15 +28,14 @@ public:
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
 
+  bool has_ledger() const override { return true; }
   const coupling::Exchange *exchange() const override { return joined.get(); }
-  double exchange_gain() const override;
-  std::vector<FrameBody> frame_bodies() const override;
-  void write_tables(const std::filesystem::path &folder) const override;
-
-  const SetupStep &setup_step() const { return setup; }
-  const coupling::Body &ground_body() const { return *ground; }
-  /// Cells and nodes of the ground; of its top alone if it is condensed.
-  std::pair<std::size_t, std::size_t> ground_size() const { return mesh_size; }
+  const SetupStep *setup_step() const override { return &setup; }
+  FrameParts frame_parts() const override;
+  std::vector<NamedText> take_files() override;
+  const dem::Particles &all_stones() const override { return scene.all; }
+  void print_forecast() override;
+  int steps_in_move() const override;
 
 private:
   enum class Stage : std::int32_t
@@ -66,14 +65,12 @@ private:
     double peak_force = 0.;          ///< of the stones on the ground, down [N]
   };
 
-  Subgrade(const Case &parameters, StoneBox scene);
+  Subgrade(const Case &parameters, StoneBox its_scene);
   void move(double time_step) override;
   std::vector<Quantity> measured() const override;
-  coupling::BodyEnergy bodies() const override;
-  double external_work() const override;
-  std::vector<dem::BreakageEvent> new_events() override;
+  coupling::BodyEnergy body_energy() const override;
+  std::vector<dem::BreakageEvent> fresh_events() override;
   Surroundings surroundings() const override;
-  int steps_in_move() const override;
 
   void build_ground();
   void build_plate(double height);
@@ -94,6 +91,8 @@ private:
   double force_on_ground() const;
   double force_on_plate() const;
 
+  StoneBox scene; ///< its engine is with LabTest
+  dem::Pouring pouring;
   SetupStep setup;
   SubgradeLoad pulses;
   std::unique_ptr<coupling::Exchange> joined;
@@ -110,5 +109,6 @@ private:
   SubgradeRecord record;
   State now;
   Due due_now;
+  bool has_tables = false; ///< to be written
 };
 } // namespace spall

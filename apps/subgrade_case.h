@@ -18,11 +18,17 @@ struct LayerParameters
   std::string gradation = "gradations/los_angeles_20_45mm.csv";
   std::string shapes = "shapes/limestone_blocky";
   int seed = 1;
+  int layers = 1; ///< that it is poured in
+  /// to the solid fraction; else the stones just fall
+  bool is_tamped = true;
+  double tamper_speed = 0.1;           ///< [m/s]
+  double tamper_pressure = 200e3;      ///< at which the tamper turns back [Pa]
+  int max_strokes = 4;                 ///< of the tamper on one layer
   double initial_solid_fraction = 0.2; ///< of the cloud that falls [-]
   double friction = 0.2;               ///< stone on stone while pouring [-]
   double local_damping = 0.3;          ///< D_a until loading begins [-]
-  double unbalanced_ratio = 5e-3;      ///< largest, of stones at rest [-]
-  double max_time = 5.;                ///< of pouring, and of placing [s]
+  double unbalanced_ratio = 5e-3; ///< resultant forces over weight at rest [-]
+  double max_time = 2.; ///< for a layer, and for the plate, to come to rest [s]
 };
 
 enum class PlateForm

@@ -61,11 +61,11 @@ void check_plate(const Case &c, const Place &place)
   const Footprint half = footprint(p);
   const bool is_disc = p.form == PlateForm::disc;
   if (2. * half.half_x > l.length)
-    refuse(place, {"Plate", is_disc ? "diameter" : "length",
+    refuse(place, {"LoadPlate", is_disc ? "diameter" : "length",
                    number_text(2. * half.half_x),
                    "must be at most Layer/length = " + number_text(l.length)});
   if (2. * half.half_y > l.width)
-    refuse(place, {"Plate", is_disc ? "diameter" : "width",
+    refuse(place, {"LoadPlate", is_disc ? "diameter" : "width",
                    number_text(2. * half.half_y),
                    "must be at most Layer/width = " + number_text(l.width)});
 }

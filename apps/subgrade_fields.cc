@@ -23,6 +23,18 @@ void add_layer(List &list, LayerParameters &l)
   list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, l.shapes);
   list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, l.seed,
            between(0, 2147483647));
+  list.add({"layers", "-", "That it is poured in, one after the other."},
+           l.layers, between(1, 1000));
+  list.add({"is_tamped", "-",
+            "Each layer is tamped until the stones have the solid fraction; "
+            "else they just fall."},
+           l.is_tamped);
+  list.add({"tamper_speed", "m/s", "Of the plane that tamps."}, l.tamper_speed,
+           above(0., 10.));
+  list.add({"tamper_pressure", "Pa", "At which the tamper turns back."},
+           l.tamper_pressure, above(0., 1e9));
+  list.add({"max_strokes", "-", "Of the tamper on one layer."}, l.max_strokes,
+           between(1, 1000));
   list.add({"initial_solid_fraction", "-", "Of the cloud that falls.",
             "random insertion jams above"},
            l.initial_solid_fraction, above(0., 0.35));
@@ -34,17 +46,17 @@ void add_layer(List &list, LayerParameters &l)
             "local_damping."},
            l.local_damping, below(0., 1.));
   list.add({"unbalanced_ratio", "-",
-            "Largest unbalanced force ratio of stones at rest."},
+            "Of stones at rest: sum of the resultant forces over the weight."},
            l.unbalanced_ratio, above(0., 0.1));
   list.add({"max_time", "s",
-            "Pouring, and placing the plate, fail if the stones are not at "
-            "rest by then."},
+            "For a layer, and for the plate, to come to rest; then the run "
+            "fails."},
            l.max_time, above(0., 1e4));
 }
 
 void add_plate(List &list, LoadPlateParameters &p)
 {
-  list.in("Plate");
+  list.in("LoadPlate");
   list.add({"form", "-", "disc, or block: a sleeper."}, p.form,
            {"disc", "block"});
   list.add({"diameter", "m", "Of a disc."}, p.diameter, above(0., 10.));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace spall
 {
@@ -70,6 +71,7 @@ void Subgrade::save(std::ostream &out) const
   dem::write_column(out, dead_stress);
   dem::write_column(out, peak_stress);
   record.save(out);
+  pouring.save(out);
   LabTest::save(out);
   joined->save(out);
 }
@@ -82,6 +84,7 @@ void Subgrade::restore(std::istream &in)
   dem::read_column(in, dead_stress);
   dem::read_column(in, peak_stress);
   record.restore(in);
+  pouring.restore(in);
   if (now.stage >= Stage::placing)
     build_plate(now.plate_start);
   if (now.stage >= Stage::loading)
@@ -90,7 +93,7 @@ void Subgrade::restore(std::istream &in)
   joined->restore(in);
 }
 
-std::vector<FrameBody> Subgrade::frame_bodies() const
+FrameParts Subgrade::frame_parts() const
 {
   std::vector<FrameBody> bodies = {{"subgrade", [this](const std::string &path)
                                     {
@@ -108,15 +111,15 @@ std::vector<FrameBody> Subgrade::frame_bodies() const
                                                   now.plate_start),
                                     plate->motion());
                       }});
-  return bodies;
+  return {nullptr, true, std::move(bodies)};
 }
 
-void Subgrade::write_tables(const std::filesystem::path &folder) const
+std::vector<NamedText> Subgrade::take_files()
 {
-  if (now.stage < Stage::loading)
-    return;
-  record.write_transfer(folder / "transfer.csv",
-                        parameters.subgrade.record.highest_frequency);
-  record.write_profile(folder / "profile.csv");
+  if (!std::exchange(has_tables, false))
+    return {};
+  return {{"transfer.csv",
+           record.transfer_table(parameters.subgrade.record.highest_frequency)},
+          {"profile.csv", record.profile_table()}};
 }
 } // namespace spall

@@ -1,6 +1,6 @@
 #include "subgrade_record.h"
 
-#include "run_folder.h"
+#include "parameter.h"
 
 #include <dem/io/binary.h>
 #include <fem/transfer_function.h>
@@ -10,6 +10,17 @@
 
 namespace spall
 {
+namespace
+{
+std::string csv_row(const std::vector<double> &values)
+{
+  std::string line;
+  for (const double value : values)
+    line += (line.empty() ? "" : ",") + number_text(value);
+  return line + "\n";
+}
+} // namespace
+
 void Slice::add(double speed)
 {
   ++n;
@@ -62,31 +73,30 @@ void SubgradeRecord::add_ground(std::span<const double> speed)
     ground_slices[k].add(speed[k]);
 }
 
-void SubgradeRecord::write_transfer(const std::filesystem::path &path,
-                                    double highest) const
+std::string SubgradeRecord::transfer_table(double highest) const
 {
   const auto of_plate = fem::transfer_function({time, load, plate}, highest);
   const auto of_ground = fem::transfer_function({time, load, ground}, highest);
-  CsvFile file;
-  file.open(path, "frequency_Hz,load_Ns,plate_mobility_m_per_sN,"
-                  "plate_phase_rad,subgrade_mobility_m_per_sN,"
-                  "subgrade_phase_rad");
+  std::string text = "frequency_Hz,load_Ns,plate_mobility_m_per_sN,"
+                     "plate_phase_rad,subgrade_mobility_m_per_sN,"
+                     "subgrade_phase_rad\n";
   for (std::size_t k = 0; k < of_plate.size(); ++k)
-    file.write_row({of_plate[k].frequency, of_plate[k].load,
-                    std::abs(of_plate[k].ratio), std::arg(of_plate[k].ratio),
-                    std::abs(of_ground[k].ratio),
-                    std::arg(of_ground[k].ratio)});
+    text +=
+        csv_row({of_plate[k].frequency, of_plate[k].load,
+                 std::abs(of_plate[k].ratio), std::arg(of_plate[k].ratio),
+                 std::abs(of_ground[k].ratio), std::arg(of_ground[k].ratio)});
+  return text;
 }
 
-void SubgradeRecord::write_profile(const std::filesystem::path &path) const
+std::string SubgradeRecord::profile_table() const
 {
-  CsvFile file;
-  file.open(path, "part_1,height_m,n_1,velocity_rms_m_per_s,"
-                  "velocity_peak_m_per_s");
+  std::string text = "part_1,height_m,n_1,velocity_rms_m_per_s,"
+                     "velocity_peak_m_per_s\n";
   for (const auto *slices : {&stone_slices, &ground_slices})
     for (const Slice &slice : *slices)
-      file.write_row({slices == &stone_slices ? 0. : 1., slice.height,
-                      static_cast<double>(slice.n), slice.rms(), slice.peak});
+      text += csv_row({slices == &stone_slices ? 0. : 1., slice.height,
+                       static_cast<double>(slice.n), slice.rms(), slice.peak});
+  return text;
 }
 
 double SubgradeRecord::impulse() const

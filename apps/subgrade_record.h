@@ -4,8 +4,8 @@
 
 #include <dem/particles.h>
 
-#include <filesystem>
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 namespace spall
@@ -42,13 +42,11 @@ public:
   void add_ground(std::span<const double> speed);
 
   /// frequency_Hz, load_Ns and |V / F| with its phase of plate and ground.
-  void write_transfer(const std::filesystem::path &path,
-                      double highest_frequency) const;
+  std::string transfer_table(double highest_frequency) const;
   /// part_1 (0 stones, 1 subgrade), height_m, n_1, rms and peak.
-  void write_profile(const std::filesystem::path &path) const;
+  std::string profile_table() const;
   /// int load dt of the rows [N s].
   double impulse() const;
-  const std::vector<double> &loads() const { return load; }
 
   void save(std::ostream &out) const;
   void restore(std::istream &in);

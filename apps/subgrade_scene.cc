@@ -6,7 +6,6 @@
 #include "parameter.h"
 
 #include <dem/packing/gradation.h>
-#include <dem/packing/insertion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +21,6 @@ dem::EngineParameters engine_settings(const Case &c)
 {
   dem::EngineParameters settings;
   settings.stone = c.stone;
-  settings.stone.friction = c.subgrade.layer.friction;
   settings.wall = c.wall;
   settings.surface = c.subgrade.contact;
   settings.geometry = c.contact;
@@ -42,10 +40,10 @@ std::vector<dem::Body> draw_layer(const Case &c, const ShapeLibrary &shapes,
   std::vector<dem::Body> stones = dem::draw_stones(
       {curve.diameter, curve.passing},
       l.solid_fraction * l.length * l.width * l.thickness, shapes, random);
-  if (stones.empty())
-    throw InputError(c.file +
-                     ": Layer/thickness = " + number_text(l.thickness) +
-                     ": too small for a single stone of the gradation");
+  if (stones.size() < static_cast<std::size_t>(l.layers))
+    throw InputError(c.file + ": Layer/layers = " + std::to_string(l.layers) +
+                     ": must be at most the number of stones, " +
+                     std::to_string(stones.size()));
   return stones;
 }
 
@@ -113,35 +111,24 @@ std::string in_four_digits(double value)
 StoneBox make_stone_box(const Case &c)
 {
   const LayerParameters &l = c.subgrade.layer;
-  StoneBox scene{load_shapes(c, "Layer", l.shapes), nullptr};
+  StoneBox scene;
+  scene.shapes = load_shapes(c, "Layer", l.shapes);
   dem::Random random(static_cast<std::uint64_t>(l.seed));
   const std::vector<dem::Body> stones = draw_layer(c, scene.shapes, random);
-  double volume = 0., smallest = stones.front().inscribed_radius;
   for (const dem::Body &stone : stones)
   {
-    volume += stone.volume;
-    smallest = std::min(smallest, dem::mean_radius(stone));
+    scene.all.add(stone, dem::Vec3::Zero(), dem::Quaternion::Identity(),
+                  c.stone.density);
+    scene.all.is_breakable.back() =
+        stone.series &&
+        2. * dem::mean_radius(stone) >= c.breakage.min_diameter * (1. - 1e-9);
   }
-  const dem::Vec3 half(0.5 * l.length, 0.5 * l.width, 0.);
-  const dem::Vec3 height = volume /
-                           (l.length * l.width * l.initial_solid_fraction) *
-                           dem::Vec3::UnitZ();
-  std::vector<dem::Placement> places;
-  try
-  {
-    places = dem::insert_stones(
-        stones, {-half, half + height, c.contact.follows_surfaces()}, random);
-  }
-  catch (const std::runtime_error &error)
-  {
-    throw InputError(c.file + ": " + error.what());
-  }
+  scene.layers = dem::deal_layers(stones, l.layers);
+  scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
   dem::EngineParameters settings = engine_settings(c);
-  settings.search_margin = 0.25 * smallest;
+  settings.search_margin = 0.25 * scene.all.smallest_radius();
   scene.engine = std::make_unique<dem::Engine>(settings);
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    scene.engine->add_stone(stones[i], places[i].position,
-                            places[i].orientation);
+  const dem::Vec3 half(0.5 * l.length, 0.5 * l.width, 0.);
   for (int d = 0; d < 2; ++d)
     for (const double sign : {-1., 1.})
     {
@@ -150,7 +137,23 @@ StoneBox make_stone_box(const Case &c)
       scene.engine->add_plane(sign * half, inward);
     }
   scene.engine->set_breaking(false);
+  scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
   return scene;
+}
+
+dem::PouringParameters pouring_parameters(const Case &c)
+{
+  const LayerParameters &l = c.subgrade.layer;
+  dem::PouringParameters p;
+  p.density = l.is_tamped ? l.solid_fraction * c.stone.density : 0.;
+  p.friction = l.friction;
+  p.solid_fraction = l.initial_solid_fraction;
+  p.tamper_speed = l.tamper_speed;
+  p.tamper_pressure = l.tamper_pressure;
+  p.max_strokes = l.max_strokes;
+  p.unbalanced_ratio = l.unbalanced_ratio;
+  p.max_time = l.max_time;
+  return p;
 }
 
 fem::Solid make_ground(const Case &c)

@@ -6,20 +6,29 @@
 #include <coupling/exchange.h>
 #include <coupling/rigid_body.h>
 #include <coupling/solid_body.h>
+#include <dem/integrate/time_step.h>
+#include <dem/packing/pouring.h>
 
 #include <memory>
 
 namespace spall
 {
-/// Stones in a cloud above z = 0 between four rigid planes; no bodies yet.
+/// The stones and where they will be poured: above z = 0 between four rigid
+/// planes.
 struct StoneBox
 {
   ShapeLibrary shapes;
-  std::unique_ptr<dem::Engine> engine;
+  std::vector<std::vector<dem::Body>> layers; ///< to be poured
+  dem::Particles all;                         ///< the same, nowhere yet
+  dem::Room room;
+  std::unique_ptr<dem::Engine> engine; ///< planes; no stones, no bodies
+  dem::StepLimit limit;
 };
 
 /// Throws InputError.
 StoneBox make_stone_box(const Case &parameters);
+
+dem::PouringParameters pouring_parameters(const Case &parameters);
 
 /// The elastic block below z = 0 with its layers, supports and dashpots.
 /// Throws InputError.
