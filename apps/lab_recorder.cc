@@ -57,7 +57,8 @@ void LabRecorder::start(LabTest &test)
   if (test.has_ledger())
     ledger.open(folder / "ledger.csv", ledger_header());
   write_row(test);
-  write_frame(test);
+  if (test.engine().particles().size() > 0) // else they are still to be poured
+    write_frame(test);
 }
 
 void LabRecorder::resume(LabTest &test)

@@ -32,6 +32,27 @@ double sum_down(coupling::FieldView loads)
     sum -= load.z();
   return sum;
 }
+/// A quarter of each quad to each of its corners, over the whole.
+std::vector<double> area_shares(const fem::SurfaceMesh &mesh)
+{
+  std::vector<double> share(mesh.nodes.size(), 0.);
+  double whole = 0.;
+  for (const auto &quad : mesh.quads)
+  {
+    const auto at = [&](int corner) -> const dem::Vec3 &
+    {
+      return mesh.nodes[static_cast<std::size_t>(
+          quad[static_cast<std::size_t>(corner)])];
+    };
+    const double size = 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
+    whole += size;
+    for (const std::int32_t node : quad)
+      share[static_cast<std::size_t>(node)] += 0.25 * size;
+  }
+  for (double &one : share)
+    one /= whole;
+  return share;
+}
 } // namespace
 
 Subgrade::Subgrade(const Case &c) : Subgrade(c, make_stone_box(c)) {}
@@ -66,7 +87,6 @@ void Subgrade::build_ground()
   const fem::SolidMesh &mesh = block.mesh();
   mesh_size = {mesh.cells.size(), mesh.nodes.size()};
   std::unique_ptr<coupling::Body> body;
-  fem::SurfaceMesh top;
   if (parameters.subgrade.ground.body == GroundBody::full)
   {
     axis = GroundAxis(mesh,
@@ -87,10 +107,18 @@ void Subgrade::build_ground()
     top = reduced->mesh();
     body = std::move(reduced);
   }
-  for (std::size_t k = 0; k < top.nodes.size(); ++k)
-    if (top.nodes[k].norm() <
-        top.nodes[static_cast<std::size_t>(middle)].norm())
-      middle = static_cast<std::int32_t>(k);
+  const auto place = [this](std::int32_t node) -> const dem::Vec3 &
+  { return top.nodes[static_cast<std::size_t>(node)]; };
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(top.nodes.size()); ++k)
+  {
+    if (place(k).norm() < place(middle).norm())
+      middle = k;
+    if (std::abs(place(k).y()) < 1e-9) // on a line of the mesh
+      cut.push_back(k);
+  }
+  std::ranges::sort(cut, {}, [&](std::int32_t k) { return place(k).x(); });
+  bowl.assign(cut.size(), 0.);
+  area = area_shares(top);
   ground = &joined->add(std::move(body), top, "subgrade",
                         parameters.subgrade.contact,
                         coupling::StoneSide::outside, engine());
@@ -324,7 +352,21 @@ double Subgrade::plate_settlement() const
 /// Of the top below the middle of the plate, whose height was zero.
 double Subgrade::ground_settlement() const
 {
-  return -ground->motion().position[static_cast<std::size_t>(middle)].z();
+  return settlement_at(middle);
+}
+
+/// Of the whole top.
+double Subgrade::mean_settlement() const
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < area.size(); ++k)
+    sum += area[k] * settlement_at(static_cast<std::int32_t>(k));
+  return sum;
+}
+
+double Subgrade::settlement_at(std::int32_t node) const
+{
+  return -ground->motion().position[static_cast<std::size_t>(node)].z();
 }
 
 /// Down [N].
@@ -359,7 +401,12 @@ void Subgrade::take_row()
   for (std::size_t i = 0; i < all.size(); ++i)
     now.fastest = std::max(now.fastest, all.velocity(i).norm());
   now.lowest = std::max(now.lowest, plate_settlement());
-  now.deepest = std::max(now.deepest, ground_settlement());
+  if (ground_settlement() > now.deepest)
+  {
+    now.deepest = ground_settlement();
+    for (std::size_t k = 0; k < cut.size(); ++k)
+      bowl[k] = settlement_at(cut[k]);
+  }
   now.peak_force = std::max(now.peak_force, force_on_ground());
   now.worst_gain =
       std::max(now.worst_gain,
@@ -394,6 +441,7 @@ std::vector<Quantity> Subgrade::measured() const
       {"plate_velocity_m_per_s", plate ? -plate->plate().velocity().z() : 0.},
       {"subgrade_settlement_m", ground_settlement()},
       {"subgrade_velocity_m_per_s", -ground_speed.z()},
+      {"subgrade_mean_settlement_m", mean_settlement()},
       {"plate_force_N", force_on_plate()},
       {"subgrade_force_N", force_on_ground()},
       {"stone_velocity_rms_m_per_s",

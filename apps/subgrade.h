@@ -90,6 +90,9 @@ private:
   double ground_settlement() const;
   double force_on_ground() const;
   double force_on_plate() const;
+  double settlement_at(std::int32_t node) const;
+  double mean_settlement() const;
+  std::string bowl_table() const;
 
   StoneBox scene; ///< its engine is with LabTest
   dem::Pouring pouring;
@@ -102,9 +105,13 @@ private:
   coupling::RigidBody *plate = nullptr; ///< null before it is placed
   std::pair<std::size_t, std::size_t> mesh_size;
   std::int32_t middle = 0; ///< node of the ground's top under the plate
+  fem::SurfaceMesh top;    ///< of the ground
   GroundAxis axis;         ///< of a full ground
   std::vector<std::string> stress_names;
-  coupling::Field rest_load; ///< on the ground when loading began [N]
+  std::vector<std::int32_t> cut; ///< nodes of the top along x, ascending
+  std::vector<double> area;      ///< share of the top that a node has [-]
+  std::vector<double> bowl;      ///< their settlement when it was deepest [m]
+  coupling::Field rest_load;     ///< on the ground when loading began [N]
   std::vector<double> dead_stress, peak_stress; ///< [Pa]
   SubgradeRecord record;
   State now;

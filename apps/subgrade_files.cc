@@ -1,3 +1,4 @@
+#include "parameter.h"
 #include "quad_file.h"
 #include "subgrade.h"
 
@@ -70,6 +71,7 @@ void Subgrade::save(std::ostream &out) const
   dem::write_column(out, rest_load);
   dem::write_column(out, dead_stress);
   dem::write_column(out, peak_stress);
+  dem::write_column(out, bowl);
   record.save(out);
   pouring.save(out);
   LabTest::save(out);
@@ -83,6 +85,7 @@ void Subgrade::restore(std::istream &in)
   dem::read_column(in, rest_load);
   dem::read_column(in, dead_stress);
   dem::read_column(in, peak_stress);
+  dem::read_column(in, bowl);
   record.restore(in);
   pouring.restore(in);
   if (now.stage >= Stage::placing)
@@ -114,12 +117,23 @@ FrameParts Subgrade::frame_parts() const
   return {nullptr, true, std::move(bodies)};
 }
 
+std::string Subgrade::bowl_table() const
+{
+  std::string text = "x_m,settlement_peak_m,settlement_end_m\n";
+  for (std::size_t k = 0; k < cut.size(); ++k)
+    text += number_text(top.nodes[static_cast<std::size_t>(cut[k])].x()) + "," +
+            number_text(bowl[k]) + "," + number_text(settlement_at(cut[k])) +
+            "\n";
+  return text;
+}
+
 std::vector<NamedText> Subgrade::take_files()
 {
   if (!std::exchange(has_tables, false))
     return {};
   return {{"transfer.csv",
            record.transfer_table(parameters.subgrade.record.highest_frequency)},
-          {"profile.csv", record.profile_table()}};
+          {"profile.csv", record.profile_table()},
+          {"bowl.csv", bowl_table()}};
 }
 } // namespace spall

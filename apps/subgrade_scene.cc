@@ -56,7 +56,8 @@ std::vector<double> widths_across(const GroundParameters &g, double half,
       1, static_cast<int>(std::ceil(half / g.cell_size * (1. - 1e-9))));
   std::vector<double> outward(static_cast<std::size_t>(n), half / n);
   if (const double rest = 0.5 * length - half; rest > 1e-9 * length)
-    for (const double width : fem::graded_widths(half / n, g.growth, rest))
+    for (const double width :
+         fem::graded_widths(std::min(half / n, rest), g.growth, rest))
       outward.push_back(width);
   std::vector<double> all(outward.rbegin(), outward.rend());
   all.insert(all.end(), outward.begin(), outward.end());
@@ -138,6 +139,11 @@ StoneBox make_stone_box(const Case &c)
     }
   scene.engine->set_breaking(false);
   scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
+  // The law of facet surfaces is that of the ground here.
+  const std::string membrane = "membrane (MembraneContact/";
+  if (const std::size_t at = scene.limit.reason.find(membrane);
+      at != std::string::npos)
+    scene.limit.reason.replace(at, membrane.size(), "subgrade (GroundContact/");
   return scene;
 }
 
