@@ -57,7 +57,8 @@ def balance_faults(folder, stone_weight):
     # At rest the ground carries the plate and the stones but for what rubs
     # off on the sides.
     whole = 40 * 9.81 + stone_weight
-    if not 0.9 * whole < found["dead_load_N"] < 1.005 * whole:
+    # At rest to a hundredth of that.
+    if not 0.9 * whole < found["dead_load_N"] < 1.01 * whole:
         faults.append(f"dead load {found['dead_load_N']}: of {whole} at most")
     # Over the whole record momentum comes back to rest, so what the plate gets
     # from the stones is its weight and the pulse.
@@ -240,7 +241,8 @@ def static(spall, root):
         Subgrade={"length": 0.2, "width": 0.2, "bottom": "rigid",
                   "sides": "rigid", "mass_damping": 300,
                   "layers": "0.1 4e6 0.3 1900, 0.2 2e6 0.2 1800"},
-        Pulse={"form": "table", "table": root / "load.csv", "rest": 0}))
+        Pulse={"form": "table", "table": root / "load.csv", "rest": 0},
+        Coupling={"stone_steps": 2}))  # lighter nodes
     spall_run([spall, "run", case, "--threads", 1, "--out", root / "static"])
     found, loading = summary(root / "static"), loading_rows(root / "static")
     end = loading[-1]
