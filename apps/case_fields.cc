@@ -464,7 +464,7 @@ Case default_case(CaseKind kind)
   {
     c.title = "plate on stones on a subgrade";
     c.coupling.rules.stone_steps = 10;
-    c.time.fixed_step = 5e-6;
+    c.time.fixed_step = 2e-6;
     c.time.local_damping = 0.; // waves run
     // Stones fall and roll: as in the drum below.
     c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
