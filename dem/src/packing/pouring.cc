@@ -190,11 +190,15 @@ void Pouring::lower_tamper(Engine &engine)
   enter(Stage::tamping, engine);
 }
 
+/// Down to its depth at least, and until it is felt.
 void Pouring::tamp(Engine &engine)
 {
   Plane &tamper = engine.planes()[plane];
   const double height = tamper.point.z() - room.floor.z();
-  if (height > now.depth && now.pressure < parameters.tamper_pressure)
+  const bool is_deep =
+      height <= now.depth &&
+      tamper.force.z() > parameters.level_pressure * room.section();
+  if (!is_deep && now.pressure < parameters.tamper_pressure)
     return;
   tamper.velocity = -tamper.velocity;
   now.level = height;

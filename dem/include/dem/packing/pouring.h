@@ -43,11 +43,13 @@ struct PouringParameters
 std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n);
 
 /// Fills a room with stones, layer by layer: a cloud of stones falls in, comes
-/// to rest, and is tamped by a plane that comes down until the density is
-/// reached (a stroke that springs back is followed by a deeper one) or its
-/// pressure is at the limit: thin layers may stay looser than the whole
-/// becomes. At last the stones get their friction back and come to rest.
-/// Gravity, damping and steps are the caller's.
+/// to rest, and is tamped by a plane that comes down until it is felt and the
+/// density is reached (a stroke that springs back is followed by a deeper one)
+/// or its pressure is at the limit. Layers thinner than their largest stones
+/// may stay looser than the whole becomes, and stones that slide easily may be
+/// denser than asked before the tamper comes: Layer says what was reached. At
+/// last the stones get their friction back and come to rest. Gravity, damping
+/// and steps are the caller's.
 class Pouring
 {
 public:
