@@ -1,7 +1,5 @@
 #include "compaction.h"
 
-#include "forecast.h"
-
 #include <coupling/membrane_body.h>
 #include <dem/io/binary.h>
 
@@ -332,20 +330,5 @@ void Compaction::restore(std::istream &in)
   LabTest::restore(in);
   if (joined)
     joined->restore(in);
-}
-
-void Compaction::print_forecast()
-{
-  const std::unique_ptr<dem::Engine> packed = packed_engine(parameters, scene);
-  double cost = still_step_cost(*packed);
-  if (parameters.lateral() == Lateral::membrane)
-  {
-    fem::Membrane sleeve = make_tube(parameters);
-    cost += still_step_cost(sleeve);
-  }
-  const double steps = duration() / time_step();
-  std::printf("predicted time   %.3g s for %.4g steps after the filling "
-              "(%.3g ms each)\n",
-              cost * steps, steps, 1e3 * cost);
 }
 } // namespace spall
