@@ -474,7 +474,10 @@ Case default_case(CaseKind kind)
   if (kind == CaseKind::vibratory_compaction)
   {
     c.title = "vibratory compaction test";
-    c.contact.wall_geometry = dem::ContactGeometry::radial;
+    // As in the drum below: stones that are poured spin.
+    c.wall.law = dem::WallLaw::hertz;
+    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    c.breakage.contacts = dem::EventContacts::all;
     c.time.step = StepRule::stable;
     // A sleeve that stands 330 kPa from above, not latex.
     c.membrane.youngs_modulus = 1e8;

@@ -1,7 +1,5 @@
 #include "compaction.h"
 
-#include "forecast.h"
-
 #include <coupling/membrane_body.h>
 #include <dem/io/binary.h>
 
@@ -69,25 +67,27 @@ void Compaction::fill(double time_step)
       (pouring.layers().back().height + 1e-3 * scene.room.width_x) *
       dem::Vec3::UnitZ();
   engine().place_plane(pouring.tamper(), above);
-  engine().planes()[pouring.tamper()].velocity =
-      -parameters.filling.tamper_speed * dem::Vec3::UnitZ();
   engine().set_local_damping(parameters.time.local_damping);
   now.stage = Stage::seating;
 }
 
-/// Until it is felt: under the pressure at which heights are taken.
+/// Until the stones carry it. The last of its speed is too small to shake it.
 void Compaction::lower_plate(double time_step)
 {
+  constexpr double slowest = 0.02; // [-]
+  const double carried = plate_plane().force.z() / weight();
+  if (carried >= 1.)
+    return join();
+  engine().planes()[pouring.tamper()].velocity =
+      -parameters.plate.seating_speed * std::clamp(1. - carried, slowest, 1.) *
+      dem::Vec3::UnitZ();
   engine().advance(time_step);
-  const double felt = pouring_parameters(parameters.filling).level_pressure *
-                      scene.room.section();
-  if (plate_plane().force.z() >= std::min(felt, 0.1 * weight()))
-    join();
 }
 
 double Compaction::weight() const
 {
-  return -parameters.plate.mass * engine().parameters().gravity.z();
+  return parameters.plate.load -
+         parameters.plate.mass * engine().parameters().gravity.z();
 }
 
 void Compaction::join()
@@ -330,20 +330,5 @@ void Compaction::restore(std::istream &in)
   LabTest::restore(in);
   if (joined)
     joined->restore(in);
-}
-
-void Compaction::print_forecast()
-{
-  const std::unique_ptr<dem::Engine> packed = packed_engine(parameters, scene);
-  double cost = still_step_cost(*packed);
-  if (parameters.lateral() == Lateral::membrane)
-  {
-    fem::Membrane sleeve = make_tube(parameters);
-    cost += still_step_cost(sleeve);
-  }
-  const double steps = duration() / time_step();
-  std::printf("predicted time   %.3g s for %.4g steps after the filling "
-              "(%.3g ms each)\n",
-              cost * steps, steps, 1e3 * cost);
 }
 } // namespace spall

@@ -79,7 +79,7 @@ private:
   void step_joined(double time_step);
   void follow_vibration(double window, double impulse);
   void report();
-  double weight() const;   ///< of the plate [N]
+  double weight() const;   ///< of the plate and the load on it [N]
   double vibrated() const; ///< so far [s]
   double height() const;   ///< of the stones [m]
   double volume() const;   ///< that the stones fill [m^3]

@@ -33,8 +33,8 @@ struct FillingParameters
   double density = 1760.; ///< mass of stones over volume of container [kg/m^3]
   int layers = 4;
   double solid_fraction = 0.2;    ///< of the cloud that falls [-]
-  double friction = 0.1;          ///< stone on stone while filling [-]
-  double local_damping = 0.3;     ///< D_a while filling [-]
+  double friction = 0.5;          ///< stone on stone while filling [-]
+  double local_damping = 0.5;     ///< D_a while filling [-]
   double tamper_speed = 0.1;      ///< [m/s]
   double tamper_pressure = 300e3; ///< at which the tamper turns back [Pa]
   int max_strokes = 6;            ///< of the tamper on one layer
@@ -46,7 +46,9 @@ struct PlateParameters
 {
   /// All that moves along z: plate, static load, exciter with its mass [kg].
   double mass = 600.;
-  double seating_time = 0.2; ///< its weight comes in the first half of it [s]
+  double load = 0.;            ///< besides, without mass: a soft spring [N]
+  double seating_speed = 0.05; ///< largest, until the stones carry it [m/s]
+  double seating_time = 0.1;   ///< of rest then, before the vibration [s]
 };
 
 struct VibrationParameters

@@ -21,8 +21,8 @@ void add_container(List &list, ContainerParameters &c)
   list.add({"freeboard", "m", "Flexible: of the tube above Container/height."},
            c.freeboard, between(0., 100.));
   list.add({"pressure", "Pa",
-            "Flexible: on the tube from outside; comes with the weight of the "
-            "plate."},
+            "Flexible: on the tube from outside; comes while the plate is "
+            "seated."},
            c.pressure, between(0., 1e8));
 }
 
@@ -68,9 +68,15 @@ void add_plate(List &list, PlateParameters &p)
             "All that moves with the plate: static load and exciter with its "
             "eccentric mass. It moves along z only."},
            p.mass, above(0., 1e7));
-  list.add({"seating_time", "s",
-            "From the touch of the plate to the vibration; its weight comes in "
-            "the first half."},
+  list.add({"load", "N",
+            "Presses on the plate besides its weight and has no mass: a soft "
+            "spring."},
+           p.load, between(0., 1e9));
+  list.add({"seating_speed", "m/s",
+            "At which the plate is lowered, the slower the more of it the "
+            "stones carry; then it is let go."},
+           p.seating_speed, above(0., 10.));
+  list.add({"seating_time", "s", "Of the free plate, before it vibrates."},
            p.seating_time, above(0., 1e3));
 }
 

@@ -107,6 +107,10 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   summary["static_load_N"] = weight();
   summary["exciter_force_N"] =
       v.eccentric_mass * v.eccentricity * omega * omega;
+  summary["seating_settlement_m"] =
+      now.stage == Stage::vibration
+          ? pouring.layers().back().height - now.start_height
+          : 0.;
   summary["vibration_s"] = vibrated();
   summary["settlement_m"] =
       now.stage == Stage::vibration ? now.start_height - height() : 0.;

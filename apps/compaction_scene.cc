@@ -197,8 +197,8 @@ double volume_below(const fem::Membrane &tube, int elements_around,
 coupling::RigidDrive plate_drive(const PlateParameters &plate,
                                  const VibrationParameters &v)
 {
-  const fem::Drive weight = fem::Drive::table({0., 0.5 * plate.seating_time},
-                                              {0., -plate.mass * gravity});
+  const fem::Drive weight =
+      fem::Drive::constant(-plate.mass * gravity - plate.load);
   const fem::Drive exciter = fem::Drive::eccentric_mass(
       {v.eccentric_mass * v.eccentricity, v.frequency, 0., plate.seating_time});
   coupling::RigidDrive drive;

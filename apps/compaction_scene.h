@@ -39,8 +39,8 @@ fem::Membrane make_tube(const Case &parameters);
 double volume_below(const fem::Membrane &tube, int elements_around,
                     double height);
 
-/// Weight and exciter of the plate, from the time it is let go: the weight
-/// comes in the first half of the seating time, the vibration begins after it.
+/// Weight and exciter of the plate, from the time it is let go; it vibrates
+/// after the seating time.
 coupling::RigidDrive plate_drive(const PlateParameters &plate,
                                  const VibrationParameters &vibration);
 } // namespace spall

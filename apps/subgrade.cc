@@ -16,6 +16,9 @@ constexpr std::int64_t rest_interval = 100; // moves between questions for rest
 constexpr double rest_share = 0.01; // of the weight that may be in motion [-]
 /// The static load comes on smoothly [s].
 constexpr double ramp = 0.05;
+/// While it is placed the guide brakes the plate: its speed would fall to 1/e
+/// in this time [s].
+constexpr double brake_time = 0.02;
 /// Rows before the loading are this much rarer.
 constexpr double patience = 10.;
 
@@ -150,7 +153,14 @@ fem::PlateLoad Subgrade::plate_load(double body_time) const
   if (is_loading)
     down += pulses(body_time - (now.loaded_at - now.placed_at));
   fem::PlateLoad load;
-  load.force.z() = -down;
+  if (!is_loading && plate)
+  {
+    const fem::PlateBody &body = plate->plate();
+    load.force = -p.mass / brake_time * body.velocity();
+    load.moment =
+        -plate_body(p, 0.).inertia.minCoeff() / brake_time * body.spin();
+  }
+  load.force.z() -= down;
   return load;
 }
 

@@ -78,6 +78,13 @@ constexpr Headline drum_headlines[]{
     {"Breakage events", "",
      [](const RunData &run) { return last(run, "n_events_1"); }, false}};
 
+constexpr Headline compaction_headlines[]{
+    {"Settlement", " mm",
+     [](const RunData &run) { return 1e3 * last(run, "settlement_m"); }, false},
+    {"Density", " kg/m³",
+     [](const RunData &run) { return last(run, "density_kg_m3"); }, false},
+    {"Abrasion LAA", " %", abrasion_percent, false}};
+
 constexpr Headline subgrade_headlines[]{
     {"Settlement of the plate", " mm",
      [](const RunData &run) { return 1e3 * last(run, "plate_settlement_m"); },
@@ -97,6 +104,8 @@ std::span<const Headline> headlines_of(std::span<const RunData> runs)
   const Table &table = runs[0].loading;
   if (table.find("displacement_m"))
     return press_headlines;
+  if (table.find("settlement_m"))
+    return compaction_headlines;
   if (table.find("subgrade_settlement_m"))
     return subgrade_headlines;
   return table.find("turn_1") ? std::span<const Headline>(drum_headlines)
@@ -204,6 +213,23 @@ std::vector<Row> summary_rows()
        [](const RunData &run) { return coordination(run.summary); }},
       number_row("Turns (–)", "turns_1", 1., 5),
       number_row("Mass lost (g)", "lost_mass_kg", 1e3, 4),
+      {"Density asked / reached (kg/m³)",
+       [](const RunData &run)
+       {
+         const auto filling = run.summary.find("filling");
+         return filling == run.summary.end()
+                    ? std::string("–")
+                    : number_of(*filling, "density_asked_kg_m3", 1., 4) +
+                          " / " +
+                          number_of(*filling, "density_reached_kg_m3", 1., 4);
+       }},
+      number_row("Settlement while seated (mm)", "seating_settlement_m", 1e3,
+                 4),
+      number_row("Time of vibration (s)", "vibration_s", 1., 4),
+      number_row("Settlement (mm)", "settlement_m", 1e3, 4),
+      number_row("Density at the end (kg/m³)", "density_kg_m3", 1., 5),
+      number_row("Static load (N)", "static_load_N", 1., 5),
+      number_row("Force of the exciter (N)", "exciter_force_N", 1., 4),
       number_row("Displacement (mm)", "displacement_m", 1e3, 4),
       number_row("Force of the first event (N)", "first_event_force_N", 1., 4),
       number_row("Largest force (N)", "peak_force_N", 1., 4),

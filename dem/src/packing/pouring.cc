@@ -1,5 +1,4 @@
 #include <dem/io/binary.h>
-#include <dem/packing/insertion.h>
 #include <dem/packing/pouring.h>
 
 #include <algorithm>
@@ -127,21 +126,43 @@ double Pouring::goal() const
   return now.mass / (parameters.density * room.section());
 }
 
+/// Where the stones of a layer begin to fall. A cloud in which they find no
+/// place, as near walls, is made higher.
+std::vector<Placement> Pouring::cloud_above(double floor,
+                                            const InsertionBox &slab) const
+{
+  constexpr int n_tries = 12;
+  constexpr double growth = 1.25;
+  const std::vector<Body> &layer = bodies[finished.size()];
+  InsertionBox box = slab;
+  double height =
+      volume_of(layer) / (parameters.solid_fraction * room.section());
+  for (int k = 1;; ++k, height *= growth)
+    try
+    {
+      box.upper.z() = floor + height;
+      Random random(seed + finished.size());
+      return insert_stones(layer, box, random);
+    }
+    catch (const std::runtime_error &)
+    {
+      if (k == n_tries)
+        throw;
+    }
+}
+
 void Pouring::pour(Engine &engine)
 {
   const std::vector<Body> &layer = bodies[finished.size()];
-  const double height = volume_of(layer) /
-                        (parameters.solid_fraction * room.section()),
-               floor = top_of(engine.particles(), room.floor.z());
+  const double floor = top_of(engine.particles(), room.floor.z());
   const Vec3 half(0.5 * room.width_x,
                   0.5 * (room.is_round ? room.width_x : room.width_y), 0.);
   InsertionBox box;
   box.lower = Vec3(room.floor.x(), room.floor.y(), floor) - half;
-  box.upper = Vec3(room.floor.x(), room.floor.y(), floor + height) + half;
+  box.upper = Vec3(room.floor.x(), room.floor.y(), floor) + half;
   box.sees_surfaces = engine.parameters().geometry.follows_surfaces();
   box.is_round = room.is_round;
-  Random random(seed + finished.size());
-  const std::vector<Placement> places = insert_stones(layer, box, random);
+  const std::vector<Placement> places = cloud_above(floor, box);
   for (std::size_t i = 0; i < layer.size(); ++i)
     engine.add_stone(layer[i], places[i].position, places[i].orientation);
   now.mass += volume_of(layer) * engine.parameters().stone.density;
@@ -190,11 +211,15 @@ void Pouring::lower_tamper(Engine &engine)
   enter(Stage::tamping, engine);
 }
 
+/// Down to its depth at least, and until it is felt.
 void Pouring::tamp(Engine &engine)
 {
   Plane &tamper = engine.planes()[plane];
   const double height = tamper.point.z() - room.floor.z();
-  if (height > now.depth && now.pressure < parameters.tamper_pressure)
+  const bool is_deep =
+      height <= now.depth &&
+      tamper.force.z() > parameters.level_pressure * room.section();
+  if (!is_deep && now.pressure < parameters.tamper_pressure)
     return;
   tamper.velocity = -tamper.velocity;
   now.level = height;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/engine.h>
-#include <dem/packing/random.h>
+#include <dem/packing/insertion.h>
 
 #include <iosfwd>
 #include <span>
@@ -25,8 +25,9 @@ struct PouringParameters
   /// Asked of stones under `level_pressure`: mass over volume of the room up to
   /// the tamper; 0: the layers are not tamped [kg/m^3].
   double density = 0.;
-  double friction = 0.2;        ///< stone on stone until the last layer is in
-  double solid_fraction = 0.2;  ///< of the cloud that falls [-]
+  double friction = 0.2; ///< stone on stone until the last layer is in
+  /// Of the cloud that falls; less where stones do not find a place [-].
+  double solid_fraction = 0.2;
   double tamper_speed = 0.1;    ///< [m/s]
   double tamper_pressure = 2e5; ///< at which the tamper turns back [Pa]
   double level_pressure = 5e3;  ///< under which the height is taken [Pa]
@@ -43,11 +44,13 @@ struct PouringParameters
 std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n);
 
 /// Fills a room with stones, layer by layer: a cloud of stones falls in, comes
-/// to rest, and is tamped by a plane that comes down until the density is
-/// reached (a stroke that springs back is followed by a deeper one) or its
-/// pressure is at the limit: thin layers may stay looser than the whole
-/// becomes. At last the stones get their friction back and come to rest.
-/// Gravity, damping and steps are the caller's.
+/// to rest, and is tamped by a plane that comes down until it is felt and the
+/// density is reached (a stroke that springs back is followed by a deeper one)
+/// or its pressure is at the limit. Layers thinner than their largest stones
+/// may stay looser than the whole becomes, and stones that slide easily may be
+/// denser than asked before the tamper comes: Layer says what was reached. At
+/// last the stones get their friction back and come to rest. Gravity, damping
+/// and steps are the caller's.
 class Pouring
 {
 public:
@@ -98,6 +101,8 @@ public:
 
 private:
   void pour(Engine &engine);
+  std::vector<Placement> cloud_above(double floor,
+                                     const InsertionBox &slab) const;
   bool is_at_rest(const Engine &engine, double limit);
   void settle(Engine &engine);
   void lower_tamper(Engine &engine);
