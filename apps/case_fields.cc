@@ -462,13 +462,7 @@ Case default_case(CaseKind kind)
     return c;
   if (kind == CaseKind::subgrade)
   {
-    c.title = "plate on stones on a subgrade";
-    c.coupling.rules.stone_steps = 10;
-    c.time.fixed_step = 2e-6;
-    c.time.local_damping = 0.; // waves run
-    // Stones fall and roll: as in the drum below.
-    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
-    c.breakage.contacts = dem::EventContacts::all;
+    set_subgrade_defaults(c);
     return c;
   }
   if (kind == CaseKind::vibratory_compaction)

@@ -56,6 +56,8 @@ void add_coupling(List &list, CouplingParameters &c);
 void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
               const std::string &reason);
 void add_subgrade(List &list, SubgradeParameters &s);
+/// What differs from the defaults of a Case.
+void set_subgrade_defaults(Case &c);
 /// Container, Filling, Plate and Vibration.
 void add_compaction(List &list, Case &of);
 } // namespace spall

@@ -14,6 +14,7 @@ namespace
 constexpr double gravity = 9.81;            // [m/s^2]
 constexpr std::int64_t rest_interval = 100; // moves between questions for rest
 constexpr double rest_share = 0.01; // of the weight that may be in motion [-]
+constexpr double rest_speed = 3e-4; // of the plate [m/s]
 /// The static load comes on smoothly [s].
 constexpr double ramp = 0.05;
 /// While it is placed the guide brakes the plate: its speed would fall to 1/e
@@ -201,7 +202,8 @@ bool Subgrade::is_at_rest() const
 {
   const LoadPlateParameters &p = parameters.subgrade.plate;
   const double on_plate = p.mass * gravity + p.static_load;
-  return std::abs(force_on_plate() - on_plate) < rest_share * on_plate &&
+  return plate->plate().velocity().norm() < rest_speed &&
+         std::abs(force_on_plate() - on_plate) < rest_share * on_plate &&
          dem::unbalanced_weight_ratio(engine().particles(),
                                       engine().parameters().gravity) <
              parameters.subgrade.layer.unbalanced_ratio;

@@ -181,4 +181,15 @@ void add_subgrade(List &list, SubgradeParameters &s)
   add_pulse(list, s.pulse);
   add_record(list, s.record);
 }
+
+void set_subgrade_defaults(Case &c)
+{
+  c.title = "plate on stones on a subgrade";
+  c.coupling.rules.stone_steps = 10;
+  c.time.fixed_step = 2e-6;
+  c.time.local_damping = 0.; // waves run
+  // Stones fall and roll, as in the drum of the Los Angeles test.
+  c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+  c.breakage.contacts = dem::EventContacts::all;
+}
 } // namespace spall

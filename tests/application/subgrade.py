@@ -246,7 +246,7 @@ def static(spall, root):
     """A column of two layers under a load that stays: the mean settlement of
     its top is q h / M of the layers, however the stones spread the load, with
     M = E (1 - nu) / ((1 + nu) (1 - 2 nu))."""
-    (root / "load.csv").write_text("time_s,force_N\n0,0\n0.1,300\n0.35,300\n")
+    (root / "load.csv").write_text("time_s,force_N\n0,0\n0.1,300\n0.5,300\n")
     case = write_prm(root / "static.prm", changed(
         Subgrade={"length": 0.2, "width": 0.2, "bottom": "rigid",
                   "sides": "rigid", "mass_damping": 300,
@@ -255,7 +255,9 @@ def static(spall, root):
         Coupling={"stone_steps": 2}))  # lighter nodes
     go([spall, "run", case, "--threads", 1, "--out", root / "static"])
     found, loading = summary(root / "static"), loading_rows(root / "static")
-    end = loading[-1]
+    # Plate and stones swing a little to the end: the mean of the last 0.1 s.
+    end = {key: sum(row[key] for row in loading[-100:]) / 100
+           for key in loading[0]}
     area = 0.2 * 0.2
 
     def modulus(young, nu):
@@ -270,8 +272,9 @@ def static(spall, root):
                   more * flexibility, 5e-3)
     faults += near("force on the plate", end["plate_force_N"],
                    40 * 9.81 + 300, 5e-3)
-    # What does not come down rubs off on the sides.
-    if not 0.85 * 300 < more < 1.01 * 300:
+    # What does not come down rubs off on the sides; a hundredth of the plate's
+    # weight may be in motion when loading begins.
+    if not 0.85 * 300 < more < 300 + 0.01 * 40 * 9.81:
         faults.append(f"the ground gets {more} N of 300 N")
     return faults
 
