@@ -1,5 +1,8 @@
 #pragma once
 
+#include "compaction_case.h"
+#include "subgrade_case.h"
+
 #include <coupling/exchange.h>
 #include <dem/breakage/criterion.h>
 #include <dem/contact/material.h>
@@ -16,12 +19,15 @@ enum class CaseKind
 {
   dynamic_triaxial,
   single_particle,
-  los_angeles
+  los_angeles,
+  vibratory_compaction,
+  subgrade
 };
 
 /// By the number of CaseKind.
 inline const std::vector<std::string> kind_names = {
-    "dynamic_triaxial", "single_particle", "los_angeles"};
+    "dynamic_triaxial", "single_particle", "los_angeles",
+    "vibratory_compaction", "subgrade"};
 
 enum class Lateral
 {
@@ -96,12 +102,13 @@ struct CouplingParameters
   ExchangeChoice exchange = ExchangeChoice::none;
   /// Rule and limit of the ledger are those given here.
   coupling::ExchangeParameters rules;
-  double ledger_limit = 0.05; ///< see coupling::ExchangeParameters [-]
-  bool is_membrane_implicit = false;
-  int membrane_steps = 1; ///< of the membrane in one window [-]
+  double ledger_limit = 0.05;        ///< see coupling::ExchangeParameters [-]
+  bool is_membrane_implicit = false; ///< membrane or subgrade
+  int membrane_steps = 1;            ///< of it in one window [-]
 
-  /// Steps of the stones and the whole of the rules, with a membrane or
-  /// without one.
+  /// Steps of the stones and the whole of the rules.
+  coupling::ExchangeParameters exchange_rules() const;
+  /// The same with a membrane or without one.
   coupling::ExchangeParameters exchange_rules(Lateral lateral) const;
 };
 
@@ -198,6 +205,10 @@ struct Case
   PressParameters press;
   ChargeParameters charge;
   DrumParameters drum;
+  ContainerParameters container;
+  FillingParameters filling;
+  PlateParameters plate;
+  VibrationParameters vibration;
   SpecimenParameters specimen;
   PreparationParameters preparation;
   std::string material; ///< file with the next three and breakage; may be empty
@@ -217,11 +228,21 @@ struct Case
   fem::MembraneParameters membrane;
   BoundaryParameters boundary;
   CouplingParameters coupling;
+  SubgradeParameters subgrade;
   LoadingParameters loading;
   TimeParameters time;
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
+
+  /// Whether a membrane is round the stones.
+  Lateral lateral() const
+  {
+    const bool is_rigid = kind == CaseKind::vibratory_compaction
+                              ? container.form == ContainerForm::rigid
+                              : boundary.lateral == Lateral::rigid;
+    return is_rigid ? Lateral::rigid : Lateral::membrane;
+  }
 };
 
 /// A case of this kind with its defaults.

@@ -4,28 +4,20 @@
 #include "errors.h"
 #include "gradation.h"
 #include "parameter.h"
+#include "subgrade_checks.h"
 
 #include <algorithm>
 #include <filesystem>
 
 namespace spall
 {
-namespace
-{
-/// One refusal: section, key and value as given, and what is allowed.
-struct Fault
-{
-  std::string section, key, value, allowed;
-};
-
-[[noreturn]] void refuse(const Place &place, const Fault &fault)
+void refuse(const Place &place, const Fault &fault)
 {
   throw InputError(place(fault.section, fault.key) + ": " + fault.section +
                    "/" + fault.key + " = " + fault.value + ": " +
                    fault.allowed);
 }
 
-/// A folder of shapes, or none.
 void check_shapes(const Case &c, const Place &place, const std::string &section,
                   const std::string &shapes)
 {
@@ -35,6 +27,25 @@ void check_shapes(const Case &c, const Place &place, const std::string &section,
                    "must be a folder of shape files, or empty for spheres"});
 }
 
+void check_every_step(const Case &c, const Place &place)
+{
+  const CouplingParameters &p = c.coupling;
+  if (p.exchange != ExchangeChoice::every_step)
+    return;
+  if (p.rules.stone_steps != 1)
+    refuse(place,
+           {"Coupling", "stone_steps", std::to_string(p.rules.stone_steps),
+            "must be 1 with Coupling/exchange = every_step"});
+  if (p.membrane_steps != 1)
+    refuse(place, {"Coupling", "body_steps", std::to_string(p.membrane_steps),
+                   "must be 1 with Coupling/exchange = every_step"});
+  if (p.is_membrane_implicit)
+    refuse(place, {"Coupling", "body_time", "implicit",
+                   "must be explicit with Coupling/exchange = every_step"});
+}
+
+namespace
+{
 void check_specimen(const Case &c, const Place &place)
 {
   const SpecimenParameters &s = c.specimen;
@@ -100,27 +111,18 @@ void check_time(const Case &c, const Place &place)
 void check_coupling(const Case &c, const Place &place)
 {
   const CouplingParameters &p = c.coupling;
-  if (c.boundary.lateral == Lateral::rigid)
+  if (c.lateral() == Lateral::rigid)
     return;
   if (p.exchange == ExchangeChoice::none)
     refuse(place,
            {"Coupling", "exchange", "none",
-            "with Boundary/lateral = membrane must be one of "
-            "every_step, one_pass, iterated; spall check compares them"});
-  if (p.exchange == ExchangeChoice::every_step)
-  {
-    if (p.rules.stone_steps != 1)
-      refuse(place,
-             {"Coupling", "stone_steps", std::to_string(p.rules.stone_steps),
-              "must be 1 with Coupling/exchange = every_step"});
-    if (p.membrane_steps != 1)
-      refuse(place,
-             {"Coupling", "membrane_steps", std::to_string(p.membrane_steps),
-              "must be 1 with Coupling/exchange = every_step"});
-    if (p.is_membrane_implicit)
-      refuse(place, {"Coupling", "membrane_time", "implicit",
-                     "must be explicit with Coupling/exchange = every_step"});
-  }
+            std::string("with ") +
+                (c.kind == CaseKind::vibratory_compaction
+                     ? "Container/form = flexible"
+                     : "Boundary/lateral = membrane") +
+                " must be one of every_step, one_pass, iterated; spall check "
+                "compares them"});
+  check_every_step(c, place);
   if (c.time.step == StepRule::error && p.rules.stone_steps != 1)
     refuse(place, {"Time", "step", "error",
                    "must be fixed or stable with Coupling/stone_steps above "
@@ -196,6 +198,13 @@ void check_case(const Case &parameters, const Place &place)
     return check_lab_time(parameters, place);
   case CaseKind::los_angeles:
     check_drum(parameters, place);
+    return check_lab_time(parameters, place);
+  case CaseKind::vibratory_compaction:
+    check_compaction(parameters, place);
+    check_coupling(parameters, place);
+    return check_lab_time(parameters, place);
+  case CaseKind::subgrade:
+    check_subgrade(parameters, place);
     return check_lab_time(parameters, place);
   }
 }

@@ -33,8 +33,8 @@ void add_relaxation(List &list, coupling::ExchangeParameters &rules)
             "of the first."},
            rules.relaxation.factor, above(0., 1.));
   list.add({"tolerance", "m",
-            "iterated: gap left between the membrane and what stones saw of "
-            "it."},
+            "iterated: gap left between membrane or subgrade and what stones "
+            "saw of it."},
            rules.tolerance, above(0., 1e-3));
   list.add(
       {"max_passes", "-", "iterated: of one window; then the last counts."},
@@ -48,18 +48,20 @@ void add_relaxation(List &list, coupling::ExchangeParameters &rules)
 void add_coupling(List &list, CouplingParameters &c)
 {
   list.in("Coupling");
-  list.add({"exchange", "-",
-            "every_step: stones and membrane take the same explicit steps; "
-            "one_pass: window by window, the membrane predicted with the last "
-            "loads; iterated: until motion and loads of each window agree; "
-            "none: there is no membrane."},
-           c.exchange, {"none", "every_step", "one_pass", "iterated"});
+  list.add(
+      {"exchange", "-",
+       "every_step: stones and membrane or subgrade take the same explicit "
+       "steps; one_pass: window by window, the latter predicted with the "
+       "last loads; iterated: until motion and loads of each window "
+       "agree; none: there is neither."},
+      c.exchange, {"none", "every_step", "one_pass", "iterated"});
   list.add({"stone_steps", "-", "Steps of the stones in one window."},
            c.rules.stone_steps, between(1, 1e4));
-  list.add({"membrane_time", "-", "How the membrane takes its steps."},
+  list.add({"body_time", "-", "How the membrane or subgrade takes its steps."},
            c.is_membrane_implicit, {"explicit", "implicit"});
-  list.add({"membrane_steps", "-", "Steps of the membrane in one window."},
-           c.membrane_steps, between(1, 1e4));
+  list.add(
+      {"body_steps", "-", "Steps of the membrane or subgrade in one window."},
+      c.membrane_steps, between(1, 1e4));
   add_relaxation(list, c.rules);
   list.add({"ledger_limit", "-",
             "Of the work that crosses the interface this share may go astray; "
@@ -72,6 +74,11 @@ CouplingParameters::exchange_rules(Lateral lateral) const
 {
   if (lateral == Lateral::rigid) // the plate alone
     return {};
+  return exchange_rules();
+}
+
+coupling::ExchangeParameters CouplingParameters::exchange_rules() const
+{
   coupling::ExchangeParameters all = rules;
   all.ledger_limit = ledger_limit;
   all.rule = exchange == ExchangeChoice::one_pass

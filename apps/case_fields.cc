@@ -147,25 +147,6 @@ void add_stone(List &list, dem::StoneMaterial &s)
            s.shear_damping, between(0., 5.));
 }
 
-/// `rolling` is the range of rolling_friction.
-void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
-              const std::string &reason)
-{
-  list.add({"normal_stiffness", "N/m", "Linear spring, k_n."},
-           w.normal_stiffness, above(0., 1e15));
-  list.add({"shear_stiffness", "N/m", "Linear spring, k_s."}, w.shear_stiffness,
-           between(0., 1e15));
-  list.add({"friction", "-", "Coulomb, stone on boundary, f_w."}, w.friction,
-           between(0., 10.));
-  list.add({"rolling_friction", "-", "Rolling resistance, stone on boundary.",
-            reason},
-           w.rolling_friction, rolling);
-  list.add({"normal_damping", "-", "Share of critical damping, beta_nw."},
-           w.normal_damping, between(0., 5.));
-  list.add({"shear_damping", "-", "Share of critical damping, beta_sw."},
-           w.shear_damping, between(0., 5.));
-}
-
 void add_contact(List &list, Case &of)
 {
   dem::GeometryParameters &c = of.contact;
@@ -342,6 +323,24 @@ void add_output(List &list, OutputParameters &o)
 }
 } // namespace
 
+void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
+              const std::string &reason)
+{
+  list.add({"normal_stiffness", "N/m", "Linear spring, k_n."},
+           w.normal_stiffness, above(0., 1e15));
+  list.add({"shear_stiffness", "N/m", "Linear spring, k_s."}, w.shear_stiffness,
+           between(0., 1e15));
+  list.add({"friction", "-", "Coulomb, stone on boundary, f_w."}, w.friction,
+           between(0., 10.));
+  list.add({"rolling_friction", "-", "Rolling resistance, stone on boundary.",
+            reason},
+           w.rolling_friction, rolling);
+  list.add({"normal_damping", "-", "Share of critical damping, beta_nw."},
+           w.normal_damping, between(0., 5.));
+  list.add({"shear_damping", "-", "Share of critical damping, beta_sw."},
+           w.shear_damping, between(0., 5.));
+}
+
 bool Section::is_of(CaseKind kind) const
 {
   return kinds.empty() || std::ranges::find(kinds, kind) != kinds.end();
@@ -358,6 +357,21 @@ const std::vector<Section> &sections()
        {single_particle}},
       {"Charge", "Stones and steel balls in the drum.", {los_angeles}},
       {"Drum", "The Los Angeles drum and how long it turns.", {los_angeles}},
+      {"Container", "What the stones are in.", {vibratory_compaction}},
+      {"Filling",
+       "The stones, and how they get to their density.",
+       {vibratory_compaction}},
+      {"Plate", "The rigid plate on the stones.", {vibratory_compaction}},
+      {"Vibration",
+       "The exciter on the plate, and what is written.",
+       {vibratory_compaction}},
+      {"Layer",
+       "The stones on the subgrade, in a box with rigid sides.",
+       {subgrade}},
+      {"LoadPlate", "The rigid body that loads the stones.", {subgrade}},
+      {"Subgrade", "The elastic ground, its top at z = 0.", {subgrade}},
+      {"Pulse", "What the plate or sleeper gets while loading.", {subgrade}},
+      {"Record", "What is written, and how often.", {subgrade}},
       {"Specimen", "The stones and the room they fill.", {dynamic_triaxial}},
       {"Preparation",
        "Compaction of the random cloud by servo walls.",
@@ -367,16 +381,17 @@ const std::vector<Section> &sections()
       {"Wall", "Stone against plates, rigid sides, platens and drum."},
       {"MembraneContact",
        "Stone against membrane: linear springs.",
-       {dynamic_triaxial}},
+       {dynamic_triaxial, vibratory_compaction}},
       {"Contact", "What counts as overlap."},
       {"Breakage", "Energy criterion of micro-breakage."},
+      {"GroundContact", "Stone against subgrade: linear springs.", {subgrade}},
       {"Membrane",
        "The finite-element membrane round the specimen.",
-       {dynamic_triaxial}},
+       {dynamic_triaxial, vibratory_compaction}},
       {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
       {"Coupling",
-       "How stones and membrane exchange motion and loads.",
-       {dynamic_triaxial}},
+       "How stones and membrane or subgrade exchange motion and loads.",
+       {dynamic_triaxial, vibratory_compaction, subgrade}},
       {"Loading",
        "Confinement, and what the top plate does.",
        {dynamic_triaxial}},
@@ -396,6 +411,8 @@ std::vector<Parameter> parameters_of(Case &of)
   add_press(list, of.press);
   add_charge(list, of.charge);
   add_drum(list, of.drum);
+  add_compaction(list, of);
+  add_subgrade(list, of.subgrade);
   add_specimen(list, of.specimen);
   add_preparation(list, of.preparation);
   list.in("Material");
@@ -416,6 +433,8 @@ std::vector<Parameter> parameters_of(Case &of)
            "the membrane has no rotational unknowns to take the moment");
   add_contact(list, of);
   add_breakage(list, of.breakage);
+  list.in("GroundContact");
+  add_wall(list, of.subgrade.contact, between(0., 10.), "");
   add_membrane(list, of.membrane);
   add_boundary(list, of.boundary);
   add_coupling(list, of.coupling);
@@ -441,6 +460,24 @@ Case default_case(CaseKind kind)
   c.kind = kind;
   if (kind == CaseKind::dynamic_triaxial)
     return c;
+  if (kind == CaseKind::subgrade)
+  {
+    set_subgrade_defaults(c);
+    return c;
+  }
+  if (kind == CaseKind::vibratory_compaction)
+  {
+    c.title = "vibratory compaction test";
+    // As in the drum below: stones that are poured spin.
+    c.wall.law = dem::WallLaw::hertz;
+    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    c.breakage.contacts = dem::EventContacts::all;
+    c.time.step = StepRule::stable;
+    // A sleeve that stands 330 kPa from above, not latex.
+    c.membrane.youngs_modulus = 1e8;
+    c.membrane.thickness = 3e-3;
+    return c;
+  }
   c.wall.law = dem::WallLaw::hertz;
   c.contact.wall_geometry = dem::ContactGeometry::radial;
   if (kind == CaseKind::single_particle)

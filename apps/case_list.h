@@ -52,4 +52,12 @@ private:
 
 void add_membrane(List &list, fem::MembraneParameters &m);
 void add_coupling(List &list, CouplingParameters &c);
+/// Of the section the list is in; `rolling` is the range of rolling_friction.
+void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
+              const std::string &reason);
+void add_subgrade(List &list, SubgradeParameters &s);
+/// What differs from the defaults of a Case.
+void set_subgrade_defaults(Case &c);
+/// Container, Filling, Plate and Vibration.
+void add_compaction(List &list, Case &of);
 } // namespace spall

@@ -64,7 +64,8 @@ bool is_path(const Parameter &parameter)
 {
   return std::holds_alternative<std::string *>(parameter.value) &&
          (parameter.key == "gradation" || parameter.key == "shapes" ||
-          parameter.key == "shape");
+          parameter.key == "shape" || parameter.key == "table" ||
+          parameter.key == "share_table");
 }
 
 std::string joined(const std::vector<std::string> &words)
@@ -118,8 +119,11 @@ std::string template_case(const std::string &kind)
   Case defaults =
       default_case(static_cast<CaseKind>(found - kind_names.begin()));
   defaults.material = "materials/graded_aggregate.prm";
-  if (defaults.kind == CaseKind::dynamic_triaxial) // must be said
+  // What must be said.
+  if (defaults.kind == CaseKind::dynamic_triaxial)
     defaults.coupling.exchange = ExchangeChoice::every_step;
+  if (defaults.kind == CaseKind::subgrade)
+    defaults.coupling.exchange = ExchangeChoice::one_pass;
   std::ostringstream out;
   print_comment(out, "",
                 "Case of kind " + kind +

@@ -1,12 +1,12 @@
 #include "case_file.h"
 #include "commands.h"
 #include "errors.h"
+#include "forecast.h"
 #include "lab_test.h"
 #include "triaxial.h"
 
 #include <dem/integrate/contact_springs.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -38,15 +38,7 @@ double packed_step_cost(const Case &parameters)
     stone.position *= shrink;
   for (const auto &[lower, upper] : specimen.box)
     engine.planes()[upper].point *= shrink;
-  constexpr double frozen = 1e-15; // [s]: nothing moves
-  engine.advance(frozen);
-  constexpr int n_steps = 200;
-  const auto start = std::chrono::steady_clock::now();
-  for (int step = 0; step < n_steps; ++step)
-    engine.advance(frozen);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-             .count() /
-         n_steps;
+  return still_step_cost(engine);
 }
 
 /// Wall-clock of one step of the membrane alone [s].
@@ -57,18 +49,7 @@ double membrane_step_cost(const Case &parameters)
       parameters.membrane,
       fem::box_sides(dem::Vec3::Zero(),
                      dem::Vec3::Constant(parameters.specimen.side), {n, n, n}));
-  const std::vector<Eigen::Vector3d> load(membrane.n_nodes(),
-                                          Eigen::Vector3d::Zero());
-  constexpr int n_steps = 200;
-  const auto start = std::chrono::steady_clock::now();
-  for (int step = 0; step < n_steps; ++step)
-  {
-    membrane.begin_step(1e-15);
-    membrane.end_step(load, 1e-15);
-  }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-             .count() /
-         n_steps;
+  return still_step_cost(membrane);
 }
 
 void print_memory()
@@ -76,9 +57,8 @@ void print_memory()
   std::printf("memory           %.0f MiB\n", memory_in_use());
 }
 
-void print_stones(const dem::Engine &engine)
+void print_stones(const dem::Particles &stones)
 {
-  const dem::Particles &stones = engine.particles();
   double smallest = stones.radius(0), largest = smallest, mass = 0.;
   std::size_t n_breakable = 0;
   for (std::size_t i = 0; i < stones.size(); ++i)
@@ -94,7 +74,7 @@ void print_stones(const dem::Engine &engine)
 }
 
 /// The gain that counts, what the ways of exchange stand, and which to take.
-void print_exchange(const SetupStep &setup)
+void print_exchange(const SetupStep &setup, int stone_steps)
 {
   const coupling::ExchangeGain &gain = *setup.gain;
   const coupling::WindowGain &window = setup.window;
@@ -104,18 +84,21 @@ void print_exchange(const SetupStep &setup)
               "relaxation below %.4g, best constant relaxation %.3g\n",
               window.gain, window.one_pass_limit, window.unrelaxed_limit,
               window.best_relaxation);
-  std::printf("membrane alone   explicit steps of at most %.4g s\n",
+  std::printf("body alone       explicit steps of at most %.4g s\n",
               setup.membrane_step);
   const char *advice = "iterated with aitken";
-  if (window.gain < 0.5 * window.unrelaxed_limit &&
-      setup.step < setup.membrane_step)
+  const bool is_mild = window.gain < 0.5 * window.one_pass_limit;
+  if (is_mild && stone_steps > 1)
+    advice = "one_pass"; // the body takes fewer steps
+  else if (window.gain < 0.5 * window.unrelaxed_limit &&
+           setup.step < setup.membrane_step)
     advice = "every_step";
-  else if (window.gain < 0.5 * window.one_pass_limit)
+  else if (is_mild)
     advice = "one_pass";
   std::printf("recommended      Coupling/exchange = %s\n", advice);
 }
 
-void print_step(const Triaxial &test)
+void print_step(const Case &parameters, const Triaxial &test)
 {
   const dem::StepLimit limit =
       dem::critical_step(test.engine().parameters(), test.engine().particles());
@@ -125,7 +108,7 @@ void print_step(const Triaxial &test)
       "in a corner      %.4g s (the same stone on three walls)\n",
       dem::corner_step(test.engine().parameters(), test.engine().particles()));
   if (test.gain())
-    print_exchange(test.setup_step());
+    print_exchange(test.setup_step(), parameters.coupling.rules.stone_steps);
 }
 
 void print_cost(const Case &parameters, const Triaxial &test)
@@ -145,33 +128,22 @@ void print_cost(const Case &parameters, const Triaxial &test)
 void check_triaxial(const Case &parameters)
 {
   const Triaxial test(parameters);
-  print_stones(test.engine());
-  print_step(test);
+  print_stones(test.engine().particles());
+  print_step(parameters, test);
   print_cost(parameters, test);
 }
 
-/// The first steps are run to see how fast simulated time goes by.
 void check_lab(const Case &parameters)
 {
   const std::unique_ptr<LabTest> test = make_lab_test(parameters);
-  print_stones(test->engine());
-  const dem::StepLimit limit = dem::critical_step(test->engine().parameters(),
-                                                  test->engine().particles());
+  print_stones(test->all_stones());
   std::printf("time step        %.4g s, at most %.4g s (%s)\n",
-              test->time_step(), limit.step, limit.reason.c_str());
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  constexpr int n_steps = 20000;
-  for (int step = 0; step < n_steps && test->share_done() < 1.; ++step)
-    test->advance();
-  const double spent =
-      std::chrono::duration<double>(Clock::now() - start).count();
+              test->time_step(), test->step_limit().step,
+              test->step_limit().reason.c_str());
+  if (const SetupStep *setup = test->setup_step(); setup && setup->gain)
+    print_exchange(*setup, parameters.coupling.rules.stone_steps);
+  test->print_forecast();
   print_memory();
-  std::printf(
-      "predicted time   %.3g s for %.4g s of the test (the first %.3g s "
-      "took %.3g s)\n",
-      spent * test->duration() / test->engine().time(), test->duration(),
-      test->engine().time(), spent);
 }
 } // namespace
 

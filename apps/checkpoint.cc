@@ -30,6 +30,11 @@ std::string identity_of(Case parameters)
   parameters.drum.rows_per_turn = defaults.drum.rows_per_turn;
   parameters.drum.frames_per_turn = defaults.drum.frames_per_turn;
   parameters.drum.checkpoint_every = defaults.drum.checkpoint_every;
+  parameters.vibration.duration = defaults.vibration.duration;
+  parameters.vibration.reports = defaults.vibration.reports;
+  parameters.vibration.rows_per_period = defaults.vibration.rows_per_period;
+  parameters.vibration.frames_per_second = defaults.vibration.frames_per_second;
+  parameters.vibration.checkpoint_every = defaults.vibration.checkpoint_every;
   if (parameters.kind == CaseKind::dynamic_triaxial)
   {
     // Steps may change where a cycle ends: Triaxial::restore() looks.

@@ -97,6 +97,9 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
     parts.membrane->write_vtu(add(2, "membrane"));
   if (parts.has_surfaces)
     dem::write_surfaces(add(3, "surfaces"), columns);
+  int part = 4;
+  for (const FrameBody &body : parts.bodies)
+    body.write(add(part++, body.name));
   dem::write_collection((folder / "run.pvd").string(), entries);
 }
 } // namespace spall

@@ -5,15 +5,25 @@
 #include <fem/membrane.h>
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace spall
 {
+/// A body of its own file NAME_NNNNN.vtu.
+struct FrameBody
+{
+  const char *name;
+  std::function<void(const std::string &path)> write;
+};
+
 /// What a frame shows besides balls and contacts.
 struct FrameParts
 {
   const fem::Membrane *membrane = nullptr; ///< null: none
   bool has_surfaces = false;               ///< true surfaces of the stones
+  std::vector<FrameBody> bodies = {};
 };
 
 /// Writes frames/*_NNNNN.vtu of a run folder and run.pvd with all `entries`,

@@ -4,6 +4,7 @@
 #include "checkpoint.h"
 #include "event_rows.h"
 #include "frames.h"
+#include "ledger_rows.h"
 
 #include <nlohmann/json.hpp>
 
@@ -53,8 +54,11 @@ void LabRecorder::start(LabTest &test)
   write_text(folder / "case.prm", resolved_case(parameters));
   history.open(folder / "history.csv", header_of(test));
   events.open(folder / "events.csv", events_header(test.progress_column()));
+  if (test.has_ledger())
+    ledger.open(folder / "ledger.csv", ledger_header());
   write_row(test);
-  write_frame(test);
+  if (test.engine().particles().size() > 0) // else they are still to be poured
+    write_frame(test);
 }
 
 void LabRecorder::resume(LabTest &test)
@@ -66,6 +70,8 @@ void LabRecorder::resume(LabTest &test)
   write_text(folder / "case.prm", resolved_case(parameters));
   history.resume(folder / "history.csv", done.history_size);
   events.resume(folder / "events.csv", done.events_size);
+  if (test.has_ledger())
+    ledger.resume(folder / "ledger.csv", done.ledger_size);
   frames = done.frames;
   n_frames = done.n_frames;
   spent_before = done.spent;
@@ -74,6 +80,8 @@ void LabRecorder::resume(LabTest &test)
 void LabRecorder::after_step(LabTest &test)
 {
   const Due due = test.due();
+  for (const NamedText &file : test.take_files())
+    write_text(folder / file.name, file.text);
   if (!due.row && !due.frame && !due.checkpoint)
     return;
   const double begun = elapsed();
@@ -93,6 +101,9 @@ void LabRecorder::write_row(const LabTest &test)
   for (const Quantity &one : test.row())
     row.push_back(one.value);
   history.write_row(row);
+  if (test.exchange())
+    ledger.write_row(ledger_row(*test.exchange(), test.engine(),
+                                test.steps_in_move() * test.time_step()));
 }
 
 void LabRecorder::write_events(LabTest &test)
@@ -103,7 +114,7 @@ void LabRecorder::write_events(LabTest &test)
 
 void LabRecorder::write_frame(const LabTest &test)
 {
-  spall::write_frame(folder, test.engine(), {nullptr, true}, n_frames++,
+  spall::write_frame(folder, test.engine(), test.frame_parts(), n_frames++,
                      frames);
 }
 
@@ -114,6 +125,13 @@ std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
       {"contacts", clock.contacts},         {"search", clock.search},
       {"breakage", clock.breakage},         {"motion", clock.motion},
       {"step_watch", test.watch_seconds()}, {"output", output_seconds}};
+  if (test.exchange())
+  {
+    const coupling::ExchangeClock around = test.exchange()->clock();
+    seconds["bodies"] = around.bodies;
+    seconds["transfer"] = around.transfer;
+    seconds["repeating"] = around.keeping;
+  }
   double known = 0.;
   for (const auto &[phase, spent] : seconds)
     known += spent;
@@ -130,6 +148,8 @@ void LabRecorder::write_checkpoint(LabTest &test)
   Progressed done;
   done.history_size = history.flushed_size();
   done.events_size = events.flushed_size();
+  if (test.has_ledger())
+    done.ledger_size = ledger.flushed_size();
   done.frames = frames;
   done.n_frames = n_frames;
   done.spent = wall_clock(test);
@@ -152,6 +172,8 @@ void LabRecorder::finish(LabTest &test)
   summary["threads"] = omp_get_max_threads();
   test.summarise(summary);
   summary["energy_residual_ratio_1"] = residual_ratio(test);
+  if (test.exchange())
+    add_ledger(*test.exchange(), summary);
   summary["wall_clock_s"] = wall_clock(test);
   summary["version"] = SPALL_VERSION;
   write_text(folder / "summary.json", summary.dump(2) + "\n");

@@ -33,6 +33,7 @@ public:
 
 private:
   void write_row(const LabTest &test);
+  void write_ledger(const LabTest &test);
   void write_events(LabTest &test);
   void write_frame(const LabTest &test);
   void write_checkpoint(LabTest &test);
@@ -41,7 +42,7 @@ private:
 
   Case parameters;
   std::filesystem::path folder;
-  CsvFile history, events;
+  CsvFile history, events, ledger;
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   double output_seconds = 0.;

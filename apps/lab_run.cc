@@ -14,11 +14,10 @@ namespace
 void describe(Progress &progress, const LabTest &test)
 {
   char line[200];
-  const dem::StepLimit limit =
-      dem::critical_step(test.engine().parameters(), test.engine().particles());
+  const dem::StepLimit &limit = test.step_limit();
   std::snprintf(line, sizeof line,
                 "%zu bodies, time step %.3g s, at most %.3g s (%s)",
-                test.engine().particles().size(), test.time_step(), limit.step,
+                test.all_stones().size(), test.time_step(), limit.step,
                 limit.reason.c_str());
   progress.say(line);
 }

@@ -1,25 +1,24 @@
 #include "lab_test.h"
 
+#include "compaction.h"
 #include "contact_places.h"
 #include "errors.h"
 #include "los_angeles.h"
 #include "parameter.h"
 #include "single_particle.h"
+#include "subgrade.h"
 
 #include <dem/io/binary.h>
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
+#include <cstdio>
+
 namespace spall
 {
-namespace
+double first_step(const Case &parameters, const dem::StepLimit &limit)
 {
-/// The fixed step, or the longest for the lightest stone on one wall. Throws
-/// InputError if the fixed one is longer.
-double first_step(const Case &parameters, const dem::Engine &engine)
-{
-  const dem::StepLimit limit =
-      dem::critical_step(engine.parameters(), engine.particles());
   if (parameters.time.step != StepRule::fixed)
     return parameters.time.safety * limit.step;
   if (parameters.time.fixed_step > limit.step)
@@ -29,27 +28,49 @@ double first_step(const Case &parameters, const dem::Engine &engine)
                      " s, set by: " + limit.reason);
   return parameters.time.fixed_step;
 }
-} // namespace
 
 LabTest::LabTest(const Case &c, ShapeLibrary library,
                  std::unique_ptr<dem::Engine> scene)
     : parameters(c), shapes(std::move(library)), stones(std::move(scene)),
-      watch(c.time,
-            dem::critical_step(stones->parameters(), stones->particles()).step),
-      step(first_step(c, *stones))
+      limit(dem::critical_step(stones->parameters(), stones->particles())),
+      watch(c.time, limit.step), step(first_step(c, limit))
+{
+}
+
+LabTest::LabTest(const Case &c, ShapeLibrary library,
+                 std::unique_ptr<dem::Engine> scene,
+                 const dem::StepLimit &its_limit, double its_step)
+    : parameters(c), shapes(std::move(library)), stones(std::move(scene)),
+      limit(its_limit), watch(c.time, limit.step), step(its_step)
 {
 }
 
 void LabTest::advance()
 {
-  if (watch.is_due(engine().n_steps()))
+  if (watch.is_due(engine().n_steps() / steps_in_move()))
   {
-    watch.look(engine(), {}, step);
+    watch.look(engine(), surroundings(), step);
     if (parameters.time.step != StepRule::fixed)
       step = watch.state().longest;
   }
   watch.note_used(step);
   move(step);
+}
+
+/// The first steps are run to see how fast simulated time goes by.
+void LabTest::print_forecast()
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  constexpr int n_steps = 20000;
+  for (int k = 0; k < n_steps && share_done() < 1.; ++k)
+    advance();
+  const double spent =
+      std::chrono::duration<double>(Clock::now() - start).count();
+  std::printf(
+      "predicted time   %.3g s for %.4g s of the test (the first %.3g s "
+      "took %.3g s)\n",
+      spent * duration() / engine().time(), duration(), engine().time(), spent);
 }
 
 void LabTest::stop_after(int)
@@ -61,7 +82,7 @@ void LabTest::stop_after(int)
 
 std::vector<dem::BreakageEvent> LabTest::take_events()
 {
-  auto events = engine().take_events();
+  auto events = fresh_events();
   if (first_event_time < 0. && !events.empty())
   {
     first_event_time = events[0].time;
@@ -86,7 +107,8 @@ double LabTest::abrasion_percent() const
 double LabTest::external_work() const
 {
   const dem::EngineEnergy energy = engine().energy();
-  return energy.plane_work + energy.drum_work + energy.gravity_work;
+  return energy.plane_work + energy.drum_work + energy.gravity_work +
+         body_energy().external;
 }
 
 std::vector<Quantity> LabTest::row() const
@@ -95,21 +117,24 @@ std::vector<Quantity> LabTest::row() const
   for (const Quantity &one : measured())
     all.push_back(one);
   const dem::EngineEnergy e = engine().energy();
+  const coupling::BodyEnergy bodies = body_energy();
   const double work = external_work();
+  const double kinetic = e.kinetic + bodies.kinetic,
+               elastic = e.elastic + bodies.stored,
+               damping = e.damping + bodies.lost;
   const std::vector<Quantity> common = {
       {"laa_percent", abrasion_percent()},
       {"n_events_1", static_cast<double>(engine().n_events())},
       {"external_work_J", work},
-      {"kinetic_energy_J", e.kinetic},
-      {"elastic_energy_J", e.elastic},
+      {"kinetic_energy_J", kinetic},
+      {"elastic_energy_J", elastic},
       {"friction_dissipation_J", e.friction},
       {"rolling_dissipation_J", e.rolling},
-      {"damping_dissipation_J", e.damping},
+      {"damping_dissipation_J", damping},
       {"breakage_energy_J", e.breakage},
       {"shape_work_J", e.shape_work},
-      {"energy_residual_J",
-       work - (e.kinetic + e.elastic + e.friction + e.rolling + e.damping +
-               e.breakage + e.shape_work)}};
+      {"energy_residual_J", work - (kinetic + elastic + e.friction + e.rolling +
+                                    damping + e.breakage + e.shape_work)}};
   all.insert(all.end(), common.begin(), common.end());
   return all;
 }
@@ -168,6 +193,10 @@ std::unique_ptr<LabTest> make_lab_test(const Case &parameters)
 {
   if (parameters.kind == CaseKind::single_particle)
     return std::make_unique<SingleParticle>(parameters);
+  if (parameters.kind == CaseKind::vibratory_compaction)
+    return std::make_unique<Compaction>(parameters);
+  if (parameters.kind == CaseKind::subgrade)
+    return std::make_unique<Subgrade>(parameters);
   return std::make_unique<LosAngeles>(parameters);
 }
 } // namespace spall

@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "event_rows.h"
 #include "frames.h"
+#include "ledger_rows.h"
 #include "summary.h"
 
 #include <algorithm>
@@ -24,11 +25,10 @@ std::string history_header()
   return header;
 }
 
-const char *const ledger_header =
-    "time_s,work_given_J,work_taken_J,work_residual_1,impulse_given_x_Ns,"
-    "impulse_given_y_Ns,impulse_given_z_Ns,impulse_taken_x_Ns,"
-    "impulse_taken_y_Ns,impulse_taken_z_Ns,impulse_residual_1,gain_1,"
-    "passes_1,gap_m,membrane_work_J,plate_work_J,energy_residual_J";
+std::string triaxial_ledger_header()
+{
+  return ledger_header() + ",membrane_work_J,plate_work_J,energy_residual_J";
+}
 } // namespace
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
@@ -50,7 +50,7 @@ void Recorder::start()
   history.open(folder / "history.csv", history_header());
   events.open(folder / "events.csv", events_header("cycle_1"));
   if (parameters.boundary.lateral == Lateral::membrane)
-    ledger.open(folder / "ledger.csv", ledger_header);
+    ledger.open(folder / "ledger.csv", triaxial_ledger_header());
 }
 
 void Recorder::resume(Triaxial &test)
@@ -65,7 +65,7 @@ void Recorder::resume(Triaxial &test)
   if (test.membrane())
     ledger.resume(folder / "ledger.csv", done.ledger_size);
   else if (parameters.boundary.lateral == Lateral::membrane)
-    ledger.open(folder / "ledger.csv", ledger_header);
+    ledger.open(folder / "ledger.csv", triaxial_ledger_header());
   frames = done.frames;
   n_frames = done.n_frames;
   roundness = done.roundness;
@@ -150,22 +150,12 @@ void Recorder::write_ledger(Triaxial &test, const Sample &sample)
 {
   if (!test.membrane())
     return;
-  const coupling::Exchange &exchange = *test.exchange();
-  const coupling::LedgerSums &sums = exchange.ledger();
   worst_gain = std::max(worst_gain, test.exchange_gain());
-  std::vector<double> row{sample.time, sums.given, sums.taken,
-                          sums.work_residual()};
-  for (const dem::Vec3 &impulse : {sums.impulse_given, sums.impulse_taken})
-    row.insert(row.end(), impulse.begin(), impulse.end());
-  const std::vector<double> more{
-      sums.impulse_residual(),
-      test.exchange_gain(),
-      static_cast<double>(exchange.last_window().passes),
-      exchange.last_window().gap,
-      test.engine().energy().surface_work,
-      test.plate_work(),
-      sample.energy_residual};
-  row.insert(row.end(), more.begin(), more.end());
+  std::vector<double> row =
+      ledger_row(*test.exchange(), test.engine(), test.window());
+  for (const double more : {test.engine().energy().surface_work,
+                            test.plate_work(), sample.energy_residual})
+    row.push_back(more);
   ledger.write_row(row);
 }
 

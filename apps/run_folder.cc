@@ -19,6 +19,19 @@ std::ofstream open_file(const fs::path &path, std::ios::openmode mode)
   return stream;
 }
 
+/// What a vibratory compaction writes at its report times.
+void remove_reports(const fs::path &folder)
+{
+  std::error_code status;
+  std::vector<fs::path> old;
+  for (const fs::directory_entry &entry :
+       fs::directory_iterator(folder, status))
+    if (entry.path().filename().string().starts_with("roundness_"))
+      old.push_back(entry.path());
+  for (const fs::path &path : old)
+    fs::remove(path, status);
+}
+
 /// Shortest text that reads back as the same number.
 std::string exact(double value)
 {
@@ -80,6 +93,8 @@ void prepare_run_folder(const fs::path &folder, bool is_resumed)
          {"history.csv", "events.csv", "ledger.csv", "summary.json", "run.pvd",
           "report.html", "frames", "checkpoint", "log.txt"})
       fs::remove_all(folder / old, status);
+  if (!is_resumed)
+    remove_reports(folder);
   for (const fs::path &made :
        {folder, folder / "frames", folder / "checkpoint"})
   {

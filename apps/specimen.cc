@@ -117,18 +117,13 @@ struct MembraneNode
   double membrane_step = 0.; ///< longest of the membrane alone [s]
 };
 
-MembraneNode lightest_node(const Case &parameters, const dem::Engine &engine)
+MembraneNode lightest_node(const Case &parameters, double lightest_stone,
+                           const fem::Membrane &membrane)
 {
-  const int n = parameters.boundary.elements_per_side;
-  const fem::Membrane membrane(
-      parameters.membrane,
-      fem::box_sides(dem::Vec3::Zero(),
-                     dem::Vec3::Constant(parameters.specimen.side), {n, n, n}));
   // All nodes but those of the two rims move; the rims are the lightest.
   const auto mass = membrane.nodal_mass();
   const dem::WallMaterial &contact = parameters.membrane_contact;
-  return {{contact.normal_stiffness, contact.normal_damping,
-           engine.particles().smallest_mass()},
+  return {{contact.normal_stiffness, contact.normal_damping, lightest_stone},
           *std::max_element(mass.begin(), mass.end()),
           membrane.stable_time_step()};
 }
@@ -161,10 +156,10 @@ void check_membrane_step(const Case &parameters, const SetupStep &setup)
   if (!c.is_membrane_implicit && own > setup.membrane_step)
     throw InputError(
         parameters.file +
-        ": Coupling/membrane_steps = " + std::to_string(c.membrane_steps) +
+        ": Coupling/body_steps = " + std::to_string(c.membrane_steps) +
         ": explicit steps of the membrane of " + in_four_digits(own) +
         " s must be at most " + in_four_digits(setup.membrane_step) +
-        " s: take more of them, or membrane_time = implicit");
+        " s: take more of them, or body_time = implicit");
 }
 
 /// Gains at this step, and what a pass can stand of them.
@@ -172,7 +167,7 @@ void add_gains(const Case &parameters, const MembraneNode &node,
                SetupStep &setup)
 {
   const coupling::ExchangeParameters rules =
-      parameters.coupling.exchange_rules(parameters.boundary.lateral);
+      parameters.coupling.exchange_rules(parameters.lateral());
   setup.membrane_step = node.membrane_step;
   setup.window = coupling::window_gain(node.contact, node.mass,
                                        rules.stone_steps * setup.step);
@@ -187,12 +182,10 @@ void add_gains(const Case &parameters, const MembraneNode &node,
 }
 } // namespace
 
-SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
+SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
+                      double lightest, const fem::Membrane *membrane)
 {
-  const dem::StepLimit limit =
-      dem::critical_step(engine.parameters(), engine.particles());
   const bool is_fixed = parameters.time.step == StepRule::fixed;
-  const bool has_membrane = parameters.boundary.lateral == Lateral::membrane;
   SetupStep setup;
   setup.cap = limit.step;
   if (is_fixed)
@@ -202,9 +195,9 @@ SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
   }
   else
     setup.step = parameters.time.safety * setup.cap;
-  if (!has_membrane)
+  if (!membrane)
     return setup;
-  const MembraneNode node = lightest_node(parameters, engine);
+  const MembraneNode node = lightest_node(parameters, lightest, *membrane);
   add_gains(parameters, node, setup);
   if (is_fixed)
     check_gain(parameters, *setup.gain);
@@ -218,5 +211,20 @@ SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
   }
   check_membrane_step(parameters, setup);
   return setup;
+}
+
+SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
+{
+  std::optional<fem::Membrane> membrane;
+  const int n = parameters.boundary.elements_per_side;
+  if (parameters.boundary.lateral == Lateral::membrane)
+    membrane.emplace(
+        parameters.membrane,
+        fem::box_sides(dem::Vec3::Zero(),
+                       dem::Vec3::Constant(parameters.specimen.side),
+                       {n, n, n}));
+  return choose_step(
+      parameters, dem::critical_step(engine.parameters(), engine.particles()),
+      engine.particles().smallest_mass(), membrane ? &*membrane : nullptr);
 }
 } // namespace spall

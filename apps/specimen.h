@@ -47,9 +47,13 @@ struct SetupStep
   double membrane_step = 0.; ///< longest of the membrane alone [s]
 };
 
-/// With a membrane as it will be, on the cube of the nominal side. Throws
-/// InputError if the fixed step is above what one wall or the exchange with
-/// the membrane allows.
+/// `limit` and the lightest of all stones that will be there [kg];
+/// `membrane` as it will be, null without one. Throws InputError if the fixed
+/// step is above what one wall or the exchange with the membrane allows.
+SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
+                      double lightest, const fem::Membrane *membrane);
+
+/// Of a triaxial test: its membrane on the cube of the nominal side.
 SetupStep choose_step(const Case &parameters, const dem::Engine &engine);
 
 /// Total volume of the stones [m^3].

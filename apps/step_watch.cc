@@ -56,7 +56,7 @@ dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
   if (around.exchange->rule() != coupling::ExchangeRule::every_step)
     return network;
   if (record.membrane_step == 0. || record.n_checks % membrane_interval == 0)
-    record.membrane_step = around.cell->stable_time_step();
+    record.membrane_step = around.membrane->stable_time_step();
   network.point_frequency = membrane_headroom * 2. / record.membrane_step;
   return network;
 }

@@ -2,7 +2,6 @@
 
 #include "case.h"
 
-#include <coupling/cell_body.h>
 #include <coupling/exchange.h>
 #include <coupling/gain.h>
 
@@ -28,11 +27,11 @@ struct StepRecord
 struct Surroundings
 {
   const coupling::Exchange *exchange = nullptr; ///< null: planes only
-  const coupling::CellBody *cell = nullptr;
+  const coupling::Body *membrane = nullptr;     ///< the body that has it
   coupling::WindowGain gain; ///< at setup, for the limit of one pass
   int stone_steps = 1;       ///< of a window
 
-  bool has_membrane() const { return cell && cell->has_membrane(); }
+  bool has_membrane() const { return membrane != nullptr; }
 };
 
 /// Looks at the contacts that exist and says how long a step may be.

@@ -139,6 +139,10 @@ std::string seed_key_of(CaseKind kind)
     return "Particle/seed";
   case CaseKind::los_angeles:
     return "Charge/seed";
+  case CaseKind::subgrade:
+    return "Layer/seed";
+  case CaseKind::vibratory_compaction:
+    return "Filling/seed";
   case CaseKind::dynamic_triaxial:
     break;
   }

@@ -1,6 +1,7 @@
 #include "summary.h"
 
 #include "contact_places.h"
+#include "ledger_rows.h"
 
 #include <nlohmann/json.hpp>
 
@@ -38,28 +39,6 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
     seconds[phase] += spent;
   return seconds;
 }
-
-namespace
-{
-void add_ledger(const coupling::Exchange &exchange, nlohmann::ordered_json &out)
-{
-  const coupling::LedgerSums &sums = exchange.ledger();
-  const auto triple = [](const dem::Vec3 &v) {
-    return std::array<double, 3>{v.x(), v.y(), v.z()};
-  };
-  out["interface"] = {
-      {"work_given_J", sums.given},
-      {"work_taken_J", sums.taken},
-      {"work_residual_1", sums.work_residual()},
-      {"impulse_given_Ns", triple(sums.impulse_given)},
-      {"impulse_taken_Ns", triple(sums.impulse_taken)},
-      {"impulse_residual_1", sums.impulse_residual()},
-      {"passes_per_window_1", static_cast<double>(exchange.n_passes()) /
-                                  static_cast<double>(std::max<std::int64_t>(
-                                      exchange.n_windows(), 1))},
-      {"n_unsettled_windows", exchange.n_unsettled()}};
-}
-} // namespace
 
 std::string summary_text(const Case &parameters, const Triaxial &test,
                          const RunRecord &record)

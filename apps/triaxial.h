@@ -35,7 +35,8 @@ public:
 
   Stage stage() const { return now; }
   double time_step() const; ///< of the stones, the next one [s]
-  double period() const;    ///< of a load cycle, a whole number of ticks [s]
+  double window() const { return pace.step(); } ///< of the exchange [s]
+  double period() const; ///< of a load cycle, a whole number of ticks [s]
   /// Ticks since the present stage began, and of one load cycle. Every run
   /// meets its ticks, whatever its steps; with a fixed step each is one.
   std::int64_t ticks() const { return pace.ticks(); }

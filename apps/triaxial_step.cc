@@ -43,7 +43,8 @@ double Triaxial::time_step() const
 
 Surroundings Triaxial::surroundings() const
 {
-  return {joined.get(), cell, setup.window, steps_in_window()};
+  return {joined.get(), cell && cell->has_membrane() ? cell : nullptr,
+          setup.window, steps_in_window()};
 }
 
 double Triaxial::exchange_gain() const

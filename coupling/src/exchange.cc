@@ -127,10 +127,28 @@ Body &Exchange::add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
           "every_step is for bodies with one explicit step");
   const Field at = copy_of(body->motion().position);
   joints.push_back({std::move(body), std::move(seam), at, at,
-                    Field(at.size(), Vector::Zero())});
+                    Field(at.size(), Vector::Zero()), false});
   Joint &joint = joints.back();
   joint.seam->collect(engine, Collected::load, joint.load);
   return *joint.body;
+}
+
+std::size_t Exchange::joint_of(const Body &body) const
+{
+  const auto found = std::ranges::find_if(
+      joints, [&](const Joint &joint) { return joint.body.get() == &body; });
+  require(found != joints.end(), "a body that is none of its own");
+  return static_cast<std::size_t>(found - joints.begin());
+}
+
+void Exchange::hold(const Body &body, bool is_held)
+{
+  joints[joint_of(body)].is_held = is_held;
+}
+
+FieldView Exchange::load_on(const Body &body) const
+{
+  return joints[joint_of(body)].load;
 }
 
 void Exchange::advance(const Stones &stones, double window)
@@ -151,7 +169,8 @@ void Exchange::step_together(const Stones &stones, double time_step)
         [&]
         {
           for (Joint &joint : joints)
-            joint.body->begin_step(time_step);
+            if (!joint.is_held)
+              joint.body->begin_step(time_step);
         });
   timed(spent.transfer,
         [&]
@@ -170,7 +189,8 @@ void Exchange::step_together(const Stones &stones, double time_step)
         [&]
         {
           for (Joint &joint : joints)
-            joint.body->end_step(joint.load, time_step);
+            if (!joint.is_held)
+              joint.body->end_step(joint.load, time_step);
         });
   report = {1, 0.};
   ++pass_count;
@@ -247,7 +267,8 @@ void Exchange::predict(double window)
         {
           for (Joint &joint : joints)
           {
-            joint.body->advance(joint.load, window);
+            if (!joint.is_held)
+              joint.body->advance(joint.load, window);
             joint.target = copy_of(joint.body->motion().position);
           }
         });
@@ -306,6 +327,8 @@ double Exchange::correct_bodies(const std::vector<std::string> &start,
           for (std::size_t j = 0; j < joints.size(); ++j)
           {
             Joint &joint = joints[j];
+            if (joint.is_held)
+              continue;
             bring_back(start[j], *joint.body);
             joint.body->advance(joint.load, window);
             const FieldView now = joint.body->motion().position;

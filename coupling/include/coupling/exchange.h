@@ -80,6 +80,15 @@ public:
   Body &add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
             const dem::Engine &engine);
 
+  /// A body that is held stays where it is, whatever loads it, until it is let
+  /// go. Not part of what is saved. Throws std::invalid_argument if it is none
+  /// of the exchange.
+  void hold(const Body &body, bool is_held);
+
+  /// Mean load of the stones on the nodes of a body in the last window, with
+  /// every_step at its end [N]. Throws std::invalid_argument as hold.
+  FieldView load_on(const Body &body) const;
+
   /// One window [s]. Throws std::runtime_error when passes leave too large a
   /// gap or the ledger is beyond its limit.
   void advance(const Stones &stones, double window);
@@ -114,7 +123,9 @@ private:
     Field at;     ///< where stones see it [m]
     Field target; ///< where they will see it at the end of the window [m]
     Field load;   ///< mean of the last window, or of the end of step [N]
+    bool is_held = false;
   };
+  std::size_t joint_of(const Body &body) const;
 
   void step_together(const Stones &stones, double time_step);
   void pass_window(const Stones &stones, double window);
