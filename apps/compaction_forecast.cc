@@ -53,49 +53,61 @@ std::size_t press(dem::Engine &engine, double load, double longest)
   engine.come_to_rest();
   return plate;
 }
-} // namespace
-
-/// The packing is pressed, then the plate swings as it would on its own.
-void Compaction::print_forecast()
+/// A step on average.
+struct MeanStep
 {
-  const std::unique_ptr<dem::Engine> packed = packed_engine(parameters, scene);
-  relax(*packed, time_step());
-  const std::size_t plane = press(*packed, weight(), time_step());
-  packed->set_local_damping(parameters.time.local_damping);
+  double length = 0.; ///< [s]
+  double cost = 0.;   ///< wall-clock [s]
+};
+
+/// The plate swings as it would on its own, steps are what a run would take.
+MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
+               const dem::StepLimit &limit, double first_step)
+{
+  constexpr int n_steps = 8000;
   const VibrationParameters &v = parameters.vibration;
   const double omega = 2. * std::numbers::pi * v.frequency;
   const double speed =
       v.eccentric_mass * v.eccentricity * omega / parameters.plate.mass;
-  StepWatch looks(parameters.time, step_limit().step);
-  double length = time_step();
-  const double from = packed->time();
-  const auto start = std::chrono::steady_clock::now();
-  constexpr int n_steps = 8000;
+  const bool is_fixed = parameters.time.step == StepRule::fixed;
+  StepWatch watch(parameters.time, limit.step);
+  double step = first_step;
+  const double from = engine.time();
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
   for (int k = 0; k < n_steps; ++k)
   {
-    if (looks.is_due(packed->n_steps()))
+    if (watch.is_due(engine.n_steps()))
     {
-      looks.look(*packed, {}, length);
-      if (parameters.time.step != StepRule::fixed)
-        length = looks.state().longest;
+      watch.look(engine, {}, step);
+      step = is_fixed ? step : watch.state().longest;
     }
-    packed->planes()[plane].velocity.z() =
-        -speed * std::sin(omega * (packed->time() - from));
-    packed->advance(length);
+    engine.planes()[plate].velocity.z() =
+        -speed * std::sin(omega * (engine.time() - from));
+    engine.advance(step);
   }
-  double cost =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count() /
-      n_steps;
-  const double mean_step = (packed->time() - from) / n_steps;
+  return {(engine.time() - from) / n_steps,
+          std::chrono::duration<double>(Clock::now() - start).count() /
+              n_steps};
+}
+} // namespace
+
+void Compaction::print_forecast()
+{
+  const std::unique_ptr<dem::Engine> packed = packed_engine(parameters, scene);
+  relax(*packed, time_step());
+  const std::size_t plate_there = press(*packed, weight(), time_step());
+  packed->set_local_damping(parameters.time.local_damping);
+  MeanStep mean =
+      shake(*packed, plate_there, parameters, step_limit(), time_step());
   if (parameters.lateral() == Lateral::membrane)
   {
     fem::Membrane sleeve = make_tube(parameters);
-    cost += still_step_cost(sleeve);
+    mean.cost += still_step_cost(sleeve);
   }
-  const double n = duration() / mean_step;
+  const double n = duration() / mean.length;
   std::printf("predicted time   %.3g s for %.4g steps of %.3g s after the "
               "filling (%.3g ms each)\n",
-              cost * n, n, mean_step, 1e3 * cost);
+              mean.cost * n, n, mean.length, 1e3 * mean.cost);
 }
 } // namespace spall
