@@ -14,7 +14,11 @@ namespace spall
 {
 namespace
 {
+using Clock = std::chrono::steady_clock;
+
 constexpr int n_between = 25; // steps between two looks at the contacts
+/// A forecast is to be short, if need be a worse one: of each of its parts.
+constexpr std::chrono::seconds patience{8};
 
 /// Runs as long as the contacts allow, at most `longest` at a step [s].
 void run_a_little(dem::Engine &engine, double longest)
@@ -30,7 +34,8 @@ void run_a_little(dem::Engine &engine, double longest)
 void relax(dem::Engine &engine, double longest)
 {
   constexpr int n_rounds = 60;
-  for (int round = 0; round < n_rounds; ++round)
+  const auto end = Clock::now() + patience;
+  for (int round = 0; round < n_rounds && Clock::now() < end; ++round)
   {
     run_a_little(engine, longest);
     engine.come_to_rest();
@@ -46,8 +51,11 @@ std::size_t press(dem::Engine &engine, double load, double longest)
       engine.add_plane(dem::top_of(engine.particles(), 0.) * dem::Vec3::UnitZ(),
                        -dem::Vec3::UnitZ());
   engine.planes()[plate].velocity = -speed * dem::Vec3::UnitZ();
+  const auto end = Clock::now() + patience;
   for (int round = 0;
-       round < n_rounds && engine.planes()[plate].force.z() < load; ++round)
+       round < n_rounds && engine.planes()[plate].force.z() < load &&
+       Clock::now() < end;
+       ++round)
     run_a_little(engine, longest);
   engine.planes()[plate].velocity = dem::Vec3::Zero();
   engine.come_to_rest();
@@ -73,9 +81,9 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
   StepWatch watch(parameters.time, limit.step);
   double step = first_step;
   const double from = engine.time();
-  using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  for (int k = 0; k < n_steps; ++k)
+  int k = 0;
+  for (; k < n_steps && (k == 0 || Clock::now() < start + patience); ++k)
   {
     if (watch.is_due(engine.n_steps()))
     {
@@ -86,9 +94,8 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
         -speed * std::sin(omega * (engine.time() - from));
     engine.advance(step);
   }
-  return {(engine.time() - from) / n_steps,
-          std::chrono::duration<double>(Clock::now() - start).count() /
-              n_steps};
+  return {(engine.time() - from) / k,
+          std::chrono::duration<double>(Clock::now() - start).count() / k};
 }
 } // namespace
 
