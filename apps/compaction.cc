@@ -158,7 +158,7 @@ void Compaction::step_joined(double time_step)
     now.stage = Stage::vibration;
     now.start_height = height();
     engine().set_breaking(parameters.breakage.is_active);
-    report();
+    report(0.);
   }
 }
 
@@ -169,7 +169,7 @@ void Compaction::follow_vibration(double window, double impulse)
     now.lift_off += window;
   for (const double due : report_times(parameters.vibration.reports))
     if (due <= vibrated() && due > vibrated() - window)
-      report();
+      report(due);
 }
 
 double Compaction::vibrated() const

@@ -78,7 +78,7 @@ private:
   void build_joint();
   void step_joined(double time_step);
   void follow_vibration(double window, double impulse);
-  void report();
+  void report(double due); ///< time of vibration [s]
   double weight() const;   ///< of the plate and the load on it [N]
   double vibrated() const; ///< so far [s]
   double height() const;   ///< of the stones [m]

@@ -42,7 +42,7 @@ std::string roundness_table(const dem::Particles &stones)
   return text;
 }
 
-void Compaction::report()
+void Compaction::report(double due)
 {
   Report report;
   report.time = vibrated();
@@ -53,8 +53,7 @@ void Compaction::report()
   report.n_events = static_cast<double>(engine().n_events());
   reports.push_back(report);
   char name[40];
-  std::snprintf(name, sizeof name, "roundness_%.6gs.csv",
-                reports.size() == 1 ? 0. : report.time);
+  std::snprintf(name, sizeof name, "roundness_%.6gs.csv", due);
   files.push_back({name, roundness_table(engine().particles())});
 }
 
