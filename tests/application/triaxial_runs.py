@@ -56,6 +56,7 @@ def differing(folder, other, names):
 
 def report_faults(faults):
     """Prints them; exit status of the test."""
+    faults = list(faults)
     for fault in faults:
         print(fault)
     print("failed" if faults else "passed")

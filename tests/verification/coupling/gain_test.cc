@@ -55,7 +55,7 @@ Outcome swing(double gain, const Way &way, int n_windows = 1500)
   };
   exchange.add(std::make_unique<coupling::RigidBody>(
                    support::upright(plate_mass), mesh.nodes, drive),
-               mesh, "plate", p.surface, coupling::StoneSide::outside, engine);
+               mesh, "plate", p.surface, coupling::StoneSide::inside, engine);
   const auto stones = coupling::stones_of(engine, support::no_shapes());
   const double window = 2. * std::sqrt(gain * plate_mass / stiffness);
   // The load that is there before the first window.
