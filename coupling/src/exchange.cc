@@ -378,21 +378,31 @@ void Exchange::check_ledger(double time) const
 }
 
 /// Between two rebuilds nothing moves farther than the margin of the lists.
+/// What has crossed stays so for longer: it is looked for less often.
 void Exchange::check_surfaces(const dem::Engine &engine)
 {
   if (engine.n_rebuilds() == surfaces_seen_at)
     return;
   surfaces_seen_at = engine.n_rebuilds();
+  constexpr std::int64_t crossing_interval = 8; // rebuilds
+  const auto look = [&](const dem::SurfaceContacts &facets)
+  {
+    auto fault = dem::find_fold(facets.mesh());
+    if (!fault)
+      fault = dem::find_left(facets, engine.particles(),
+                             engine.parameters().geometry.wall_geometry);
+    if (!fault && surfaces_seen_at % crossing_interval == 0)
+      fault = dem::find_crossing(facets.mesh());
+    if (fault)
+      throw GuardStop("coupling: at " + text_of(engine.time()) +
+                      " s in the surface '" + facets.name + "' " +
+                      dem::describe(*fault));
+  };
   timed(spent.guards,
         [&]
         {
           for (const dem::SurfaceContacts &facets : engine.surfaces())
-            if (const auto fault =
-                    dem::find_fault(facets, engine.particles(),
-                                    engine.parameters().geometry.wall_geometry))
-              throw GuardStop("coupling: at " + text_of(engine.time()) +
-                              " s in the surface '" + facets.name + "' " +
-                              dem::describe(*fault));
+            look(facets);
         });
 }
 

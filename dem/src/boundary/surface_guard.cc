@@ -227,18 +227,6 @@ std::optional<SurfaceFault> find_left(const SurfaceContacts &facets,
   return {};
 }
 
-std::optional<SurfaceFault> find_fault(const SurfaceContacts &facets,
-                                       const Particles &stones,
-                                       ContactGeometry geometry)
-{
-  auto fault = find_fold(facets.mesh());
-  if (!fault)
-    fault = find_crossing(facets.mesh());
-  if (!fault)
-    fault = find_left(facets, stones, geometry);
-  return fault;
-}
-
 std::string describe(const SurfaceFault &fault)
 {
   std::ostringstream text;

@@ -18,6 +18,7 @@ struct Row
 {
   std::string happens, margin; ///< with the numbers of this run
   bool holds = false;          ///< all that the case asks for
+  bool is_stopped = false;     ///< what it asks for is that a guard speaks
   Restart restart = Restart::none;
 };
 

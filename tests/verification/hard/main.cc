@@ -38,15 +38,26 @@ const char *words(hard::Restart restart)
                                              : "-";
 }
 
+bool is_right(const hard::Row &row)
+{
+  return row.holds && row.restart != hard::Restart::differs;
+}
+
+const char *outcome(const hard::Row &row)
+{
+  return !is_right(row) ? "FAILS" : row.is_stopped ? "stopped" : "held";
+}
+
 const char *const page_head =
     "# Hard cases\n\n"
     "Written by `build/tests/verification/hard_cases --page "
-    "docs/verification/hard.md`, one test each (`ctest -R hard_`). *holds* is "
-    "what the\ntest asks; the margin says how far it is from failing, or where "
-    "the border is. Restart: the second half of the run once more from a\n"
-    "state saved in its middle. Code: `tests/verification/hard/`.\n\n"
+    "docs/verification/hard.md`, one test each (`ctest -R hard_`). *held*: as "
+    "it must be within\nthe limits given; *stopped*: it cannot be held, and a "
+    "guard stops it with this line ([guards](../theory/interface.md#guards)). "
+    "The margin\nsays how far it is from the border. Restart: the second half "
+    "of the run once more, from a state saved in its middle.\n\n"
     "| case | what makes it hard | what happens | margin or limit | restart | "
-    "holds |\n|---|---|---|---|---|---|\n";
+    "outcome |\n|---|---|---|---|---|---|\n";
 
 } // namespace
 
@@ -74,17 +85,16 @@ int main(int argc, char **argv)
     ++n_run;
     const auto start = std::chrono::steady_clock::now();
     const hard::Row row = row_of(one);
-    const bool holds = row.holds && row.restart != hard::Restart::differs;
-    all_hold &= holds;
+    all_hold &= is_right(row);
     const std::chrono::duration<double> took =
         std::chrono::steady_clock::now() - start;
-    std::printf("%-18s %-5s %s | %s | restart %s (%.1f s)\n", one.name.c_str(),
-                holds ? "holds" : "FAILS", row.happens.c_str(),
-                row.margin.c_str(), words(row.restart), took.count());
+    std::printf("%-18s %-7s %s | %s | restart %s (%.1f s)\n", one.name.c_str(),
+                outcome(row), row.happens.c_str(), row.margin.c_str(),
+                words(row.restart), took.count());
     std::fflush(stdout);
     table += "| `" + one.name + "`: " + one.what + " | " + one.why + " | " +
              row.happens + " | " + row.margin + " | " + words(row.restart) +
-             " | " + (holds ? "yes" : "**no**") + " |\n";
+             " | " + outcome(row) + " |\n";
   }
   if (!names.empty() && names[0] != "--list" && n_run != names.size())
   {

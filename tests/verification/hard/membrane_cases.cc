@@ -174,6 +174,7 @@ Row punch()
   row.happens = "\"" + seen.stop + "\"";
   row.margin = text("held up to %.2f m/s, stopped at %.2f m/s", last, speed);
   row.holds = seen.stop.find("has left through facet") != std::string::npos;
+  row.is_stopped = true;
   return row;
 }
 
@@ -224,6 +225,7 @@ Row folding()
                     "sheet without bending stiffness cannot be carried farther",
                     100. * 2. * speed * step * k / side);
   row.holds = row.happens.find("are folded") != std::string::npos;
+  row.is_stopped = true;
   return row;
 }
 
@@ -292,6 +294,7 @@ Row self_crossing()
   row.margin =
       text("seen when the rims are %.1f mm past each other", 2e3 * beyond);
   row.holds = row.happens.find("pass through each other") != std::string::npos;
+  row.is_stopped = true;
   return row;
 }
 

@@ -43,11 +43,6 @@ std::optional<SurfaceFault> find_left(const SurfaceContacts &facets,
                                       const Particles &stones,
                                       ContactGeometry geometry);
 
-/// The first of these three.
-std::optional<SurfaceFault> find_fault(const SurfaceContacts &facets,
-                                       const Particles &stones,
-                                       ContactGeometry geometry);
-
 /// One clause: what, which facets or stone, where.
 std::string describe(const SurfaceFault &fault);
 } // namespace dem
