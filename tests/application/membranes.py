@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The triaxial test with membranes of both laws, under tension, explicit and
+"""The triaxial test with a neo-Hookean membrane under tension, explicit and
 implicit. Energy and ledger close, and implicit steps find what explicit ones
 find.
 
@@ -15,16 +15,12 @@ SHORT = ("Loading/frequency=1000", "Loading/cycles=1",
          "Loading/consolidation_time=2e-3")
 RUBBER = ("Membrane/law=neo_hooke", "Membrane/poisson_ratio=0.5",
           "Membrane/tension=100")
-ONE_PASS = ("Coupling/exchange=one_pass",)
 IMPLICIT = ("Coupling/exchange=one_pass", "Coupling/membrane_time=implicit")
 # Explicit steps of all together lose no work; one pass is of third order.
 KINDS = {"plain": ((), 1e-3, 1e-6), "rubber": (RUBBER, 1e-3, 1e-6),
-         "one_pass": (ONE_PASS, 1e-2, 1e-2),
-         "implicit": (IMPLICIT, 1e-2, 1e-2),
          "implicit_rubber": (IMPLICIT + RUBBER, 1e-2, 1e-2)}
 # Peaks of the same membrane; stones fall into other places by and by.
-PAIRS = (("implicit", "one_pass"), ("one_pass", "plain"),
-         ("implicit_rubber", "rubber"))
+PAIRS = (("implicit_rubber", "rubber"),)
 NEAR = 0.1
 
 
