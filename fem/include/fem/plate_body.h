@@ -56,7 +56,7 @@ public:
                 double time_step);
 
   const Eigen::Vector3d &centre() const { return now.centre; } ///< [m]
-  const Eigen::Quaterniond &orientation() const { return now.orientation; }
+  Eigen::Quaterniond orientation() const { return now.orientation; }
   const Eigen::Vector3d &velocity() const { return now.velocity; } ///< [m/s]
   Eigen::Vector3d spin() const; ///< in the world [rad/s]
   /// Of the body's point that is at `place` now [m/s].
@@ -76,10 +76,11 @@ public:
   void load(std::istream &in); ///< throws std::runtime_error if it ends early
 
 private:
+  /// Without gaps, as checkpoints are compared bit for bit.
   struct State
   {
     Eigen::Vector3d centre, velocity, angular_momentum;
-    Eigen::Quaterniond orientation;
+    Eigen::Quaternion<double, Eigen::DontAlign> orientation;
     Eigen::Vector3d given_velocity, given_spin; ///< for the next step
     Eigen::Vector3d held_spin;                  ///< of what is not free
     PlateLoad drive, reaction;
