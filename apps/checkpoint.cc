@@ -25,6 +25,8 @@ std::string identity_of(Case parameters)
   const Case defaults;
   parameters.threads = defaults.threads;
   parameters.loading.cycles = defaults.loading.cycles;
+  parameters.coupling.ledger_limit = defaults.coupling.ledger_limit;
+  parameters.coupling.rules.gap_limit = defaults.coupling.rules.gap_limit;
   parameters.output = defaults.output;
   parameters.drum.turns = defaults.drum.turns;
   parameters.drum.rows_per_turn = defaults.drum.rows_per_turn;

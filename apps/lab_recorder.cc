@@ -142,7 +142,7 @@ std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
   return seconds;
 }
 
-void LabRecorder::write_checkpoint(LabTest &test)
+void LabRecorder::write_checkpoint(LabTest &test, const std::string &name)
 {
   write_events(test);
   Progressed done;
@@ -154,7 +154,7 @@ void LabRecorder::write_checkpoint(LabTest &test)
   done.n_frames = n_frames;
   done.spent = wall_clock(test);
   spall::write_checkpoint(
-      folder / "checkpoint" / "state.bin", parameters,
+      folder / "checkpoint" / name, parameters,
       [&test](std::ostream &out) { test.save(out); }, done);
 }
 
@@ -177,6 +177,12 @@ void LabRecorder::finish(LabTest &test)
   summary["wall_clock_s"] = wall_clock(test);
   summary["version"] = SPALL_VERSION;
   write_text(folder / "summary.json", summary.dump(2) + "\n");
+}
+
+std::string LabRecorder::keep_stopped(LabTest &test)
+{
+  write_checkpoint(test, "stopped.bin");
+  return (folder / "checkpoint" / "stopped.bin").string();
 }
 
 std::string LabRecorder::last_checkpoint() const

@@ -27,6 +27,8 @@ public:
   void after_step(LabTest &test);
   /// Writes what a finished or stopped run leaves.
   void finish(LabTest &test);
+  /// As Recorder::keep_stopped.
+  std::string keep_stopped(LabTest &test);
 
   /// Path of the last checkpoint, empty if none.
   std::string last_checkpoint() const;
@@ -36,7 +38,7 @@ private:
   void write_ledger(const LabTest &test);
   void write_events(LabTest &test);
   void write_frame(const LabTest &test);
-  void write_checkpoint(LabTest &test);
+  void write_checkpoint(LabTest &test, const std::string &name = "state.bin");
   std::map<std::string, double> wall_clock(const LabTest &test) const;
   double elapsed() const;
 

@@ -5,6 +5,8 @@
 #include "run_options.h"
 #include "thread_choice.h"
 
+#include <coupling/exchange.h>
+
 #include <cstdio>
 
 namespace spall
@@ -82,6 +84,14 @@ void run_lab(const RunOptions &options, const Case &parameters)
     ThreadChoice threads(options.threads.value_or(parameters.threads));
     run_loop(*test, recorder, progress, threads);
     recorder.finish(*test);
+  }
+  catch (const coupling::GuardStop &stop)
+  {
+    const std::string now = recorder.keep_stopped(*test),
+                      before = recorder.last_checkpoint();
+    throw RunFailure(
+        std::string(stop.what()) + "; checkpoint of this moment: " + now +
+        "; last one before: " + (before.empty() ? "none" : before));
   }
   catch (const std::exception &error)
   {

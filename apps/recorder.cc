@@ -167,7 +167,7 @@ void Recorder::write_frame(Triaxial &test, bool with_surfaces)
   spall::write_frame(folder, test.engine(), parts, n_frames++, frames);
 }
 
-void Recorder::write_checkpoint(Triaxial &test)
+void Recorder::write_checkpoint(Triaxial &test, const std::string &name)
 {
   write_events(test);
   Progressed done;
@@ -186,7 +186,7 @@ void Recorder::write_checkpoint(Triaxial &test)
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
       spent_before);
   spall::write_checkpoint(
-      folder / "checkpoint" / "state.bin", parameters,
+      folder / "checkpoint" / name, parameters,
       [&test](std::ostream &out) { test.save(out); }, done);
 }
 
@@ -208,6 +208,12 @@ void Recorder::finish(Triaxial &test)
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
       spent_before);
   write_text(folder / "summary.json", summary_text(parameters, test, record));
+}
+
+std::string Recorder::keep_stopped(Triaxial &test)
+{
+  write_checkpoint(test, "stopped.bin");
+  return (folder / "checkpoint" / "stopped.bin").string();
 }
 
 std::string Recorder::last_checkpoint() const

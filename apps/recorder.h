@@ -32,6 +32,10 @@ public:
   const Sample &start_of_loading() const { return loading_start; }
   const Sample &end() const { return last; } ///< last row of the history
 
+  /// Writes what a run leaves that a guard has stopped: the state of this
+  /// moment, beside the last checkpoint. Returns its path.
+  std::string keep_stopped(Triaxial &test);
+
   /// Path of the last checkpoint, empty if none.
   std::string last_checkpoint() const;
 
@@ -40,7 +44,7 @@ private:
   void write_events(Triaxial &test);
   void write_ledger(Triaxial &test, const Sample &sample);
   void write_frame(Triaxial &test, bool with_surfaces);
-  void write_checkpoint(Triaxial &test);
+  void write_checkpoint(Triaxial &test, const std::string &name = "state.bin");
   void write_summary(const Triaxial &test);
   void note_stage(Triaxial &test);
   double elapsed() const;

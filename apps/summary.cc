@@ -27,6 +27,7 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
   seconds["membrane"] = exchange.bodies;
   seconds["transfer"] = exchange.transfer;
   seconds["repeating"] = exchange.keeping;
+  seconds["guards"] = exchange.guards;
   seconds["step_watch"] = test.watch_seconds();
   seconds["step_probe"] = test.probe_seconds();
   seconds["output"] = recorded.output;

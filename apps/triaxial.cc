@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 namespace spall
 {
@@ -57,6 +58,13 @@ void Triaxial::advance()
   if (now == Stage::done)
     return;
   settle_step();
+  step_stage();
+  if (!stopped_by.empty())
+    throw coupling::GuardStop(std::exchange(stopped_by, {}));
+}
+
+void Triaxial::step_stage()
+{
   switch (now)
   {
   case Stage::preparation:
@@ -283,7 +291,14 @@ void Triaxial::step_boundaries()
 {
   if (cell->has_membrane())
     cell->set_pressure(pressure);
-  joined->advance(stones(), pace.step());
+  try
+  {
+    joined->advance(stones(), pace.step());
+  }
+  catch (const coupling::GuardStop &stop)
+  {
+    stopped_by = stop.what(); // once the step has been counted
+  }
   pace.count();
   ++in_stage;
 }

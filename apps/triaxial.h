@@ -30,7 +30,8 @@ public:
   explicit Triaxial(const Case &parameters);
 
   /// One step of the present stage. Throws RunFailure if the preparation does
-  /// not come to rest in time.
+  /// not come to rest in time, coupling::GuardStop after a step that a guard
+  /// stops at.
   void advance();
 
   Stage stage() const { return now; }
@@ -96,6 +97,7 @@ public:
   void restore(std::istream &in);
 
 private:
+  void step_stage();
   void prepare();
   void consolidate();
   void load();
@@ -129,7 +131,8 @@ private:
   StepWatch watch;
   Pace pace;
   ProbeState probe;
-  double probing = 0.; ///< wall-clock of going back, for probes [s]
+  std::string stopped_by; ///< words of a guard; empty: none
+  double probing = 0.;    ///< wall-clock of going back, for probes [s]
   std::vector<dem::BreakageEvent> held_events;
   std::int64_t cycle_ticks = 0, stage_ticks = 0;
   int n_cycles = 0;

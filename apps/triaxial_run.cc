@@ -129,6 +129,14 @@ void run_triaxial(const RunOptions &options, const Case &parameters)
     run_loop(test, recorder, progress, threads, cycles);
     recorder.finish(test);
   }
+  catch (const coupling::GuardStop &stop)
+  {
+    const std::string now = recorder.keep_stopped(test),
+                      before = recorder.last_checkpoint();
+    throw RunFailure(
+        std::string(stop.what()) + "; checkpoint of this moment: " + now +
+        "; last one before: " + (before.empty() ? "none" : before));
+  }
   catch (const std::exception &error)
   {
     const std::string checkpoint = recorder.last_checkpoint();

@@ -119,6 +119,7 @@ void Triaxial::start_probe()
   }
   close_window(coarse);
   timed(probing, [&] { restore(state); });
+  stopped_by.clear(); // if at all, the run comes there itself
   probe.coarse = coarse;
   probe.fine_left = 2 * probe.n_coarse;
   probe.n_extra_steps += probe.n_coarse;
