@@ -103,8 +103,8 @@ struct CouplingParameters
   /// Rule and limit of the ledger are those given here.
   coupling::ExchangeParameters rules;
   double ledger_limit = 0.05;        ///< see coupling::ExchangeParameters [-]
-  bool is_membrane_implicit = false; ///< membrane or subgrade
-  int membrane_steps = 1;            ///< of it in one window [-]
+  bool is_body_implicit = false; ///< membrane or subgrade
+  int body_steps = 1;            ///< of it in one window [-]
 
   /// Steps of the stones and the whole of the rules.
   coupling::ExchangeParameters exchange_rules() const;

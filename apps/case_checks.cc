@@ -36,10 +36,10 @@ void check_every_step(const Case &c, const Place &place)
     refuse(place,
            {"Coupling", "stone_steps", std::to_string(p.rules.stone_steps),
             "must be 1 with Coupling/exchange = every_step"});
-  if (p.membrane_steps != 1)
-    refuse(place, {"Coupling", "body_steps", std::to_string(p.membrane_steps),
+  if (p.body_steps != 1)
+    refuse(place, {"Coupling", "body_steps", std::to_string(p.body_steps),
                    "must be 1 with Coupling/exchange = every_step"});
-  if (p.is_membrane_implicit)
+  if (p.is_body_implicit)
     refuse(place, {"Coupling", "body_time", "implicit",
                    "must be explicit with Coupling/exchange = every_step"});
 }

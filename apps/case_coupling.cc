@@ -58,10 +58,10 @@ void add_coupling(List &list, CouplingParameters &c)
   list.add({"stone_steps", "-", "Steps of the stones in one window."},
            c.rules.stone_steps, between(1, 1e4));
   list.add({"body_time", "-", "How the membrane or subgrade takes its steps."},
-           c.is_membrane_implicit, {"explicit", "implicit"});
+           c.is_body_implicit, {"explicit", "implicit"});
   list.add(
       {"body_steps", "-", "Steps of the membrane or subgrade in one window."},
-      c.membrane_steps, between(1, 1e4));
+      c.body_steps, between(1, 1e4));
   add_relaxation(list, c.rules);
   list.add({"ledger_limit", "-",
             "Of the work that crosses the interface this share may go astray; "

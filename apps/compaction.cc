@@ -126,7 +126,7 @@ void Compaction::build_joint()
   const CouplingParameters &c = parameters.coupling;
   auto sleeve = std::make_unique<coupling::MembraneBody>(
       make_tube(parameters),
-      coupling::BodySteps{c.is_membrane_implicit, c.membrane_steps});
+      coupling::BodySteps{c.is_body_implicit, c.body_steps});
   tube = sleeve.get();
   const fem::SurfaceMesh mesh = sleeve->membrane().mesh();
   joined->add(std::move(sleeve), mesh, "membrane", parameters.membrane_contact,

@@ -131,6 +131,7 @@ std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
     seconds["bodies"] = around.bodies;
     seconds["transfer"] = around.transfer;
     seconds["repeating"] = around.keeping;
+    seconds["guards"] = around.guards;
   }
   double known = 0.;
   for (const auto &[phase, spent] : seconds)

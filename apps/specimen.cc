@@ -152,11 +152,11 @@ void check_gain(const Case &parameters, const coupling::ExchangeGain &gain)
 void check_membrane_step(const Case &parameters, const SetupStep &setup)
 {
   const CouplingParameters &c = parameters.coupling;
-  const double own = c.rules.stone_steps * setup.step / c.membrane_steps;
-  if (!c.is_membrane_implicit && own > setup.membrane_step)
+  const double own = c.rules.stone_steps * setup.step / c.body_steps;
+  if (!c.is_body_implicit && own > setup.membrane_step)
     throw InputError(
         parameters.file +
-        ": Coupling/body_steps = " + std::to_string(c.membrane_steps) +
+        ": Coupling/body_steps = " + std::to_string(c.body_steps) +
         ": explicit steps of the membrane of " + in_four_digits(own) +
         " s must be at most " + in_four_digits(setup.membrane_step) +
         " s: take more of them, or body_time = implicit");

@@ -97,7 +97,7 @@ void Subgrade::build_ground()
                       parse_depths(parameters.subgrade.record.stress_depths));
     auto full = std::make_unique<coupling::SolidBody>(
         std::move(block), fem::z_upper,
-        coupling::BodySteps{c.is_membrane_implicit, c.membrane_steps});
+        coupling::BodySteps{c.is_body_implicit, c.body_steps});
     solid = full.get();
     top = full->mesh();
     body = std::move(full);
@@ -106,7 +106,7 @@ void Subgrade::build_ground()
   {
     auto reduced = std::make_unique<coupling::CondensedBody>(
         block, fem::z_upper, parameters.subgrade.ground.inner_modes,
-        c.membrane_steps, window_of(parameters, time_step()));
+        c.body_steps, window_of(parameters, time_step()));
     condensed = reduced.get();
     top = reduced->mesh();
     body = std::move(reduced);

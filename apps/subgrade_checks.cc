@@ -139,7 +139,7 @@ void check_exchange(const Case &c, const Place &place)
     refuse(place, {"Coupling", "exchange", "every_step",
                    "must be one_pass or iterated with Subgrade/body = "
                    "condensed"});
-  if (!p.is_membrane_implicit)
+  if (!p.is_body_implicit)
     refuse(place, {"Coupling", "body_time", "explicit",
                    "must be implicit with Subgrade/body = condensed"});
   if (c.time.step != StepRule::fixed)

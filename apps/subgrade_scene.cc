@@ -308,10 +308,10 @@ SetupStep ground_setup(const Case &c, const coupling::Body &ground,
 void check_ground_setup(const Case &c, const SetupStep &setup)
 {
   const CouplingParameters &p = c.coupling;
-  const double own = window_of(c, setup.step) / p.membrane_steps;
-  if (!p.is_membrane_implicit && own > setup.membrane_step)
+  const double own = window_of(c, setup.step) / p.body_steps;
+  if (!p.is_body_implicit && own > setup.membrane_step)
     throw InputError(
-        c.file + ": Coupling/body_steps = " + std::to_string(p.membrane_steps) +
+        c.file + ": Coupling/body_steps = " + std::to_string(p.body_steps) +
         ": explicit steps of the subgrade of " + in_four_digits(own) +
         " s must be at most " + in_four_digits(setup.membrane_step) +
         " s: take more of them, or body_time = implicit");

@@ -172,7 +172,7 @@ void Triaxial::build_cell()
   }
   const CouplingParameters &c = parameters.coupling;
   const coupling::BodySteps steps =
-      membrane ? coupling::BodySteps{c.is_membrane_implicit, c.membrane_steps}
+      membrane ? coupling::BodySteps{c.is_body_implicit, c.body_steps}
                : coupling::BodySteps{};
   auto body = std::make_unique<coupling::CellBody>(
       parameters.boundary.plate_mass, upper.z(), std::move(membrane), steps);

@@ -15,7 +15,7 @@ SHORT = ("Loading/frequency=1000", "Loading/cycles=1",
          "Loading/consolidation_time=2e-3")
 RUBBER = ("Membrane/law=neo_hooke", "Membrane/poisson_ratio=0.5",
           "Membrane/tension=100")
-IMPLICIT = ("Coupling/exchange=one_pass", "Coupling/membrane_time=implicit")
+IMPLICIT = ("Coupling/exchange=one_pass", "Coupling/body_time=implicit")
 # Explicit steps of all together lose no work; one pass is of third order.
 KINDS = {"plain": ((), 1e-3, 1e-6), "rubber": (RUBBER, 1e-3, 1e-6),
          "implicit_rubber": (IMPLICIT + RUBBER, 1e-2, 1e-2)}
