@@ -1,5 +1,5 @@
-#include "case_fields.h"
-#include "case_file.h"
+#include "case/fields.h"
+#include "case/file.h"
 #include "errors.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <compaction_scene.h>
+#include <compaction/scene.h>
 #include <complex>
 
 // The plate of a vibratory compaction on one stone, an oscillator of two

@@ -1,7 +1,7 @@
-#include "case_file.h"
+#include "case/file.h"
 #include "errors.h"
 #include "hard_scene.h"
-#include "triaxial.h"
+#include "triaxial/triaxial.h"
 #include "wall_meshes.h"
 
 #include <shape/test_shapes.h>
