@@ -1,4 +1,4 @@
-#include "commands.h"
+#include "commands/commands.h"
 #include "errors.h"
 
 #include <deal.II/base/mpi.h>

@@ -2,6 +2,7 @@
 
 #include "report/figure_parts.h"
 #include "report/lab_figures.h"
+#include "report/subgrade_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,6 +123,8 @@ Chart event_count_chart(std::span<const RunData> runs)
 
 std::vector<Chart> make_charts(std::span<const RunData> runs)
 {
+  if (are_subgrade_runs(runs))
+    return make_subgrade_charts(runs);
   if (are_lab_runs(runs))
     return make_lab_charts(runs);
   std::vector<Chart> charts{loop_chart(runs)};

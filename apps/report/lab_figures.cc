@@ -1,5 +1,6 @@
 #include "report/lab_figures.h"
 
+#include "report/compaction_figures.h"
 #include "report/figure_parts.h"
 
 #include <array>
@@ -18,6 +19,7 @@ struct Path
 
 constexpr Path press{"displacement_m", "Displacement (mm)", 1e3};
 constexpr Path drum{"turn_1", "Turns (–)", 1.};
+constexpr Path vibration{"vibration_s", "Time of vibration (s)", 1.};
 
 struct Quantity
 {
@@ -176,15 +178,19 @@ std::vector<Chart> energy_charts(std::span<const RunData> runs,
 
 bool are_lab_runs(std::span<const RunData> runs)
 {
-  return !runs.empty() &&
-         (is_press(runs[0]) || runs[0].loading.find(drum.column) != nullptr);
+  return !runs.empty() && (is_press(runs[0]) || is_compaction(runs[0]) ||
+                           runs[0].loading.find(drum.column) != nullptr);
 }
 
 std::vector<Chart> make_lab_charts(std::span<const RunData> runs)
 {
   std::vector<Chart> charts;
-  const Path &path = is_press(runs[0]) ? press : drum;
-  if (is_press(runs[0]))
+  const Path &path = is_press(runs[0])        ? press
+                     : is_compaction(runs[0]) ? vibration
+                                              : drum;
+  if (is_compaction(runs[0]))
+    charts = make_compaction_charts(runs);
+  else if (is_press(runs[0]))
   {
     charts.push_back(force_chart(runs));
     for (const Quantity &quantity : press_quantities)

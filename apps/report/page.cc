@@ -85,10 +85,11 @@ std::string picture_caption(const Report &report, std::size_t k)
 {
   const std::string start =
       report.runs.size() > 1 ? report.runs[k].name + ". " : "";
-  return start + "Stones by their true surfaces, coloured by the share of "
-                 "their mass that they have lost; 98 % of the stones lie "
-                 "within the colour bar. The membrane, if there is one, is "
-                 "half transparent.";
+  return start +
+         "Stones by their true surfaces, coloured by the share of "
+         "their mass that they have lost; 98 % of the stones lie "
+         "within the colour bar. The membrane or plate, if there is one, "
+         "is half transparent.";
 }
 
 std::string specimens(const Report &report)

@@ -58,7 +58,9 @@ std::vector<SpecimenFiles> find_specimens(const std::string &folder)
 {
   const fs::path frames = fs::path(folder) / "frames";
   const auto surfaces = frames_of(frames, "surfaces"),
-             membranes = frames_of(frames, "membrane");
+             tubes = frames_of(frames, "membrane"),
+             // What stands round or on the stones.
+      membranes = tubes.empty() ? frames_of(frames, "plate") : tubes;
   if (surfaces.empty())
     return {};
   const auto specimen = [&](const std::string &title, const auto &frame)

@@ -78,12 +78,36 @@ constexpr Headline drum_headlines[]{
     {"Breakage events", "",
      [](const RunData &run) { return last(run, "n_events_1"); }, false}};
 
+constexpr Headline compaction_headlines[]{
+    {"Settlement", " mm",
+     [](const RunData &run) { return 1e3 * last(run, "settlement_m"); }, false},
+    {"Density", " kg/m³",
+     [](const RunData &run) { return last(run, "density_kg_m3"); }, false},
+    {"Abrasion LAA", " %", abrasion_percent, false}};
+
+constexpr Headline subgrade_headlines[]{
+    {"Settlement of the plate", " mm",
+     [](const RunData &run) { return 1e3 * last(run, "plate_settlement_m"); },
+     false},
+    {"Subgrade at most", " mm",
+     [](const RunData &run)
+     { return 1e3 * number(run.summary, "subgrade_settlement_peak_m"); },
+     false},
+    {"Fastest stone", " mm/s",
+     [](const RunData &run)
+     { return 1e3 * number(run.summary, "stone_velocity_peak_m_per_s"); },
+     false}};
+
 /// Those of the kind of the first run.
 std::span<const Headline> headlines_of(std::span<const RunData> runs)
 {
   const Table &table = runs[0].loading;
   if (table.find("displacement_m"))
     return press_headlines;
+  if (table.find("settlement_m"))
+    return compaction_headlines;
+  if (table.find("subgrade_settlement_m"))
+    return subgrade_headlines;
   return table.find("turn_1") ? std::span<const Headline>(drum_headlines)
                               : triaxial_headlines;
 }
@@ -189,9 +213,35 @@ std::vector<Row> summary_rows()
        [](const RunData &run) { return coordination(run.summary); }},
       number_row("Turns (–)", "turns_1", 1., 5),
       number_row("Mass lost (g)", "lost_mass_kg", 1e3, 4),
+      {"Density asked / reached (kg/m³)",
+       [](const RunData &run)
+       {
+         const auto filling = run.summary.find("filling");
+         return filling == run.summary.end()
+                    ? std::string("–")
+                    : number_of(*filling, "density_asked_kg_m3", 1., 4) +
+                          " / " +
+                          number_of(*filling, "density_reached_kg_m3", 1., 4);
+       }},
+      number_row("Settlement while seated (mm)", "seating_settlement_m", 1e3,
+                 4),
+      number_row("Time of vibration (s)", "vibration_s", 1., 4),
+      number_row("Settlement (mm)", "settlement_m", 1e3, 4),
+      number_row("Density at the end (kg/m³)", "density_kg_m3", 1., 5),
+      number_row("Static load (N)", "static_load_N", 1., 5),
+      number_row("Force of the exciter (N)", "exciter_force_N", 1., 4),
       number_row("Displacement (mm)", "displacement_m", 1e3, 4),
       number_row("Force of the first event (N)", "first_event_force_N", 1., 4),
       number_row("Largest force (N)", "peak_force_N", 1., 4),
+      number_row("Settlement of the plate (mm)", "plate_settlement_m", 1e3, 4),
+      number_row("Settlement of the plate, at most (mm)",
+                 "plate_settlement_peak_m", 1e3, 4),
+      number_row("Settlement of the subgrade, at most (mm)",
+                 "subgrade_settlement_peak_m", 1e3, 4),
+      number_row("Dead load on the subgrade (N)", "dead_load_N", 1., 4),
+      number_row("Peak force on the subgrade (N)", "subgrade_force_peak_N", 1.,
+                 4),
+      number_row("Impulse of the pulses (N s)", "pulse_impulse_Ns", 1., 4),
       text_row("Breakage events (–)", "n_events"),
       number_row("Energy residual / external work (%)",
                  "energy_residual_ratio_1", 100., 2),

@@ -1,7 +1,7 @@
 #include "reference_table.h"
 
 #include "../errors.h"
-#include "../parameter.h"
+#include "case/parameter.h"
 
 #include <algorithm>
 #include <cstdlib>

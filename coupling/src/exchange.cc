@@ -1,4 +1,5 @@
 #include <coupling/exchange.h>
+#include <dem/boundary/surface_guard.h>
 #include <dem/integrate/contact_springs.h>
 #include <dem/io/binary.h>
 
@@ -127,10 +128,28 @@ Body &Exchange::add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
           "every_step is for bodies with one explicit step");
   const Field at = copy_of(body->motion().position);
   joints.push_back({std::move(body), std::move(seam), at, at,
-                    Field(at.size(), Vector::Zero())});
+                    Field(at.size(), Vector::Zero()), false});
   Joint &joint = joints.back();
   joint.seam->collect(engine, Collected::load, joint.load);
   return *joint.body;
+}
+
+std::size_t Exchange::joint_of(const Body &body) const
+{
+  const auto found = std::ranges::find_if(
+      joints, [&](const Joint &joint) { return joint.body.get() == &body; });
+  require(found != joints.end(), "a body that is none of its own");
+  return static_cast<std::size_t>(found - joints.begin());
+}
+
+void Exchange::hold(const Body &body, bool is_held)
+{
+  joints[joint_of(body)].is_held = is_held;
+}
+
+FieldView Exchange::load_on(const Body &body) const
+{
+  return joints[joint_of(body)].load;
 }
 
 void Exchange::advance(const Stones &stones, double window)
@@ -142,7 +161,9 @@ void Exchange::advance(const Stones &stones, double window)
     pass_window(stones, window);
   close_books(stones.engine, window);
   ++window_count;
-  check_ledger();
+  check_gap(stones.engine.time());
+  check_ledger(stones.engine.time());
+  check_surfaces(stones.engine);
 }
 
 void Exchange::step_together(const Stones &stones, double time_step)
@@ -151,7 +172,8 @@ void Exchange::step_together(const Stones &stones, double time_step)
         [&]
         {
           for (Joint &joint : joints)
-            joint.body->begin_step(time_step);
+            if (!joint.is_held)
+              joint.body->begin_step(time_step);
         });
   timed(spent.transfer,
         [&]
@@ -170,7 +192,8 @@ void Exchange::step_together(const Stones &stones, double time_step)
         [&]
         {
           for (Joint &joint : joints)
-            joint.body->end_step(joint.load, time_step);
+            if (!joint.is_held)
+              joint.body->end_step(joint.load, time_step);
         });
   report = {1, 0.};
   ++pass_count;
@@ -204,7 +227,6 @@ void Exchange::pass_window(const Stones &stones, double window)
       break;
     if (report.passes == parameters.max_passes || stalled.is_over(report.gap))
     {
-      check_gap(stones.engine.time());
       ++unsettled_count;
       break;
     }
@@ -230,8 +252,10 @@ void Exchange::pass_window(const Stones &stones, double window)
 
 void Exchange::check_gap(double time) const
 {
-  if (!(report.gap <= parameters.gap_limit))
-    throw std::runtime_error(
+  if (parameters.rule == ExchangeRule::iterated &&
+      report.gap > parameters.tolerance &&
+      !(report.gap <= parameters.gap_limit))
+    throw GuardStop(
         "coupling: after " + std::to_string(report.passes) + " passes at " +
         text_of(time) + " s the bodies are " + text_of(report.gap) +
         " m from where the stones saw them, limit " +
@@ -247,7 +271,8 @@ void Exchange::predict(double window)
         {
           for (Joint &joint : joints)
           {
-            joint.body->advance(joint.load, window);
+            if (!joint.is_held)
+              joint.body->advance(joint.load, window);
             joint.target = copy_of(joint.body->motion().position);
           }
         });
@@ -306,6 +331,8 @@ double Exchange::correct_bodies(const std::vector<std::string> &start,
           for (std::size_t j = 0; j < joints.size(); ++j)
           {
             Joint &joint = joints[j];
+            if (joint.is_held)
+              continue;
             bring_back(start[j], *joint.body);
             joint.body->advance(joint.load, window);
             const FieldView now = joint.body->motion().position;
@@ -359,17 +386,47 @@ void Exchange::close_books(const dem::Engine &engine, double window)
   books.impulse_moved += impulse.norm();
 }
 
-void Exchange::check_ledger() const
+void Exchange::check_ledger(double time) const
 {
   // Where hardly anything has crossed yet no share is meant.
   constexpr std::int64_t first_windows = 100;
   if (window_count > first_windows &&
       books.work_residual() > parameters.ledger_limit)
-    throw std::runtime_error(
-        "coupling: the ledger is beyond Coupling/ledger_limit = " +
-        text_of(parameters.ledger_limit) + ": stones gave " +
-        text_of(books.given) + " J, bodies took " + text_of(books.taken) +
-        " J, " + text_of(books.work_residual()) + " of all that crossed");
+    throw GuardStop("coupling: at " + text_of(time) +
+                    " s the ledger is beyond Coupling/ledger_limit = " +
+                    text_of(parameters.ledger_limit) + ": stones gave " +
+                    text_of(books.given) + " J, bodies took " +
+                    text_of(books.taken) + " J, " +
+                    text_of(books.work_residual()) + " of all that crossed");
+}
+
+/// Between two rebuilds nothing moves farther than the margin of the lists.
+/// What has crossed stays so for longer: it is looked for less often.
+void Exchange::check_surfaces(const dem::Engine &engine)
+{
+  if (engine.n_rebuilds() == surfaces_seen_at)
+    return;
+  surfaces_seen_at = engine.n_rebuilds();
+  constexpr std::int64_t crossing_interval = 8; // rebuilds
+  const auto look = [&](const dem::SurfaceContacts &facets)
+  {
+    auto fault = dem::find_fold(facets.mesh());
+    if (!fault)
+      fault = dem::find_left(facets, engine.particles(),
+                             engine.parameters().geometry.wall_geometry);
+    if (!fault && surfaces_seen_at % crossing_interval == 0)
+      fault = dem::find_crossing(facets.mesh());
+    if (fault)
+      throw GuardStop("coupling: at " + text_of(engine.time()) +
+                      " s in the surface '" + facets.name + "' " +
+                      dem::describe(*fault));
+  };
+  timed(spent.guards,
+        [&]
+        {
+          for (const dem::SurfaceContacts &facets : engine.surfaces())
+            look(facets);
+        });
 }
 
 double Exchange::gain(const dem::Engine &engine, double window) const

@@ -51,6 +51,15 @@ void SolidBody::set_dead_load(Field load)
   body.set_load(dead_load);
 }
 
+void SolidBody::balance(FieldView load)
+{
+  Field held(dead_load.size(), Eigen::Vector3d::Zero());
+  fem::add_loads(surface, load, held);
+  for (Eigen::Vector3d &force : held)
+    force = -force;
+  set_dead_load(std::move(held));
+}
+
 double SolidBody::dead_potential() const
 {
   double sum = 0.;
@@ -131,6 +140,42 @@ void CondensedBody::read_motion()
     position[k] += reduced.displacements()[k];
 }
 
+void CondensedBody::balance(FieldView load)
+{
+  if (load.size() != position.size())
+    throw std::invalid_argument(
+        "condensed body: " + std::to_string(load.size()) + " loads for " +
+        std::to_string(position.size()) + " nodes");
+  rest_load.assign(load.begin(), load.end());
+  rest_start = rest_potential();
+  reduced.set_load(Field(load.size(), Eigen::Vector3d::Zero()));
+}
+
+double CondensedBody::rest_potential() const
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < rest_load.size(); ++k)
+    sum -= rest_load[k].dot(reduced.displacements()[k]);
+  return sum;
+}
+
+FieldView CondensedBody::excess(FieldView load)
+{
+  acting.assign(load.begin(), load.end());
+  for (std::size_t k = 0; k < rest_load.size(); ++k)
+    acting[k] -= rest_load[k];
+  return acting;
+}
+
+BodyEnergy CondensedBody::energy() const
+{
+  BodyEnergy energy = energy_of(reduced.energy());
+  const double rest = rest_potential() - rest_start;
+  energy.load_work -= rest;
+  energy.external += rest;
+  return energy;
+}
+
 void CondensedBody::begin_step(double)
 {
   throw std::logic_error("condensed body: has implicit steps only");
@@ -152,7 +197,7 @@ void CondensedBody::implicit_step(FieldView load, double time_step)
     throw std::invalid_argument(
         "condensed body: step " + std::to_string(time_step) +
         " s, was built for " + std::to_string(own_step) + " s");
-  reduced.advance(load);
+  reduced.advance(excess(load));
   read_motion();
 }
 

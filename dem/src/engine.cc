@@ -95,6 +95,14 @@ void Engine::deactivate_plane(std::size_t plane)
   lists_are_stale = true;
 }
 
+void Engine::place_plane(std::size_t plane, const Vec3 &point)
+{
+  walls[plane].point = point;
+  walls[plane].velocity = Vec3::Zero();
+  walls[plane].is_active = true;
+  lists_are_stale = true;
+}
+
 void Engine::set_drum(const Drum &drum)
 {
   barrel = drum;

@@ -89,6 +89,14 @@ Drive Drive::read_table(const std::string &path)
   }
 }
 
+double Drive::integral() const
+{
+  double sum = 0.;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    sum += 0.5 * (values[k] + values[k - 1]) * (times[k] - times[k - 1]);
+  return sum;
+}
+
 double Drive::operator()(double time) const
 {
   const double phase =

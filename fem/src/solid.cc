@@ -31,6 +31,28 @@ std::size_t checked_node(const SolidMesh &mesh, std::int32_t node)
 }
 } // namespace
 
+namespace
+{
+/// Springs per area of hold_far_field, along x, y, z [N/m^3].
+Vector far_springs(const SolidLayer &layer, const FacePoint &point,
+                   const Vector &origin)
+{
+  const Vector away = point.position - origin;
+  const double distance = away.norm();
+  const double facing = away.dot(point.area.normalized());
+  if (!(facing > 0.))
+    throw std::invalid_argument(
+        "solid: a far boundary must face away from the load");
+  const double nu = layer.poisson_ratio;
+  const double shear = layer.youngs_modulus / (2. * (1. + nu));
+  const double down = -away.z() / distance;
+  const double scale = shear * facing / (distance * distance);
+  const double vertical =
+      6. * scale * down * down / (2. * (1. - nu) + down * down);
+  return {0.5 * scale, 0.5 * scale, vertical};
+}
+} // namespace
+
 double pressure_wave_speed(const SolidLayer &layer)
 {
   const double nu = layer.poisson_ratio;
@@ -97,14 +119,21 @@ void Solid::State::set_load(std::span<const Vector> load)
   supports.collect(now.load);
 }
 
+void Solid::State::multiply(std::span<const Vector> u,
+                            std::span<Vector> out) const
+{
+  elastic.multiply(u, out);
+  supports.collect(out);
+  for (std::size_t k = 0; k < bedding.size(); ++k)
+    out[k] += bedding[k] * u[k];
+}
+
 void Solid::State::update_forces()
 {
-  elastic.multiply(now.displacement, now.elastic);
-  supports.collect(now.elastic);
+  multiply(now.displacement, now.elastic);
   if (parameters.stiffness_damping == 0.)
     return;
-  elastic.multiply(now.velocity, now.viscous);
-  supports.collect(now.viscous);
+  multiply(now.velocity, now.viscous);
   for (Vector &force : now.viscous)
     force *= parameters.stiffness_damping;
 }
@@ -202,6 +231,37 @@ void Solid::absorb(std::int32_t boundary)
   state->update_dashpots();
 }
 
+void Solid::hold_far_field(std::int32_t boundary, const Vector &origin)
+{
+  boundary_nodes(state->mesh, boundary); // there is one
+  std::vector<Matrix> springs(state->mesh.nodes.size(), Matrix::Zero());
+  std::vector<char> is_there(springs.size(), 0);
+  for (const SolidMesh::Face &face : state->mesh.faces)
+  {
+    if (face.boundary != boundary)
+      continue;
+    const auto cell = static_cast<std::size_t>(face.cell);
+    const SolidLayer &layer =
+        state->parameters
+            .layers[static_cast<std::size_t>(state->mesh.layer[cell])];
+    for (const FacePoint &point : face_points(state->mesh, face, 1))
+    {
+      const Vector along = far_springs(layer, point, origin);
+      for (std::size_t v = 0; v < 4; ++v)
+      {
+        const auto node = static_cast<std::size_t>(face.corners[v]);
+        springs[node].diagonal() += point.value[v] * point.area.norm() * along;
+        is_there[node] = 1;
+      }
+    }
+  }
+  state->supports.collect(springs, is_there);
+  state->bedding.resize(springs.size(), Matrix::Zero());
+  for (std::size_t k = 0; k < springs.size(); ++k)
+    state->bedding[k] += springs[k];
+  state->update_dashpots(); // what was factored or hashed is stale
+}
+
 void Solid::set_load(std::span<const Vector> load)
 {
   state->set_load(load);
@@ -277,8 +337,7 @@ double Solid::State::largest_frequency() const
     NodeField motion = direction, image(direction.size());
     scale(motion);
     supports.spread(motion);
-    elastic.multiply(motion, image);
-    supports.collect(image);
+    multiply(motion, image);
     scale(image);
     return image;
   };
@@ -289,7 +348,13 @@ double Solid::State::largest_frequency() const
 
 StepLimit Solid::stable_time_step() const
 {
-  const auto [frequency, cell] = state->elastic.fastest_cell();
+  auto [frequency, cell] = state->elastic.fastest_cell();
+  // The largest eigenvalue of a sum is at most the sum of the largest ones.
+  double bedded = 0.;
+  for (std::size_t k = 0; k < state->bedding.size(); ++k)
+    if (!state->supports.is_hanging(k))
+      bedded = std::max(bedded, state->bedding[k].trace() / state->mass[k]);
+  frequency = std::sqrt(frequency * frequency + bedded);
   const double beta = state->parameters.stiffness_damping;
   const auto longest = [beta](double omega)
   { return std::sqrt(beta * beta + 4. / (omega * omega)) - beta; };

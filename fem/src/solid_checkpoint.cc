@@ -44,6 +44,7 @@ std::uint64_t Solid::State::fingerprint() const
   seed = hash(seed, mesh.nodes.data(), mesh.nodes.size());
   seed = hash(seed, mesh.cells.data(), mesh.cells.size());
   seed = hash(seed, mesh.layer.data(), mesh.layer.size());
+  seed = hash(seed, bedding.data(), bedding.size());
   identity = hash(seed, dashpot.data(), dashpot.size());
   return *identity;
 }

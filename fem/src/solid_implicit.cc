@@ -49,8 +49,7 @@ NodeField Solid::State::mixed_force(const NodeField &start,
     mixed[k] = end * (now.displacement[k] + beta * now.velocity[k]) +
                (1. - end) * (start[k] + beta * speed[k]);
   supports.spread(mixed);
-  elastic.multiply(mixed, result);
-  supports.collect(result);
+  multiply(mixed, result);
   return result;
 }
 
@@ -135,8 +134,7 @@ void Solid::settle(std::span<const Vector> load)
       if (supports.is_fixed(k, c))
         target[k](c) = now.support_displacement[k](c);
   supports.spread(target);
-  state->elastic.multiply(target, internal);
-  supports.collect(internal);
+  state->multiply(target, internal);
   NodeField residual(load.begin(), load.end());
   supports.collect(residual);
   for (std::size_t k = 0; k < n; ++k)

@@ -40,7 +40,13 @@ struct Solid::State
 {
   State(const SolidParameters &parameters, const SolidMesh &mesh);
 
-  SolidParts parts() const { return {mesh, elastic, supports, mass, dashpot}; }
+  SolidParts parts() const
+  {
+    return {mesh, elastic, supports, mass, dashpot, bedding};
+  }
+  /// K u with the bedding; hanging nodes hand over to their parents [N].
+  void multiply(std::span<const Eigen::Vector3d> u,
+                std::span<Eigen::Vector3d> out) const;
   /// Dashpots and mass damping on the free components.
   void update_dashpots();
   const SparseFactor &factor(const SystemWeights &weights);
@@ -72,6 +78,7 @@ struct Solid::State
   std::vector<Eigen::Matrix3d> absorber; ///< of absorbing boundaries [kg/s]
   std::vector<Eigen::Matrix3d> dashpot;  ///< with mass damping, free part only
   std::vector<char> has_absorber;
+  std::vector<Eigen::Matrix3d> bedding; ///< empty: none [N/m]
   SolidMotion now;
   KeptFactor kept;
   int n_dashpot_changes = 0;

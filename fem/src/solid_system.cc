@@ -41,9 +41,11 @@ void add_cell(const SolidParts &parts, std::size_t cell, double weight,
 void add_node(const SolidParts &parts, std::size_t node,
               const SystemWeights &weights, Triplets &entries)
 {
-  const Eigen::Matrix3d sum =
+  Eigen::Matrix3d sum =
       weights.mass * parts.mass[node] * Eigen::Matrix3d::Identity() +
       weights.dashpot * parts.dashpot[node];
+  if (!parts.bedding.empty())
+    sum += weights.stiffness * parts.bedding[node];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j <= i; ++j)
     {

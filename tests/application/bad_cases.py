@@ -340,6 +340,12 @@ def lab(name, sections, *message):
                files={"lab.prm": prm({**LAB, **sections})})
 
 
+def compaction(name, sections, *message):
+    return Bad("compaction_" + name, ["check", "c.prm"], list(message),
+               files={"c.prm": prm({"Case": {"kind": "vibratory_compaction"},
+                                    **sections})})
+
+
 def study(name, text, *message):
     return Bad("study_" + name, ["study", "s.prm"], list(message),
                files={"s.prm": text, "c.prm": prm(LAB)})
@@ -364,6 +370,33 @@ LABS = [
     lab("rolling", {"Case": {"kind": "los_angeles"},
                     "Wall": {"rolling_friction": 0.1}},
         "Wall/rolling_friction = 0.1", "must be 0"),
+    compaction("small", {"Container": {"diameter": 0.05}},
+               "Container/diameter = 0.05", "twice the largest stone"),
+    compaction("low", {"Container": {"height": 0.05}},
+               "Container/height = 0.05", "twice the largest stone"),
+    compaction("dense", {"Filling": {"density": 2500}},
+               "Filling/density = 2500", "0.75 Stone/density"),
+    compaction("gradation", {"Filling": {"gradation": "none.csv"}},
+               "Filling/gradation = none.csv", "no such file"),
+    compaction("layers", {"Filling": {"layers": 100}, "Container": {
+        "diameter": 0.09, "height": 0.09}}, "Filling/layers = 100",
+               "number of stones"),
+    compaction("reports", {"Vibration": {"reports": "50 20"}},
+               "Vibration/reports = 50 20", "ascending"),
+    compaction("words", {"Vibration": {"reports": "soon"}},
+               "Vibration/reports = soon", "numbers"),
+    compaction("mass", {"Plate": {"mass": 0}}, "Plate/mass = 0", "above 0"),
+    compaction("frequency", {"Vibration": {"frequency": -1}},
+               "Vibration/frequency = -1", "above 0"),
+    compaction("step", {"Time": {"step": "fixed", "fixed_step": 1e-2}},
+               "Time/fixed_step = ", "a twentieth of the period"),
+    compaction("rule", {"Time": {"step": "error"}}, "Time/step = error",
+               "stable"),
+    compaction("section", {"Specimen": {"side": 1}}, "Specimen/side",
+               "vibratory_compaction", "no section Specimen"),
+    compaction("coupling", {"Container": {"form": "flexible"}},
+               "Coupling/exchange = none", "Container/form = flexible",
+               "every_step"),
     study("empty", STUDY, "s.prm", "Sweep"),
     study("key", STUDY + "subsection Sweep\n  set Stone/weight = 1, 2\nend\n",
           "s.prm:6", "Stone/weight", "no parameter"),

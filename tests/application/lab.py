@@ -44,9 +44,9 @@ def write_prm(path, sections):
     return path
 
 
-def spall_run(words, status=0):
+def spall_run(words, status=0, timeout=200):
     ended = subprocess.run(list(map(str, words)), capture_output=True,
-                           text=True, timeout=200, check=False,
+                           text=True, timeout=timeout, check=False,
                            env=ENVIRONMENT)
     if ended.returncode != status:
         raise SystemExit(f"{' '.join(ended.args)}: status {ended.returncode}"

@@ -26,7 +26,7 @@ def command(spall, folder, lateral, *options, settings=(), threads=1):
 def run(spall, folder, lateral, *options, **keys):
     """Runs to the end; a failure ends the test with what the program said."""
     ended = subprocess.run(command(spall, folder, lateral, *options, **keys),
-                           capture_output=True, text=True, timeout=300,
+                           capture_output=True, text=True, timeout=900,
                            check=False, env=ENVIRONMENT)
     if ended.returncode != 0:
         raise SystemExit(f"{' '.join(ended.args)}: status "
@@ -56,6 +56,7 @@ def differing(folder, other, names):
 
 def report_faults(faults):
     """Prints them; exit status of the test."""
+    faults = list(faults)
     for fault in faults:
         print(fault)
     print("failed" if faults else "passed")

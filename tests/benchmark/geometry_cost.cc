@@ -2,7 +2,7 @@
 // and figures of docs/verification/geometry_cost.md (MODEL 4.3).
 //
 //   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
-#include "bench_measure.h"
+#include "bench/measure.h"
 #include "brute_force.h"
 #include "geometry_methods.h"
 #include "report/chart.h"
@@ -14,7 +14,7 @@
 #include <functional>
 #include <map>
 #include <omp.h>
-#include <shape_file.h>
+#include <shape/file.h>
 #include <string>
 
 namespace

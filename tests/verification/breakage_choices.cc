@@ -8,12 +8,12 @@
 
 #include <algorithm>
 #include <array>
-#include <case_file.h>
+#include <case/file.h>
 #include <cstdio>
 #include <iostream>
 #include <random>
-#include <shape_file.h>
-#include <triaxial.h>
+#include <shape/file.h>
+#include <triaxial/triaxial.h>
 
 namespace
 {

@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <log_shape.h>
 #include <numbers>
-#include <shape_file.h>
+#include <shape/file.h>
 #include <string>
 #include <vector>
 

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <shape_file.h>
+#include <shape/file.h>
 #include <string>
 #include <vector>
 

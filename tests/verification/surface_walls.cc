@@ -12,7 +12,7 @@
 #include <array>
 #include <cstdio>
 #include <numeric>
-#include <shape_file.h>
+#include <shape/file.h>
 #include <string>
 #include <vector>
 

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace coupling
@@ -48,10 +49,17 @@ using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
 /// An engine alone; `library` as for Engine::save, kept by the caller.
 Stones stones_of(dem::Engine &engine, const ShapeLibrary &library);
 
-/// Wall-clock spent in the bodies, and in keeping and undoing the rest [s].
+/// A guard stops the run: the state is whole, at the end of a window.
+class GuardStop : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Wall-clock spent in the bodies, in keeping and undoing the rest, and in
+/// looking at the surfaces [s].
 struct ExchangeClock
 {
-  double bodies = 0., transfer = 0., keeping = 0.;
+  double bodies = 0., transfer = 0., keeping = 0., guards = 0.;
 };
 
 /// How the last window went.
@@ -80,8 +88,19 @@ public:
   Body &add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
             const dem::Engine &engine);
 
-  /// One window [s]. Throws std::runtime_error when passes leave too large a
-  /// gap or the ledger is beyond its limit.
+  /// A body that is held stays where it is, whatever loads it, until it is let
+  /// go. Not part of what is saved. Throws std::invalid_argument if it is none
+  /// of the exchange.
+  void hold(const Body &body, bool is_held);
+
+  /// Mean load of the stones on the nodes of a body in the last window, with
+  /// every_step at its end [N]. Throws std::invalid_argument as hold.
+  FieldView load_on(const Body &body) const;
+
+  /// One window [s]. Throws GuardStop after it when passes have left too large
+  /// a gap, the ledger is beyond its limit, or (looked at whenever the lists of
+  /// the stones were made anew) a surface is folded, runs through itself or has
+  /// let a stone out.
   void advance(const Stones &stones, double window);
 
   /// k dt^2 / (4 m) of the present contacts, at most: of every node with all
@@ -114,7 +133,9 @@ private:
     Field at;     ///< where stones see it [m]
     Field target; ///< where they will see it at the end of the window [m]
     Field load;   ///< mean of the last window, or of the end of step [N]
+    bool is_held = false;
   };
+  std::size_t joint_of(const Body &body) const;
 
   void step_together(const Stones &stones, double time_step);
   void pass_window(const Stones &stones, double window);
@@ -123,14 +144,16 @@ private:
   double correct_bodies(const std::vector<std::string> &start, double window);
   void open_books(const dem::Engine &engine);
   void close_books(const dem::Engine &engine, double window);
-  void check_ledger() const;
+  void check_ledger(double time) const;
   void check_gap(double time) const;
+  void check_surfaces(const dem::Engine &engine);
 
   ExchangeParameters parameters;
   std::vector<Joint> joints;
   LedgerSums books;
   WindowReport report;
   std::int64_t pass_count = 0, window_count = 0, unsettled_count = 0;
+  std::int64_t surfaces_seen_at = -1; ///< rebuilds of the lists then
   std::vector<dem::BreakageEvent> held_events;
   ExchangeClock spent;
   std::vector<SeamSums> given_before;

@@ -21,6 +21,9 @@ public:
   /// On all nodes of the body, besides the stones: weight, for one [N]. It
   /// acts from now on. Throws std::invalid_argument.
   void set_dead_load(Field load);
+  /// These loads on the surface balance what the body has settled under before
+  /// [N]: what exceeds them moves it. Displacements count from there.
+  void balance(FieldView load);
 
   NodeMotion motion() const override { return {position, velocity}; }
   /// Mass of a hanging node is with its parents: infinite here.
@@ -59,6 +62,8 @@ public:
   CondensedBody(const fem::Solid &body, std::int32_t boundary,
                 int n_inner_modes, int n_steps, double window);
   const fem::SurfaceMesh &mesh() const { return surface.mesh; }
+  /// As that of SolidBody. Throws std::invalid_argument.
+  void balance(FieldView load);
 
   NodeMotion motion() const override
   {
@@ -68,17 +73,22 @@ public:
   void begin_step(double time_step) override; ///< throws std::logic_error
   void end_step(FieldView load, double time_step) override; ///< the same
   double stable_time_step() const override;
-  BodyEnergy energy() const override { return energy_of(reduced.energy()); }
+  BodyEnergy energy() const override;
   void save(std::ostream &out) const override { reduced.save(out); }
   void restore(std::istream &in) override;
 
 private:
-  void start(FieldView load) override { reduced.set_load(load); }
+  void start(FieldView load) override { reduced.set_load(excess(load)); }
   void implicit_step(FieldView load, double time_step) override;
+  double rest_potential() const;
+  FieldView excess(FieldView load);
   void read_motion();
 
   fem::SolidSurface surface;
   fem::CondensedSolid reduced;
+  Field rest_load;        ///< in balance; empty: none [N]
+  double rest_start = 0.; ///< rest_potential() when it was set [J]
+  Field acting;           ///< space to work in
   std::vector<double> mass;
   double own_step = 0.;
   Field position;

@@ -47,8 +47,8 @@ class Engine
 public:
   explicit Engine(const EngineParameters &parameters);
 
-  /// Stones are added before the first step; of another material than 0 they
-  /// do not break.
+  /// A stone at rest, at any time; of another material than 0 it does not
+  /// break.
   void add_stone(const Body &body, const Vec3 &position,
                  const Quaternion &orientation, std::uint8_t material = 0);
   /// Returns the number of the plane.
@@ -84,6 +84,8 @@ public:
   std::vector<Plane> &planes() { return walls; }
   const std::vector<Plane> &planes() const { return walls; }
   void deactivate_plane(std::size_t plane);
+  /// Puts a plane elsewhere, where it is active and at rest.
+  void place_plane(std::size_t plane, const Vec3 &point);
   std::span<SurfaceContacts> surfaces() { return facet_surfaces; }
   std::span<const SurfaceContacts> surfaces() const { return facet_surfaces; }
   /// Parts of one of the surfaces.

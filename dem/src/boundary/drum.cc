@@ -62,7 +62,8 @@ DrumPoint on_shelf(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
 
 Vec3 shelf_direction(const Drum &drum)
 {
-  const Vec3 up = (Vec3::UnitZ() - drum.axis.z() * drum.axis).normalized();
+  const Vec3 across = Vec3::UnitZ() - drum.axis.z() * drum.axis;
+  const Vec3 up = across.norm() > 1e-9 ? across.normalized() : Vec3::UnitX();
   return std::cos(drum.angle) * up + std::sin(drum.angle) * drum.axis.cross(up);
 }
 

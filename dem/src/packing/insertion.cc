@@ -94,6 +94,15 @@ private:
   std::vector<std::vector<std::size_t>> members;
 };
 
+bool fits_cylinder(const Body &body, const Placement &place,
+                   const InsertionBox &box)
+{
+  const Vec3 middle = 0.5 * (box.lower + box.upper);
+  const double from_axis = (place.position - middle).head<2>().norm();
+  return from_axis + body.circumscribed_radius <=
+         0.5 * (box.upper.x() - box.lower.x());
+}
+
 bool fits_box(const Body &body, const Placement &place, const InsertionBox &box)
 {
   for (int d = 0; d < 3; ++d)
@@ -107,7 +116,7 @@ bool fits_box(const Body &body, const Placement &place, const InsertionBox &box)
         box.upper[d] - place.position[d] < up)
       return false;
   }
-  return true;
+  return !box.is_round || fits_cylinder(body, place, box);
 }
 
 /// Stones and where they are so far.
@@ -180,10 +189,9 @@ std::vector<Placement> insert_stones(std::span<const Body> stones,
     do
     {
       if (++tries > n_tries)
-        throw std::runtime_error(
-            "no place for stone " + std::to_string(i + 1) + " of " +
-            std::to_string(stones.size()) +
-            " in the box: lower Specimen/initial_solid_fraction");
+        throw std::runtime_error("no place for stone " + std::to_string(i + 1) +
+                                 " of " + std::to_string(stones.size()) +
+                                 " in the cloud: lower its solid fraction");
       for (int d = 0; d < 3; ++d)
         place.position[d] =
             std::lerp(box.lower[d], box.upper[d], random.uniform());

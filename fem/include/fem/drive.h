@@ -39,6 +39,11 @@ public:
   /// finite or has no positive frequency.
   double operator()(double time) const;
 
+  /// Of a table: time of its last row [s], and its integral from the first row
+  /// to the last [unit s]. Zero for waves.
+  double last_time() const { return times.empty() ? 0. : times.back(); }
+  double integral() const;
+
 private:
   enum class Kind
   {

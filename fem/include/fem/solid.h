@@ -80,6 +80,15 @@ public:
   /// Kuhlemeyer 1969). They hold nothing at rest.
   void absorb(std::int32_t boundary);
 
+  /// Springs that hold a boundary at rest as the half-space beyond it would
+  /// under a vertical load at `origin` on its level surface, exactly for a
+  /// uniform body of this layer: per area, with R the distance, r = (x - o) /
+  /// R, c = -r_z, n the normal, along z 6 G c^2 (r . n) / (R (2 (1 - nu) +
+  /// c^2)) (Boussinesq 1885); along x and y, where that load has no say, G (r .
+  /// n) / (2 R). Besides absorb, which holds nothing at rest. Throws
+  /// std::invalid_argument where the boundary does not face away from there.
+  void hold_far_field(std::int32_t boundary, const Eigen::Vector3d &origin);
+
   /// Explicit, as Membrane does it: half kick and drift; then forces at the
   /// new positions with these loads [N], and the second half kick. Dashpots
   /// and mass damping are implicit in the second half; stiffness damping is

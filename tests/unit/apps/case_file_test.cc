@@ -1,5 +1,5 @@
-#include "case_fields.h"
-#include "case_file.h"
+#include "case/fields.h"
+#include "case/file.h"
 #include "errors.h"
 
 #include <gtest/gtest.h>
@@ -109,11 +109,11 @@ TEST_F(CaseFile, ExchangeMustBeSaid)
   EXPECT_NE(with(every_step + "  set stone_steps = 2\n")
                 .find("Coupling/stone_steps = 2"),
             std::string::npos);
-  EXPECT_NE(with(every_step + "  set membrane_time = implicit\n")
-                .find("Coupling/membrane_time"),
+  EXPECT_NE(with(every_step + "  set body_time = implicit\n")
+                .find("Coupling/body_time"),
             std::string::npos);
   EXPECT_EQ(with("  set exchange = iterated\n  set stone_steps = 2\n"
-                 "  set membrane_time = implicit\n"),
+                 "  set body_time = implicit\n"),
             "");
 }
 

@@ -1,5 +1,5 @@
 #include "errors.h"
-#include "gradation.h"
+#include "specimen/gradation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pace.h"
+#include "run/pace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "parameter.h"
+#include "case/parameter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "errors.h"
-#include "shape_file.h"
+#include "shape/file.h"
 
 #include <dem/shape/quadrature.h>
 

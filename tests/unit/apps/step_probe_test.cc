@@ -1,4 +1,4 @@
-#include "step_probe.h"
+#include "run/step_probe.h"
 
 #include <gtest/gtest.h>
 

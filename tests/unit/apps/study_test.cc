@@ -1,5 +1,5 @@
 #include "errors.h"
-#include "study_levels.h"
+#include "study/levels.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,12 @@ namespace dem
 {
 /// A drum that turns about its axis, with stones inside: a cylinder, two end
 /// plates, and a shelf along the whole length that stands into it. The shelf
-/// points up at angle zero. Radius zero: there is no drum.
+/// points up at angle zero, along x if the axis is vertical. Radius zero: there
+/// is no drum.
 struct Drum
 {
   Vec3 centre = Vec3::Zero();  ///< middle of the axis [m]
-  Vec3 axis = Vec3::UnitY();   ///< unit, not vertical [-]
+  Vec3 axis = Vec3::UnitY();   ///< unit [-]
   double radius = 0.;          ///< inner [m]
   double length = 0.;          ///< inner [m]
   double shelf_height = 0.;    ///< from the cylinder inwards; 0: none [m]

@@ -208,7 +208,6 @@ template <class Real>
 struct SpringStep
 {
   Triple<Real> value;         ///< after the step
-  Real holds = Real(1.);      ///< 1; 0 where the slider slid
   Real compliance = Real(0.); ///< 1 / stiffness after the step; 0 if open
   Real dissipated = Real(0.); ///< work of the motion less what is stored [J]
 };
@@ -246,7 +245,6 @@ advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
     const Real scale = select(
         is_sliding, limit / sqrt(select(is_sliding, size, Real(1.))), Real(1.));
     step.value = scale * step.value;
-    step.holds = select(is_sliding, Real(0.), Real(1.));
   }
   const auto is_there = stiffness > 0.;
   step.compliance =
@@ -258,13 +256,39 @@ advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
   return step;
 }
 
+/// Share of `dashpot` that the limit of the slider leaves to it beside the
+/// `spring`, largest s <= 1 with |spring + s dashpot| <= limit [-]: 0 while
+/// sliding on, and continuous there. |spring| <= limit; both in the plane.
+template <class Real>
+DEM_LANE_INLINE Real share_within(const Triple<Real> &spring,
+                                  const Triple<Real> &dashpot,
+                                  const Real &limit)
+{
+  using std::max;
+  using std::min;
+  using std::sqrt;
+  const Real outward = dot(spring, dashpot), square = dot(dashpot, dashpot);
+  const Real room = max(Real(0.), Real(limit * limit - dot(spring, spring)));
+  const auto is_beyond = square + 2. * outward > room;
+  if (!any(is_beyond))
+    return Real(1.);
+  // Root of square s^2 + 2 outward s = room, without loss of digits.
+  const Real root = sqrt(outward * outward + square * room);
+  const auto is_outward = outward > 0.;
+  const Real over = select(is_outward, Real(outward + root), square);
+  const Real share = select(is_outward, room, Real(root - outward)) /
+                     select(is_beyond && over > 0., over, Real(1.));
+  return select(is_beyond, min(Real(1.), share), Real(1.));
+}
+
 /// One step of the rolling-resistant incremental law (MODEL 5.4): total normal
 /// force without tension, Mindlin shear spring with Coulomb slider, rolling
 /// spring k_r = k_s R^2 with limit f_r R F_n, dashpots c = 2 beta sqrt(m* k)
-/// with the tangent stiffness; the shear dashpot rests while sliding. F_n of
-/// both limits is elastic or total, see `limit_damping`. Work is taken as the
-/// integrator does it: half with the old force, half with the new one. Returns
-/// the force on A; the rolling moment on A is history.rolling.
+/// with the tangent stiffness; that of shear has what the spring leaves of the
+/// Coulomb limit, so nothing while sliding. F_n of both limits is elastic or
+/// total, see `limit_damping`. Work is taken as the integrator does it: half
+/// with the old force, half with the new one. Returns the force on A; the
+/// rolling moment on A is history.rolling.
 template <class Real>
 DEM_LANE_INLINE Triple<Real>
 advance_contact(const ContactMotion<Real> &motion,
@@ -287,12 +311,14 @@ advance_contact(const ContactMotion<Real> &motion,
   const SpringStep<Real> shear = advance_spring<Real>(
       {history.shear, history.shear_compliance, moved_before}, n, moved,
       spring.shear_stiffness, pair.friction * pressing);
-  const Real shear_viscosity =
-      shear.holds * (2. * pair.shear_damping) *
-      sqrt(motion.reduced_mass * spring.shear_stiffness);
+  const Triple<Real> shear_dashpot =
+      (2. * pair.shear_damping) *
+      sqrt(motion.reduced_mass * spring.shear_stiffness) *
+      (motion.velocity - opening_rate * n);
   const Triple<Real> dashpot =
-      shear_viscosity * motion.velocity -
-      (normal_dashpot + shear_viscosity * opening_rate) * n;
+      share_within(shear.value, shear_dashpot, Real(pair.friction * pressing)) *
+          shear_dashpot -
+      normal_dashpot * n;
 
   const Real elastic_work =
       -0.5 * (history.normal_force * dot(moved_before, motion.normal_before) +

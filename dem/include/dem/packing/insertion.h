@@ -21,6 +21,8 @@ struct InsertionBox
   /// No overlap of the true surfaces either, nor of the circumscribed spheres
   /// with a face.
   bool sees_surfaces = false;
+  /// Only the upright cylinder in the middle of the box, as wide as it is.
+  bool is_round = false;
 };
 
 /// Random sequential insertion of the stones, in their order, into the box

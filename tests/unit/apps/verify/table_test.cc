@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <commands.h>
+#include <commands/commands.h>
 #include <errors.h>
 #include <set>
 #include <sstream>

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "bench/scene.h"
+
+namespace spall
+{
+/// What close_box has reached.
+struct ClosedBox
+{
+  dem::Vec3 stress = dem::Vec3::Zero(); ///< on the walls [Pa]
+  double unbalanced_ratio = 0.;         ///< unbalanced force ratio [-]
+  double step = 0.;                     ///< time step taken [s]
+  std::int64_t n_steps = 0;
+};
+
+/// Moves the stones apart until no two can touch and closes the box round them
+/// again. Without friction, and with local damping, they are pressed together
+/// to three times 30 kPa; then the servo holds 30 kPa, with friction, for
+/// without it stones that overlap along the branch do not come to rest
+/// (docs/decisions/0004-radial-overlap-at-rest.md). Small stones fall
+/// into place for 0.08 s; ends when all are at rest, 0.07 s later at the
+/// latest. Throws InputError if the time step is too long for the stones.
+ClosedBox close_box(BenchStones &stones);
+} // namespace spall

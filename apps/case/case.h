@@ -1,0 +1,250 @@
+#pragma once
+
+#include "compaction/case.h"
+#include "subgrade/case.h"
+
+#include <coupling/exchange.h>
+#include <dem/breakage/criterion.h>
+#include <dem/contact/material.h>
+#include <fem/membrane.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+enum class CaseKind
+{
+  dynamic_triaxial,
+  single_particle,
+  los_angeles,
+  vibratory_compaction,
+  subgrade
+};
+
+/// By the number of CaseKind.
+inline const std::vector<std::string> kind_names = {
+    "dynamic_triaxial", "single_particle", "los_angeles",
+    "vibratory_compaction", "subgrade"};
+
+enum class Lateral
+{
+  membrane, ///< deal.II membrane, tied to the plates
+  rigid     ///< four servo-controlled planes
+};
+
+enum class StepRule
+{
+  fixed,  ///< Time/fixed_step
+  stable, ///< at most Time/safety times what the present contacts allow
+  error   ///< as stable, and short enough for the tolerances
+};
+
+/// How stones and membrane go through time together; not said: refused.
+enum class ExchangeChoice
+{
+  none,
+  every_step, ///< as coupling::ExchangeRule
+  one_pass,
+  iterated
+};
+
+enum class SurfaceFrames
+{
+  none,
+  ends, ///< before the first and after the last cycle
+  all   ///< with every frame
+};
+
+struct SpecimenParameters
+{
+  double side = 0.1;           ///< of the cube after compaction, about [m]
+  double solid_fraction = 0.6; ///< with side: sets the volume of stones [-]
+  /// CSV: diameter_m, passing_1
+  std::string gradation = "gradations/quick_7_22mm.csv";
+  /// folder of shape files; empty: spheres
+  std::string shapes = "shapes/limestone";
+  int seed = 1;
+  double initial_solid_fraction = 0.25; ///< of the random cloud [-]
+};
+
+struct PreparationParameters
+{
+  double pressure = 30e3;         ///< isotropic target [Pa]
+  double friction = 0.2;          ///< stone on stone while compacting [-]
+  double wall_speed = 0.5;        ///< largest speed of a servo wall [m/s]
+  double local_damping = 0.5;     ///< D_a [-]
+  double stress_tolerance = 0.02; ///< of each axis against the target [-]
+  double unbalanced_ratio = 1e-3; ///< largest unbalanced force ratio [-]
+  double max_time = 1.;           ///< gives up after this [s]
+};
+
+struct BoundaryParameters
+{
+  Lateral lateral = Lateral::membrane;
+  int elements_per_side = 12; ///< membrane quads along each edge [-]
+  /// of the servo of rigid sides: an error falls to 1/e in it [s]
+  double servo_response_time = 5e-4;
+  double plate_mass = 5.; ///< top plate [kg]
+};
+
+/// What the top plate does.
+enum class LoadForm
+{
+  haversine,  ///< cycles of axial stress
+  compression ///< moves down at a constant rate, once
+};
+
+struct CouplingParameters
+{
+  ExchangeChoice exchange = ExchangeChoice::none;
+  /// Rule and limit of the ledger are those given here.
+  coupling::ExchangeParameters rules;
+  double ledger_limit = 0.05;    ///< see coupling::ExchangeParameters [-]
+  bool is_body_implicit = false; ///< membrane or subgrade
+  int body_steps = 1;            ///< of it in one window [-]
+
+  /// Steps of the stones and the whole of the rules.
+  coupling::ExchangeParameters exchange_rules() const;
+  /// The same with a membrane or without one.
+  coupling::ExchangeParameters exchange_rules(Lateral lateral) const;
+};
+
+struct LoadingParameters
+{
+  LoadForm form = LoadForm::haversine;
+  double confining_pressure = 30e3; ///< follower pressure and on the plate [Pa]
+  double amplitude = 100e3;         ///< of the haversine, peak [Pa]
+  double frequency = 20.;           ///< [Hz]
+  int cycles = 10;
+  double strain_rate = 0.1;         ///< of a compression, of the height [1/s]
+  double final_strain = 0.05;       ///< at the end of a compression [-]
+  double consolidation_time = 0.02; ///< rest on the membrane before [s]
+
+  /// Of one load cycle; a compression is one cycle [s].
+  double period() const
+  {
+    return form == LoadForm::haversine ? 1. / frequency
+                                       : final_strain / strain_rate;
+  }
+  int n_cycles() const { return form == LoadForm::haversine ? cycles : 1; }
+};
+
+struct TimeParameters
+{
+  StepRule step = StepRule::fixed;
+  double fixed_step = 1e-6;       ///< [s]
+  double safety = 0.8;            ///< of the limit, rules stable and error [-]
+  double force_tolerance = 0.01;  ///< of a load cycle, rule error [-]
+  double energy_tolerance = 0.01; ///< of a load cycle, rule error [-]
+  double local_damping = 0.5;     ///< D_a while loading (article, Table 2) [-]
+};
+
+struct OutputParameters
+{
+  int samples_per_cycle = 50; ///< rows of history.csv
+  int frames_per_cycle = 2;   ///< vtu frames
+  int checkpoint_every = 1;   ///< cycles; 0: only at the end
+  SurfaceFrames surfaces = SurfaceFrames::ends;
+};
+
+/// The stone of the single-particle test.
+struct ParticleParameters
+{
+  /// a shape file
+  std::string shape = "shapes/limestone_blocky/MA111-7-coarse-00104.json";
+  double diameter = 0.03; ///< twice the ball radius [m]
+  int order = 20;         ///< N_s: at most this many degrees of the file
+  /// Body direction that points up, of any length.
+  double axis_x = 0., axis_y = 0., axis_z = 1.;
+  int seed = 1; ///< of a random orientation instead; 0: the axis counts
+};
+
+/// The two rigid platens.
+struct PressParameters
+{
+  double displacement = 2e-3; ///< of the upper platen, in all [m]
+  double speed = 5e-3;        ///< of the upper platen [m/s]
+  int rows = 1000;            ///< of history.csv, about
+};
+
+/// What is in the Los Angeles drum.
+struct ChargeParameters
+{
+  double mass = 10.; ///< of the stones [kg]
+  /// CSV: diameter_m, passing_1
+  std::string gradation = "gradations/los_angeles_20_45mm.csv";
+  std::string shapes = "shapes/limestone_blocky";
+  int seed = 1;
+  int balls = 12;           ///< steel balls
+  double ball_mass = 5.;    ///< of all balls [kg]
+  dem::SolidMaterial steel; ///< of the balls
+};
+
+struct DrumParameters
+{
+  double radius = 0.35;           ///< inner [m]
+  double length = 0.5;            ///< inner [m]
+  double shelf_height = 0.09;     ///< into the drum; 0: no shelf [m]
+  double shelf_thickness = 0.025; ///< [m]
+  double turns_per_minute = 32.;
+  double turns = 2000.;       ///< in all [-]
+  double settling_time = 0.5; ///< fall under gravity before the first turn [s]
+  int rows_per_turn = 4;
+  int frames_per_turn = 0;
+  int checkpoint_every = 1; ///< turns; 0: only at the end
+};
+
+struct Case
+{
+  CaseKind kind = CaseKind::dynamic_triaxial;
+  std::string title = "dynamic triaxial test";
+  ParticleParameters particle;
+  PressParameters press;
+  ChargeParameters charge;
+  DrumParameters drum;
+  ContainerParameters container;
+  FillingParameters filling;
+  PlateParameters plate;
+  VibrationParameters vibration;
+  SpecimenParameters specimen;
+  PreparationParameters preparation;
+  std::string material; ///< file with the next three and breakage; may be empty
+  dem::StoneMaterial stone;
+  dem::WallMaterial wall; ///< plates and rigid sides
+  /// stones on the membrane: a hundredth of the plates, so that a light node
+  /// stays stable at the step of the stones
+  dem::WallMaterial membrane_contact{.normal_stiffness = 1e6,
+                                     .shear_stiffness = 0.85e6,
+                                     .friction = 0.21,
+                                     .rolling_friction = 0.,
+                                     .normal_damping = 0.62,
+                                     .shear_damping = 0.62};
+  dem::GeometryParameters contact;
+  dem::FrictionLimit friction_limit = dem::FrictionLimit::elastic;
+  dem::BreakageParameters breakage;
+  fem::MembraneParameters membrane;
+  BoundaryParameters boundary;
+  CouplingParameters coupling;
+  SubgradeParameters subgrade;
+  LoadingParameters loading;
+  TimeParameters time;
+  OutputParameters output;
+  int threads = 0;  ///< 0: the number that is fastest now
+  std::string file; ///< the case file as given, for messages and paths
+
+  /// Whether a membrane is round the stones.
+  Lateral lateral() const
+  {
+    const bool is_rigid = kind == CaseKind::vibratory_compaction
+                              ? container.form == ContainerForm::rigid
+                              : boundary.lateral == Lateral::rigid;
+    return is_rigid ? Lateral::rigid : Lateral::membrane;
+  }
+};
+
+/// A case of this kind with its defaults.
+Case default_case(CaseKind kind);
+} // namespace spall

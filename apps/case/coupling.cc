@@ -1,0 +1,91 @@
+#include "case/list.h"
+
+namespace spall
+{
+void add_membrane(List &list, fem::MembraneParameters &m)
+{
+  list.in("Membrane");
+  list.add({"law", "-",
+            "st_venant_kirchhoff: stretches of some tens of per cent; "
+            "neo_hooke: incompressible, any stretch, with poisson_ratio 0.5."},
+           m.law, {"st_venant_kirchhoff", "neo_hooke"});
+  list.add({"youngs_modulus", "Pa", "E."}, m.youngs_modulus, above(0., 1e13));
+  list.add({"poisson_ratio", "-", "nu."}, m.poisson_ratio, between(0., 0.5));
+  list.add({"thickness", "m", "Undeformed."}, m.thickness, above(0., 0.1));
+  list.add({"tension", "N/m",
+            "In the surface as it is built, the same in all directions."},
+           m.tension, between(0., 1e7));
+  list.add({"density", "kg/m^3", "Undeformed."}, m.density, above(0., 3e4));
+  list.add({"mass_damping", "1/s", "alpha: force -alpha m v on each node."},
+           m.mass_damping, between(0., 1e5));
+}
+
+namespace
+{
+void add_relaxation(List &list, coupling::ExchangeParameters &rules)
+{
+  list.add({"relaxation", "-",
+            "iterated: constant, the same factor in every pass; aitken, from "
+            "the last two residuals."},
+           rules.relaxation.kind, {"constant", "aitken"});
+  list.add({"relaxation_factor", "-",
+            "iterated: share of a residual that a pass corrects; with aitken "
+            "of the first."},
+           rules.relaxation.factor, above(0., 1.));
+  list.add({"tolerance", "m",
+            "iterated: gap left between membrane or subgrade and what stones "
+            "saw of it."},
+           rules.tolerance, above(0., 1e-3));
+  list.add(
+      {"max_passes", "-", "iterated: of one window; then the last counts."},
+      rules.max_passes, between(1, 1e4));
+  list.add({"gap_limit", "m",
+            "iterated: the run stops if the last pass leaves a larger gap."},
+           rules.gap_limit, above(0., 1.));
+}
+} // namespace
+
+void add_coupling(List &list, CouplingParameters &c)
+{
+  list.in("Coupling");
+  list.add(
+      {"exchange", "-",
+       "every_step: stones and membrane or subgrade take the same explicit "
+       "steps; one_pass: window by window, the latter predicted with the "
+       "last loads; iterated: until motion and loads of each window "
+       "agree; none: there is neither."},
+      c.exchange, {"none", "every_step", "one_pass", "iterated"});
+  list.add({"stone_steps", "-", "Steps of the stones in one window."},
+           c.rules.stone_steps, between(1, 1e4));
+  list.add({"body_time", "-", "How the membrane or subgrade takes its steps."},
+           c.is_body_implicit, {"explicit", "implicit"});
+  list.add(
+      {"body_steps", "-", "Steps of the membrane or subgrade in one window."},
+      c.body_steps, between(1, 1e4));
+  add_relaxation(list, c.rules);
+  list.add({"ledger_limit", "-",
+            "Of the work that crosses the interface this share may go astray; "
+            "beyond it the run stops."},
+           c.ledger_limit, above(0., 1e6));
+}
+
+coupling::ExchangeParameters
+CouplingParameters::exchange_rules(Lateral lateral) const
+{
+  if (lateral == Lateral::rigid) // the plate alone
+    return {};
+  return exchange_rules();
+}
+
+coupling::ExchangeParameters CouplingParameters::exchange_rules() const
+{
+  coupling::ExchangeParameters all = rules;
+  all.ledger_limit = ledger_limit;
+  all.rule = exchange == ExchangeChoice::one_pass
+                 ? coupling::ExchangeRule::one_pass
+             : exchange == ExchangeChoice::iterated
+                 ? coupling::ExchangeRule::iterated
+                 : coupling::ExchangeRule::every_step;
+  return all;
+}
+} // namespace spall

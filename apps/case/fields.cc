@@ -1,0 +1,497 @@
+#include "case/fields.h"
+
+#include "case/list.h"
+
+#include <dem/shape/spherical_harmonics.h>
+
+#include <algorithm>
+
+namespace spall
+{
+namespace
+{
+void add_specimen(List &list, SpecimenParameters &s)
+{
+  list.in("Specimen");
+  list.add({"side", "m", "Edge of the cube after compaction, about."}, s.side,
+           between(1e-3, 100.));
+  list.add({"solid_fraction", "-",
+            "With side: the volume of stones, solid_fraction side^3.",
+            "random packings stay below 0.75"},
+           s.solid_fraction, Range{0., 0.75, true, true});
+  list.add({"gradation", "-",
+            "CSV file diameter_m,passing_1: share of the mass that passes."},
+           s.gradation);
+  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, s.shapes);
+  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, s.seed,
+           between(0, 2147483647));
+  list.add({"initial_solid_fraction", "-",
+            "Of the random cloud that is then compacted.",
+            "random insertion jams above"},
+           s.initial_solid_fraction, above(0., 0.35));
+}
+
+void add_preparation(List &list, PreparationParameters &p)
+{
+  list.in("Preparation");
+  list.add({"pressure", "Pa", "Isotropic target of the compaction."},
+           p.pressure, above(0., 1e8));
+  list.add({"friction", "-", "Stone on stone while compacting; low is dense."},
+           p.friction, between(0., 10.));
+  list.add({"wall_speed", "m/s", "Largest speed of a servo wall."},
+           p.wall_speed, above(0., 100.));
+  list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while compacting."},
+           p.local_damping, below(0., 1.));
+  list.add({"stress_tolerance", "-",
+            "Stress of each axis may differ from the target by this share."},
+           p.stress_tolerance, above(0., 0.5));
+  list.add({"unbalanced_ratio", "-",
+            "Largest unbalanced force ratio of a specimen at rest."},
+           p.unbalanced_ratio, above(0., 0.1));
+  list.add(
+      {"max_time", "s", "The compaction fails if it is not at rest by then."},
+      p.max_time, above(0., 1e4));
+}
+
+void add_particle(List &list, ParticleParameters &p)
+{
+  list.in("Particle");
+  list.add({"shape", "-", "Shape file; empty: a sphere, which never breaks."},
+           p.shape);
+  list.add({"diameter", "m", "Twice the ball radius, d."}, p.diameter,
+           above(0., 10.));
+  list.add({"order", "-", "N_s: what the file has beyond is cut off."}, p.order,
+           between(1, dem::max_order));
+  list.add({"axis_x", "-", "Body direction that points up (seed 0)."}, p.axis_x,
+           between(-1e6, 1e6));
+  list.add({"axis_y", "-", "Likewise."}, p.axis_y, between(-1e6, 1e6));
+  list.add({"axis_z", "-", "Likewise."}, p.axis_z, between(-1e6, 1e6));
+  list.add({"seed", "-", "Of a random orientation; 0: by the axis."}, p.seed,
+           between(0, 2147483647));
+}
+
+void add_press(List &list, PressParameters &p)
+{
+  list.in("Press");
+  list.add({"displacement", "m", "Of the upper platen, in all."},
+           p.displacement, above(0., 1.));
+  list.add({"speed", "m/s",
+            "Of the upper platen. The test has 8.3e-6 (0.5 mm/min); any speed "
+            "whose double changes nothing will do."},
+           p.speed, above(0., 10.));
+  list.add({"rows", "-", "Of history.csv; one more at each event."}, p.rows,
+           between(10, 1e7));
+}
+
+void add_charge(List &list, ChargeParameters &c)
+{
+  list.in("Charge");
+  list.add({"mass", "kg", "Of the stones."}, c.mass, above(0., 1e4));
+  list.add({"gradation", "-",
+            "CSV file diameter_m,passing_1: share of the mass that passes."},
+           c.gradation);
+  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, c.shapes);
+  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, c.seed,
+           between(0, 2147483647));
+  list.add({"balls", "-", "Number of steel balls."}, c.balls, between(0, 1000));
+  list.add({"ball_mass", "kg", "Of all balls together."}, c.ball_mass,
+           above(0., 1e4));
+  list.add({"ball_density", "kg/m^3", "Steel."}, c.steel.density,
+           above(0., 3e4));
+  list.add({"ball_shear_modulus", "Pa",
+            "Steel. Friction and damping of the balls are those of Stone."},
+           c.steel.shear_modulus, above(0., 1e13));
+  list.add({"ball_poisson_ratio", "-", "Steel."}, c.steel.poisson_ratio,
+           below(0., 0.5));
+}
+
+void add_drum(List &list, DrumParameters &d)
+{
+  list.in("Drum");
+  list.add({"radius", "m", "Inner."}, d.radius, above(0., 100.));
+  list.add({"length", "m", "Inner."}, d.length, above(0., 100.));
+  list.add({"shelf_height", "m", "Of the shelf, into the drum; 0: no shelf."},
+           d.shelf_height, between(0., 100.));
+  list.add({"shelf_thickness", "m", "Of the shelf."}, d.shelf_thickness,
+           above(0., 100.));
+  list.add({"turns_per_minute", "1/min", "31 to 33 in the test."},
+           d.turns_per_minute, above(0., 1e4));
+  list.add({"turns", "-", "In all."}, d.turns, above(0., 1e7));
+  list.add({"settling_time", "s", "Fall under gravity before the first turn."},
+           d.settling_time, between(0., 100.));
+  list.add({"rows_per_turn", "-", "Rows of history.csv."}, d.rows_per_turn,
+           between(1, 1e6));
+  list.add({"frames_per_turn", "-", "Frames for ParaView; 0: first and last."},
+           d.frames_per_turn, between(0, 1e4));
+  list.add({"checkpoint_every", "-", "Turns; 0: only at the end."},
+           d.checkpoint_every, between(0, 1e7));
+}
+
+void add_stone(List &list, dem::StoneMaterial &s)
+{
+  list.in("Stone");
+  list.add({"density", "kg/m^3", "Of the solid, rho."}, s.density,
+           above(0., 3e4));
+  list.add({"shear_modulus", "Pa", "G of the Hertz contact."}, s.shear_modulus,
+           above(0., 1e13));
+  list.add({"poisson_ratio", "-", "nu of the Hertz contact."}, s.poisson_ratio,
+           below(0., 0.5));
+  list.add({"friction", "-", "Coulomb, stone on stone, f."}, s.friction,
+           between(0., 10.));
+  list.add(
+      {"rolling_friction", "-", "Rolling resistance, stone on stone, f_r."},
+      s.rolling_friction, between(0., 10.));
+  list.add({"normal_damping", "-", "Share of critical damping, beta_n."},
+           s.normal_damping, between(0., 5.));
+  list.add({"shear_damping", "-", "Share of critical damping, beta_s."},
+           s.shear_damping, between(0., 5.));
+}
+
+void add_contact(List &list, Case &of)
+{
+  dem::GeometryParameters &c = of.contact;
+  list.in("Contact");
+  list.add({"geometry", "-",
+            "ball: overlap of the ball carriers; radial: of the local radii "
+            "along the branch; surface: of the true surfaces, at every place "
+            "where they meet, with the inertia tensors of the stones."},
+           c.geometry, {"ball", "radial", "surface"});
+  list.add({"wall_geometry", "-",
+            "The same for stones on platens, rigid sides, the membrane and "
+            "the drum; surface needs geometry = surface where stones meet."},
+           c.wall_geometry, {"ball", "radial", "surface"});
+  list.add(
+      {"refresh_tolerance", "rad",
+       "The expansion of a shape is renewed when the contact direction has "
+       "moved this far in the body; 0: every step."},
+      c.refresh_tolerance, between(0., 0.1));
+  list.add({"friction_limit", "-",
+            "Normal force in the limits of friction and rolling: elastic, of "
+            "the spring alone; total, with its dashpot."},
+           of.friction_limit, {"elastic", "total"});
+}
+
+/// What the model leaves open; the first name is the article's or the default.
+void add_breakage_choices(List &list, dem::BreakageParameters &b)
+{
+  list.add({"hysteresis", "-",
+            "Swings of the energy below this share of it are noise and do not "
+            "count."},
+           b.hysteresis, below(0., 1.));
+  list.add({"contacts", "-",
+            "seen: only contacts whose overlap follows the surface break "
+            "stones; all: also where balls overlap."},
+           b.contacts, {"seen", "all"});
+  list.add({"energy", "-",
+            "Of the criterion: the normal spring's, or with the shear "
+            "spring's."},
+           b.energy, {"normal", "with_shear"});
+  list.add({"curvature", "-",
+            "Of the cap: the stone's own, or relative to the other stone."},
+           b.curvature, {"own", "relative"});
+  list.add({"share", "-",
+            "Of overlap and energy: full for each of two stones, or half (by "
+            "compliance)."},
+           b.share, {"full", "compliance"});
+  list.add({"precedence", "-", "Mode of an event that meets both conditions."},
+           b.precedence, {"instantaneous", "cumulative"});
+  list.add({"sides", "-",
+            "Where both stones of a contact ask: the one with the larger "
+            "energy ratio, or both."},
+           b.sides, {"larger", "both"});
+  list.add({"closure", "-",
+            "Depth of an event: exact volume, or the article's zero-mean "
+            "kernel."},
+           b.closure, {"exact", "article"});
+  list.add(
+      {"memory", "-",
+       "Where the cumulative factor of a contact that opens goes: lost with "
+       "the contact, or kept by the patch of the stone."},
+      b.memory, {"contact", "patch"});
+  list.add({"inscribed", "-",
+            "Sphere of r_ins, which tells corners: about the origin of the "
+            "series, or the largest one inside."},
+           b.inscribed, {"origin", "free"});
+}
+
+void add_breakage(List &list, dem::BreakageParameters &b)
+{
+  list.in("Breakage");
+  list.add({"is_active", "-", "Stones may break at all, once loading begins."},
+           b.is_active);
+  list.add({"fracture_energy", "J/m^2", "Breakage energy per area, G_c."},
+           b.fracture_energy, above(0., 1e12));
+  list.add(
+      {"min_ball_radius", "m", "A stone does not break further below this."},
+      b.min_ball_radius, between(0., 10.));
+  list.add({"min_diameter", "m", "Stones below this initial size never break."},
+           b.min_diameter, between(0., 10.));
+  list.add({"curvature_floor_ratio", "-",
+            "beta: curvatures are at least 1 / (beta r_ins)."},
+           b.curvature_floor_ratio, between(1., 1e6));
+  list.add(
+      {"kernel_floor", "-",
+       "c: the kernel is at least c / order wide, what the series carries."},
+      b.kernel_floor, between(1., 10.));
+  list.add({"quadrature_rings", "-",
+            "n: 2 n^2 nodes (N_q) measure a stone anew after an event.",
+            "exact volumes need 3 order < 2 n"},
+           b.quadrature_rings, between(4, 400));
+  list.add({"kernel_scale", "-",
+            "s: width s sqrt(delta R) of an event; at 1 the curvature halves."},
+           b.kernel_scale, between(0.5, 3.));
+  add_breakage_choices(list, b);
+}
+
+void add_boundary(List &list, BoundaryParameters &b)
+{
+  list.in("Boundary");
+  list.add({"lateral", "-",
+            "membrane: deal.II membrane; rigid: four servo-controlled planes."},
+           b.lateral, {"membrane", "rigid"});
+  list.add({"elements_per_side", "-", "Membrane quads along each edge."},
+           b.elements_per_side, between(2, 200));
+  list.add({"servo_response_time", "s",
+            "Of servo planes: a stress error falls to 1/e in it."},
+           b.servo_response_time, above(0., 1.));
+  list.add({"plate_mass", "kg", "Of the top plate."}, b.plate_mass,
+           above(0., 1e6));
+}
+
+void add_loading(List &list, LoadingParameters &l)
+{
+  list.in("Loading");
+  list.add({"form", "-",
+            "haversine: cycles of axial stress; compression: the plate goes "
+            "down at a constant rate, as in a triaxial compression test, which "
+            "counts as one cycle."},
+           l.form, {"haversine", "compression"});
+  list.add(
+      {"confining_pressure", "Pa", "On the lateral sides and on the plate."},
+      l.confining_pressure, above(0., 1e8));
+  list.add({"amplitude", "Pa", "Peak of the haversine above the confinement."},
+           l.amplitude, between(0., 1e9));
+  list.add({"frequency", "Hz", "Of the haversine."}, l.frequency,
+           above(0., 1e4));
+  list.add({"cycles", "-", "Number of load cycles."}, l.cycles,
+           between(1, 1e7));
+  list.add({"strain_rate", "1/s", "Of a compression, over the height."},
+           l.strain_rate, above(0., 1e4));
+  list.add({"final_strain", "-", "At the end of a compression."},
+           l.final_strain, between(1e-6, 0.5));
+  list.add(
+      {"consolidation_time", "s", "Rest at the confinement before cycle 1."},
+      l.consolidation_time, between(0., 1e3));
+}
+
+void add_time(List &list, TimeParameters &t)
+{
+  list.in("Time");
+  list.add({"step", "-",
+            "fixed: fixed_step; stable: safety times what the present contacts "
+            "allow; error: as stable, and within the two tolerances."},
+           t.step, {"fixed", "stable", "error"});
+  list.add({"fixed_step", "s", "Time step of the rule fixed."}, t.fixed_step,
+           above(0., 1e-2));
+  list.add({"safety", "-",
+            "Largest share of the stable step, rules stable and error."},
+           t.safety, above(0., 1.));
+  list.add({"force_tolerance", "-",
+            "Rule error: of the boundary forces, root mean square of a load "
+            "cycle."},
+           t.force_tolerance, above(0., 1.));
+  list.add({"energy_tolerance", "-",
+            "Rule error: energy residual of a load cycle that the step makes, "
+            "over its external work."},
+           t.energy_tolerance, above(0., 1.));
+  list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while loading."},
+           t.local_damping, below(0., 1.));
+}
+
+void add_output(List &list, OutputParameters &o)
+{
+  list.in("Output");
+  list.add({"samples_per_cycle", "-", "Rows of history.csv.",
+            "fewer miss the peak of a cycle"},
+           o.samples_per_cycle, between(10, 1e6));
+  list.add({"frames_per_cycle", "-", "Frames for ParaView; 0: first and last."},
+           o.frames_per_cycle, between(0, 1e4));
+  list.add({"checkpoint_every", "-", "Cycles; 0: only at the end."},
+           o.checkpoint_every, between(0, 1e7));
+  list.add({"surfaces", "-", "True surfaces of the stones: in which frames."},
+           o.surfaces, {"none", "ends", "all"});
+}
+} // namespace
+
+void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
+              const std::string &reason)
+{
+  list.add({"normal_stiffness", "N/m", "Linear spring, k_n."},
+           w.normal_stiffness, above(0., 1e15));
+  list.add({"shear_stiffness", "N/m", "Linear spring, k_s."}, w.shear_stiffness,
+           between(0., 1e15));
+  list.add({"friction", "-", "Coulomb, stone on boundary, f_w."}, w.friction,
+           between(0., 10.));
+  list.add({"rolling_friction", "-", "Rolling resistance, stone on boundary.",
+            reason},
+           w.rolling_friction, rolling);
+  list.add({"normal_damping", "-", "Share of critical damping, beta_nw."},
+           w.normal_damping, between(0., 5.));
+  list.add({"shear_damping", "-", "Share of critical damping, beta_sw."},
+           w.shear_damping, between(0., 5.));
+}
+
+bool Section::is_of(CaseKind kind) const
+{
+  return kinds.empty() || std::ranges::find(kinds, kind) != kinds.end();
+}
+
+const std::vector<Section> &sections()
+{
+  using enum CaseKind;
+  static const std::vector<Section> list = {
+      {"Case", "What is run."},
+      {"Particle", "The stone between the platens.", {single_particle}},
+      {"Press",
+       "Two rigid platens; the upper one comes down.",
+       {single_particle}},
+      {"Charge", "Stones and steel balls in the drum.", {los_angeles}},
+      {"Drum", "The Los Angeles drum and how long it turns.", {los_angeles}},
+      {"Container", "What the stones are in.", {vibratory_compaction}},
+      {"Filling",
+       "The stones, and how they get to their density.",
+       {vibratory_compaction}},
+      {"Plate", "The rigid plate on the stones.", {vibratory_compaction}},
+      {"Vibration",
+       "The exciter on the plate, and what is written.",
+       {vibratory_compaction}},
+      {"Layer",
+       "The stones on the subgrade, in a box with rigid sides.",
+       {subgrade}},
+      {"LoadPlate", "The rigid body that loads the stones.", {subgrade}},
+      {"Subgrade", "The elastic ground, its top at z = 0.", {subgrade}},
+      {"Pulse", "What the plate or sleeper gets while loading.", {subgrade}},
+      {"Record", "What is written, and how often.", {subgrade}},
+      {"Specimen", "The stones and the room they fill.", {dynamic_triaxial}},
+      {"Preparation",
+       "Compaction of the random cloud by servo walls.",
+       {dynamic_triaxial}},
+      {"Material", "Values of Stone, Wall, MembraneContact and Breakage."},
+      {"Stone", "Stone against stone: rolling-resistant Hertz."},
+      {"Wall", "Stone against plates, rigid sides, platens and drum."},
+      {"MembraneContact",
+       "Stone against membrane: linear springs.",
+       {dynamic_triaxial, vibratory_compaction}},
+      {"Contact", "What counts as overlap."},
+      {"Breakage", "Energy criterion of micro-breakage."},
+      {"GroundContact", "Stone against subgrade: linear springs.", {subgrade}},
+      {"Membrane",
+       "The finite-element membrane round the specimen.",
+       {dynamic_triaxial, vibratory_compaction}},
+      {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
+      {"Coupling",
+       "How stones and membrane or subgrade exchange motion and loads.",
+       {dynamic_triaxial, vibratory_compaction, subgrade}},
+      {"Loading",
+       "Confinement, and what the top plate does.",
+       {dynamic_triaxial}},
+      {"Time", "Time integration."},
+      {"Output", "What is written, and how often.", {dynamic_triaxial}},
+      {"Run", "The machine."}};
+  return list;
+}
+
+std::vector<Parameter> parameters_of(Case &of)
+{
+  List list;
+  list.in("Case");
+  list.add({"kind", "-", "Kind of test."}, of.kind, kind_names);
+  list.add({"title", "-", "Heading of the report."}, of.title);
+  add_particle(list, of.particle);
+  add_press(list, of.press);
+  add_charge(list, of.charge);
+  add_drum(list, of.drum);
+  add_compaction(list, of);
+  add_subgrade(list, of.subgrade);
+  add_specimen(list, of.specimen);
+  add_preparation(list, of.preparation);
+  list.in("Material");
+  list.add({"file", "-",
+            "File with any of Stone, Wall, MembraneContact and Breakage; what "
+            "the case itself sets wins. "
+            "Empty: none."},
+           of.material);
+  add_stone(list, of.stone);
+  list.in("Wall");
+  list.add({"law", "-",
+            "linear: the springs below; hertz: stone on a rigid plate, with "
+            "the curvatures of the stone."},
+           of.wall.law, {"linear", "hertz"});
+  add_wall(list, of.wall, between(0., 10.), "");
+  list.in("MembraneContact");
+  add_wall(list, of.membrane_contact, between(0., 0.),
+           "the membrane has no rotational unknowns to take the moment");
+  add_contact(list, of);
+  add_breakage(list, of.breakage);
+  list.in("GroundContact");
+  add_wall(list, of.subgrade.contact, between(0., 10.), "");
+  add_membrane(list, of.membrane);
+  add_boundary(list, of.boundary);
+  add_coupling(list, of.coupling);
+  add_loading(list, of.loading);
+  add_time(list, of.time);
+  add_output(list, of.output);
+  list.in("Run");
+  list.add(
+      {"threads", "-", "OpenMP threads; 0: the number that is fastest now."},
+      of.threads, between(0, 1024));
+  return std::move(list.parameters);
+}
+
+bool is_material_section(const std::string &section)
+{
+  return section == "Stone" || section == "Wall" ||
+         section == "MembraneContact" || section == "Breakage";
+}
+
+Case default_case(CaseKind kind)
+{
+  Case c;
+  c.kind = kind;
+  if (kind == CaseKind::dynamic_triaxial)
+    return c;
+  if (kind == CaseKind::subgrade)
+  {
+    set_subgrade_defaults(c);
+    return c;
+  }
+  if (kind == CaseKind::vibratory_compaction)
+  {
+    c.title = "vibratory compaction test";
+    // As in the drum below: stones that are poured spin.
+    c.wall.law = dem::WallLaw::hertz;
+    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    c.breakage.contacts = dem::EventContacts::all;
+    c.time.step = StepRule::stable;
+    // A sleeve that stands 330 kPa from above, not latex.
+    c.membrane.youngs_modulus = 1e8;
+    c.membrane.thickness = 3e-3;
+    return c;
+  }
+  c.wall.law = dem::WallLaw::hertz;
+  c.contact.wall_geometry = dem::ContactGeometry::radial;
+  if (kind == CaseKind::single_particle)
+    c.title = "single particle between platens";
+  else
+  {
+    c.title = "Los Angeles abrasion test";
+    // Radii along the branch feed stones that spin with energy; balls break
+    // stones although their overlaps do not see it.
+    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    c.breakage.contacts = dem::EventContacts::all;
+    c.time.step = StepRule::stable;
+    c.time.local_damping = 0.; // stones fly
+  }
+  return c;
+}
+} // namespace spall

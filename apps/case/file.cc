@@ -1,0 +1,271 @@
+#include "case/file.h"
+
+#include "case/checks.h"
+#include "case/fields.h"
+#include "case/source.h"
+#include "errors.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+namespace spall
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Places = std::map<std::string, std::string>; ///< Section/key -> place
+
+std::string hint(const std::string &word, const std::vector<std::string> &known)
+{
+  const std::string near = nearest(word, known);
+  return near.empty() ? "" : ", did you mean " + near + "?";
+}
+
+/// Throws InputError unless section and key are in the list.
+void check_known(const Assignment &a, const std::vector<Parameter> &list)
+{
+  std::vector<std::string> names, keys;
+  for (const Section &section : sections())
+    names.push_back(section.name);
+  for (const Parameter &parameter : list)
+  {
+    if (parameter.section == a.section)
+      keys.push_back(parameter.key);
+    if (parameter.section == a.section && parameter.key == a.key)
+      return;
+  }
+  const std::string start =
+      a.place + ": " + a.section + "/" + a.key + " = " + a.value + ": ";
+  if (keys.empty())
+    throw InputError(start + "no section of this name" +
+                     hint(a.section, names));
+  throw InputError(start + "no key of this name in section " + a.section +
+                   hint(a.key, keys));
+}
+
+/// Every parameter as text; what is allowed is checked on assignment, with
+/// the place of the value.
+void declare(dealii::ParameterHandler &handler,
+             const std::vector<Parameter> &list)
+{
+  for (const Parameter &parameter : list)
+  {
+    handler.enter_subsection(parameter.section);
+    handler.declare_entry(parameter.key, value_text(parameter),
+                          dealii::Patterns::Anything(), parameter.sentence);
+    handler.leave_subsection();
+  }
+}
+
+std::string get(dealii::ParameterHandler &handler, const std::string &section,
+                const std::string &key)
+{
+  handler.enter_subsection(section);
+  std::string value = handler.get(key);
+  handler.leave_subsection();
+  return value;
+}
+
+void set(dealii::ParameterHandler &handler, const Assignment &a)
+{
+  handler.enter_subsection(a.section);
+  handler.set(a.key, a.value);
+  handler.leave_subsection();
+}
+
+void parse_prm(dealii::ParameterHandler &handler, const std::string &file)
+{
+  std::ifstream in(file);
+  try
+  {
+    handler.parse_input(in, file);
+  }
+  catch (const std::exception &)
+  {
+    throw InputError(file + ": deal.II's ParameterHandler cannot read it");
+  }
+}
+
+/// Checks the names of a file, remembers its places, parses it.
+void take_file(dealii::ParameterHandler &handler, const std::string &file,
+               const std::vector<Parameter> &list, Places &places)
+{
+  // ParameterHandler of deal.II 9.4 takes the underscore of a JSON key for an
+  // escape, so entries of a .json are set one by one.
+  const bool is_json = fs::path(file).extension() == ".json";
+  for (const Assignment &a : read_assignments(file))
+  {
+    check_known(a, list);
+    places[a.section + "/" + a.key] = a.place;
+    if (is_json)
+      set(handler, a);
+  }
+  if (!is_json)
+    parse_prm(handler, file);
+}
+
+void take_overrides(dealii::ParameterHandler &handler,
+                    std::span<const Override> overrides,
+                    const std::vector<Parameter> &list, Places &places)
+{
+  for (const Override &o : overrides)
+  {
+    const Assignment a{o.section, o.key, o.value, "--set"};
+    check_known(a, list);
+    places[o.section + "/" + o.key] = a.place;
+    set(handler, a);
+  }
+}
+
+/// The parameters that a material file may set.
+std::vector<Parameter> of_material(const std::vector<Parameter> &list,
+                                   const std::string &file)
+{
+  std::vector<Parameter> result;
+  for (const Parameter &parameter : list)
+    if (is_material_section(parameter.section))
+      result.push_back(parameter);
+  for (const Assignment &a : read_assignments(file))
+    if (!is_material_section(a.section))
+      throw InputError(a.place + ": " + a.section + "/" + a.key + " = " +
+                       a.value +
+                       ": a material file has only the sections Stone, Wall, "
+                       "MembraneContact and Breakage");
+  return result;
+}
+
+/// Values from the handler into the fields of the case.
+void assign_all(dealii::ParameterHandler &handler,
+                const std::vector<Parameter> &list, const Places &places)
+{
+  for (const Parameter &parameter : list)
+  {
+    const std::string name = parameter.section + "/" + parameter.key;
+    const auto place = places.find(name);
+    if (place == places.end())
+      continue; // the default stays
+    const std::string text = get(handler, parameter.section, parameter.key);
+    try
+    {
+      assign(parameter, text);
+    }
+    catch (const std::invalid_argument &error)
+    {
+      throw InputError(place->second + ": " + name + " = " + text + ": " +
+                       error.what());
+    }
+  }
+}
+
+std::vector<fs::path> search_folders(const Case &parameters)
+{
+  std::vector<fs::path> folders = {fs::path(parameters.file).parent_path()};
+  if (const char *folder = std::getenv("SPALL_DATA_DIR"))
+    folders.emplace_back(folder);
+  folders.emplace_back(SPALL_DATA_DIR);
+  return folders;
+}
+} // namespace
+
+Override parse_override(const std::string &text)
+{
+  const std::size_t slash = text.find('/');
+  const std::size_t equal = text.find('=');
+  if (slash == std::string::npos || equal == std::string::npos || slash == 0 ||
+      equal <= slash + 1)
+    throw InputError("--set " + text + ": must be Section/key=value");
+  return {text.substr(0, slash), text.substr(slash + 1, equal - slash - 1),
+          text.substr(equal + 1)};
+}
+
+namespace
+{
+/// What the file or the command line says; the first kind if neither does, or
+/// says nonsense, which is refused later.
+CaseKind kind_of(const std::string &file, std::span<const Override> overrides)
+{
+  std::string name;
+  for (const Assignment &a : read_assignments(file))
+    if (a.section == "Case" && a.key == "kind")
+      name = a.value;
+  for (const Override &o : overrides)
+    if (o.section == "Case" && o.key == "kind")
+      name = o.value;
+  const auto found = std::ranges::find(kind_names, name);
+  return found == kind_names.end()
+             ? CaseKind{}
+             : static_cast<CaseKind>(found - kind_names.begin());
+}
+
+/// Throws InputError for a section that cases of this kind do not have.
+void check_sections(const Case &parameters, const Places &places)
+{
+  for (const Section &section : sections())
+    if (!section.is_of(parameters.kind))
+      for (const auto &[name, place] : places)
+        if (name.starts_with(section.name + "/"))
+          throw InputError(
+              place + ": " + name + ": a case of kind " +
+              kind_names[static_cast<std::size_t>(parameters.kind)] +
+              " has no section " + section.name);
+}
+} // namespace
+
+Case read_case(const std::string &file, std::span<const Override> overrides)
+{
+  Case result = default_case(kind_of(file, overrides));
+  result.file = file;
+  const std::vector<Parameter> list = parameters_of(result);
+  Places places;
+  dealii::ParameterHandler handler;
+  declare(handler, list);
+  take_file(handler, file, list, places);
+  take_overrides(handler, overrides, list, places);
+
+  check_sections(result, places);
+  const std::string named = get(handler, "Material", "file");
+  if (!named.empty())
+  {
+    const std::string material = find_path(result, "Material", "file", named);
+    const std::vector<Parameter> allowed = of_material(list, material);
+    places.clear();
+    take_file(handler, material, allowed, places);
+    take_file(handler, file, list, places); // the case wins
+    take_overrides(handler, overrides, list, places);
+  }
+  assign_all(handler, list, places);
+
+  check_case(result,
+             [&](const std::string &section, const std::string &key)
+             {
+               const auto place = places.find(section + "/" + key);
+               return place == places.end() ? file + " (default)"
+                                            : place->second;
+             });
+  return result;
+}
+
+std::string find_path(const Case &parameters, const std::string &section,
+                      const std::string &key, const std::string &path)
+{
+  if (fs::path(path).is_absolute() && fs::exists(path))
+    return path;
+  std::string looked;
+  if (!fs::path(path).is_absolute())
+    for (const fs::path &folder : search_folders(parameters))
+    {
+      if (fs::exists(folder / path))
+        return fs::absolute(folder / path).lexically_normal().string();
+      const std::string name = folder.empty() ? "." : folder.string();
+      looked += (looked.empty() ? ", looked in " : ", ") + name;
+    }
+  throw InputError(parameters.file + ": " + section + "/" + key + " = " + path +
+                   ": no such file or folder" + looked);
+}
+} // namespace spall

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "case/case.h"
+
+#include <span>
+#include <string>
+
+namespace spall
+{
+/// Section/Key=value from the command line.
+struct Override
+{
+  std::string section, key, value;
+};
+
+/// "Section/Key=value", what follows --set. Throws InputError.
+Override parse_override(const std::string &text);
+
+/// Reads and validates a .prm (or .json) case: defaults, then the material
+/// file, then the case, then the overrides. Throws InputError.
+Case read_case(const std::string &file, std::span<const Override> overrides);
+
+/// Every parameter with its value, unit and sentence (paths made absolute).
+std::string parameters_as_run(const Case &parameters);
+
+/// The same under the name of the case: a .prm that read_case takes and that
+/// gives the same case.
+std::string resolved_case(const Case &parameters);
+
+/// A commented case of this kind with the defaults. Throws InputError.
+std::string template_case(const std::string &kind);
+
+/// docs/parameters/: one table per section in Markdown.
+std::string parameter_tables();
+
+/// A path of a case: absolute, or relative to the folder of the case file, or
+/// to the data folder of Spall, whichever exists. Throws InputError naming
+/// section and key if none does.
+std::string find_path(const Case &parameters, const std::string &section,
+                      const std::string &key, const std::string &path);
+} // namespace spall

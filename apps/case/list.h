@@ -1,0 +1,63 @@
+#pragma once
+
+#include "case/case.h"
+#include "case/parameter.h"
+
+#include <utility>
+
+namespace spall
+{
+/// What a line of the list says besides its field and range.
+struct Text
+{
+  std::string key, unit, sentence, reason = "";
+};
+
+/// Collects the lines of one section after the other.
+class List
+{
+public:
+  void in(const std::string &name) { section = name; }
+  void add(const Text &text, double &field, const Range &range)
+  {
+    put(text, &field, range);
+  }
+  void add(const Text &text, int &field, const Range &range)
+  {
+    put(text, &field, range);
+  }
+  void add(const Text &text, bool &field) { put(text, &field, {}); }
+  void add(const Text &text, std::string &field) { put(text, &field, {}); }
+  /// `names` in the order of the enumeration.
+  template <class Enum>
+  void add(const Text &text, Enum &field, const std::vector<std::string> &names)
+  {
+    Choice choice{names, [&field] { return static_cast<std::size_t>(field); },
+                  [&field](std::size_t k) { field = static_cast<Enum>(k); }};
+    put(text, std::move(choice), {});
+  }
+
+  std::vector<Parameter> parameters;
+
+private:
+  void put(const Text &text, decltype(Parameter::value) value,
+           const Range &range)
+  {
+    parameters.push_back({section, text.key, text.unit, text.sentence,
+                          std::move(value), range, text.reason});
+  }
+
+  std::string section;
+};
+
+void add_membrane(List &list, fem::MembraneParameters &m);
+void add_coupling(List &list, CouplingParameters &c);
+/// Of the section the list is in; `rolling` is the range of rolling_friction.
+void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
+              const std::string &reason);
+void add_subgrade(List &list, SubgradeParameters &s);
+/// What differs from the defaults of a Case.
+void set_subgrade_defaults(Case &c);
+/// Container, Filling, Plate and Vibration.
+void add_compaction(List &list, Case &of);
+} // namespace spall

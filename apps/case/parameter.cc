@@ -1,0 +1,189 @@
+#include "case/parameter.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace spall
+{
+namespace
+{
+template <class... Functions>
+struct Overloaded : Functions...
+{
+  using Functions::operator()...;
+};
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+std::string join(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string range_text(const std::string &what, const Range &range)
+{
+  if (range.lower == range.upper)
+    return what + " equal to " + number_text(range.lower);
+  std::string text = what;
+  if (std::isfinite(range.lower))
+    text += (range.is_lower_open ? " above " : " of at least ") +
+            number_text(range.lower);
+  if (std::isfinite(range.upper))
+    text += (std::isfinite(range.lower) ? " and" : "") +
+            std::string(range.is_upper_open ? " below " : " at most ") +
+            number_text(range.upper);
+  return text;
+}
+
+[[noreturn]] void refuse(const Parameter &parameter)
+{
+  throw std::invalid_argument("must be " + allowed(parameter));
+}
+
+double number_in_range(const Parameter &parameter, const std::string &text)
+{
+  double value = 0.;
+  try
+  {
+    value = to_number(text);
+  }
+  catch (const std::invalid_argument &)
+  {
+    refuse(parameter);
+  }
+  if (!parameter.range.contains(value))
+    refuse(parameter);
+  return value;
+}
+
+int integer_in_range(const Parameter &parameter, const std::string &text)
+{
+  const double value = number_in_range(parameter, text);
+  if (value != std::floor(value) || std::abs(value) > 2147483647.)
+    refuse(parameter);
+  return static_cast<int>(value);
+}
+
+std::size_t edit_distance(const std::string &a, const std::string &b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j)
+    {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+} // namespace
+
+bool Range::contains(double value) const
+{
+  return (is_lower_open ? value > lower : value >= lower) &&
+         (is_upper_open ? value < upper : value <= upper);
+}
+
+std::string number_text(double value)
+{
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+double to_number(const std::string &text)
+{
+  const char *first = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char *last = text.data() + text.size();
+  double value = 0.;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc() || end != last || !std::isfinite(value))
+    throw std::invalid_argument("must be a number");
+  return value;
+}
+
+std::string allowed(const Parameter &parameter)
+{
+  const std::string text = std::visit(
+      Overloaded{
+          [&](double *) { return range_text("a number", parameter.range); },
+          [&](int *) { return range_text("a whole number", parameter.range); },
+          [](bool *) { return std::string("true or false"); },
+          [](std::string *)
+          { return std::string("one line of text without #"); },
+          [](const Choice &choice) {
+            return (choice.names.size() > 1 ? "one of " : "") +
+                   join(choice.names);
+          }},
+      parameter.value);
+  return parameter.reason.empty() ? text : text + " (" + parameter.reason + ")";
+}
+
+std::string value_text(const Parameter &parameter)
+{
+  return std::visit(
+      Overloaded{
+          [](double *value) { return number_text(*value); },
+          [](int *value) { return std::to_string(*value); },
+          [](bool *value) { return std::string(*value ? "true" : "false"); },
+          [](std::string *value) { return *value; },
+          [](const Choice &choice) { return choice.names[choice.get()]; }},
+      parameter.value);
+}
+
+void assign(const Parameter &parameter, const std::string &text)
+{
+  std::visit(
+      Overloaded{
+          [&](double *value) { *value = number_in_range(parameter, text); },
+          [&](int *value) { *value = integer_in_range(parameter, text); },
+          [&](bool *value)
+          {
+            if (text != "true" && text != "false")
+              refuse(parameter);
+            *value = text == "true";
+          },
+          [&](std::string *value)
+          {
+            if (text.find_first_of("#\n") != std::string::npos)
+              refuse(parameter);
+            *value = text;
+          },
+          [&](const Choice &choice)
+          {
+            const auto found =
+                std::find(choice.names.begin(), choice.names.end(), text);
+            if (found == choice.names.end())
+              refuse(parameter);
+            choice.set(static_cast<std::size_t>(found - choice.names.begin()));
+          }},
+      parameter.value);
+}
+
+std::string nearest(const std::string &word,
+                    const std::vector<std::string> &known)
+{
+  std::string best;
+  std::size_t least = 1 + word.size() / 2;
+  for (const std::string &candidate : known)
+    if (const std::size_t d = edit_distance(word, candidate); d < least)
+    {
+      least = d;
+      best = candidate;
+    }
+  return best;
+}
+} // namespace spall

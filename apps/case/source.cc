@@ -1,0 +1,182 @@
+#include "case/source.h"
+
+#include "errors.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace spall
+{
+namespace
+{
+using Json = nlohmann::json;
+
+std::string trim(const std::string &text)
+{
+  const char *blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string::npos)
+    return "";
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The lines of a .prm one by one: subsection X, set key = value, end, #.
+class PrmScanner
+{
+public:
+  explicit PrmScanner(const std::string &file_) : file(file_) {}
+
+  void take(const std::string &raw)
+  {
+    ++line;
+    const std::string text = trim(raw.substr(0, raw.find('#')));
+    if (text.empty())
+      return;
+    const std::size_t blank = std::min(text.find_first_of(" \t"), text.size());
+    const std::string verb = text.substr(0, blank);
+    const std::string rest = trim(text.substr(blank));
+    if (verb == "subsection" && !rest.empty())
+      open(rest);
+    else if (verb == "set" && rest.find('=') != std::string::npos)
+      set(rest);
+    else if (verb == "end" && rest.empty())
+      close();
+    else
+      refuse("cannot read \"" + text +
+             "\": a line is subsection NAME, set key = value, end or # text");
+  }
+
+  void finish() const
+  {
+    if (!section.empty())
+      throw InputError(file + ": section " + section + " has no end");
+  }
+
+  std::vector<Assignment> assignments;
+
+private:
+  [[noreturn]] void refuse(const std::string &what) const
+  {
+    throw InputError(place() + ": " + what);
+  }
+  std::string place() const { return file + ":" + std::to_string(line); }
+
+  void open(const std::string &name)
+  {
+    if (!section.empty())
+      refuse("section " + name + " inside section " + section +
+             ": sections are not nested, is an end missing?");
+    section = name;
+  }
+
+  void close()
+  {
+    if (section.empty())
+      refuse("end without a section");
+    section.clear();
+  }
+
+  void set(const std::string &rest)
+  {
+    const std::size_t equal = rest.find('=');
+    const Assignment a{section, trim(rest.substr(0, equal)),
+                       trim(rest.substr(equal + 1)), place()};
+    if (section.empty())
+      refuse(a.key + " = " + a.value + ": set outside of a section");
+    if (!seen.insert(a.section + "/" + a.key).second)
+      refuse(a.section + "/" + a.key + " = " + a.value + ": set twice");
+    if (a.value.ends_with('\\'))
+      refuse(a.section + "/" + a.key + " = " + a.value +
+             ": a value is one line");
+    assignments.push_back(a);
+  }
+
+  const std::string file;
+  int line = 0;
+  std::string section;
+  std::set<std::string> seen;
+};
+
+std::vector<Assignment> scan_prm(const std::string &file, std::istream &in)
+{
+  PrmScanner scanner(file);
+  for (std::string line; std::getline(in, line);)
+    scanner.take(line);
+  scanner.finish();
+  return std::move(scanner.assignments);
+}
+
+Json parse_json(const std::string &file, std::istream &in)
+{
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&](int, Json::parse_event_t event, Json &parsed)
+  {
+    if (event == Json::parse_event_t::object_start)
+      keys.emplace_back();
+    else if (event == Json::parse_event_t::object_end)
+      keys.pop_back();
+    else if (event == Json::parse_event_t::key &&
+             !keys.back().insert(parsed.get<std::string>()).second)
+      throw InputError(file + ": " + parsed.get<std::string>() +
+                       ": given twice in one object");
+    return true;
+  };
+  try
+  {
+    return Json::parse(in, watch);
+  }
+  catch (const Json::parse_error &error)
+  {
+    const std::string what = error.what();
+    const std::size_t at = what.find("at line");
+    throw InputError(file + ": no valid JSON: " +
+                     what.substr(at == std::string::npos ? 0 : at));
+  }
+}
+
+std::vector<Assignment> scan_json(const std::string &file, std::istream &in)
+{
+  const std::string form = "a case is {\"Section\": {\"key\": value}}";
+  const Json root = parse_json(file, in);
+  if (!root.is_object())
+    throw InputError(file + ": " + form);
+  std::vector<Assignment> assignments;
+  for (const auto &[section, entries] : root.items())
+  {
+    if (!entries.is_object())
+      throw InputError(file + ": " + section + ": " + form);
+    for (const auto &[key, value] : entries.items())
+    {
+      if (value.is_structured() || value.is_null())
+        throw InputError(file + ": " + section + "/" + key + ": " + form);
+      const std::string text =
+          value.is_string() ? value.get<std::string>() : value.dump();
+      assignments.push_back({section, key, text, file});
+    }
+  }
+  return assignments;
+}
+} // namespace
+
+std::vector<Assignment> read_assignments(const std::string &file)
+{
+  namespace fs = std::filesystem;
+  if (!fs::exists(file))
+    throw InputError(file + ": no such file");
+  if (fs::is_directory(file))
+    throw InputError(file + ": is a folder, not a case file");
+  std::ifstream in(file);
+  if (!in)
+    throw InputError(file + ": cannot be read");
+  const std::string ending = fs::path(file).extension().string();
+  if (ending == ".prm")
+    return scan_prm(file, in);
+  if (ending == ".json")
+    return scan_json(file, in);
+  throw InputError(file + ": a case file ends in .prm or .json");
+}
+} // namespace spall

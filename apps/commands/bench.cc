@@ -1,0 +1,192 @@
+#include "bench/report.h"
+#include "commands/commands.h"
+#include "errors.h"
+#include "specimen/specimen.h"
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <omp.h>
+
+namespace spall
+{
+namespace
+{
+struct BenchOptions
+{
+  std::string packing, shapes, json, save;
+  std::string scene = "rest", geometry = "radial";
+  int steps = 1000, threads = 1, repeat = 1;
+  int settle = -1; ///< -1: as the scene needs
+  bool is_breaking = false;
+};
+
+const std::map<std::string, BenchScene> scenes = {
+    {"rest", BenchScene::rest},
+    {"jolt", BenchScene::jolt},
+    {"collapse", BenchScene::collapse}};
+
+const std::map<std::string, dem::ContactGeometry> geometries = {
+    {"ball", dem::ContactGeometry::ball},
+    {"radial", dem::ContactGeometry::radial},
+    {"surface", dem::ContactGeometry::surface}};
+
+int whole_number(const std::string &option, const std::string &text, int least)
+{
+  int value = 0;
+  const auto [end, status] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc{} || end != text.data() + text.size() ||
+      value < least)
+    throw InputError("bench: " + option + " " + text +
+                     ": must be a whole number from " + std::to_string(least) +
+                     " up");
+  return value;
+}
+
+/// A file that is written after minutes of work must not fail for its name.
+void require_folder(const std::string &option, const std::string &path)
+{
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    throw InputError("bench: " + option + " " + path +
+                     ": cannot be written, no folder " + folder.string());
+}
+
+void check(const BenchOptions &options)
+{
+  if (options.packing.empty())
+    throw InputError("bench: --packing P.csv must be given");
+  if (!scenes.contains(options.scene))
+    throw InputError("bench: --scene " + options.scene +
+                     ": must be rest, jolt or collapse");
+  if (!geometries.contains(options.geometry))
+    throw InputError("bench: --geometry " + options.geometry +
+                     ": must be ball, radial or surface");
+  if (options.is_breaking && options.shapes.empty())
+    throw InputError("bench: --breakage: needs --shapes DIR, spheres do not "
+                     "break");
+  require_folder("--json", options.json);
+  require_folder("--save", options.save);
+}
+
+BenchOptions parse_options(Words words)
+{
+  BenchOptions options;
+  const std::map<std::string, std::string *> texts = {
+      {"--packing", &options.packing}, {"--shapes", &options.shapes},
+      {"--scene", &options.scene},     {"--geometry", &options.geometry},
+      {"--json", &options.json},       {"--save", &options.save}};
+  const std::map<std::string, int *> counts = {{"--steps", &options.steps},
+                                               {"--threads", &options.threads},
+                                               {"--repeat", &options.repeat},
+                                               {"--settle", &options.settle}};
+  for (std::size_t k = 0; k < words.size(); ++k)
+  {
+    const std::string &word = words[k];
+    const bool is_text = texts.contains(word), is_count = counts.contains(word);
+    if (word == "--breakage")
+      options.is_breaking = true;
+    else if (!is_text && !is_count)
+      throw InputError("bench: " + word +
+                       ": must be one of --packing, --steps, --threads, "
+                       "--shapes, --geometry, --breakage, --scene, --repeat, "
+                       "--json, --settle, --save");
+    else if (k + 1 == words.size() || words[k + 1].empty())
+      throw InputError("bench: " + word + ": a value must follow");
+    else if (is_text)
+      *texts.at(word) = words[++k];
+    else
+    {
+      *counts.at(word) =
+          whole_number(word, words[k + 1], word == "--settle" ? 0 : 1);
+      ++k;
+    }
+  }
+  check(options);
+  return options;
+}
+
+void write_text(const std::string &path, const std::string &text)
+{
+  std::ofstream out(path);
+  out << text;
+  out.flush();
+  if (!out)
+    throw InputError("bench: --json " + path + ": cannot be written");
+}
+
+/// What the engine says about the scene when the timed steps begin.
+void describe(const dem::Engine &engine, BenchResult &result)
+{
+  const dem::Particles &stones = engine.particles();
+  result.n_breakable = count_breakable(engine);
+  result.solid_fraction = solid_volume(stones) / result.box.prod();
+  result.coordination =
+      dem::contact_network(stones, engine.pairs()).coordination_number;
+  result.unbalanced_ratio = dem::unbalanced_force_ratio(stones, engine.pairs());
+}
+
+/// Builds the scene anew and times it; every repeat does the same.
+void time_once(const BenchOptions &options, const BenchStones &stones,
+               BenchResult &result)
+{
+  const BenchScene scene = scenes.at(options.scene);
+  const auto engine = make_bench_engine(stones, scene, options.is_breaking);
+  const MemoryUse built = memory_use();
+  settle(*engine, scene,
+         options.settle < 0 ? settling_steps(scene) : options.settle);
+  for (int step = 0; step < warm_up_steps; ++step)
+    engine->advance(bench_step);
+  const bool is_first = result.samples.empty();
+  if (is_first)
+    describe(*engine, result);
+  result.samples.push_back(measure(*engine, options.steps, bench_step));
+  if (!is_first)
+    return;
+  result.built = built;
+  result.run = memory_use();
+}
+
+BenchStones prepare(const BenchOptions &options, BenchResult &result)
+{
+  Packing packing = read_packing(options.packing);
+  const bool is_closed = !packing.orientation.empty();
+  BenchStones stones = make_bench_stones(std::move(packing), options.shapes);
+  stones.geometry = geometries.at(options.geometry);
+  if (!options.shapes.empty() && !is_closed)
+  {
+    std::cout << "closing the box round " << stones.packing.size()
+              << " stones ..." << std::endl;
+    result.closed = close_box(stones);
+  }
+  if (!options.save.empty())
+    write_packing(options.save, stones.packing);
+  return stones;
+}
+} // namespace
+
+int bench_command(Words words)
+{
+  const BenchOptions options = parse_options(words);
+  omp_set_num_threads(options.threads);
+  BenchResult result;
+  const BenchStones stones = prepare(options, result);
+  result.packing = std::filesystem::path(options.packing).filename().string();
+  result.scene = options.scene;
+  result.geometry = options.shapes.empty() ? "sphere" : options.geometry;
+  result.n_stones = stones.packing.size();
+  result.threads = options.threads;
+  result.is_breaking = options.is_breaking;
+  result.box = stones.packing.box;
+  result.before = memory_use();
+  for (int repeat = 0; repeat < options.repeat; ++repeat)
+    time_once(options, stones, result);
+  std::cout << bench_text(result);
+  if (!options.json.empty())
+    write_text(options.json, bench_json(result));
+  return result.is_reproducible() ? 0 : 2;
+}
+} // namespace spall

@@ -1,0 +1,174 @@
+#include "case/file.h"
+#include "commands/commands.h"
+#include "errors.h"
+#include "laboratory/test.h"
+#include "run/forecast.h"
+#include "triaxial/triaxial.h"
+
+#include <dem/integrate/contact_springs.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+namespace spall
+{
+namespace
+{
+/// Resident memory of the program [MiB].
+double memory_in_use()
+{
+  std::ifstream status("/proc/self/statm");
+  double pages = 0., resident = 0.;
+  status >> pages >> resident;
+  return resident * 4096. / (1024. * 1024.);
+}
+
+/// Wall-clock of one step of the stones when they are packed [s]: the cloud is
+/// drawn together to the expected solid fraction and evaluated in place.
+double packed_step_cost(const Case &parameters)
+{
+  Case quiet = parameters;
+  quiet.breakage.is_active = false;
+  Specimen specimen = make_specimen(quiet);
+  dem::Engine &engine = *specimen.engine;
+  const double shrink = std::cbrt(parameters.specimen.initial_solid_fraction /
+                                  parameters.specimen.solid_fraction);
+  for (dem::StoneState &stone : engine.particles().state)
+    stone.position *= shrink;
+  for (const auto &[lower, upper] : specimen.box)
+    engine.planes()[upper].point *= shrink;
+  return still_step_cost(engine);
+}
+
+/// Wall-clock of one step of the membrane alone [s].
+double membrane_step_cost(const Case &parameters)
+{
+  const int n = parameters.boundary.elements_per_side;
+  fem::Membrane membrane(
+      parameters.membrane,
+      fem::box_sides(dem::Vec3::Zero(),
+                     dem::Vec3::Constant(parameters.specimen.side), {n, n, n}));
+  return still_step_cost(membrane);
+}
+
+void print_memory()
+{
+  std::printf("memory           %.0f MiB\n", memory_in_use());
+}
+
+void print_stones(const dem::Particles &stones)
+{
+  double smallest = stones.radius(0), largest = smallest, mass = 0.;
+  std::size_t n_breakable = 0;
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    smallest = std::min(smallest, stones.radius(i));
+    largest = std::max(largest, stones.radius(i));
+    mass += stones.mass(i);
+    n_breakable += stones.is_breakable[i];
+  }
+  std::printf("stones           %zu, %zu breakable, diameter %.4g to %.4g m, "
+              "%.4g kg\n",
+              stones.size(), n_breakable, 2. * smallest, 2. * largest, mass);
+}
+
+/// The gain that counts, what the ways of exchange stand, and which to take.
+void print_exchange(const SetupStep &setup, int stone_steps)
+{
+  const coupling::ExchangeGain &gain = *setup.gain;
+  const coupling::WindowGain &window = setup.window;
+  std::printf("exchange gain    %.4g, stable below %.4g\n", gain.gain,
+              gain.limit);
+  std::printf("of a window      %.4g: one_pass below %.4g, iterated without "
+              "relaxation below %.4g, best constant relaxation %.3g\n",
+              window.gain, window.one_pass_limit, window.unrelaxed_limit,
+              window.best_relaxation);
+  std::printf("body alone       explicit steps of at most %.4g s\n",
+              setup.membrane_step);
+  const char *advice = "iterated with aitken";
+  const bool is_mild = window.gain < 0.5 * window.one_pass_limit;
+  if (is_mild && stone_steps > 1)
+    advice = "one_pass"; // the body takes fewer steps
+  else if (window.gain < 0.5 * window.unrelaxed_limit &&
+           setup.step < setup.membrane_step)
+    advice = "every_step";
+  else if (is_mild)
+    advice = "one_pass";
+  std::printf("recommended      Coupling/exchange = %s\n", advice);
+}
+
+void print_step(const Case &parameters, const Triaxial &test)
+{
+  const dem::StepLimit limit =
+      dem::critical_step(test.engine().parameters(), test.engine().particles());
+  std::printf("time step        %.4g s, stable up to %.4g s (%s)\n",
+              test.time_step(), limit.step, limit.reason.c_str());
+  std::printf(
+      "in a corner      %.4g s (the same stone on three walls)\n",
+      dem::corner_step(test.engine().parameters(), test.engine().particles()));
+  if (test.gain())
+    print_exchange(test.setup_step(), parameters.coupling.rules.stone_steps);
+}
+
+void print_cost(const Case &parameters, const Triaxial &test)
+{
+  double cost = packed_step_cost(parameters);
+  if (test.gain())
+    cost += membrane_step_cost(parameters);
+  const double steps = (test.period() * parameters.loading.n_cycles() +
+                        parameters.loading.consolidation_time) /
+                       test.time_step();
+  print_memory();
+  std::printf("predicted time   %.3g s for %.4g steps after the preparation "
+              "(%.3g ms each)\n",
+              cost * steps, steps, 1e3 * cost);
+}
+
+void check_triaxial(const Case &parameters)
+{
+  const Triaxial test(parameters);
+  print_stones(test.engine().particles());
+  print_step(parameters, test);
+  print_cost(parameters, test);
+}
+
+void check_lab(const Case &parameters)
+{
+  const std::unique_ptr<LabTest> test = make_lab_test(parameters);
+  print_stones(test->all_stones());
+  std::printf("time step        %.4g s, at most %.4g s (%s)\n",
+              test->time_step(), test->step_limit().step,
+              test->step_limit().reason.c_str());
+  if (const SetupStep *setup = test->setup_step(); setup && setup->gain)
+    print_exchange(*setup, parameters.coupling.rules.stone_steps);
+  test->print_forecast();
+  print_memory();
+}
+} // namespace
+
+int check_command(Words words)
+{
+  std::string file;
+  std::vector<Override> overrides;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    if (words[k] == "--set" && k + 1 < words.size())
+      overrides.push_back(parse_override(words[++k]));
+    else if (words[k].starts_with("--") || !file.empty())
+      throw InputError("check: " + words[k] +
+                       ": must be one case file and --set "
+                       "Section/key=value");
+    else
+      file = words[k];
+  if (file.empty())
+    throw InputError("check: a case file must be given");
+  const Case parameters = read_case(file, overrides);
+  std::printf("case             %s: %s\n", file.c_str(),
+              parameters.title.c_str());
+  if (parameters.kind == CaseKind::dynamic_triaxial)
+    check_triaxial(parameters);
+  else
+    check_lab(parameters);
+  return 0;
+}
+} // namespace spall

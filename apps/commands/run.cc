@@ -1,0 +1,88 @@
+#include "commands/commands.h"
+#include "errors.h"
+#include "run/options.h"
+
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+
+namespace spall
+{
+namespace
+{
+int positive(const std::string &option, const std::string &text)
+{
+  int value = 0;
+  const auto [end, status] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc{} || end != text.data() + text.size() || value < 1)
+    throw InputError("run: " + option + " " + text +
+                     ": must be a whole number from 1 up");
+  return value;
+}
+
+RunOptions parse_options(Words words)
+{
+  RunOptions options;
+  for (std::size_t k = 0; k < words.size(); ++k)
+  {
+    const std::string &word = words[k];
+    const auto value = [&]() -> const std::string &
+    {
+      if (k + 1 == words.size())
+        throw InputError("run: " + word + ": a value must follow");
+      return words[++k];
+    };
+    if (word == "--out")
+      options.out = value();
+    else if (word == "--threads")
+      options.threads = positive(word, value());
+    else if (word == "--until")
+      options.until = positive(word, value());
+    else if (word == "--resume")
+      options.is_resumed = true;
+    else if (word == "--set")
+      options.overrides.push_back(parse_override(value()));
+    else if (word.starts_with("--"))
+      throw InputError("run: " + word +
+                       ": no such option: must be --out, --threads, --resume, "
+                       "--until or --set");
+    else if (options.case_file.empty())
+      options.case_file = word;
+    else
+      throw InputError("run: " + word + ": only one case file at a time");
+  }
+  if (options.case_file.empty())
+    throw InputError("run: a case file must be given");
+  if (options.out.empty())
+    options.out =
+        "runs/" + std::filesystem::path(options.case_file).stem().string();
+  return options;
+}
+
+volatile std::sig_atomic_t stop_asked = 0;
+
+void ask_to_stop(int)
+{
+  stop_asked = 1;
+}
+} // namespace
+
+bool is_stop_asked()
+{
+  return stop_asked != 0;
+}
+
+int run_command(Words words)
+{
+  const RunOptions options = parse_options(words);
+  const Case parameters = read_case(options.case_file, options.overrides);
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  if (parameters.kind == CaseKind::dynamic_triaxial)
+    run_triaxial(options, parameters);
+  else
+    run_lab(options, parameters);
+  return 0;
+}
+} // namespace spall

@@ -1,0 +1,102 @@
+#include "study/study.h"
+
+#include "commands/commands.h"
+#include "errors.h"
+#include "run/folder.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <thread>
+
+namespace spall
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+struct StudyOptions
+{
+  std::string file, out, figures;
+  int jobs =
+      static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+StudyOptions parse_options(Words words)
+{
+  StudyOptions options;
+  for (std::size_t k = 0; k < words.size(); ++k)
+  {
+    const std::string &word = words[k];
+    const auto value = [&]() -> const std::string &
+    {
+      if (k + 1 == words.size())
+        throw InputError("study: " + word + ": a value must follow");
+      return words[++k];
+    };
+    if (word == "--out")
+      options.out = value();
+    else if (word == "--figures")
+      options.figures = value();
+    else if (word == "--jobs")
+    {
+      const std::string &text = value();
+      const auto [end, status] =
+          std::from_chars(text.data(), text.data() + text.size(), options.jobs);
+      if (status != std::errc{} || end != text.data() + text.size() ||
+          options.jobs < 1)
+        throw InputError("study: --jobs " + text +
+                         ": must be a whole number from 1 up");
+    }
+    else if (word.starts_with("--") || !options.file.empty())
+      throw InputError("study: " + word +
+                       ": must be one study file, --out DIR, --jobs N or "
+                       "--figures FOLDER");
+    else
+      options.file = word;
+  }
+  if (options.file.empty())
+    throw InputError("study: a study file must be given");
+  if (options.out.empty())
+    options.out = "runs/" + fs::path(options.file).stem().string();
+  return options;
+}
+
+void make_folder(const fs::path &folder)
+{
+  std::error_code status;
+  fs::create_directories(folder, status);
+  if (!fs::is_directory(folder))
+    throw InputError("study: --out " + folder.string() +
+                     ": must be a folder that may be written");
+}
+} // namespace
+
+int study_command(Words words)
+{
+  const StudyOptions options = parse_options(words);
+  const Study study = read_study(options.file);
+  const std::vector<StudyPoint> points = points_of(study);
+  const fs::path folder = options.out;
+  make_folder(folder);
+  if (!options.figures.empty())
+    make_folder(options.figures);
+  std::cout << study.title << ": " << points.size() << " cases, "
+            << options.jobs << " at a time" << std::endl;
+  const std::vector<PointResult> results =
+      run_points(study, points, folder, options.jobs);
+  write_study_table(study, points, results, folder / "study.csv");
+  write_text(folder / "report.html",
+             study_page(study, points, results, folder, options.figures));
+  std::cout << (folder / "study.csv").string() << '\n'
+            << (folder / "report.html").string() << std::endl;
+  const auto n_failed =
+      std::ranges::count(results, false, &PointResult::is_done);
+  if (n_failed > 0)
+    throw RunFailure("study: " + std::to_string(n_failed) + " of " +
+                     std::to_string(points.size()) +
+                     " cases failed, see report.html; run again to try them "
+                     "again");
+  return 0;
+}
+} // namespace spall

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+enum class ContainerForm
+{
+  rigid,   ///< a cylinder that does not move
+  flexible ///< a tube of membrane, held at both rims
+};
+
+/// What the stones are poured into: an upright cylinder on a rigid floor.
+struct ContainerParameters
+{
+  ContainerForm form = ContainerForm::rigid;
+  double diameter = 0.15; ///< inner [m]
+  double height = 0.15;   ///< that the stones are to fill [m]
+  /// Flexible: quads round the tube; along it they are about as long.
+  int elements_around = 36;
+  double freeboard = 0.02; ///< of the flexible tube above the stones [m]
+  double pressure = 0.;    ///< on the flexible tube, from outside [Pa]
+};
+
+/// The stones, and how they get into the container.
+struct FillingParameters
+{
+  /// CSV: diameter_m, passing_1
+  std::string gradation = "gradations/compaction_10_45mm.csv";
+  std::string shapes = "shapes/limestone"; ///< folder; empty: spheres
+  int seed = 1;
+  double density = 1760.; ///< mass of stones over volume of container [kg/m^3]
+  int layers = 4;
+  double solid_fraction = 0.2;    ///< of the cloud that falls [-]
+  double friction = 0.5;          ///< stone on stone while filling [-]
+  double local_damping = 0.5;     ///< D_a while filling [-]
+  double tamper_speed = 0.1;      ///< [m/s]
+  double tamper_pressure = 300e3; ///< at which the tamper turns back [Pa]
+  int max_strokes = 6;            ///< of the tamper on one layer
+  double unbalanced_ratio = 1e-3; ///< resultant forces over weight at rest [-]
+  double max_time = 2.;           ///< of a layer to come to rest [s]
+};
+
+struct PlateParameters
+{
+  /// All that moves along z: plate, static load, exciter with its mass [kg].
+  double mass = 600.;
+  double load = 0.;            ///< besides, without mass: a soft spring [N]
+  double seating_speed = 0.05; ///< largest, until the stones carry it [m/s]
+  double seating_time = 0.1;   ///< of rest then, before the vibration [s]
+};
+
+struct VibrationParameters
+{
+  double eccentric_mass = 2.4;    ///< [kg]
+  double eccentricity = 3.32e-3;  ///< [m]
+  double frequency = 32.;         ///< [Hz]
+  double duration = 350.;         ///< [s]
+  std::string reports = "50 350"; ///< times of vibration [s]
+  int rows_per_period = 1;
+  double frames_per_second = 0.;
+  int checkpoint_every = 320; ///< periods; 0: only at the end
+};
+
+/// The numbers of VibrationParameters::reports [s]. Throws
+/// std::invalid_argument unless they ascend from above zero.
+std::vector<double> report_times(const std::string &text);
+} // namespace spall

@@ -1,0 +1,79 @@
+#include "case/checks.h"
+
+#include "case/file.h"
+#include "case/parameter.h"
+#include "specimen/gradation.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace spall
+{
+std::vector<double> report_times(const std::string &text)
+{
+  std::istringstream words(text);
+  std::vector<double> times;
+  for (std::string word; words >> word;)
+  {
+    times.push_back(to_number(word));
+    if (times.back() <= 0. ||
+        (times.size() > 1 && times.back() <= *(times.end() - 2)))
+      throw std::invalid_argument("not ascending from above 0");
+  }
+  return times;
+}
+
+namespace
+{
+void check_reports(const Case &c, const Place &place)
+{
+  try
+  {
+    report_times(c.vibration.reports);
+  }
+  catch (const std::invalid_argument &)
+  {
+    refuse(place, {"Vibration", "reports", c.vibration.reports,
+                   "must be ascending numbers above 0 with blanks between"});
+  }
+}
+
+void check_size(const Case &c, const Place &place)
+{
+  if (c.filling.gradation.empty())
+    refuse(place, {"Filling", "gradation", "",
+                   "must name a CSV file diameter_m,passing_1"});
+  const Gradation curve =
+      read_gradation(find_path(c, "Filling", "gradation", c.filling.gradation));
+  const double largest = curve.diameter.back();
+  const std::string why =
+      "must be at least twice the largest stone of the gradation, " +
+      number_text(largest) + " m";
+  const ContainerParameters &box = c.container;
+  if (box.diameter < 2. * largest)
+    refuse(place, {"Container", "diameter", number_text(box.diameter), why});
+  if (box.height < 2. * largest)
+    refuse(place, {"Container", "height", number_text(box.height), why});
+}
+} // namespace
+
+void check_compaction(const Case &c, const Place &place)
+{
+  check_size(c, place);
+  check_shapes(c, place, "Filling", c.filling.shapes);
+  check_reports(c, place);
+  if (c.filling.density > 0.75 * c.stone.density)
+    refuse(place, {"Filling", "density", number_text(c.filling.density),
+                   "must be at most 0.75 Stone/density = " +
+                       number_text(0.75 * c.stone.density) +
+                       ": random packings stay below"});
+  const double longest = 0.05 / c.vibration.frequency;
+  const int n = c.coupling.exchange_rules(c.lateral()).stone_steps;
+  if (c.time.step == StepRule::fixed && n * c.time.fixed_step > longest)
+    refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
+                   "a window of " + std::to_string(n) +
+                       " must be at most a twentieth of the period of "
+                       "Vibration/frequency, " +
+                       number_text(longest) + " s"});
+}
+} // namespace spall

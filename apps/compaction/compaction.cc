@@ -1,0 +1,334 @@
+#include "compaction/compaction.h"
+
+#include <coupling/membrane_body.h>
+#include <dem/io/binary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace spall
+{
+namespace
+{
+/// Of history.csv before the vibration [s].
+constexpr double row_interval = 0.01;
+} // namespace
+
+Compaction::Compaction(const Case &c) : Compaction(c, make_compaction_scene(c))
+{
+}
+
+Compaction::Compaction(const Case &c, CompactionScene its_scene)
+    : LabTest(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
+              its_scene.setup.step),
+      scene(std::move(its_scene)),
+      pouring(scene.room, pouring_parameters(c.filling), scene.layers,
+              static_cast<std::uint64_t>(c.filling.seed)),
+      last_time(c.vibration.duration)
+{
+  for (std::size_t i = 0; i < scene.all.size(); ++i)
+    filled_mass += scene.all.mass(i);
+  pouring.prepare(engine());
+}
+
+const dem::Plane &Compaction::plate_plane() const
+{
+  return engine().planes()[pouring.tamper()];
+}
+
+int Compaction::steps_in_move() const
+{
+  return joined ? parameters.coupling.exchange_rules(parameters.lateral())
+                      .stone_steps
+                : 1;
+}
+
+void Compaction::move(double time_step)
+{
+  now.stage_before = static_cast<std::int32_t>(now.stage);
+  now.n_layers_before = static_cast<std::int64_t>(pouring.layers().size());
+  now.time_before = engine().time();
+  if (now.stage == Stage::filling)
+    return fill(time_step);
+  if (!joined)
+    return lower_plate(time_step);
+  step_joined(time_step);
+}
+
+void Compaction::fill(double time_step)
+{
+  pouring.steer(engine(), time_step);
+  engine().advance(time_step);
+  if (!pouring.is_done())
+    return;
+  // The plate comes as the tamper did, from where that had touched.
+  const dem::Vec3 above =
+      (pouring.layers().back().height + 1e-3 * scene.room.width_x) *
+      dem::Vec3::UnitZ();
+  engine().place_plane(pouring.tamper(), above);
+  engine().set_local_damping(parameters.time.local_damping);
+  now.stage = Stage::seating;
+}
+
+/// Until the stones carry it. The last of its speed is too small to shake it.
+void Compaction::lower_plate(double time_step)
+{
+  constexpr double slowest = 0.02; // [-]
+  const double carried = plate_plane().force.z() / weight();
+  if (carried >= 1.)
+    return join();
+  engine().planes()[pouring.tamper()].velocity =
+      -parameters.plate.seating_speed * std::clamp(1. - carried, slowest, 1.) *
+      dem::Vec3::UnitZ();
+  engine().advance(time_step);
+}
+
+double Compaction::weight() const
+{
+  return parameters.plate.load -
+         parameters.plate.mass * engine().parameters().gravity.z();
+}
+
+void Compaction::join()
+{
+  now.join_time = engine().time();
+  now.join_height = plate_plane().point.z();
+  now.plane_work_gone = plate_plane().work;
+  if (parameters.lateral() == Lateral::membrane)
+  {
+    // The mould is taken away.
+    dem::Drum mould = engine().drum();
+    mould.radius *= 100.;
+    engine().set_drum(mould);
+  }
+  build_joint();
+}
+
+void Compaction::build_joint()
+{
+  joined = std::make_unique<coupling::Exchange>(
+      parameters.coupling.exchange_rules(parameters.lateral()));
+  fem::PlateBodyParameters body;
+  body.mass = parameters.plate.mass;
+  body.centre = now.join_height * dem::Vec3::UnitZ();
+  body.moves = {false, false, true};
+  body.turns = {false, false, false};
+  auto lid = std::make_unique<coupling::RigidBody>(
+      body, coupling::Field{body.centre},
+      plate_drive(parameters.plate, parameters.vibration));
+  plate = lid.get();
+  joined->add(std::move(lid),
+              std::make_unique<coupling::PlaneSeam>(pouring.tamper()),
+              engine());
+  if (parameters.lateral() == Lateral::rigid)
+    return;
+  const CouplingParameters &c = parameters.coupling;
+  auto sleeve = std::make_unique<coupling::MembraneBody>(
+      make_tube(parameters),
+      coupling::BodySteps{c.is_body_implicit, c.body_steps});
+  tube = sleeve.get();
+  const fem::SurfaceMesh mesh = sleeve->membrane().mesh();
+  joined->add(std::move(sleeve), mesh, "membrane", parameters.membrane_contact,
+              coupling::StoneSide::inside, engine());
+}
+
+void Compaction::step_joined(double time_step)
+{
+  const double window = steps_in_move() * time_step;
+  if (tube)
+    tube->membrane().set_pressure(
+        parameters.container.pressure *
+        std::min(1., 2. * (engine().time() + window - now.join_time) /
+                         parameters.plate.seating_time));
+  // With windows the impulse is set to zero when one begins.
+  const double before = joined->rule() == coupling::ExchangeRule::every_step
+                            ? plate_plane().impulse.z()
+                            : 0.;
+  joined->advance({engine(),
+                   [this](double duration_of_step)
+                   { engine().advance(duration_of_step); },
+                   [this](std::ostream &out) { engine().save(out, shapes); },
+                   [this](std::istream &in) { engine().restore(in, shapes); }},
+                  window);
+  if (now.stage == Stage::vibration)
+    follow_vibration(window, plate_plane().impulse.z() - before);
+  else if (engine().time() >= now.join_time + parameters.plate.seating_time)
+  {
+    now.stage = Stage::vibration;
+    now.start_height = height();
+    engine().set_breaking(parameters.breakage.is_active);
+    report(0.);
+  }
+}
+
+void Compaction::follow_vibration(double window, double impulse)
+{
+  now.impulse += impulse;
+  if (impulse == 0.)
+    now.lift_off += window;
+  for (const double due : report_times(parameters.vibration.reports))
+    if (due <= vibrated() && due > vibrated() - window)
+      report(due);
+}
+
+double Compaction::vibrated() const
+{
+  return progress_at(engine().time());
+}
+
+double Compaction::progress_at(double time) const
+{
+  return now.stage == Stage::vibration
+             ? std::max(0.,
+                        time - now.join_time - parameters.plate.seating_time)
+             : 0.;
+}
+
+/// Under the plate, or as it was last taken; 0 before.
+double Compaction::height() const
+{
+  if (now.stage != Stage::filling)
+    return plate_plane().point.z();
+  return pouring.layers().empty() ? 0. : pouring.layers().back().height;
+}
+
+double Compaction::volume() const
+{
+  return tube ? volume_below(tube->membrane(),
+                             parameters.container.elements_around, height())
+              : scene.room.section() * height();
+}
+
+/// Fines that are not there any more count, as they stay in the container.
+double Compaction::density() const
+{
+  if (now.stage != Stage::filling)
+    return filled_mass / volume();
+  return pouring.layers().empty() ? 0. : pouring.layers().back().density;
+}
+
+double Compaction::share_done() const
+{
+  return vibrated() / last_time;
+}
+
+double Compaction::duration() const
+{
+  return parameters.plate.seating_time + last_time;
+}
+
+std::string Compaction::phase() const
+{
+  char text[60];
+  if (now.stage == Stage::filling)
+    std::snprintf(text, sizeof text, "layer %zu of %zu",
+                  std::min(pouring.layers().size() + 1, pouring.n_layers()),
+                  pouring.n_layers());
+  else if (now.stage == Stage::seating)
+    std::snprintf(text, sizeof text, "seating of the plate");
+  else
+    std::snprintf(text, sizeof text, "%.2f s, settled %.3f mm", vibrated(),
+                  1e3 * (now.start_height - height()));
+  return text;
+}
+
+Due Compaction::due() const
+{
+  Due due;
+  const VibrationParameters &v = parameters.vibration;
+  const bool is_new_stage =
+      static_cast<std::int32_t>(now.stage) != now.stage_before;
+  if (now.stage != Stage::vibration || is_new_stage)
+  {
+    due.row = is_new_stage || std::floor(engine().time() / row_interval) !=
+                                  std::floor(now.time_before / row_interval);
+    due.frame = is_new_stage;
+    due.checkpoint = v.checkpoint_every > 0 &&
+                     (is_new_stage ||
+                      now.n_layers_before !=
+                          static_cast<std::int64_t>(pouring.layers().size()));
+    return due;
+  }
+  const double before = progress_at(now.time_before), after = vibrated();
+  const auto has_passed = [&](double times_per_second)
+  {
+    return times_per_second > 0. && std::floor(before * times_per_second) !=
+                                        std::floor(after * times_per_second);
+  };
+  due.row = has_passed(v.frequency * v.rows_per_period);
+  due.frame = has_passed(v.frames_per_second) || !files.empty();
+  due.checkpoint =
+      v.checkpoint_every > 0 && has_passed(v.frequency / v.checkpoint_every);
+  return due;
+}
+
+void Compaction::stop_after(int periods)
+{
+  last_time = std::min(periods / parameters.vibration.frequency, last_time);
+}
+
+std::vector<dem::BreakageEvent> Compaction::fresh_events()
+{
+  auto events =
+      joined ? joined->take_events() : std::vector<dem::BreakageEvent>{};
+  for (dem::BreakageEvent &event : engine().take_events())
+    events.push_back(event);
+  return events;
+}
+
+coupling::BodyEnergy Compaction::body_energy() const
+{
+  coupling::BodyEnergy sum;
+  if (!joined)
+    return sum;
+  sum = plate->energy();
+  if (!tube)
+    return sum;
+  const coupling::BodyEnergy more = tube->energy();
+  sum.stored += more.stored;
+  sum.kinetic += more.kinetic;
+  sum.lost += more.lost;
+  sum.external += more.external;
+  return sum;
+}
+
+/// What the plane does on the stones comes from its body once it has one.
+double Compaction::external_work() const
+{
+  return LabTest::external_work() -
+         (joined ? plate_plane().work - now.plane_work_gone : 0.);
+}
+
+Surroundings Compaction::surroundings() const
+{
+  return {joined.get(), tube, scene.setup.window, steps_in_move()};
+}
+
+FrameParts Compaction::frame_parts() const
+{
+  return {tube ? &tube->membrane() : nullptr, true};
+}
+
+void Compaction::save(std::ostream &out) const
+{
+  dem::write_value(out, now);
+  dem::write_column(out, reports);
+  pouring.save(out);
+  LabTest::save(out);
+  if (joined)
+    joined->save(out);
+}
+
+void Compaction::restore(std::istream &in)
+{
+  dem::read_value(in, now);
+  dem::read_column(in, reports);
+  pouring.restore(in);
+  if (now.join_time > 0.)
+    build_joint();
+  LabTest::restore(in);
+  if (joined)
+    joined->restore(in);
+}
+} // namespace spall

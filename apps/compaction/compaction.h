@@ -1,0 +1,103 @@
+#pragma once
+
+#include "compaction/scene.h"
+#include "laboratory/test.h"
+
+#include <coupling/membrane_body.h>
+
+namespace spall
+{
+/// A vibratory compaction: stones are poured into a cylinder in layers and
+/// tamped, a plate comes down on them, gets its weight, and vibrates.
+class Compaction : public LabTest
+{
+public:
+  enum class Stage : std::int32_t
+  {
+    filling,
+    seating,  ///< the plate comes down, then its weight
+    vibration ///< stones may break
+  };
+
+  /// Throws InputError.
+  explicit Compaction(const Case &parameters);
+
+  double share_done() const override;
+  double duration() const override; ///< without the filling [s]
+  std::string phase() const override;
+  Due due() const override;
+  double progress_at(double time) const override; ///< of the vibration [s]
+  const char *progress_column() const override { return "vibration_s"; }
+  bool has_ledger() const override { return true; }
+  const coupling::Exchange *exchange() const override { return joined.get(); }
+  const SetupStep *setup_step() const override { return &scene.setup; }
+  FrameParts frame_parts() const override;
+  std::vector<NamedText> take_files() override;
+  const dem::Particles &all_stones() const override { return scene.all; }
+  int steps_in_move() const override;
+  void print_forecast() override;
+  void summarise(nlohmann::ordered_json &summary) const override;
+  void stop_after(int periods) override;
+  void save(std::ostream &out) const override;
+  void restore(std::istream &in) override;
+
+private:
+  /// What a report says besides the roundness of each stone.
+  struct Report
+  {
+    double time = 0.; ///< of vibration [s]
+    double settlement = 0., density = 0., abrasion = 0., roundness = 1.;
+    double n_events = 0.;
+  };
+  /// Plain data for the checkpoint.
+  struct State
+  {
+    Stage stage = Stage::filling;
+    std::int32_t stage_before = 0; ///< at the last step
+    std::int64_t n_layers_before = 0;
+    double time_before = 0.;     ///< at the last step [s]
+    double join_time = 0.;       ///< the plate was let go; 0: not yet [s]
+    double join_height = 0.;     ///< of the lower face of the plate then [m]
+    double start_height = 0.;    ///< the same when the vibration begins [m]
+    double plane_work_gone = 0.; ///< of its plane until it was joined [J]
+    double impulse = 0.;         ///< of the stones on it, of vibration [N s]
+    double lift_off = 0.;        ///< time of vibration without a load on it [s]
+  };
+
+  Compaction(const Case &parameters, CompactionScene scene);
+  void move(double time_step) override;
+  std::vector<Quantity> measured() const override;
+  double external_work() const override;
+  coupling::BodyEnergy body_energy() const override;
+  Surroundings surroundings() const override;
+  std::vector<dem::BreakageEvent> fresh_events() override;
+
+  void fill(double time_step);
+  void lower_plate(double time_step);
+  void join();
+  void build_joint();
+  void step_joined(double time_step);
+  void follow_vibration(double window, double impulse);
+  void report(double due); ///< time of vibration [s]
+  double weight() const;   ///< of the plate and the load on it [N]
+  double vibrated() const; ///< so far [s]
+  double height() const;   ///< of the stones [m]
+  double volume() const;   ///< that the stones fill [m^3]
+  double density() const;  ///< [kg/m^3]
+  const dem::Plane &plate_plane() const;
+
+  CompactionScene scene;
+  dem::Pouring pouring;
+  std::unique_ptr<coupling::Exchange> joined;
+  const coupling::RigidBody *plate = nullptr; ///< of `joined`
+  coupling::MembraneBody *tube = nullptr;     ///< of `joined`, flexible only
+  double last_time = 0.;                      ///< of vibration, this run [s]
+  double filled_mass = 0.;                    ///< before breakage [kg]
+  State now;
+  std::vector<Report> reports;
+  std::vector<NamedText> files;
+};
+
+/// id, size, loss and roundness of every stone, a CSV file.
+std::string roundness_table(const dem::Particles &stones);
+} // namespace spall

@@ -1,0 +1,114 @@
+#include "case/list.h"
+
+namespace spall
+{
+namespace
+{
+void add_container(List &list, ContainerParameters &c)
+{
+  list.in("Container");
+  list.add({"form", "-",
+            "rigid: a cylinder that does not move, as Wall; flexible: a tube "
+            "of membrane held at both rims, which takes the place of the mould "
+            "that the stones were poured into."},
+           c.form, {"rigid", "flexible"});
+  list.add({"diameter", "m", "Inner."}, c.diameter, above(0., 100.));
+  list.add({"height", "m", "That the stones are to fill."}, c.height,
+           above(0., 100.));
+  list.add({"elements_around", "-",
+            "Flexible: quads round the tube, about as long as wide."},
+           c.elements_around, between(8, 400));
+  list.add({"freeboard", "m", "Flexible: of the tube above Container/height."},
+           c.freeboard, between(0., 100.));
+  list.add({"pressure", "Pa",
+            "Flexible: on the tube from outside; comes while the plate is "
+            "seated."},
+           c.pressure, between(0., 1e8));
+}
+
+void add_filling(List &list, FillingParameters &f)
+{
+  list.in("Filling");
+  list.add({"gradation", "-",
+            "CSV file diameter_m,passing_1: share of the mass that passes."},
+           f.gradation);
+  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, f.shapes);
+  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, f.seed,
+           between(0, 2147483647));
+  list.add({"density", "kg/m^3",
+            "Asked for: mass of the stones over the volume that they fill."},
+           f.density, above(0., 3e4));
+  list.add({"layers", "-", "Poured and tamped one by one."}, f.layers,
+           between(1, 100));
+  list.add({"solid_fraction", "-", "Of the cloud of a layer that falls in.",
+            "random insertion jams above"},
+           f.solid_fraction, above(0., 0.35));
+  list.add({"friction", "-", "Stone on stone while filling; low is dense."},
+           f.friction, between(0., 10.));
+  list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while filling."},
+           f.local_damping, below(0., 1.));
+  list.add({"tamper_speed", "m/s", "Of the tamper, down and up."},
+           f.tamper_speed, above(0., 10.));
+  list.add({"tamper_pressure", "Pa",
+            "At which the tamper turns back, whatever the density."},
+           f.tamper_pressure, above(0., 1e9));
+  list.add({"max_strokes", "-", "Of the tamper on one layer."}, f.max_strokes,
+           between(1, 1000));
+  list.add({"unbalanced_ratio", "-",
+            "At rest: sum of the resultant forces over the weight."},
+           f.unbalanced_ratio, above(0., 0.1));
+  list.add({"max_time", "s", "The filling fails if a layer takes longer."},
+           f.max_time, above(0., 1e4));
+}
+
+void add_plate(List &list, PlateParameters &p)
+{
+  list.in("Plate");
+  list.add({"mass", "kg",
+            "All that moves with the plate: static load and exciter with its "
+            "eccentric mass. It moves along z only."},
+           p.mass, above(0., 1e7));
+  list.add({"load", "N",
+            "Presses on the plate besides its weight and has no mass: a soft "
+            "spring."},
+           p.load, between(0., 1e9));
+  list.add({"seating_speed", "m/s",
+            "At which the plate is lowered, the slower the more of it the "
+            "stones carry; then it is let go."},
+           p.seating_speed, above(0., 10.));
+  list.add({"seating_time", "s", "Of the free plate, before it vibrates."},
+           p.seating_time, above(0., 1e3));
+}
+
+void add_vibration(List &list, VibrationParameters &v)
+{
+  list.in("Vibration");
+  list.add({"eccentric_mass", "kg",
+            "Turns at frequency: force m e (2 pi f)^2 sin(2 pi f t) along z."},
+           v.eccentric_mass, between(0., 1e6));
+  list.add({"eccentricity", "m", "Of the mass from its axis."}, v.eccentricity,
+           between(0., 10.));
+  list.add({"frequency", "Hz", "Of the exciter."}, v.frequency, above(0., 1e4));
+  list.add({"duration", "s", "Of the vibration."}, v.duration, above(0., 1e6));
+  list.add({"reports", "-",
+            "Times of vibration in seconds, with blanks between: density, "
+            "abrasion and the roundness of every stone are written then."},
+           v.reports);
+  list.add({"rows_per_period", "-", "Rows of history.csv."}, v.rows_per_period,
+           between(1, 1e6));
+  list.add({"frames_per_second", "1/s",
+            "Frames for ParaView; besides first, last and reports."},
+           v.frames_per_second, between(0., 1e5));
+  list.add({"checkpoint_every", "-", "Periods; 0: only at the end."},
+           v.checkpoint_every, between(0, 1e7));
+}
+} // namespace
+
+void add_compaction(List &list, Case &of)
+{
+  add_container(list, of.container);
+  add_filling(list, of.filling);
+  add_plate(list, of.plate);
+  add_vibration(list, of.vibration);
+}
+} // namespace spall

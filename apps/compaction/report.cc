@@ -1,0 +1,135 @@
+// What a vibratory compaction says of itself.
+#include "case/parameter.h"
+#include "compaction/compaction.h"
+
+#include <dem/shape/measures.h>
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace spall
+{
+std::string roundness_table(const dem::Particles &stones)
+{
+  // Unbroken stones of one shape have one roundness, whatever their scale.
+  std::map<const dem::Coefficients *, double> known;
+  std::vector<std::string> rows(stones.size());
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    const dem::Body &body = stones.body[i];
+    double round = 1.;
+    if (body.series)
+    {
+      const auto [entry, is_new] = known.try_emplace(body.series.get(), 0.);
+      if (is_new)
+        entry->second =
+            dem::roundness(*body.series, dem::standard_quadrature());
+      round = entry->second;
+    }
+    std::string &row = rows[static_cast<std::size_t>(stones.id[i])];
+    row = std::to_string(stones.id[i]);
+    for (const double value :
+         {2. * stones.radius(i), stones.mass(i),
+          1. - stones.mass(i) / stones.initial_mass[i], round})
+      row += "," + number_text(value);
+  }
+  std::string text = "id_1,diameter_m,mass_kg,mass_loss_1,roundness_1\n";
+  for (const std::string &row : rows)
+    text += row + "\n";
+  return text;
+}
+
+void Compaction::report(double due)
+{
+  Report report;
+  report.time = vibrated();
+  report.settlement = now.start_height - height();
+  report.density = density();
+  report.abrasion = abrasion_percent();
+  report.roundness = dem::mean_roundness(engine().particles());
+  report.n_events = static_cast<double>(engine().n_events());
+  reports.push_back(report);
+  char name[40];
+  std::snprintf(name, sizeof name, "roundness_%.6gs.csv", due);
+  files.push_back({name, roundness_table(engine().particles())});
+}
+
+std::vector<NamedText> Compaction::take_files()
+{
+  return std::exchange(files, {});
+}
+
+std::vector<Quantity> Compaction::measured() const
+{
+  const dem::ContactNetwork network =
+      dem::contact_network(engine().particles(), engine().pairs());
+  const double dense = density();
+  const bool is_vibrating = now.stage == Stage::vibration;
+  return {{"stage_1", static_cast<double>(now.stage)},
+          {"vibration_s", vibrated()},
+          {"settlement_m", is_vibrating ? now.start_height - height() : 0.},
+          {"density_kg_m3", dense},
+          {"porosity_1", 1. - dense / parameters.stone.density},
+          {"plate_height_m", height()},
+          {"plate_velocity_m_s", plate ? plate->plate().velocity().z() : 0.},
+          {"plate_load_N", plate_plane().force.z()},
+          {"plate_impulse_Ns", now.impulse},
+          {"lift_off_s", now.lift_off},
+          {"n_contacts_1", static_cast<double>(network.n_contacts)},
+          {"coordination_number_1", network.coordination_number},
+          {"mean_contact_force_N", network.mean_force},
+          {"roundness_1", dem::mean_roundness(engine().particles())}};
+}
+
+void Compaction::summarise(nlohmann::ordered_json &summary) const
+{
+  LabTest::summarise(summary);
+  nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+  for (const dem::Pouring::Layer &layer : pouring.layers())
+    layers.push_back({{"mass_kg", layer.mass},
+                      {"height_m", layer.height},
+                      {"density_kg_m3", layer.density},
+                      {"tamper_pressure_Pa", layer.pressure},
+                      {"strokes", layer.strokes},
+                      {"time_s", layer.time}});
+  const double reached =
+      pouring.layers().empty() ? 0. : pouring.layers().back().density;
+  summary["filling"] = {{"density_asked_kg_m3", parameters.filling.density},
+                        {"density_reached_kg_m3", reached},
+                        {"unbalanced_ratio_1", pouring.unbalanced_ratio()},
+                        {"layers", layers}};
+  const VibrationParameters &v = parameters.vibration;
+  const double omega = 2. * std::numbers::pi * v.frequency;
+  summary["static_load_N"] = weight();
+  summary["exciter_force_N"] =
+      v.eccentric_mass * v.eccentricity * omega * omega;
+  summary["seating_settlement_m"] =
+      now.stage == Stage::vibration
+          ? pouring.layers().back().height - now.start_height
+          : 0.;
+  summary["vibration_s"] = vibrated();
+  summary["settlement_m"] =
+      now.stage == Stage::vibration ? now.start_height - height() : 0.;
+  summary["density_kg_m3"] = density();
+  summary["roundness_1"] = dem::mean_roundness(engine().particles());
+  summary["mean_plate_load_N"] =
+      vibrated() > 0. ? now.impulse / vibrated() : 0.;
+  summary["lift_off_s"] = now.lift_off;
+  nlohmann::ordered_json said = nlohmann::ordered_json::array();
+  for (const Report &report : reports)
+    said.push_back({{"vibration_s", report.time},
+                    {"settlement_m", report.settlement},
+                    {"density_kg_m3", report.density},
+                    {"laa_percent", report.abrasion},
+                    {"roundness_1", report.roundness},
+                    {"n_events", report.n_events}});
+  summary["reports"] = said;
+  if (joined)
+    summary["ledger"] = {
+        {"work_residual_1", joined->ledger().work_residual()},
+        {"impulse_residual_1", joined->ledger().impulse_residual()}};
+}
+} // namespace spall

@@ -1,0 +1,235 @@
+#include "compaction/scene.h"
+
+#include "case/file.h"
+#include "case/parameter.h"
+#include "errors.h"
+#include "specimen/gradation.h"
+
+#include <coupling/cell_body.h>
+#include <dem/packing/gradation.h>
+#include <dem/packing/insertion.h>
+#include <fem/drive.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace spall
+{
+namespace
+{
+constexpr double gravity = 9.81; // [m/s^2]
+
+dem::Room room_of(const ContainerParameters &c)
+{
+  return {dem::Vec3::Zero(), c.diameter, c.diameter, true};
+}
+
+/// Largest first.
+std::vector<dem::Body> draw_filling(const Case &parameters,
+                                    const ShapeLibrary &shapes)
+{
+  const FillingParameters &f = parameters.filling;
+  const Gradation gradation = read_gradation(
+      find_path(parameters, "Filling", "gradation", f.gradation));
+  const double volume = f.density / parameters.stone.density *
+                        room_of(parameters.container).section() *
+                        parameters.container.height;
+  dem::Random random(static_cast<std::uint64_t>(f.seed));
+  std::vector<dem::Body> stones = dem::draw_stones(
+      {gradation.diameter, gradation.passing}, volume, shapes, random);
+  if (stones.size() < static_cast<std::size_t>(f.layers))
+    throw InputError(parameters.file +
+                     ": Filling/layers = " + std::to_string(f.layers) +
+                     ": must be at most the number of stones, " +
+                     std::to_string(stones.size()));
+  return stones;
+}
+
+dem::EngineParameters engine_settings(const Case &parameters)
+{
+  dem::EngineParameters settings;
+  settings.stone = parameters.stone;
+  settings.wall = parameters.wall;
+  settings.surface = parameters.lateral() == Lateral::membrane
+                         ? parameters.membrane_contact
+                         : parameters.wall;
+  settings.geometry = parameters.contact;
+  settings.friction_limit = parameters.friction_limit;
+  settings.breakage = parameters.breakage;
+  settings.local_damping = parameters.filling.local_damping;
+  settings.gravity = -gravity * dem::Vec3::UnitZ();
+  return settings;
+}
+
+/// Floor and wall; the ends of the cylinder are out of reach.
+std::unique_ptr<dem::Engine> empty_container(dem::EngineParameters settings,
+                                             const dem::Particles &all,
+                                             double radius)
+{
+  settings.search_margin = 0.25 * all.smallest_radius();
+  auto engine = std::make_unique<dem::Engine>(settings);
+  engine->add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::Drum wall;
+  wall.axis = dem::Vec3::UnitZ();
+  wall.radius = radius;
+  wall.length = 1e3 * radius;
+  engine->set_drum(wall);
+  engine->set_breaking(false);
+  return engine;
+}
+
+void choose_first_step(const Case &parameters, CompactionScene &scene)
+{
+  scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
+  std::optional<fem::Membrane> tube;
+  if (parameters.lateral() == Lateral::membrane)
+    tube.emplace(make_tube(parameters));
+  scene.setup = choose_step(parameters, scene.limit, scene.all.smallest_mass(),
+                            tube ? &*tube : nullptr);
+  if (scene.setup.cap < scene.limit.step)
+    scene.limit = {scene.setup.cap, "exchange with a node of the membrane"};
+}
+} // namespace
+
+CompactionScene make_compaction_scene(const Case &parameters)
+{
+  CompactionScene scene;
+  scene.room = room_of(parameters.container);
+  scene.shapes = load_shapes(parameters, "Filling", parameters.filling.shapes);
+  const std::vector<dem::Body> stones = draw_filling(parameters, scene.shapes);
+  for (const dem::Body &stone : stones)
+  {
+    scene.all.add(stone, dem::Vec3::Zero(), dem::Quaternion::Identity(),
+                  parameters.stone.density);
+    scene.all.is_breakable.back() =
+        stone.series && 2. * dem::mean_radius(stone) >=
+                            parameters.breakage.min_diameter * (1. - 1e-9);
+  }
+  scene.layers = dem::deal_layers(stones, parameters.filling.layers);
+  scene.engine = empty_container(engine_settings(parameters), scene.all,
+                                 0.5 * parameters.container.diameter);
+  choose_first_step(parameters, scene);
+  return scene;
+}
+
+dem::PouringParameters pouring_parameters(const FillingParameters &f)
+{
+  dem::PouringParameters p;
+  p.density = f.density;
+  p.friction = f.friction;
+  p.solid_fraction = f.solid_fraction;
+  p.tamper_speed = f.tamper_speed;
+  p.tamper_pressure = f.tamper_pressure;
+  p.max_strokes = f.max_strokes;
+  p.unbalanced_ratio = f.unbalanced_ratio;
+  p.max_time = f.max_time;
+  return p;
+}
+
+namespace
+{
+/// A cloud of this solid fraction, as wide as the container and as dense as
+/// asked when it has shrunk.
+std::unique_ptr<dem::Engine> shrunk_cloud(const Case &parameters,
+                                          const CompactionScene &scene,
+                                          double solid_fraction)
+{
+  const double dense = parameters.filling.density / parameters.stone.density;
+  const double shrink = std::cbrt(solid_fraction / dense);
+  const double width = scene.room.width_x / shrink;
+  dem::InsertionBox cloud;
+  cloud.lower = {-0.5 * width, -0.5 * width, 0.};
+  cloud.upper = {0.5 * width, 0.5 * width,
+                 parameters.container.height / shrink};
+  cloud.is_round = true;
+  dem::Random random(1);
+  const std::vector<dem::Body> &stones = scene.all.body;
+  const auto places = dem::insert_stones(stones, cloud, random);
+  auto engine = empty_container(engine_settings(parameters), scene.all,
+                                0.5 * scene.room.width_x);
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    engine->add_stone(stones[i], shrink * places[i].position,
+                      places[i].orientation);
+  return engine;
+}
+} // namespace
+
+std::unique_ptr<dem::Engine> packed_engine(const Case &parameters,
+                                           const CompactionScene &scene)
+{
+  constexpr double thinner = 0.8, thinnest = 0.01; // solid fractions [-]
+  for (double fraction = parameters.filling.solid_fraction;;
+       fraction *= thinner)
+    try
+    {
+      return shrunk_cloud(parameters, scene, fraction);
+    }
+    catch (const std::runtime_error &)
+    {
+      if (fraction < thinnest)
+        throw;
+    }
+}
+
+fem::Membrane make_tube(const Case &parameters)
+{
+  const ContainerParameters &c = parameters.container;
+  const double radius =
+      0.5 * c.diameter / std::cos(std::numbers::pi / c.elements_around);
+  const double height = c.height + c.freeboard;
+  const double edge = std::numbers::pi * c.diameter / c.elements_around;
+  const int n_along = std::max(2, static_cast<int>(std::lround(height / edge)));
+  return coupling::tube_between_rims(
+      parameters.membrane,
+      fem::cylinder_side(radius, height, c.elements_around, n_along));
+}
+
+double volume_below(const fem::Membrane &tube, int elements_around,
+                    double height)
+{
+  const auto n = static_cast<std::size_t>(elements_around);
+  const auto nodes = tube.positions();
+  double sum = 0., z_below = 0., area_below = 0.;
+  for (std::size_t ring = 0; ring < nodes.size() / n; ++ring)
+  {
+    double z = 0., area = 0.;
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const dem::Vec3 &a = nodes[ring * n + k],
+                      &b = nodes[ring * n + (k + 1) % n];
+      z += a.z() / elements_around;
+      area += 0.5 * (a.x() * b.y() - b.x() * a.y());
+    }
+    if (ring > 0)
+    {
+      const double top = std::min(z, height);
+      const double share = (top - z_below) / (z - z_below);
+      sum += (top - z_below) * std::lerp(area_below, area, 0.5 * share);
+    }
+    if (z >= height)
+      break;
+    z_below = z;
+    area_below = area;
+  }
+  return sum;
+}
+
+coupling::RigidDrive plate_drive(const PlateParameters &plate,
+                                 const VibrationParameters &v)
+{
+  const fem::Drive weight =
+      fem::Drive::constant(-plate.mass * gravity - plate.load);
+  const fem::Drive exciter = fem::Drive::eccentric_mass(
+      {v.eccentric_mass * v.eccentricity, v.frequency, 0., plate.seating_time});
+  coupling::RigidDrive drive;
+  drive.load = [weight, exciter](double time)
+  {
+    fem::PlateLoad load;
+    load.force.z() = weight(time) + exciter(time);
+    return load;
+  };
+  return drive;
+}
+} // namespace spall

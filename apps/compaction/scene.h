@@ -1,0 +1,46 @@
+#pragma once
+
+#include "specimen/specimen.h"
+
+#include <coupling/rigid_body.h>
+#include <dem/packing/pouring.h>
+#include <fem/surface_mesh.h>
+
+namespace spall
+{
+/// Container and stones of a vibratory compaction before anything is poured.
+struct CompactionScene
+{
+  ShapeLibrary shapes;
+  dem::Room room;
+  std::vector<std::vector<dem::Body>> layers;
+  dem::Particles all; ///< the stones as they will be, nowhere in particular
+  /// A floor, which is plane 0, and an upright cylinder; no stones.
+  std::unique_ptr<dem::Engine> engine;
+  dem::StepLimit limit; ///< for any one stone, and one node of the membrane
+  SetupStep setup;
+};
+
+/// Reads gradation and shapes, draws the stones, chooses the first step.
+/// Throws InputError.
+CompactionScene make_compaction_scene(const Case &parameters);
+
+dem::PouringParameters pouring_parameters(const FillingParameters &filling);
+
+/// All stones in the container, at random and not free of overlap, about as
+/// dense as asked: to measure what a step costs. Throws std::runtime_error.
+std::unique_ptr<dem::Engine> packed_engine(const Case &parameters,
+                                           const CompactionScene &scene);
+
+/// The flexible tube as it is built. Its flat sides touch the cylinder.
+fem::Membrane make_tube(const Case &parameters);
+
+/// Volume of the tube from z = 0 up to a height [m^3].
+double volume_below(const fem::Membrane &tube, int elements_around,
+                    double height);
+
+/// Weight and exciter of the plate, from the time it is let go; it vibrates
+/// after the seating time.
+coupling::RigidDrive plate_drive(const PlateParameters &plate,
+                                 const VibrationParameters &vibration);
+} // namespace spall

@@ -1,0 +1,241 @@
+#include "laboratory/los_angeles.h"
+
+#include "case/file.h"
+#include "case/parameter.h"
+#include "errors.h"
+#include "specimen/gradation.h"
+
+#include <dem/io/binary.h>
+#include <dem/packing/gradation.h>
+#include <dem/packing/insertion.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace spall
+{
+namespace
+{
+constexpr double gravity = 9.81; // [m/s^2]
+constexpr std::uint8_t steel = 1;
+
+double spin_of(const DrumParameters &d)
+{
+  return d.turns_per_minute / 60. * 2. * std::numbers::pi;
+}
+
+/// Stones by the gradation, then the balls; largest first, as they are placed.
+std::vector<dem::Body> make_charge(const Case &parameters,
+                                   const ShapeLibrary &shapes,
+                                   dem::Random &random)
+{
+  const ChargeParameters &c = parameters.charge;
+  const Gradation gradation =
+      read_gradation(find_path(parameters, "Charge", "gradation", c.gradation));
+  std::vector<dem::Body> bodies =
+      dem::draw_stones({gradation.diameter, gradation.passing},
+                       c.mass / parameters.stone.density, shapes, random);
+  if (bodies.empty())
+    throw InputError(parameters.file +
+                     ": Charge/mass = " + number_text(c.mass) +
+                     ": too small for a single stone of the gradation");
+  if (c.balls > 0)
+  {
+    const double volume = c.ball_mass / c.balls / c.steel.density;
+    const dem::Body ball =
+        dem::make_sphere(std::cbrt(0.75 * volume / std::numbers::pi));
+    bodies.insert(bodies.begin(), static_cast<std::size_t>(c.balls), ball);
+  }
+  return bodies;
+}
+
+dem::EngineParameters engine_settings(const Case &parameters)
+{
+  dem::EngineParameters settings;
+  settings.stone = parameters.stone;
+  settings.other_solids = {parameters.charge.steel};
+  settings.wall = settings.surface = parameters.wall;
+  settings.geometry = parameters.contact;
+  settings.friction_limit = parameters.friction_limit;
+  settings.breakage = parameters.breakage;
+  settings.local_damping = parameters.time.local_damping;
+  settings.gravity = -gravity * dem::Vec3::UnitZ();
+  return settings;
+}
+
+/// In a box about the axis that the shelf, which points up, does not reach.
+std::vector<dem::Placement> place_charge(const Case &parameters,
+                                         const std::vector<dem::Body> &bodies,
+                                         dem::Random &random)
+{
+  const DrumParameters &d = parameters.drum;
+  const double half = d.radius / std::numbers::sqrt2;
+  const dem::Vec3 corner(half, 0.5 * d.length, half);
+  try
+  {
+    return dem::insert_stones(
+        bodies, {-corner, corner, parameters.contact.follows_surfaces()},
+        random);
+  }
+  catch (const std::runtime_error &error)
+  {
+    throw InputError(parameters.file + ": " + error.what());
+  }
+}
+} // namespace
+
+/// What the constructor hands on: shapes, and the engine with all in it.
+struct LosAngeles::Scene
+{
+  ShapeLibrary shapes;
+  std::unique_ptr<dem::Engine> engine;
+
+  explicit Scene(const Case &parameters)
+      : shapes(load_shapes(parameters, "Charge", parameters.charge.shapes))
+  {
+    dem::Random random(static_cast<std::uint64_t>(parameters.charge.seed));
+    const std::vector<dem::Body> bodies =
+        make_charge(parameters, shapes, random);
+    const std::vector<dem::Placement> places =
+        place_charge(parameters, bodies, random);
+    dem::EngineParameters settings = engine_settings(parameters);
+    double smallest = bodies[0].inscribed_radius;
+    for (const dem::Body &body : bodies)
+      smallest = std::min(smallest, dem::mean_radius(body));
+    settings.search_margin = 0.25 * smallest;
+    engine = std::make_unique<dem::Engine>(settings);
+    const auto n_balls = static_cast<std::size_t>(parameters.charge.balls);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      engine->add_stone(bodies[i], places[i].position, places[i].orientation,
+                        i < n_balls ? steel : std::uint8_t{0});
+    const DrumParameters &d = parameters.drum;
+    dem::Drum drum;
+    drum.radius = d.radius;
+    drum.length = d.length;
+    drum.shelf_height = d.shelf_height;
+    drum.shelf_thickness = d.shelf_thickness;
+    engine->set_drum(drum);
+    engine->set_breaking(false);
+  }
+};
+
+LosAngeles::LosAngeles(const Case &c) : LosAngeles(c, Scene(c)) {}
+
+LosAngeles::LosAngeles(const Case &c, Scene scene)
+    : LabTest(c, std::move(scene.shapes), std::move(scene.engine)),
+      last_turn(c.drum.turns)
+{
+}
+
+void LosAngeles::stop_after(int turns)
+{
+  last_turn = std::min<double>(turns, parameters.drum.turns);
+}
+
+void LosAngeles::move(double time_step)
+{
+  turns_before = turns();
+  if (!is_turning && engine().time() >= parameters.drum.settling_time)
+  {
+    is_turning = true;
+    start_time = engine().time();
+    engine().drum().spin = spin_of(parameters.drum);
+    engine().set_breaking(parameters.breakage.is_active);
+  }
+  engine().advance(time_step);
+}
+
+double LosAngeles::turns() const
+{
+  return engine().drum().angle / (2. * std::numbers::pi);
+}
+
+double LosAngeles::progress_at(double time) const
+{
+  return is_turning ? std::max(0., time - start_time) *
+                          parameters.drum.turns_per_minute / 60.
+                    : 0.;
+}
+
+double LosAngeles::share_done() const
+{
+  return turns() / last_turn;
+}
+
+double LosAngeles::duration() const
+{
+  return parameters.drum.settling_time +
+         60. * last_turn / parameters.drum.turns_per_minute;
+}
+
+std::string LosAngeles::phase() const
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "turn %.2f", turns());
+  return text;
+}
+
+Due LosAngeles::due() const
+{
+  const auto has_passed = [this](double times_per_turn)
+  {
+    return times_per_turn > 0. && std::floor(turns() * times_per_turn) !=
+                                      std::floor(turns_before * times_per_turn);
+  };
+  const DrumParameters &d = parameters.drum;
+  Due due;
+  due.row = has_passed(d.rows_per_turn);
+  due.frame = has_passed(d.frames_per_turn);
+  due.checkpoint =
+      d.checkpoint_every > 0 && has_passed(1. / d.checkpoint_every);
+  return due;
+}
+
+std::vector<Quantity> LosAngeles::measured() const
+{
+  const dem::ContactNetwork network =
+      dem::contact_network(engine().particles(), engine().pairs());
+  return {{"turn_1", turns()},
+          {"torque_Nm", engine().drum().torque},
+          {"drum_work_J", engine().energy().drum_work},
+          {"n_contacts_1", static_cast<double>(network.n_contacts)},
+          {"mean_contact_force_N", network.mean_force}};
+}
+
+void LosAngeles::summarise(nlohmann::ordered_json &summary) const
+{
+  LabTest::summarise(summary);
+  const dem::Particles &all = engine().particles();
+  double lost = 0., now = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all.material[i] == 0)
+    {
+      now += all.mass(i);
+      lost += all.initial_mass[i] - all.mass(i);
+    }
+  summary["turns_1"] = turns();
+  summary["initial_mass_kg"] = now + lost;
+  summary["lost_mass_kg"] = lost;
+  summary["roundness_1"] = dem::mean_roundness(all);
+}
+
+void LosAngeles::save(std::ostream &out) const
+{
+  LabTest::save(out);
+  dem::write_value(out, start_time);
+  dem::write_value(out, turns_before);
+  dem::write_value(out, is_turning);
+}
+
+void LosAngeles::restore(std::istream &in)
+{
+  LabTest::restore(in);
+  dem::read_value(in, start_time);
+  dem::read_value(in, turns_before);
+  dem::read_value(in, is_turning);
+}
+} // namespace spall

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "laboratory/test.h"
+
+namespace spall
+{
+/// The Los Angeles test: stones and steel balls fall into a drum at rest, then
+/// it turns. Breakage counts from the first turn.
+class LosAngeles : public LabTest
+{
+public:
+  /// Throws InputError.
+  explicit LosAngeles(const Case &parameters);
+
+  double share_done() const override;
+  double duration() const override;
+  std::string phase() const override;
+  Due due() const override;
+  double progress_at(double time) const override; ///< turns [-]
+  const char *progress_column() const override { return "turn_1"; }
+  void summarise(nlohmann::ordered_json &summary) const override;
+  void stop_after(int turns) override;
+  void save(std::ostream &out) const override;
+  void restore(std::istream &in) override;
+
+private:
+  struct Scene;
+  LosAngeles(const Case &parameters, Scene scene);
+  void move(double time_step) override;
+  std::vector<Quantity> measured() const override;
+  double turns() const; ///< so far [-]
+
+  double last_turn = 0.;    ///< of this run [-]
+  double start_time = 0.;   ///< of the first turn [s]
+  double turns_before = 0.; ///< at the last step [-]
+  bool is_turning = false;
+};
+} // namespace spall

@@ -1,0 +1,194 @@
+#include "laboratory/recorder.h"
+
+#include "case/file.h"
+#include "run/checkpoint.h"
+#include "run/event_rows.h"
+#include "run/frames.h"
+#include "run/ledger_rows.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <omp.h>
+
+namespace spall
+{
+namespace
+{
+std::string header_of(const LabTest &test)
+{
+  std::string header;
+  for (const Quantity &one : test.row())
+    header += (header.empty() ? "" : ",") + std::string(one.name);
+  return header;
+}
+
+/// Energy residual over the largest of the terms that it is left of [-].
+double residual_ratio(const LabTest &test)
+{
+  double residual = 0., scale = 0.;
+  for (const Quantity &one : test.row())
+    if (const std::string name = one.name; name == "energy_residual_J")
+      residual = one.value;
+    else if (name == "external_work_J")
+      scale = one.value;
+  return scale != 0. ? std::abs(residual / scale) : 0.;
+}
+} // namespace
+
+LabRecorder::LabRecorder(const Case &c, std::filesystem::path run_folder)
+    : parameters(c), folder(std::move(run_folder)),
+      started(std::chrono::steady_clock::now())
+{
+}
+
+double LabRecorder::elapsed() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                       started)
+      .count();
+}
+
+void LabRecorder::start(LabTest &test)
+{
+  write_text(folder / "case.prm", resolved_case(parameters));
+  history.open(folder / "history.csv", header_of(test));
+  events.open(folder / "events.csv", events_header(test.progress_column()));
+  if (test.has_ledger())
+    ledger.open(folder / "ledger.csv", ledger_header());
+  write_row(test);
+  if (test.engine().particles().size() > 0) // else they are still to be poured
+    write_frame(test);
+}
+
+void LabRecorder::resume(LabTest &test)
+{
+  Progressed done;
+  read_checkpoint(
+      folder / "checkpoint" / "state.bin", parameters,
+      [&test](std::istream &in) { test.restore(in); }, done);
+  write_text(folder / "case.prm", resolved_case(parameters));
+  history.resume(folder / "history.csv", done.history_size);
+  events.resume(folder / "events.csv", done.events_size);
+  if (test.has_ledger())
+    ledger.resume(folder / "ledger.csv", done.ledger_size);
+  frames = done.frames;
+  n_frames = done.n_frames;
+  spent_before = done.spent;
+}
+
+void LabRecorder::after_step(LabTest &test)
+{
+  const Due due = test.due();
+  for (const NamedText &file : test.take_files())
+    write_text(folder / file.name, file.text);
+  if (!due.row && !due.frame && !due.checkpoint)
+    return;
+  const double begun = elapsed();
+  if (due.row)
+    write_row(test);
+  write_events(test);
+  if (due.frame)
+    write_frame(test);
+  if (due.checkpoint)
+    write_checkpoint(test);
+  output_seconds += elapsed() - begun;
+}
+
+void LabRecorder::write_row(const LabTest &test)
+{
+  std::vector<double> row;
+  for (const Quantity &one : test.row())
+    row.push_back(one.value);
+  history.write_row(row);
+  if (test.exchange())
+    ledger.write_row(ledger_row(*test.exchange(), test.engine(),
+                                test.steps_in_move() * test.time_step()));
+}
+
+void LabRecorder::write_events(LabTest &test)
+{
+  for (const dem::BreakageEvent &e : test.take_events())
+    events.write_row(event_row(e, test.progress_at(e.time)));
+}
+
+void LabRecorder::write_frame(const LabTest &test)
+{
+  spall::write_frame(folder, test.engine(), test.frame_parts(), n_frames++,
+                     frames);
+}
+
+std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
+{
+  const dem::EngineClock clock = test.engine().clock();
+  std::map<std::string, double> seconds = {
+      {"contacts", clock.contacts},         {"search", clock.search},
+      {"breakage", clock.breakage},         {"motion", clock.motion},
+      {"step_watch", test.watch_seconds()}, {"output", output_seconds}};
+  if (test.exchange())
+  {
+    const coupling::ExchangeClock around = test.exchange()->clock();
+    seconds["bodies"] = around.bodies;
+    seconds["transfer"] = around.transfer;
+    seconds["repeating"] = around.keeping;
+    seconds["guards"] = around.guards;
+  }
+  double known = 0.;
+  for (const auto &[phase, spent] : seconds)
+    known += spent;
+  seconds["total"] = elapsed();
+  seconds["other"] = std::max(0., seconds["total"] - known);
+  for (const auto &[phase, spent] : spent_before)
+    seconds[phase] += spent;
+  return seconds;
+}
+
+void LabRecorder::write_checkpoint(LabTest &test, const std::string &name)
+{
+  write_events(test);
+  Progressed done;
+  done.history_size = history.flushed_size();
+  done.events_size = events.flushed_size();
+  if (test.has_ledger())
+    done.ledger_size = ledger.flushed_size();
+  done.frames = frames;
+  done.n_frames = n_frames;
+  done.spent = wall_clock(test);
+  spall::write_checkpoint(
+      folder / "checkpoint" / name, parameters,
+      [&test](std::ostream &out) { test.save(out); }, done);
+}
+
+void LabRecorder::finish(LabTest &test)
+{
+  const double begun = elapsed();
+  // Before the frame: a run that goes on has none here.
+  write_checkpoint(test);
+  write_frame(test);
+  output_seconds += elapsed() - begun;
+  nlohmann::ordered_json summary;
+  summary["kind"] = kind_names[static_cast<std::size_t>(parameters.kind)];
+  summary["title"] = parameters.title;
+  summary["is_complete"] = test.share_done() >= 1.;
+  summary["threads"] = omp_get_max_threads();
+  test.summarise(summary);
+  summary["energy_residual_ratio_1"] = residual_ratio(test);
+  if (test.exchange())
+    add_ledger(*test.exchange(), summary);
+  summary["wall_clock_s"] = wall_clock(test);
+  summary["version"] = SPALL_VERSION;
+  write_text(folder / "summary.json", summary.dump(2) + "\n");
+}
+
+std::string LabRecorder::keep_stopped(LabTest &test)
+{
+  write_checkpoint(test, "stopped.bin");
+  return (folder / "checkpoint" / "stopped.bin").string();
+}
+
+std::string LabRecorder::last_checkpoint() const
+{
+  const auto path = folder / "checkpoint" / "state.bin";
+  return std::filesystem::exists(path) ? path.string() : "";
+}
+} // namespace spall

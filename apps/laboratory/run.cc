@@ -1,0 +1,109 @@
+#include "errors.h"
+#include "laboratory/recorder.h"
+#include "run/checkpoint.h"
+#include "run/options.h"
+#include "run/progress.h"
+#include "run/thread_choice.h"
+
+#include <coupling/exchange.h>
+
+#include <cstdio>
+
+namespace spall
+{
+namespace
+{
+void describe(Progress &progress, const LabTest &test)
+{
+  char line[200];
+  const dem::StepLimit &limit = test.step_limit();
+  std::snprintf(line, sizeof line,
+                "%zu bodies, time step %.3g s, at most %.3g s (%s)",
+                test.all_stones().size(), test.time_step(), limit.step,
+                limit.reason.c_str());
+  progress.say(line);
+}
+
+void describe_end(Progress &progress, const LabTest &test)
+{
+  std::string line = test.phase() + ":";
+  for (const Quantity &one : test.row())
+  {
+    char text[80];
+    std::snprintf(text, sizeof text, " %s %.5g", one.name, one.value);
+    line += text;
+  }
+  progress.say(line);
+}
+
+/// Steps until the test is done or a stop is asked for.
+void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
+              ThreadChoice &threads)
+{
+  using Clock = std::chrono::steady_clock;
+  auto since = Clock::now();
+  std::int64_t steps_before = test.engine().n_steps();
+  while (test.share_done() < 1. && !is_stop_asked())
+  {
+    threads.before_step();
+    test.advance();
+    recorder.after_step(test);
+    for (const std::string &note : test.take_notes())
+      progress.say(note);
+    if (test.engine().n_steps() % 64 != 0 || !progress.is_due())
+      continue;
+    const double seconds =
+        std::chrono::duration<double>(Clock::now() - since).count();
+    progress.show(test.phase(), test.share_done(),
+                  static_cast<double>(test.engine().n_steps() - steps_before) /
+                      seconds);
+    since = Clock::now();
+    steps_before = test.engine().n_steps();
+  }
+}
+} // namespace
+
+void run_lab(const RunOptions &options, const Case &parameters)
+{
+  const std::filesystem::path folder = options.out;
+  const std::unique_ptr<LabTest> test = make_lab_test(parameters);
+  if (options.until)
+    test->stop_after(*options.until);
+  if (options.is_resumed)
+    require_checkpoint(folder / "checkpoint" / "state.bin");
+  prepare_run_folder(folder, options.is_resumed);
+  LabRecorder recorder(parameters, folder);
+  Progress progress((folder / "log.txt").string());
+  if (options.is_resumed)
+    recorder.resume(*test);
+  else
+    recorder.start(*test);
+  describe(progress, *test);
+  try
+  {
+    ThreadChoice threads(options.threads.value_or(parameters.threads));
+    run_loop(*test, recorder, progress, threads);
+    recorder.finish(*test);
+  }
+  catch (const coupling::GuardStop &stop)
+  {
+    const std::string now = recorder.keep_stopped(*test),
+                      before = recorder.last_checkpoint();
+    throw RunFailure(
+        std::string(stop.what()) + "; checkpoint of this moment: " + now +
+        "; last one before: " + (before.empty() ? "none" : before));
+  }
+  catch (const std::exception &error)
+  {
+    const std::string checkpoint = recorder.last_checkpoint();
+    throw RunFailure(std::string(error.what()) + "; last checkpoint: " +
+                     (checkpoint.empty() ? "none" : checkpoint));
+  }
+  if (is_stop_asked())
+    throw RunFailure("stopped at step " +
+                     std::to_string(test->engine().n_steps()) +
+                     ", go on with --resume; last checkpoint: " +
+                     recorder.last_checkpoint());
+  describe_end(progress, *test);
+}
+} // namespace spall

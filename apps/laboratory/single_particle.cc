@@ -1,0 +1,187 @@
+#include "laboratory/single_particle.h"
+
+#include "case/file.h"
+#include "shape/file.h"
+
+#include <dem/io/binary.h>
+#include <dem/packing/random.h>
+#include <dem/search/spots.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace spall
+{
+namespace
+{
+constexpr std::size_t lower_platen = 0, upper_platen = 1;
+
+/// The shape of the case, cut at its order; none: a sphere.
+ShapeLibrary load_shape(const Case &parameters)
+{
+  const ParticleParameters &p = parameters.particle;
+  if (p.shape.empty())
+    return {};
+  dem::Coefficients series =
+      read_shape(find_path(parameters, "Particle", "shape", p.shape))
+          .coefficients;
+  const auto kept = static_cast<std::size_t>(dem::n_coefficients(p.order));
+  if (series.size() > kept)
+    series.resize(kept);
+  return {std::make_shared<const dem::Coefficients>(std::move(series))};
+}
+
+dem::Body make_stone(const Case &parameters, const ShapeLibrary &shapes)
+{
+  const double radius = 0.5 * parameters.particle.diameter;
+  return shapes.empty()
+             ? dem::make_sphere(radius)
+             : dem::make_body(
+                   shapes[0], radius,
+                   dem::sphere_rule(parameters.breakage.quadrature_rings));
+}
+
+dem::Quaternion orientation(const ParticleParameters &p)
+{
+  if (p.seed == 0)
+    return dem::Quaternion::FromTwoVectors(
+        dem::Vec3(p.axis_x, p.axis_y, p.axis_z), dem::Vec3::UnitZ());
+  dem::Random random(static_cast<std::uint64_t>(p.seed));
+  return random.rotation();
+}
+
+/// How far the stone reaches along a body direction, as its contacts see it.
+double reach(const dem::Body &body, dem::ContactGeometry geometry,
+             const dem::Vec3 &direction)
+{
+  if (!body.series || geometry == dem::ContactGeometry::ball)
+    return dem::mean_radius(body);
+  if (geometry == dem::ContactGeometry::radial)
+    return body.scale * dem::radius(*body.series, direction);
+  const dem::RadiusMap map(body.series);
+  // Its farthest point is no nearer than the inscribed sphere.
+  return dem::find_supports({body, map}, direction, {body.inscribed_radius, 0.})
+      .at(0)
+      .overlap;
+}
+
+std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
+                                        const ShapeLibrary &shapes)
+{
+  dem::EngineParameters settings;
+  settings.stone = parameters.stone;
+  settings.wall = settings.surface = parameters.wall;
+  settings.geometry = parameters.contact;
+  settings.friction_limit = parameters.friction_limit;
+  settings.breakage = parameters.breakage;
+  settings.local_damping = parameters.time.local_damping;
+  settings.search_margin = 0.1 * parameters.particle.diameter;
+  auto engine = std::make_unique<dem::Engine>(settings);
+  const dem::Body stone = make_stone(parameters, shapes);
+  const dem::Quaternion turned = orientation(parameters.particle);
+  engine->add_stone(stone, dem::Vec3::Zero(), turned);
+  const dem::Vec3 up = turned.conjugate() * dem::Vec3::UnitZ();
+  const dem::ContactGeometry geometry = parameters.contact.wall_geometry;
+  const dem::Vec3 z = dem::Vec3::UnitZ();
+  engine->add_plane(-reach(stone, geometry, -up) * z, z);
+  engine->add_plane(reach(stone, geometry, up) * z, -z);
+  engine->planes()[upper_platen].velocity = -parameters.press.speed * z;
+  return engine;
+}
+} // namespace
+
+SingleParticle::SingleParticle(const Case &c) : SingleParticle(c, load_shape(c))
+{
+}
+
+SingleParticle::SingleParticle(const Case &c, const ShapeLibrary &library)
+    : LabTest(c, library, make_scene(c, library))
+{
+}
+
+void SingleParticle::move(double time_step)
+{
+  displacement_before = progress_at(engine().time());
+  events_before = events_now;
+  engine().advance(time_step);
+  events_now = engine().n_events();
+  peak_force = std::max(peak_force, force());
+}
+
+double SingleParticle::force() const
+{
+  return engine().planes()[upper_platen].force.z();
+}
+
+double SingleParticle::progress_at(double time) const
+{
+  return parameters.press.speed * time;
+}
+
+double SingleParticle::share_done() const
+{
+  return progress_at(engine().time()) / parameters.press.displacement;
+}
+
+double SingleParticle::duration() const
+{
+  return parameters.press.displacement / parameters.press.speed;
+}
+
+std::string SingleParticle::phase() const
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3f mm",
+                1e3 * progress_at(engine().time()));
+  return text;
+}
+
+Due SingleParticle::due() const
+{
+  const double rows = parameters.press.rows;
+  const auto row_of = [&](double displacement)
+  {
+    return std::floor(displacement / parameters.press.displacement * rows +
+                      1e-9);
+  };
+  Due due;
+  due.row = events_now != events_before ||
+            row_of(displacement_before) != row_of(progress_at(engine().time()));
+  return due;
+}
+
+std::vector<Quantity> SingleParticle::measured() const
+{
+  return {{"displacement_m", progress_at(engine().time())},
+          {"force_N", force()},
+          {"lower_force_N", -engine().planes()[lower_platen].force.z()}};
+}
+
+void SingleParticle::summarise(nlohmann::ordered_json &summary) const
+{
+  LabTest::summarise(summary);
+  summary["peak_force_N"] = peak_force;
+  summary["final_force_N"] = force();
+  summary["displacement_m"] = progress_at(engine().time());
+}
+
+void SingleParticle::save(std::ostream &out) const
+{
+  LabTest::save(out);
+  dem::write_value(out, peak_force);
+  dem::write_value(out, displacement_before);
+  dem::write_value(out, events_before);
+  dem::write_value(out, events_now);
+}
+
+void SingleParticle::restore(std::istream &in)
+{
+  LabTest::restore(in);
+  dem::read_value(in, peak_force);
+  dem::read_value(in, displacement_before);
+  dem::read_value(in, events_before);
+  dem::read_value(in, events_now);
+}
+} // namespace spall

@@ -1,0 +1,202 @@
+#include "laboratory/test.h"
+
+#include "case/parameter.h"
+#include "compaction/compaction.h"
+#include "errors.h"
+#include "laboratory/los_angeles.h"
+#include "laboratory/single_particle.h"
+#include "run/contact_places.h"
+#include "subgrade/subgrade.h"
+
+#include <dem/io/binary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+
+namespace spall
+{
+double first_step(const Case &parameters, const dem::StepLimit &limit)
+{
+  if (parameters.time.step != StepRule::fixed)
+    return parameters.time.safety * limit.step;
+  if (parameters.time.fixed_step > limit.step)
+    throw InputError(parameters.file + ": Time/fixed_step = " +
+                     number_text(parameters.time.fixed_step) +
+                     " s: must be at most " + number_text(limit.step) +
+                     " s, set by: " + limit.reason);
+  return parameters.time.fixed_step;
+}
+
+LabTest::LabTest(const Case &c, ShapeLibrary library,
+                 std::unique_ptr<dem::Engine> scene)
+    : parameters(c), shapes(std::move(library)), stones(std::move(scene)),
+      limit(dem::critical_step(stones->parameters(), stones->particles())),
+      watch(c.time, limit.step), step(first_step(c, limit))
+{
+}
+
+LabTest::LabTest(const Case &c, ShapeLibrary library,
+                 std::unique_ptr<dem::Engine> scene,
+                 const dem::StepLimit &its_limit, double its_step)
+    : parameters(c), shapes(std::move(library)), stones(std::move(scene)),
+      limit(its_limit), watch(c.time, limit.step), step(its_step)
+{
+}
+
+void LabTest::advance()
+{
+  if (watch.is_due(engine().n_steps() / steps_in_move()))
+  {
+    watch.look(engine(), surroundings(), step);
+    if (parameters.time.step != StepRule::fixed)
+      step = watch.state().longest;
+  }
+  watch.note_used(step);
+  move(step);
+}
+
+/// The first steps are run to see how fast simulated time goes by.
+void LabTest::print_forecast()
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  constexpr int n_steps = 20000;
+  for (int k = 0; k < n_steps && share_done() < 1.; ++k)
+    advance();
+  const double spent =
+      std::chrono::duration<double>(Clock::now() - start).count();
+  std::printf(
+      "predicted time   %.3g s for %.4g s of the test (the first %.3g s "
+      "took %.3g s)\n",
+      spent * duration() / engine().time(), duration(), engine().time(), spent);
+}
+
+void LabTest::stop_after(int)
+{
+  throw InputError("run: --until: a case of kind " +
+                   kind_names[static_cast<std::size_t>(parameters.kind)] +
+                   " has no turns or cycles");
+}
+
+std::vector<dem::BreakageEvent> LabTest::take_events()
+{
+  auto events = fresh_events();
+  if (first_event_time < 0. && !events.empty())
+  {
+    first_event_time = events[0].time;
+    first_event_force = events[0].force_before;
+  }
+  return events;
+}
+
+double LabTest::abrasion_percent() const
+{
+  const dem::Particles &all = engine().particles();
+  double now = 0., before = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all.material[i] == 0)
+    {
+      now += all.mass(i);
+      before += all.initial_mass[i];
+    }
+  return before > 0. ? 100. * (before - now) / before : 0.;
+}
+
+double LabTest::external_work() const
+{
+  const dem::EngineEnergy energy = engine().energy();
+  return energy.plane_work + energy.drum_work + energy.gravity_work +
+         body_energy().external;
+}
+
+std::vector<Quantity> LabTest::row() const
+{
+  std::vector<Quantity> all = {{"time_s", engine().time()}};
+  for (const Quantity &one : measured())
+    all.push_back(one);
+  const dem::EngineEnergy e = engine().energy();
+  const coupling::BodyEnergy bodies = body_energy();
+  const double work = external_work();
+  const double kinetic = e.kinetic + bodies.kinetic,
+               elastic = e.elastic + bodies.stored,
+               damping = e.damping + bodies.lost;
+  const std::vector<Quantity> common = {
+      {"laa_percent", abrasion_percent()},
+      {"n_events_1", static_cast<double>(engine().n_events())},
+      {"external_work_J", work},
+      {"kinetic_energy_J", kinetic},
+      {"elastic_energy_J", elastic},
+      {"friction_dissipation_J", e.friction},
+      {"rolling_dissipation_J", e.rolling},
+      {"damping_dissipation_J", damping},
+      {"breakage_energy_J", e.breakage},
+      {"shape_work_J", e.shape_work},
+      {"energy_residual_J", work - (kinetic + elastic + e.friction + e.rolling +
+                                    damping + e.breakage + e.shape_work)}};
+  all.insert(all.end(), common.begin(), common.end());
+  return all;
+}
+
+void LabTest::summarise(nlohmann::ordered_json &summary) const
+{
+  const dem::Particles &all = engine().particles();
+  summary["n_stones"] = std::ranges::count(all.material, std::uint8_t{0});
+  summary["n_breakable"] =
+      std::ranges::count(all.is_breakable, std::uint8_t{1});
+  summary["solid_volume_m3"] = solid_volume(all);
+  summary["time_step_s"] = step;
+  const StepRecord &steps = watch.state();
+  if (parameters.time.step == StepRule::fixed)
+    summary["step_over_limit_1"] = steps.worst_share;
+  else
+  {
+    summary["shortest_step_s"] = steps.shortest_used;
+    summary["longest_step_s"] = steps.longest_used;
+  }
+  summary["n_steps"] = engine().n_steps();
+  summary["n_rebuilds"] = engine().n_rebuilds();
+  summary["laa_percent"] = abrasion_percent();
+  summary["n_events"] = engine().n_events();
+  summary["n_refused_events"] = engine().n_refused_events();
+  add_contact_places(engine(), summary);
+  if (first_event_time >= 0.)
+  {
+    summary["first_event_force_N"] = first_event_force;
+    summary[std::string("first_event_") + progress_column()] =
+        progress_at(first_event_time);
+  }
+}
+
+void LabTest::save(std::ostream &out) const
+{
+  dem::write_value(out, step);
+  dem::write_value(out, watch.state());
+  dem::write_value(out, first_event_time);
+  dem::write_value(out, first_event_force);
+  engine().save(out, shapes);
+}
+
+void LabTest::restore(std::istream &in)
+{
+  dem::read_value(in, step);
+  StepRecord record;
+  dem::read_value(in, record);
+  watch.set_state(record);
+  dem::read_value(in, first_event_time);
+  dem::read_value(in, first_event_force);
+  engine().restore(in, shapes);
+}
+
+std::unique_ptr<LabTest> make_lab_test(const Case &parameters)
+{
+  if (parameters.kind == CaseKind::single_particle)
+    return std::make_unique<SingleParticle>(parameters);
+  if (parameters.kind == CaseKind::vibratory_compaction)
+    return std::make_unique<Compaction>(parameters);
+  if (parameters.kind == CaseKind::subgrade)
+    return std::make_unique<Subgrade>(parameters);
+  return std::make_unique<LosAngeles>(parameters);
+}
+} // namespace spall

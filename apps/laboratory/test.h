@@ -1,0 +1,144 @@
+#pragma once
+
+#include "case/case.h"
+#include "run/frames.h"
+#include "run/step_watch.h"
+#include "specimen/specimen.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// What is due after a step.
+struct Due
+{
+  bool row = false, frame = false, checkpoint = false;
+};
+
+/// One column of history.csv with its value in this row.
+struct Quantity
+{
+  const char *name; ///< name_unit
+  double value = 0.;
+};
+
+/// A file that a test writes besides those of every run.
+struct NamedText
+{
+  std::string name, text;
+};
+
+/// A test that is run step by step: what all kinds but the triaxial test have
+/// in common.
+class LabTest
+{
+public:
+  virtual ~LabTest() = default;
+  LabTest(const LabTest &) = delete;
+  LabTest &operator=(const LabTest &) = delete;
+
+  /// One step.
+  void advance();
+  /// Share of the whole test that is done; 1: it is over [-].
+  virtual double share_done() const = 0;
+  /// Of the whole test [s].
+  virtual double duration() const = 0;
+  /// Where it is, in a few words.
+  virtual std::string phase() const = 0;
+  virtual Due due() const = 0;
+
+  /// How far the test was at a time, in the unit of its column of events.csv.
+  virtual double progress_at(double time) const = 0;
+  virtual const char *progress_column() const = 0;
+
+  /// Whether bodies are joined to the stones at some time of the test, and
+  /// their exchange once they are.
+  virtual bool has_ledger() const { return false; }
+  virtual const coupling::Exchange *exchange() const { return nullptr; }
+  /// Of a test with an exchange; else null.
+  virtual const SetupStep *setup_step() const { return nullptr; }
+  virtual FrameParts frame_parts() const { return {nullptr, true}; }
+  /// Since the last call.
+  virtual std::vector<NamedText> take_files() { return {}; }
+  /// All stones that the test will have; only what does not move counts.
+  virtual const dem::Particles &all_stones() const
+  {
+    return engine().particles();
+  }
+  /// Prints what `spall check` says besides stones, step and memory: how long
+  /// it will take.
+  virtual void print_forecast();
+
+  /// The row of history.csv now: what the test measures, then counts and
+  /// energies.
+  std::vector<Quantity> row() const;
+  /// Adds what summary.json says of this test.
+  virtual void summarise(nlohmann::ordered_json &summary) const;
+  /// Ends after so many turns, whatever the case says. Throws InputError for a
+  /// test that has none.
+  virtual void stop_after(int turns);
+
+  virtual void save(std::ostream &out) const; ///< full state, bit for bit
+  /// Continues a saved test of the same case; throws std::runtime_error.
+  virtual void restore(std::istream &in);
+
+  /// Breakage events since the last call.
+  std::vector<dem::BreakageEvent> take_events();
+  const dem::Engine &engine() const { return *stones; }
+  dem::Engine &engine() { return *stones; }
+  virtual int steps_in_move() const { return 1; } ///< of the stones
+  double time_step() const { return step; }       ///< last or next one [s]
+  const dem::StepLimit &step_limit() const { return limit; } ///< at setup
+  /// Lines for the log since the last call.
+  std::vector<std::string> take_notes() { return watch.take_notes(); }
+  double watch_seconds() const { return watch.seconds(); }
+  /// Abrasion of the stones, those of other materials left out [%].
+  double abrasion_percent() const;
+
+protected:
+  /// Takes the scene; the engine has all its stones.
+  LabTest(const Case &parameters, ShapeLibrary shapes,
+          std::unique_ptr<dem::Engine> scene);
+  /// Of a scene that does not have all its stones yet: the longest step of any
+  /// of them, and the first one [s].
+  LabTest(const Case &parameters, ShapeLibrary shapes,
+          std::unique_ptr<dem::Engine> scene, const dem::StepLimit &limit,
+          double first_step);
+
+  /// The boundaries take their speed and the engine a step, or
+  /// steps_in_move() of them.
+  virtual void move(double time_step) = 0;
+  virtual std::vector<Quantity> measured() const = 0;
+  /// Done by gravity and by what is outside on the stones and bodies [J].
+  virtual double external_work() const;
+  /// Of the bodies that are joined to the stones.
+  virtual coupling::BodyEnergy body_energy() const { return {}; }
+  virtual Surroundings surroundings() const { return {}; }
+  virtual std::vector<dem::BreakageEvent> fresh_events()
+  {
+    return engine().take_events();
+  }
+
+  Case parameters;
+  ShapeLibrary shapes;
+
+private:
+  std::unique_ptr<dem::Engine> stones;
+  dem::StepLimit limit;
+  StepWatch watch;
+  double step = 0.;                                      ///< [s]
+  double first_event_time = -1., first_event_force = 0.; ///< [s], [N]
+};
+
+/// The fixed step, or the longest for the lightest stone on one wall. Throws
+/// InputError if the fixed one is longer.
+double first_step(const Case &parameters, const dem::StepLimit &limit);
+
+/// The scene of any case but a dynamic_triaxial one. Throws InputError.
+std::unique_ptr<LabTest> make_lab_test(const Case &parameters);
+} // namespace spall

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "case/case.h"
+#include "run/sample.h"
+
+#include <dem/io/vtk_output.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace spall
+{
+/// What the files of a run had come to at a checkpoint.
+struct Progressed
+{
+  std::uint64_t history_size = 0, events_size = 0, ledger_size = 0; ///< bytes
+  int n_frames = 0;
+  std::vector<dem::FrameEntry> frames;
+  double roundness = 0.;
+  double worst_gain = 0., peak_axial_stress = 0.;
+  Sample loading_start, last;          ///< rows of the history
+  std::map<std::string, double> spent; ///< wall-clock by phase [s]
+};
+
+/// Writes the whole state (`save` that of the test), or leaves the last
+/// checkpoint as it was. Throws RunFailure.
+void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
+                      const std::function<void(std::ostream &)> &save,
+                      const Progressed &done);
+
+/// Throws InputError if there is no checkpoint at this path.
+void require_checkpoint(const std::filesystem::path &path);
+
+/// Brings test and files back. Throws InputError if there is no checkpoint, it
+/// is damaged, or it belongs to a case with other parameters (number of cycles
+/// or turns, length of the vibration, limits that stop a run, output and
+/// threads may differ; of a triaxial test the choice of the step, at the end of
+/// a cycle).
+void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
+                     const std::function<void(std::istream &)> &restore,
+                     Progressed &done);
+} // namespace spall

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "case/case.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// A CSV file of a run that can be cut back to what a checkpoint knew.
+class CsvFile
+{
+public:
+  /// Starts the file with its header line, or goes on behind `size` bytes.
+  /// Throws RunFailure if it cannot be written.
+  void open(const std::filesystem::path &path, const std::string &header);
+  void resume(const std::filesystem::path &path, std::uint64_t size);
+
+  void write_row(const std::vector<double> &values);
+  /// Bytes on disk, everything flushed.
+  std::uint64_t flushed_size();
+
+private:
+  std::ofstream stream;
+  std::filesystem::path name;
+};
+
+/// Makes the folder of a run and its subfolders frames/ and checkpoint/.
+/// Without `is_resumed`, results of an earlier run in it are removed. Throws
+/// InputError if the path is a file or holds other things than a run.
+void prepare_run_folder(const std::filesystem::path &folder, bool is_resumed);
+
+/// Writes a text file whole or not at all. Throws RunFailure.
+void write_text(const std::filesystem::path &path, const std::string &text);
+} // namespace spall

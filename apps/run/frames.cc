@@ -1,0 +1,105 @@
+#include "run/frames.h"
+
+#include <dem/boundary/drum_contacts.h>
+
+#include <cstdio>
+#include <string>
+
+namespace spall
+{
+namespace
+{
+/// Where contact k ends: the centre of stone B, or the point on the wall.
+dem::Vec3 end_of(const dem::Engine &engine, const dem::ContactBatch &batch,
+                 std::size_t k, dem::ContactKind kind)
+{
+  const dem::Particles &stones = engine.particles();
+  const auto b = static_cast<std::size_t>(batch.b[k]);
+  if (kind == dem::ContactKind::stone_stone)
+    return stones.position(b);
+  const dem::Vec3 &from = stones.position(static_cast<std::size_t>(batch.a[k]));
+  if (&batch == &engine.on_drum())
+  {
+    const dem::DrumPoint at =
+        dem::nearest_on_drum(engine.drum(), dem::drum_part(batch, k), from);
+    return at.point;
+  }
+  if (kind == dem::ContactKind::stone_plane)
+  {
+    const dem::Plane &plane = engine.planes()[b];
+    return from - (from - plane.point).dot(plane.normal) * plane.normal;
+  }
+  for (const dem::SurfaceContacts &facets : engine.surfaces())
+    if (&batch == &facets.batch)
+      return facets.point_of(k);
+  return from;
+}
+
+std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
+{
+  std::vector<dem::ContactLine> lines;
+  const auto add = [&](const dem::ContactBatch &batch, dem::ContactKind kind)
+  {
+    for (std::size_t k = 0; k < batch.size(); ++k)
+    {
+      if (!batch.is_touching(k))
+        continue;
+      const dem::Vec3 &from =
+          engine.particles().position(static_cast<std::size_t>(batch.a[k]));
+      const dem::Vec3 to = end_of(engine, batch, k, kind);
+      const dem::Vec3 n = (to - from).normalized();
+      const dem::Vec3 force =
+          kind == dem::ContactKind::stone_stone
+              ? dem::pair_force(engine.particles(), batch, k)
+              : batch.load[k].force;
+      lines.push_back({from, to, -force.dot(n),
+                       (force - force.dot(n) * n).norm(), batch.overlap[k],
+                       kind});
+    }
+  };
+  add(engine.pairs(), dem::ContactKind::stone_stone);
+  add(engine.on_planes(), dem::ContactKind::stone_plane);
+  add(engine.on_drum(), dem::ContactKind::stone_plane);
+  for (const dem::SurfaceContacts &facets : engine.surfaces())
+    add(facets.batch, dem::ContactKind::stone_facet);
+  return lines;
+}
+} // namespace
+
+void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
+                 const FrameParts &parts, int number,
+                 std::vector<dem::FrameEntry> &entries)
+{
+  const dem::Particles &stones = engine.particles();
+  std::vector<double> loss(stones.size());
+  for (std::size_t i = 0; i < loss.size(); ++i)
+    loss[i] = 1. - stones.mass(i) / stones.initial_mass[i];
+  using dem::StoneState;
+  const auto position = stones.column(&StoneState::position),
+             velocity = stones.column(&StoneState::velocity),
+             spin = stones.column(&StoneState::spin);
+  const auto orientation = stones.column(&StoneState::orientation);
+  const auto radius = stones.column(&StoneState::radius),
+             mass = stones.column(&StoneState::mass);
+  const dem::ParticleColumns columns{stones.id, position,    velocity,
+                                     spin,      orientation, stones.body,
+                                     radius,    mass,        loss};
+  const auto add = [&](int part, const char *label)
+  {
+    char name[64];
+    std::snprintf(name, sizeof name, "frames/%s_%05d.vtu", label, number);
+    entries.push_back({engine.time(), part, name});
+    return (folder / name).string();
+  };
+  dem::write_particles(add(0, "particles"), columns);
+  dem::write_contacts(add(1, "contacts"), contact_lines(engine));
+  if (parts.membrane)
+    parts.membrane->write_vtu(add(2, "membrane"));
+  if (parts.has_surfaces)
+    dem::write_surfaces(add(3, "surfaces"), columns);
+  int part = 4;
+  for (const FrameBody &body : parts.bodies)
+    body.write(add(part++, body.name));
+  dem::write_collection((folder / "run.pvd").string(), entries);
+}
+} // namespace spall

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <dem/engine.h>
+#include <dem/io/vtk_output.h>
+#include <fem/membrane.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// A body of its own file NAME_NNNNN.vtu.
+struct FrameBody
+{
+  const char *name;
+  std::function<void(const std::string &path)> write;
+};
+
+/// What a frame shows besides balls and contacts.
+struct FrameParts
+{
+  const fem::Membrane *membrane = nullptr; ///< null: none
+  bool has_surfaces = false;               ///< true surfaces of the stones
+  std::vector<FrameBody> bodies = {};
+};
+
+/// Writes frames/*_NNNNN.vtu of a run folder and run.pvd with all `entries`,
+/// to which the new ones are added.
+void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
+                 const FrameParts &parts, int number,
+                 std::vector<dem::FrameEntry> &entries);
+} // namespace spall

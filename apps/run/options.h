@@ -1,0 +1,26 @@
+#pragma once
+
+#include "case/file.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// What `spall run` is told.
+struct RunOptions
+{
+  std::string case_file, out; ///< out: the run folder
+  std::vector<Override> overrides;
+  std::optional<int> threads, until; ///< until: cycles or turns
+  bool is_resumed = false;
+};
+
+/// Whether the user asked to stop (SIGINT, SIGTERM).
+bool is_stop_asked();
+
+/// Runs a case of its kind into its folder. Throws InputError or RunFailure.
+void run_triaxial(const RunOptions &options, const Case &parameters);
+void run_lab(const RunOptions &options, const Case &parameters);
+} // namespace spall

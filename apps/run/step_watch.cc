@@ -1,0 +1,165 @@
+#include "run/step_watch.h"
+
+#include "errors.h"
+
+#include <dem/integrate/contact_springs.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace spall
+{
+namespace
+{
+/// Steps between two looks.
+constexpr std::int64_t look_interval = 200, fixed_interval = 1000;
+/// Looks between two questions for the frequency of the membrane.
+constexpr std::int64_t membrane_interval = 15;
+/// The frequency of the membrane may have grown by this since [-].
+constexpr double membrane_headroom = 1.02;
+constexpr double growth = 1.1; // of the step from look to look [-]
+/// A step that has changed by this factor is worth a line [-].
+constexpr double noticeable = 1.25;
+
+std::string line(const char *format, double a, double b, double c,
+                 const std::string &reason)
+{
+  char text[160];
+  std::snprintf(text, sizeof text, format, a, b, c);
+  return text + reason;
+}
+} // namespace
+
+StepWatch::StepWatch(const TimeParameters &time, double cap_of_step)
+    : parameters(time), cap(cap_of_step)
+{
+  record.longest = time.safety * cap;
+}
+
+bool StepWatch::is_due(std::int64_t n_steps) const
+{
+  const bool is_fixed = parameters.step == StepRule::fixed;
+  return n_steps % (is_fixed ? fixed_interval : look_interval) == 0;
+}
+
+dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
+                                      const Surroundings &around,
+                                      double horizon)
+{
+  if (!around.has_membrane())
+    return dem::contact_springs(engine, horizon);
+  dem::SpringNetwork network = around.exchange->springs(engine, horizon);
+  if (around.exchange->rule() != coupling::ExchangeRule::every_step)
+    return network;
+  if (record.membrane_step == 0. || record.n_checks % membrane_interval == 0)
+    record.membrane_step = around.membrane->stable_time_step();
+  network.point_frequency = membrane_headroom * 2. / record.membrane_step;
+  return network;
+}
+
+void StepWatch::look(const dem::Engine &engine, const Surroundings &around,
+                     double present_step)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const bool is_fixed = parameters.step == StepRule::fixed;
+  // What the stones may reach before the next look.
+  const double horizon =
+      is_fixed ? 0. : static_cast<double>(look_interval) * present_step;
+  const dem::SpringNetwork network = springs(engine, around, horizon);
+  ++record.n_checks;
+  dem::NetworkStep bound = dem::guaranteed_step(network);
+  bound.step = std::min(bound.step, gain_step(engine, around, present_step));
+  if (is_fixed)
+    judge_fixed(network, bound, present_step);
+  else
+    allow(network, bound, engine.time());
+  spent +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+}
+
+double StepWatch::gain_step(const dem::Engine &engine,
+                            const Surroundings &around, double step)
+{
+  if (!around.has_membrane() ||
+      around.exchange->rule() != coupling::ExchangeRule::one_pass)
+    return std::numeric_limits<double>::infinity();
+  const double gain = around.exchange->gain(engine, around.stone_steps * step);
+  const double limit = around.gain.one_pass_limit;
+  if (gain > 1.)
+    throw RunFailure(line("exchange gain %.3g at %.5f s, above 1 with "
+                          "Coupling/exchange = one_pass (limit %.3g)",
+                          gain, engine.time(), limit,
+                          ": use iterated, or shorter windows"));
+  if (gain > limit && gain > 1.1 * record.worst_gain)
+    say(line("warning: exchange gain %.3g at %.5f s, one pass is stable below "
+             "%.3g",
+             gain, engine.time(), limit, ""));
+  record.worst_gain = std::max(record.worst_gain, gain);
+  return gain > 0. ? step * std::sqrt(limit / gain)
+                   : std::numeric_limits<double>::infinity();
+}
+
+void StepWatch::report(const dem::Engine &engine, const Surroundings &around)
+{
+  const dem::SpringNetwork network = springs(engine, around, 0.);
+  const dem::NetworkStep bound = dem::guaranteed_step(network);
+  say(line("%.0f contacts: stable up to %.3g s for sure, unstable above %.3g "
+           "s: ",
+           static_cast<double>(network.n_contacts()), bound.step,
+           dem::sharp_step(network), dem::describe_body(network, bound.body)));
+}
+
+void StepWatch::judge_fixed(const dem::SpringNetwork &network,
+                            const dem::NetworkStep &bound, double step)
+{
+  record.limit = bound.step;
+  if (step <= bound.step)
+  {
+    record.worst_share = std::max(record.worst_share, step / bound.step);
+    return;
+  }
+  record.limit = dem::sharp_step(network);
+  const double share = step / record.limit, before = record.worst_share;
+  record.worst_share = std::max(before, share);
+  if (share > 1. && share > 1.1 * before)
+    say(line("warning: Time/fixed_step = %.3g s is %.3g times the %.3g s that "
+             "the contacts allow: ",
+             step, share, record.limit,
+             dem::describe_body(network, bound.body) + ": use Time/step"
+                                                       " = stable"));
+}
+
+void StepWatch::allow(const dem::SpringNetwork &network,
+                      const dem::NetworkStep &bound, double time)
+{
+  record.limit = std::min(cap, bound.step);
+  const double safe = parameters.safety * record.limit;
+  record.longest = std::min(safe, growth * record.longest);
+  const double change = record.longest / std::max(record.said, 1e-300);
+  if (change < noticeable && change > 1. / noticeable)
+    return;
+  record.said = record.longest;
+  say(line("%.5f s: steps of up to %.3g s, limit %.3g s: ", time,
+           record.longest, record.limit,
+           bound.step < cap ? dem::describe_body(network, bound.body)
+                            : "any stone on one wall or membrane node"));
+}
+
+void StepWatch::note_used(double step)
+{
+  if (record.shortest_used == 0.)
+    record.shortest_used = step;
+  record.shortest_used = std::min(record.shortest_used, step);
+  record.longest_used = std::max(record.longest_used, step);
+}
+
+std::vector<std::string> StepWatch::take_notes()
+{
+  return std::exchange(notes, {});
+}
+} // namespace spall

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "case/case.h"
+
+#include <coupling/exchange.h>
+#include <coupling/gain.h>
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// What the watch has seen; plain data for the checkpoint.
+struct StepRecord
+{
+  std::int64_t n_checks = 0;
+  double limit = 0.;         ///< allowed by contacts and walls, last asked [s]
+  double longest = 0.;       ///< step that may be taken, safety applied [s]
+  double membrane_step = 0.; ///< of the membrane alone, last asked; 0: none [s]
+  double said = 0.;          ///< step of the last line in the log [s]
+  double worst_share = 0.;   ///< largest fixed step over limit [-]
+  double worst_gain = 0.;    ///< of the windows of one pass [-]
+  double shortest_used = 0., longest_used = 0.; ///< while loading [s]
+};
+
+/// What moves around the stones.
+struct Surroundings
+{
+  const coupling::Exchange *exchange = nullptr; ///< null: planes only
+  const coupling::Body *membrane = nullptr;     ///< the body that has it
+  coupling::WindowGain gain; ///< at setup, for the limit of one pass
+  int stone_steps = 1;       ///< of a window
+
+  bool has_membrane() const { return membrane != nullptr; }
+};
+
+/// Looks at the contacts that exist and says how long a step may be.
+class StepWatch
+{
+public:
+  /// `cap`: longest step for any single stone that meets a wall, and for one
+  /// contact on a membrane node [s].
+  StepWatch(const TimeParameters &parameters, double cap);
+
+  /// Whether a look is due before this step of the engine.
+  bool is_due(std::int64_t n_steps) const;
+  /// Looks. With the rules stable and error, `longest` is then at most safety
+  /// times the limit, and grows by no more than a tenth at a time. With
+  /// the rule fixed a step above the limit is said in the log.
+  void look(const dem::Engine &engine, const Surroundings &around,
+            double present_step);
+  /// Says what the present contacts allow: bound, sharp limit, which stone.
+  void report(const dem::Engine &engine, const Surroundings &around);
+  /// The membrane has come or gone: its frequency is asked again.
+  void forget_membrane() { record.membrane_step = 0.; }
+
+  void note_used(double step);
+  /// A line for the log.
+  void say(const std::string &line) { notes.push_back(line); }
+  /// Lines since the last call.
+  std::vector<std::string> take_notes();
+
+  double seconds() const { return spent; } ///< wall-clock [s]
+  const StepRecord &state() const { return record; }
+  void set_state(const StepRecord &state) { record = state; }
+
+private:
+  /// Springs of the contacts, and of the membrane as it was last asked.
+  dem::SpringNetwork springs(const dem::Engine &engine,
+                             const Surroundings &around, double horizon);
+  /// Step that the gain of one pass allows [s]; throws RunFailure above 1.
+  double gain_step(const dem::Engine &engine, const Surroundings &around,
+                   double step);
+  void judge_fixed(const dem::SpringNetwork &network,
+                   const dem::NetworkStep &bound, double step);
+  void allow(const dem::SpringNetwork &network, const dem::NetworkStep &bound,
+             double time);
+
+  TimeParameters parameters;
+  double cap;
+  StepRecord record;
+  std::vector<std::string> notes;
+  double spent = 0.;
+};
+} // namespace spall

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "commands/commands.h"
+
+#include <dem/shape/fit.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// What `spall shape` was told; options that were not given have their default.
+struct ShapeWords
+{
+  std::vector<std::string> inputs; ///< mesh, shape file or folders of shapes
+  std::string out, json;
+  std::string source, licence;
+  std::string unit = "m"; ///< of a mesh
+  int order = 20;
+  dem::FitOptions fit;
+  int count = 0; ///< stones to generate [-]
+  std::uint64_t seed = 0;
+  bool has_order = false, has_unit = false, has_fit = false, has_seed = false;
+};
+
+/// Throws InputError with one line: the option, its value, what is allowed.
+ShapeWords parse_shape_words(Words words);
+
+/// Throws InputError: what was wrong, then how the command is used.
+[[noreturn]] void fail_shape_usage(const std::string &what = "");
+} // namespace spall

@@ -1,0 +1,230 @@
+#include "specimen/specimen.h"
+
+#include "case/file.h"
+#include "errors.h"
+#include "shape/file.h"
+#include "specimen/gradation.h"
+
+#include <dem/packing/gradation.h>
+#include <dem/packing/insertion.h>
+#include <fem/membrane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace spall
+{
+namespace
+{
+std::string in_four_digits(double value)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+} // namespace
+
+ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
+                         const std::string &folder)
+{
+  ShapeLibrary library;
+  if (!folder.empty())
+    for (const ShapeFile &shape :
+         read_shapes(find_path(parameters, section, "shapes", folder)))
+      library.push_back(
+          std::make_shared<const dem::Coefficients>(shape.coefficients));
+  return library;
+}
+
+dem::EngineParameters engine_parameters(const Case &parameters)
+{
+  dem::EngineParameters engine;
+  engine.stone = parameters.stone;
+  engine.stone.friction = parameters.preparation.friction;
+  engine.wall = parameters.wall;
+  engine.surface = parameters.boundary.lateral == Lateral::membrane
+                       ? parameters.membrane_contact
+                       : parameters.wall;
+  engine.geometry = parameters.contact;
+  engine.friction_limit = parameters.friction_limit;
+  engine.breakage = parameters.breakage;
+  engine.local_damping = parameters.preparation.local_damping;
+  return engine;
+}
+
+double solid_volume(const dem::Particles &particles)
+{
+  double sum = 0.;
+  for (const dem::Body &body : particles.body)
+    sum += body.volume;
+  return sum;
+}
+
+Specimen make_specimen(const Case &parameters)
+{
+  const SpecimenParameters &s = parameters.specimen;
+  const Gradation gradation = read_gradation(
+      find_path(parameters, "Specimen", "gradation", s.gradation));
+  Specimen specimen;
+  specimen.shapes = load_shapes(parameters, "Specimen", s.shapes);
+  dem::Random random(static_cast<std::uint64_t>(s.seed));
+  const std::vector<dem::Body> stones = dem::draw_stones(
+      {gradation.diameter, gradation.passing},
+      s.solid_fraction * s.side * s.side * s.side, specimen.shapes, random);
+  if (stones.empty())
+    throw InputError(parameters.file +
+                     ": Specimen/side = " + std::to_string(s.side) +
+                     ": too small for a single stone of the gradation");
+  double volume = 0., smallest = stones.front().inscribed_radius;
+  for (const dem::Body &stone : stones)
+  {
+    volume += stone.volume;
+    smallest = std::min(smallest, dem::mean_radius(stone));
+  }
+  const dem::Vec3 lower = dem::Vec3::Zero(),
+                  upper = dem::Vec3::Constant(
+                      std::cbrt(volume / s.initial_solid_fraction));
+  const bool sees_surfaces = parameters.contact.follows_surfaces();
+  std::vector<dem::Placement> places;
+  try
+  {
+    places = dem::insert_stones(stones, {lower, upper, sees_surfaces}, random);
+  }
+  catch (const std::runtime_error &error)
+  {
+    throw InputError(parameters.file + ": " + error.what());
+  }
+  dem::EngineParameters engine = engine_parameters(parameters);
+  engine.search_margin = 0.25 * smallest;
+  specimen.engine = std::make_unique<dem::Engine>(engine);
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    specimen.engine->add_stone(stones[i], places[i].position,
+                               places[i].orientation);
+  specimen.box = dem::add_box(*specimen.engine, lower, upper);
+  return specimen;
+}
+
+namespace
+{
+/// What the exchange is asked about: the heaviest pair on the lightest node.
+struct MembraneNode
+{
+  coupling::ExchangeContact contact;
+  double mass = 0.;          ///< lightest that moves [kg]
+  double membrane_step = 0.; ///< longest of the membrane alone [s]
+};
+
+MembraneNode lightest_node(const Case &parameters, double lightest_stone,
+                           const fem::Membrane &membrane)
+{
+  // All nodes but those of the two rims move; the rims are the lightest.
+  const auto mass = membrane.nodal_mass();
+  const dem::WallMaterial &contact = parameters.membrane_contact;
+  return {{contact.normal_stiffness, contact.normal_damping, lightest_stone},
+          *std::max_element(mass.begin(), mass.end()),
+          membrane.stable_time_step()};
+}
+
+void check_fixed(const Case &parameters, const dem::StepLimit &limit)
+{
+  if (parameters.time.fixed_step > limit.step)
+    throw InputError(parameters.file + ": Time/fixed_step = " +
+                     in_four_digits(parameters.time.fixed_step) +
+                     " s: must be at most " + in_four_digits(limit.step) +
+                     " s, set by: " + limit.reason);
+}
+
+void check_gain(const Case &parameters, const coupling::ExchangeGain &gain)
+{
+  if (gain.gain >= gain.limit)
+    throw InputError(
+        parameters.file + ": MembraneContact/normal_stiffness = " +
+        in_four_digits(parameters.membrane_contact.normal_stiffness) +
+        " N/m: exchange gain k dt^2/(4 m) = " + in_four_digits(gain.gain) +
+        " must be below " + in_four_digits(gain.limit) +
+        ": soften the contact, shorten the step, use a heavier membrane or "
+        "Coupling/exchange = iterated");
+}
+
+void check_membrane_step(const Case &parameters, const SetupStep &setup)
+{
+  const CouplingParameters &c = parameters.coupling;
+  const double own = c.rules.stone_steps * setup.step / c.body_steps;
+  if (!c.is_body_implicit && own > setup.membrane_step)
+    throw InputError(parameters.file +
+                     ": Coupling/body_steps = " + std::to_string(c.body_steps) +
+                     ": explicit steps of the membrane of " +
+                     in_four_digits(own) + " s must be at most " +
+                     in_four_digits(setup.membrane_step) +
+                     " s: take more of them, or body_time = implicit");
+}
+
+/// Gains at this step, and what a pass can stand of them.
+void add_gains(const Case &parameters, const MembraneNode &node,
+               SetupStep &setup)
+{
+  const coupling::ExchangeParameters rules =
+      parameters.coupling.exchange_rules(parameters.lateral());
+  setup.membrane_step = node.membrane_step;
+  setup.window = coupling::window_gain(node.contact, node.mass,
+                                       rules.stone_steps * setup.step);
+  if (rules.rule == coupling::ExchangeRule::every_step)
+    setup.gain = coupling::exchange_gain(node.contact, {&node.mass, 1},
+                                         node.membrane_step, setup.step);
+  else
+    setup.gain = {setup.window.gain,
+                  rules.rule == coupling::ExchangeRule::one_pass
+                      ? setup.window.one_pass_limit
+                      : std::numeric_limits<double>::infinity()};
+}
+} // namespace
+
+SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
+                      double lightest, const fem::Membrane *membrane)
+{
+  const bool is_fixed = parameters.time.step == StepRule::fixed;
+  SetupStep setup;
+  setup.cap = limit.step;
+  if (is_fixed)
+  {
+    check_fixed(parameters, limit);
+    setup.step = parameters.time.fixed_step;
+  }
+  else
+    setup.step = parameters.time.safety * setup.cap;
+  if (!membrane)
+    return setup;
+  const MembraneNode node = lightest_node(parameters, lightest, *membrane);
+  add_gains(parameters, node, setup);
+  if (is_fixed)
+    check_gain(parameters, *setup.gain);
+  else if (setup.gain->gain > 0.)
+  {
+    // The gain goes with the square of the step.
+    setup.cap = std::min(setup.cap, setup.step * std::sqrt(setup.gain->limit /
+                                                           setup.gain->gain));
+    setup.step = parameters.time.safety * setup.cap;
+    add_gains(parameters, node, setup);
+  }
+  check_membrane_step(parameters, setup);
+  return setup;
+}
+
+SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
+{
+  std::optional<fem::Membrane> membrane;
+  const int n = parameters.boundary.elements_per_side;
+  if (parameters.boundary.lateral == Lateral::membrane)
+    membrane.emplace(
+        parameters.membrane,
+        fem::box_sides(dem::Vec3::Zero(),
+                       dem::Vec3::Constant(parameters.specimen.side),
+                       {n, n, n}));
+  return choose_step(
+      parameters, dem::critical_step(engine.parameters(), engine.particles()),
+      engine.particles().smallest_mass(), membrane ? &*membrane : nullptr);
+}
+} // namespace spall

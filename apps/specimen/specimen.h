@@ -1,0 +1,61 @@
+#pragma once
+
+#include "case/case.h"
+
+#include <coupling/gain.h>
+#include <dem/boundary/box_servo.h>
+#include <dem/engine.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace spall
+{
+using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
+
+/// The shapes of a folder that the key `shapes` of this section names; empty:
+/// none. Throws InputError.
+ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
+                         const std::string &folder);
+
+/// The random cloud of stones in its box, before compaction.
+struct Specimen
+{
+  ShapeLibrary shapes;                 ///< shared shapes, in order of file name
+  std::unique_ptr<dem::Engine> engine; ///< stones and six planes
+  dem::BoxPlanes box;
+};
+
+/// What the engine needs from the case, with the settings of preparation.
+dem::EngineParameters engine_parameters(const Case &parameters);
+
+/// Reads gradation and shapes, draws and places the stones. Throws InputError.
+Specimen make_specimen(const Case &parameters);
+
+/// The step that a run starts with.
+struct SetupStep
+{
+  double step = 0.; ///< [s]
+  /// Longest for any one stone on one wall, and for one contact on any node of
+  /// the membrane [s].
+  double cap = 0.;
+  /// With a membrane: of every_step at `step`, and of the window that the case
+  /// asks for.
+  std::optional<coupling::ExchangeGain> gain;
+  coupling::WindowGain window;
+  double membrane_step = 0.; ///< longest of the membrane alone [s]
+};
+
+/// `limit` and the lightest of all stones that will be there [kg];
+/// `membrane` as it will be, null without one. Throws InputError if the fixed
+/// step is above what one wall or the exchange with the membrane allows.
+SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
+                      double lightest, const fem::Membrane *membrane);
+
+/// Of a triaxial test: its membrane on the cube of the nominal side.
+SetupStep choose_step(const Case &parameters, const dem::Engine &engine);
+
+/// Total volume of the stones [m^3].
+double solid_volume(const dem::Particles &particles);
+} // namespace spall

@@ -1,0 +1,187 @@
+#include "errors.h"
+#include "report/run_data.h"
+#include "run/folder.h"
+#include "study/study.h"
+
+#include <atomic>
+#include <fcntl.h>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <mutex>
+#include <spawn.h>
+#include <sstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+extern char **environ;
+
+namespace spall
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path &path)
+{
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// The last line that is not empty.
+std::string last_line(const fs::path &path)
+{
+  std::istringstream in(text_of(path));
+  std::string last;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty())
+      last = line;
+  return last;
+}
+
+/// The case, first line aside: it names the file that was given.
+std::string body(const std::string &resolved)
+{
+  return resolved.substr(
+      std::min(resolved.find("subsection"), resolved.size()));
+}
+
+nlohmann::ordered_json summary_of(const fs::path &run)
+{
+  return nlohmann::ordered_json::parse(text_of(run / "summary.json"), nullptr,
+                                       false);
+}
+
+/// A run that was stopped leaves a summary too, of how far it came.
+bool is_done(const StudyPoint &point, const fs::path &folder)
+{
+  const auto summary = summary_of(folder);
+  return summary.is_object() && summary.value("is_complete", false) &&
+         body(text_of(folder / "case.prm")) == body(point.resolved);
+}
+
+/// Runs this program on the words, standard output and error into `log`;
+/// returns the exit status, or -1.
+int run_program(const std::vector<std::string> &words, const fs::path &log)
+{
+  std::vector<char *> arguments;
+  for (const std::string &word : words)
+    arguments.push_back(const_cast<char *>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  pid_t child = 0;
+  const int fault = posix_spawn(&child, "/proc/self/exe", &actions, nullptr,
+                                arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  if (fault != 0 || waitpid(child, &status, 0) != child)
+    return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Runs the case of a point, or goes on with it.
+PointResult run_point(const StudyPoint &point, const fs::path &folder)
+{
+  PointResult result;
+  const fs::path run = folder / point.folder,
+                 file = folder / (point.folder + ".prm"),
+                 log = folder / (point.folder + ".log");
+  if (!is_done(point, run))
+  {
+    write_text(file, point.resolved);
+    std::vector<std::string> words = {
+        "spall", "run", file.string(), "--out", run.string(), "--threads", "1"};
+    const bool is_same =
+        fs::exists(run / "checkpoint" / "state.bin") &&
+        body(text_of(run / "case.prm")) == body(point.resolved);
+    if (is_same)
+      words.emplace_back("--resume");
+    if (const int status = run_program(words, log); status != 0)
+    {
+      result.fault = "status " + std::to_string(status) + ": " + last_line(log);
+      return result;
+    }
+  }
+  result.is_done = true;
+  return result;
+}
+
+/// NaN where the summary has no such number.
+std::vector<double> outcomes_of(const Study &study, const fs::path &run)
+{
+  const auto summary = summary_of(run);
+  std::vector<double> values;
+  for (const std::string &name : study.outcomes)
+    values.push_back(summary.is_object()
+                         ? number(summary, name)
+                         : std::numeric_limits<double>::quiet_NaN());
+  return values;
+}
+} // namespace
+
+std::vector<PointResult> run_points(const Study &study,
+                                    const std::vector<StudyPoint> &points,
+                                    const fs::path &folder, int jobs)
+{
+  std::vector<PointResult> results(points.size());
+  std::atomic<std::size_t> next = 0, n_done = 0;
+  std::mutex output;
+  const auto work = [&]
+  {
+    for (std::size_t k = next++; k < points.size(); k = next++)
+    {
+      try
+      {
+        results[k] = run_point(points[k], folder);
+      }
+      catch (const std::exception &error)
+      {
+        results[k].fault = error.what();
+      }
+      results[k].outcomes = outcomes_of(study, folder / points[k].folder);
+      const std::lock_guard lock(output);
+      std::cout << ++n_done << "/" << points.size() << " " << points[k].folder
+                << (results[k].is_done ? "" : " failed: ") << results[k].fault
+                << std::endl;
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (int j = 0; j < jobs; ++j)
+    workers.emplace_back(work);
+  workers.clear(); // joins
+  return results;
+}
+
+void write_study_table(const Study &study,
+                       const std::vector<StudyPoint> &points,
+                       const std::vector<PointResult> &results,
+                       const fs::path &path)
+{
+  std::ostringstream out;
+  out.precision(12);
+  out << "run,is_done_1";
+  for (const SweptKey &key : study.keys)
+    out << ',' << key.name();
+  out << ",seed";
+  for (const std::string &outcome : study.outcomes)
+    out << ',' << outcome;
+  out << '\n';
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    out << points[k].folder << ',' << results[k].is_done;
+    for (const std::string &value : points[k].values)
+      out << ',' << value;
+    out << ',' << points[k].seed;
+    for (const double value : results[k].outcomes)
+      out << ',' << value;
+    out << '\n';
+  }
+  write_text(path, out.str());
+}
+} // namespace spall

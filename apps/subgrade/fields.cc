@@ -1,0 +1,195 @@
+#include "case/list.h"
+
+namespace spall
+{
+namespace
+{
+void add_layer(List &list, LayerParameters &l)
+{
+  list.in("Layer");
+  list.add({"length", "m", "Of the box of the stones, along x."}, l.length,
+           above(0., 100.));
+  list.add({"width", "m", "Of the box of the stones, along y."}, l.width,
+           above(0., 100.));
+  list.add({"thickness", "m", "Of the layer at rest, about."}, l.thickness,
+           above(0., 10.));
+  list.add({"solid_fraction", "-",
+            "With the box and the thickness: the volume of stones.",
+            "random packings stay below 0.75"},
+           l.solid_fraction, Range{0., 0.75, true, true});
+  list.add({"gradation", "-",
+            "CSV file diameter_m,passing_1: share of the mass that passes."},
+           l.gradation);
+  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, l.shapes);
+  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, l.seed,
+           between(0, 2147483647));
+  list.add({"layers", "-", "That it is poured in, one after the other."},
+           l.layers, between(1, 1000));
+  list.add({"is_tamped", "-",
+            "Each layer is tamped until the stones have the solid fraction; "
+            "else they just fall."},
+           l.is_tamped);
+  list.add({"tamper_speed", "m/s", "Of the plane that tamps."}, l.tamper_speed,
+           above(0., 10.));
+  list.add({"tamper_pressure", "Pa", "At which the tamper turns back."},
+           l.tamper_pressure, above(0., 1e9));
+  list.add({"max_strokes", "-", "Of the tamper on one layer."}, l.max_strokes,
+           between(1, 1000));
+  list.add({"initial_solid_fraction", "-", "Of the cloud that falls.",
+            "random insertion jams above"},
+           l.initial_solid_fraction, above(0., 0.35));
+  list.add({"friction", "-",
+            "Stone on stone until the plate is placed; low is dense."},
+           l.friction, between(0., 10.));
+  list.add({"local_damping", "-",
+            "D_a: F - D_a |F| sgn(v) until loading begins; then Time/"
+            "local_damping."},
+           l.local_damping, below(0., 1.));
+  list.add({"unbalanced_ratio", "-",
+            "Of stones at rest: sum of the resultant forces over the weight."},
+           l.unbalanced_ratio, above(0., 0.1));
+  list.add({"max_time", "s",
+            "For a layer, and for the plate, to come to rest; then the run "
+            "fails."},
+           l.max_time, above(0., 1e4));
+}
+
+void add_plate(List &list, LoadPlateParameters &p)
+{
+  list.in("LoadPlate");
+  list.add({"form", "-", "disc, or block: a sleeper."}, p.form,
+           {"disc", "block"});
+  list.add({"diameter", "m", "Of a disc."}, p.diameter, above(0., 10.));
+  list.add({"length", "m", "Of a block, along x."}, p.length, above(0., 10.));
+  list.add({"width", "m", "Of a block, along y."}, p.width, above(0., 10.));
+  list.add({"height", "m", "Of its sides."}, p.height, above(0., 10.));
+  list.add({"mass", "kg", "Of the plate or sleeper."}, p.mass, above(0., 1e6));
+  list.add({"static_load", "N", "Down on it besides its weight, always."},
+           p.static_load, between(0., 1e9));
+  list.add({"motion", "-",
+            "vertical: guided; free: it moves and turns in all directions."},
+           p.motion, {"vertical", "free"});
+}
+
+void add_ground(List &list, GroundParameters &g)
+{
+  list.in("Subgrade");
+  list.add({"length", "m", "Of the block, along x."}, g.length,
+           above(0., 1000.));
+  list.add({"width", "m", "Of the block, along y."}, g.width, above(0., 1000.));
+  list.add({"layers", "-",
+            "From the top down, separated by commas, each: thickness (m), "
+            "Young's modulus (Pa), Poisson's ratio, density (kg/m^3)."},
+           g.layers);
+  list.add({"cell_size", "m", "Of the elements under the plate."}, g.cell_size,
+           above(0., 10.));
+  list.add({"growth", "-",
+            "Of the elements from one to the next, away from the plate."},
+           g.growth, between(1., 3.));
+  list.add({"bottom", "-",
+            "absorbing: dashpots that take waves up, and springs of the "
+            "half-space beyond; rigid: held."},
+           g.bottom, {"absorbing", "rigid"});
+  list.add({"sides", "-",
+            "absorbing: as the bottom; rigid: held along their normals."},
+           g.sides, {"absorbing", "rigid"});
+  list.add({"mass_damping", "1/s", "Rayleigh alpha: force -alpha m v."},
+           g.mass_damping, between(0., 1e5));
+  list.add({"stiffness_damping", "s", "Rayleigh beta: force -beta K v."},
+           g.stiffness_damping, between(0., 1.));
+  list.add({"body", "-",
+            "full: all its elements move; condensed: the nodes of its top and "
+            "the slowest inner modes, implicit, with windows of one length; "
+            "without stress in the depth."},
+           g.body, {"full", "condensed"});
+  list.add({"inner_modes", "-", "Of a condensed body."}, g.inner_modes,
+           between(0, 10000));
+}
+
+void add_pulse(List &list, PulseParameters &p)
+{
+  list.in("Pulse");
+  list.add({"form", "-",
+            "haversine, sine: cycles at a frequency; train: axles that pass; "
+            "table: force over time from a CSV file."},
+           p.form, {"haversine", "sine", "train", "table"});
+  list.add({"amplitude", "N", "Peak of a haversine or a sine, down."},
+           p.amplitude, between(0., 1e9));
+  list.add({"frequency", "Hz", "Of a haversine or a sine."}, p.frequency,
+           above(0., 1e4));
+  list.add({"cycles", "-", "Of a haversine or a sine."}, p.cycles,
+           between(1, 1e7));
+  list.add({"table", "-",
+            "CSV file time_s,force_N of the form table: down is positive, "
+            "straight lines between the rows, time 0 is the start of loading."},
+           p.table);
+  list.add({"axle_load", "N", "Of one axle of the train."}, p.axle_load,
+           between(0., 1e9));
+  list.add({"axle_spacing", "m", "Of the two axles of a bogie."},
+           p.axle_spacing, above(0., 1e3));
+  list.add({"bogie_spacing", "m", "Of the two bogies of a car, centres."},
+           p.bogie_spacing, above(0., 1e3));
+  list.add({"car_length", "m", "From car to car."}, p.car_length,
+           above(0., 1e3));
+  list.add({"cars", "-", "Of the train."}, p.cars, between(1, 1e4));
+  list.add({"speed", "m/s", "Of the train."}, p.speed, above(0., 1e3));
+  list.add({"share", "-",
+            "Of an axle load that one sleeper gets: zimmermann, a rail on an "
+            "elastic bed; table: from a CSV file."},
+           p.share, {"zimmermann", "table"});
+  list.add({"sleeper_spacing", "m", "zimmermann: a."}, p.sleeper_spacing,
+           above(0., 100.));
+  list.add({"rail_stiffness", "N m^2", "zimmermann: E I of one rail."},
+           p.rail_stiffness, above(0., 1e12));
+  list.add({"track_modulus", "N/m^2",
+            "zimmermann: u of one rail, force per length and deflection."},
+           p.track_modulus, above(0., 1e12));
+  list.add({"share_table", "-",
+            "CSV file distance_m,share_1 of the share table, from 0 on."},
+           p.share_table);
+  list.add({"rest", "s", "After the last pulse."}, p.rest, between(0., 1e4));
+}
+
+void add_record(List &list, RecordParameters &r)
+{
+  list.in("Record");
+  list.add({"row_interval", "s",
+            "Between rows of history.csv while loading; ten times that "
+            "before."},
+           r.row_interval, above(0., 1e3));
+  list.add({"frame_interval", "s", "Between frames; 0: first and last."},
+           r.frame_interval, between(0., 1e6));
+  list.add({"checkpoint_interval", "s", "0: only at the end."},
+           r.checkpoint_interval, between(0., 1e6));
+  list.add({"stress_depths", "m",
+            "Below the middle of the plate, where the vertical stress of the "
+            "subgrade is written; empty: nowhere."},
+           r.stress_depths);
+  list.add({"highest_frequency", "Hz", "Of transfer.csv."}, r.highest_frequency,
+           between(0., 1e5));
+  list.add({"slices", "-",
+            "Of the stones below the plate by height, in profile.csv."},
+           r.slices, between(1, 1000));
+}
+} // namespace
+
+void add_subgrade(List &list, SubgradeParameters &s)
+{
+  add_layer(list, s.layer);
+  add_plate(list, s.plate);
+  add_ground(list, s.ground);
+  add_pulse(list, s.pulse);
+  add_record(list, s.record);
+}
+
+void set_subgrade_defaults(Case &c)
+{
+  c.title = "plate on stones on a subgrade";
+  c.coupling.rules.stone_steps = 10;
+  c.time.fixed_step = 2e-6;
+  c.time.local_damping = 0.; // waves run
+  // Stones fall and roll, as in the drum of the Los Angeles test.
+  c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+  c.breakage.contacts = dem::EventContacts::all;
+}
+} // namespace spall

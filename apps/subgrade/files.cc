@@ -1,0 +1,139 @@
+#include "case/parameter.h"
+#include "subgrade/quad_file.h"
+#include "subgrade/subgrade.h"
+
+#include <dem/io/binary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace spall
+{
+namespace
+{
+void add_stresses(const std::vector<std::string> &names,
+                  const std::vector<double> &dead,
+                  const std::vector<double> &peak,
+                  nlohmann::ordered_json &summary)
+{
+  for (std::size_t k = 0; k < names.size(); ++k)
+    summary["stresses"][names[k]] = {{"dead_load", dead[k]},
+                                     {"peak_of_pulses", peak[k]}};
+}
+} // namespace
+
+void Subgrade::summarise(nlohmann::ordered_json &summary) const
+{
+  LabTest::summarise(summary);
+  summary["subgrade_cells"] = mesh_size.first;
+  summary["subgrade_nodes"] = mesh_size.second;
+  summary["exchange_gain_1"] = setup.gain->gain;
+  if (std::isfinite(setup.gain->limit))
+    summary["exchange_gain_limit_1"] = setup.gain->limit;
+  summary["worst_gain_1"] = now.worst_gain;
+  summary["layer_height_m"] = now.height;
+  summary["initial_porosity"] = now.porosity;
+  summary["dead_load_N"] = now.dead_load;
+  summary["loading_time_s"] = loading_time();
+  summary["plate_settlement_m"] = plate_settlement();
+  summary["plate_settlement_peak_m"] = now.lowest;
+  summary["subgrade_settlement_m"] = ground_settlement();
+  summary["subgrade_settlement_peak_m"] = now.deepest;
+  summary["subgrade_force_peak_N"] = now.peak_force;
+  summary["stone_velocity_peak_m_per_s"] = now.fastest;
+  summary["pulse_impulse_Ns"] = pulses.impulse();
+  summary["pulse_impulse_of_rows_Ns"] = record.impulse();
+  if (!pulses.passes().empty())
+    summary["axle_times_s"] = pulses.passes();
+  add_stresses(stress_names, dead_stress, peak_stress, summary);
+  summary["coordination_start_1"] = now.coordination;
+  summary["coordination_end_1"] =
+      dem::contact_network(engine().particles(), engine().pairs())
+          .coordination_number;
+  if (now.stage < Stage::loading)
+    return;
+  double residual = 0., work = 0.;
+  for (const Quantity &one : row())
+    if (const std::string name = one.name; name == "energy_residual_J")
+      residual = one.value - now.residual;
+    else if (name == "external_work_J")
+      work = one.value - now.work;
+  summary["loading_work_J"] = work;
+  summary["loading_energy_residual_J"] = residual;
+}
+
+void Subgrade::save(std::ostream &out) const
+{
+  dem::write_value(out, now);
+  dem::write_value(out, due_now);
+  dem::write_column(out, rest_load);
+  dem::write_column(out, dead_stress);
+  dem::write_column(out, peak_stress);
+  dem::write_column(out, bowl);
+  record.save(out);
+  pouring.save(out);
+  LabTest::save(out);
+  joined->save(out);
+}
+
+void Subgrade::restore(std::istream &in)
+{
+  dem::read_value(in, now);
+  dem::read_value(in, due_now);
+  dem::read_column(in, rest_load);
+  dem::read_column(in, dead_stress);
+  dem::read_column(in, peak_stress);
+  dem::read_column(in, bowl);
+  record.restore(in);
+  pouring.restore(in);
+  if (now.stage >= Stage::placing)
+    build_plate(now.plate_start);
+  if (now.stage >= Stage::loading)
+    balance_ground();
+  LabTest::restore(in);
+  joined->restore(in);
+}
+
+FrameParts Subgrade::frame_parts() const
+{
+  std::vector<FrameBody> bodies = {{"subgrade", [this](const std::string &path)
+                                    {
+                                      if (solid)
+                                        solid->solid().write_vtu(path);
+                                      else
+                                        write_quads(path, condensed->mesh(),
+                                                    ground->motion());
+                                    }}};
+  if (plate)
+    bodies.push_back({"plate", [this](const std::string &path)
+                      {
+                        write_quads(path,
+                                    plate_surface(parameters.subgrade.plate,
+                                                  now.plate_start),
+                                    plate->motion());
+                      }});
+  return {nullptr, true, std::move(bodies)};
+}
+
+std::string Subgrade::bowl_table() const
+{
+  std::string text = "x_m,settlement_peak_m,settlement_end_m\n";
+  for (std::size_t k = 0; k < cut.size(); ++k)
+    text += number_text(top.nodes[static_cast<std::size_t>(cut[k])].x()) + "," +
+            number_text(bowl[k]) + "," + number_text(settlement_at(cut[k])) +
+            "\n";
+  return text;
+}
+
+std::vector<NamedText> Subgrade::take_files()
+{
+  if (!std::exchange(has_tables, false))
+    return {};
+  return {{"transfer.csv",
+           record.transfer_table(parameters.subgrade.record.highest_frequency)},
+          {"profile.csv", record.profile_table()},
+          {"bowl.csv", bowl_table()}};
+}
+} // namespace spall

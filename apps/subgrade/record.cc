@@ -1,0 +1,127 @@
+#include "subgrade/record.h"
+
+#include "case/parameter.h"
+
+#include <dem/io/binary.h>
+#include <fem/transfer_function.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spall
+{
+namespace
+{
+std::string csv_row(const std::vector<double> &values)
+{
+  std::string line;
+  for (const double value : values)
+    line += (line.empty() ? "" : ",") + number_text(value);
+  return line + "\n";
+}
+} // namespace
+
+void Slice::add(double speed)
+{
+  ++n;
+  sum_of_squares += speed * speed;
+  peak = std::max(peak, speed);
+}
+
+double Slice::rms() const
+{
+  return n > 0 ? std::sqrt(sum_of_squares / static_cast<double>(n)) : 0.;
+}
+
+void SubgradeRecord::begin(int n_slices, double top,
+                           std::vector<double> ground_heights)
+{
+  slice_height = top / n_slices;
+  stone_slices.resize(static_cast<std::size_t>(n_slices));
+  for (std::size_t k = 0; k < stone_slices.size(); ++k)
+    stone_slices[k].height = (static_cast<double>(k) + 0.5) * slice_height;
+  for (const double height : ground_heights)
+    ground_slices.push_back({height});
+}
+
+void SubgradeRecord::add(const SubgradeRow &row)
+{
+  time.push_back(row.time);
+  load.push_back(row.load);
+  plate.push_back(row.plate_velocity);
+  ground.push_back(row.ground_velocity);
+}
+
+void SubgradeRecord::add_stones(const dem::Particles &stones,
+                                const Footprint &half)
+{
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    const dem::Vec3 &at = stones.position(i);
+    if (std::abs(at.x()) > half.half_x || std::abs(at.y()) > half.half_y ||
+        at.z() < 0.)
+      continue;
+    const auto k = static_cast<std::size_t>(at.z() / slice_height);
+    if (k < stone_slices.size())
+      stone_slices[k].add(stones.velocity(i).norm());
+  }
+}
+
+void SubgradeRecord::add_ground(std::span<const double> speed)
+{
+  for (std::size_t k = 0; k < speed.size(); ++k)
+    ground_slices[k].add(speed[k]);
+}
+
+std::string SubgradeRecord::transfer_table(double highest) const
+{
+  const auto of_plate = fem::transfer_function({time, load, plate}, highest);
+  const auto of_ground = fem::transfer_function({time, load, ground}, highest);
+  std::string text = "frequency_Hz,load_Ns,plate_mobility_m_per_sN,"
+                     "plate_phase_rad,subgrade_mobility_m_per_sN,"
+                     "subgrade_phase_rad\n";
+  for (std::size_t k = 0; k < of_plate.size(); ++k)
+    text +=
+        csv_row({of_plate[k].frequency, of_plate[k].load,
+                 std::abs(of_plate[k].ratio), std::arg(of_plate[k].ratio),
+                 std::abs(of_ground[k].ratio), std::arg(of_ground[k].ratio)});
+  return text;
+}
+
+std::string SubgradeRecord::profile_table() const
+{
+  std::string text = "part_1,height_m,n_1,velocity_rms_m_per_s,"
+                     "velocity_peak_m_per_s\n";
+  for (const auto *slices : {&stone_slices, &ground_slices})
+    for (const Slice &slice : *slices)
+      text += csv_row({slices == &stone_slices ? 0. : 1., slice.height,
+                       static_cast<double>(slice.n), slice.rms(), slice.peak});
+  return text;
+}
+
+double SubgradeRecord::impulse() const
+{
+  double sum = 0.;
+  for (std::size_t k = 1; k < time.size(); ++k)
+    sum += 0.5 * (load[k] + load[k - 1]) * (time[k] - time[k - 1]);
+  return sum;
+}
+
+void SubgradeRecord::save(std::ostream &out) const
+{
+  for (const auto *column : {&time, &load, &plate, &ground})
+    dem::write_column(out, *column);
+  dem::write_column(out, stone_slices);
+  dem::write_column(out, ground_slices);
+  dem::write_value(out, slice_height);
+}
+
+void SubgradeRecord::restore(std::istream &in)
+{
+  for (auto *column : {&time, &load, &plate, &ground})
+    dem::read_column(in, *column);
+  dem::read_column(in, stone_slices);
+  dem::read_column(in, ground_slices);
+  dem::read_value(in, slice_height);
+}
+} // namespace spall

@@ -1,0 +1,325 @@
+#include "subgrade/scene.h"
+
+#include "case/file.h"
+#include "case/parameter.h"
+#include "errors.h"
+#include "specimen/gradation.h"
+
+#include <dem/packing/gradation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace spall
+{
+namespace
+{
+constexpr double gravity = 9.81; // [m/s^2]
+
+dem::EngineParameters engine_settings(const Case &c)
+{
+  dem::EngineParameters settings;
+  settings.stone = c.stone;
+  settings.wall = c.wall;
+  settings.surface = c.subgrade.contact;
+  settings.geometry = c.contact;
+  settings.friction_limit = c.friction_limit;
+  settings.breakage = c.breakage;
+  settings.local_damping = c.subgrade.layer.local_damping;
+  settings.gravity = -gravity * dem::Vec3::UnitZ();
+  return settings;
+}
+
+std::vector<dem::Body> draw_layer(const Case &c, const ShapeLibrary &shapes,
+                                  dem::Random &random)
+{
+  const LayerParameters &l = c.subgrade.layer;
+  const Gradation curve =
+      read_gradation(find_path(c, "Layer", "gradation", l.gradation));
+  std::vector<dem::Body> stones = dem::draw_stones(
+      {curve.diameter, curve.passing},
+      l.solid_fraction * l.length * l.width * l.thickness, shapes, random);
+  if (stones.size() < static_cast<std::size_t>(l.layers))
+    throw InputError(c.file + ": Layer/layers = " + std::to_string(l.layers) +
+                     ": must be at most the number of stones, " +
+                     std::to_string(stones.size()));
+  return stones;
+}
+
+/// Widths from the middle outward, mirrored: equal cells to `half`, then
+/// growing ones to the edge.
+std::vector<double> widths_across(const GroundParameters &g, double half,
+                                  double length)
+{
+  const int n = std::max(
+      1, static_cast<int>(std::ceil(half / g.cell_size * (1. - 1e-9))));
+  std::vector<double> outward(static_cast<std::size_t>(n), half / n);
+  if (const double rest = 0.5 * length - half; rest > 1e-9 * length)
+    for (const double width :
+         fem::graded_widths(std::min(half / n, rest), g.growth, rest))
+      outward.push_back(width);
+  std::vector<double> all(outward.rbegin(), outward.rend());
+  all.insert(all.end(), outward.begin(), outward.end());
+  return all;
+}
+
+/// From the bottom up; layers end where cells do.
+std::vector<double> heights_of(const GroundParameters &g)
+{
+  std::vector<double> down;
+  double next = g.cell_size;
+  for (const GroundLayer &layer : parse_ground_layers(g.layers))
+  {
+    for (const double height : fem::graded_widths(
+             std::min(next, layer.thickness), g.growth, layer.thickness))
+      down.push_back(height);
+    next = down.back() * g.growth;
+  }
+  return {down.rbegin(), down.rend()};
+}
+
+fem::SolidMesh ground_mesh(const Case &c)
+{
+  const GroundParameters &g = c.subgrade.ground;
+  const Footprint plate = footprint(c.subgrade.plate);
+  fem::BoxMesh box;
+  box.lower = {-0.5 * g.length, -0.5 * g.width, -depth_of(g)};
+  box.widths = {widths_across(g, plate.half_x, g.length),
+                widths_across(g, plate.half_y, g.width), heights_of(g)};
+  fem::SolidMesh mesh = fem::box_mesh(box);
+  std::vector<double> tops;
+  double top = 0.;
+  for (const GroundLayer &layer : parse_ground_layers(g.layers))
+  {
+    tops.push_back(top);
+    top -= layer.thickness;
+  }
+  std::ranges::reverse(tops);
+  fem::assign_layers(mesh, tops);
+  return mesh;
+}
+
+std::string in_four_digits(double value)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+} // namespace
+
+StoneBox make_stone_box(const Case &c)
+{
+  const LayerParameters &l = c.subgrade.layer;
+  StoneBox scene;
+  scene.shapes = load_shapes(c, "Layer", l.shapes);
+  dem::Random random(static_cast<std::uint64_t>(l.seed));
+  const std::vector<dem::Body> stones = draw_layer(c, scene.shapes, random);
+  for (const dem::Body &stone : stones)
+  {
+    scene.all.add(stone, dem::Vec3::Zero(), dem::Quaternion::Identity(),
+                  c.stone.density);
+    scene.all.is_breakable.back() =
+        stone.series &&
+        2. * dem::mean_radius(stone) >= c.breakage.min_diameter * (1. - 1e-9);
+  }
+  scene.layers = dem::deal_layers(stones, l.layers);
+  scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
+  dem::EngineParameters settings = engine_settings(c);
+  settings.search_margin = 0.25 * scene.all.smallest_radius();
+  scene.engine = std::make_unique<dem::Engine>(settings);
+  const dem::Vec3 half(0.5 * l.length, 0.5 * l.width, 0.);
+  for (int d = 0; d < 2; ++d)
+    for (const double sign : {-1., 1.})
+    {
+      dem::Vec3 inward = dem::Vec3::Zero();
+      inward[d] = -sign;
+      scene.engine->add_plane(sign * half, inward);
+    }
+  scene.engine->set_breaking(false);
+  scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
+  // The law of facet surfaces is that of the ground here.
+  const std::string membrane = "membrane (MembraneContact/";
+  if (const std::size_t at = scene.limit.reason.find(membrane);
+      at != std::string::npos)
+    scene.limit.reason.replace(at, membrane.size(), "subgrade (GroundContact/");
+  return scene;
+}
+
+dem::PouringParameters pouring_parameters(const Case &c)
+{
+  const LayerParameters &l = c.subgrade.layer;
+  dem::PouringParameters p;
+  p.density = l.is_tamped ? l.solid_fraction * c.stone.density : 0.;
+  p.friction = l.friction;
+  p.solid_fraction = l.initial_solid_fraction;
+  p.tamper_speed = l.tamper_speed;
+  p.tamper_pressure = l.tamper_pressure;
+  p.max_strokes = l.max_strokes;
+  p.unbalanced_ratio = l.unbalanced_ratio;
+  p.max_time = l.max_time;
+  return p;
+}
+
+fem::Solid make_ground(const Case &c)
+{
+  const GroundParameters &g = c.subgrade.ground;
+  fem::SolidParameters soil;
+  soil.layers.clear();
+  for (const GroundLayer &layer : parse_ground_layers(g.layers))
+    soil.layers.push_back(
+        {layer.youngs_modulus, layer.poisson_ratio, layer.density});
+  std::ranges::reverse(soil.layers); // tops ascend
+  soil.mass_damping = g.mass_damping;
+  soil.stiffness_damping = g.stiffness_damping;
+  fem::Solid ground(soil, ground_mesh(c));
+  const auto open = [&](std::int32_t side)
+  {
+    ground.absorb(side);
+    ground.hold_far_field(side, Eigen::Vector3d::Zero());
+  };
+  if (g.bottom == GroundSide::rigid)
+    ground.fix(fem::z_lower, {true, true, true});
+  else
+    open(fem::z_lower);
+  for (const auto side :
+       {fem::x_lower, fem::x_upper, fem::y_lower, fem::y_upper})
+    if (g.sides == GroundSide::absorbing)
+      open(side);
+    else
+      ground.fix(side, {side <= fem::x_upper, side >= fem::y_lower, false});
+  return ground;
+}
+
+fem::SurfaceMesh plate_surface(const LoadPlateParameters &p, double height)
+{
+  const Footprint half = footprint(p);
+  constexpr std::int32_t n = 8; // quads along a side: a disc has 32 corners
+  fem::SurfaceMesh mesh;
+  const auto number = [](std::int32_t i, std::int32_t j)
+  { return j * (n + 1) + i; };
+  for (std::int32_t j = 0; j <= n; ++j)
+    for (std::int32_t i = 0; i <= n; ++i)
+    {
+      double x = 2. * i / n - 1., y = 2. * j / n - 1.;
+      if (p.form == PlateForm::disc) // the square onto the disc
+      {
+        const double across = x * std::sqrt(1. - 0.5 * y * y);
+        y *= std::sqrt(1. - 0.5 * x * x);
+        x = across;
+      }
+      mesh.nodes.emplace_back(half.half_x * x, half.half_y * y, height);
+    }
+  for (std::int32_t j = 0; j < n; ++j)
+    for (std::int32_t i = 0; i < n; ++i)
+      mesh.quads.push_back({number(i, j), number(i, j + 1),
+                            number(i + 1, j + 1), number(i + 1, j)});
+  std::vector<std::int32_t> rim; // counter-clockwise seen from above
+  for (std::int32_t k = 0; k < n; ++k)
+    rim.push_back(number(k, 0));
+  for (std::int32_t k = 0; k < n; ++k)
+    rim.push_back(number(n, k));
+  for (std::int32_t k = n; k > 0; --k)
+    rim.push_back(number(k, n));
+  for (std::int32_t k = n; k > 0; --k)
+    rim.push_back(number(0, k));
+  const auto first = static_cast<std::int32_t>(mesh.nodes.size());
+  const auto n_rim = static_cast<std::int32_t>(rim.size());
+  for (const std::int32_t below : rim)
+    mesh.nodes.push_back(mesh.nodes[static_cast<std::size_t>(below)] +
+                         p.height * Eigen::Vector3d::UnitZ());
+  for (std::int32_t k = 0; k < n_rim; ++k)
+  {
+    const std::int32_t next = (k + 1) % n_rim;
+    mesh.quads.push_back({rim[static_cast<std::size_t>(k)],
+                          rim[static_cast<std::size_t>(next)], first + next,
+                          first + k});
+  }
+  return mesh;
+}
+
+fem::PlateBodyParameters plate_body(const LoadPlateParameters &p, double height)
+{
+  fem::PlateBodyParameters body;
+  body.mass = p.mass;
+  const double xx = p.length * p.length, yy = p.width * p.width,
+               zz = p.height * p.height;
+  body.inertia =
+      p.form == PlateForm::disc
+          ? fem::disc_inertia(p.mass, 0.5 * p.diameter, p.height)
+          : Eigen::Vector3d(p.mass / 12. *
+                            Eigen::Vector3d(yy + zz, zz + xx, xx + yy));
+  body.centre = {0., 0., height + 0.5 * p.height};
+  if (p.motion == PlateMotion::vertical)
+  {
+    body.moves = {false, false, true};
+    body.turns = {false, false, false};
+  }
+  return body;
+}
+
+double height_above(const dem::Particles &stones,
+                    const LoadPlateParameters &plate)
+{
+  const Footprint half = footprint(plate);
+  double top = 0.;
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    const dem::Vec3 &at = stones.position(i);
+    const double reach = stones.body[i].circumscribed_radius;
+    if (std::abs(at.x()) < half.half_x + reach &&
+        std::abs(at.y()) < half.half_y + reach)
+      top = std::max(top, at.z() + reach);
+  }
+  return top;
+}
+
+double window_of(const Case &c, double time_step)
+{
+  return c.coupling.rules.stone_steps * time_step;
+}
+
+SetupStep ground_setup(const Case &c, const coupling::Body &ground,
+                       double smallest_stone, double time_step)
+{
+  const dem::WallMaterial &material = c.subgrade.contact;
+  const coupling::ExchangeContact contact{
+      material.normal_stiffness, material.normal_damping, smallest_stone};
+  const std::vector<double> mass = ground.nodal_mass();
+  const double lightest = *std::ranges::min_element(mass);
+  const coupling::ExchangeParameters rules = c.coupling.exchange_rules();
+  SetupStep setup;
+  setup.step = time_step;
+  setup.membrane_step = ground.stable_time_step();
+  setup.window =
+      coupling::window_gain(contact, lightest, window_of(c, time_step));
+  if (rules.rule == coupling::ExchangeRule::every_step)
+    setup.gain = coupling::exchange_gain(contact, {&lightest, 1},
+                                         setup.membrane_step, time_step);
+  else
+    setup.gain = {setup.window.gain,
+                  rules.rule == coupling::ExchangeRule::one_pass
+                      ? setup.window.one_pass_limit
+                      : std::numeric_limits<double>::infinity()};
+  return setup;
+}
+
+void check_ground_setup(const Case &c, const SetupStep &setup)
+{
+  const CouplingParameters &p = c.coupling;
+  const double own = window_of(c, setup.step) / p.body_steps;
+  if (!p.is_body_implicit && own > setup.membrane_step)
+    throw InputError(
+        c.file + ": Coupling/body_steps = " + std::to_string(p.body_steps) +
+        ": explicit steps of the subgrade of " + in_four_digits(own) +
+        " s must be at most " + in_four_digits(setup.membrane_step) +
+        " s: take more of them, or body_time = implicit");
+  if (!(setup.gain->gain < setup.gain->limit))
+    throw InputError(c.file + ": Coupling/stone_steps = " +
+                     std::to_string(p.rules.stone_steps) + ": exchange gain " +
+                     in_four_digits(setup.gain->gain) + " must be below " +
+                     in_four_digits(setup.gain->limit) +
+                     ": take shorter windows or Coupling/exchange = iterated");
+}
+} // namespace spall

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "case/case.h"
+#include "specimen/specimen.h"
+
+#include <coupling/exchange.h>
+#include <coupling/rigid_body.h>
+#include <coupling/solid_body.h>
+#include <dem/integrate/time_step.h>
+#include <dem/packing/pouring.h>
+
+#include <memory>
+
+namespace spall
+{
+/// The stones and where they will be poured: above z = 0 between four rigid
+/// planes.
+struct StoneBox
+{
+  ShapeLibrary shapes;
+  std::vector<std::vector<dem::Body>> layers; ///< to be poured
+  dem::Particles all;                         ///< the same, nowhere yet
+  dem::Room room;
+  std::unique_ptr<dem::Engine> engine; ///< planes; no stones, no bodies
+  dem::StepLimit limit;
+};
+
+/// Throws InputError.
+StoneBox make_stone_box(const Case &parameters);
+
+dem::PouringParameters pouring_parameters(const Case &parameters);
+
+/// The elastic block below z = 0 with its layers, supports and dashpots.
+/// Throws InputError.
+fem::Solid make_ground(const Case &parameters);
+
+/// Lower face and sides of the plate, its lower face at this height [m].
+fem::SurfaceMesh plate_surface(const LoadPlateParameters &plate, double height);
+fem::PlateBodyParameters plate_body(const LoadPlateParameters &plate,
+                                    double height);
+
+/// Height at which the plate touches no stone yet, right above them [m].
+double height_above(const dem::Particles &stones,
+                    const LoadPlateParameters &plate);
+
+/// Window of the exchange at this step of the stones [s].
+double window_of(const Case &parameters, double time_step);
+
+/// What the exchange with the ground stands at this step of the stones.
+SetupStep ground_setup(const Case &parameters, const coupling::Body &ground,
+                       double smallest_stone, double time_step);
+/// Throws InputError if that is not stable.
+void check_ground_setup(const Case &parameters, const SetupStep &setup);
+} // namespace spall

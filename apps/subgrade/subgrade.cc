@@ -1,0 +1,495 @@
+#include "subgrade/subgrade.h"
+
+#include "errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace spall
+{
+namespace
+{
+constexpr double gravity = 9.81;            // [m/s^2]
+constexpr std::int64_t rest_interval = 100; // moves between questions for rest
+constexpr double rest_share = 0.01; // of the weight that may be in motion [-]
+constexpr double rest_speed = 3e-4; // of the plate [m/s]
+/// The static load comes on smoothly [s].
+constexpr double ramp = 0.05;
+/// While it is placed the guide brakes the plate: its speed would fall to 1/e
+/// in this time [s].
+constexpr double brake_time = 0.02;
+/// Rows before the loading are this much rarer.
+constexpr double patience = 10.;
+
+double smooth(double share)
+{
+  const double x = std::clamp(share, 0., 1.);
+  return x * x * (3. - 2. * x);
+}
+
+double sum_down(coupling::FieldView loads)
+{
+  double sum = 0.;
+  for (const dem::Vec3 &load : loads)
+    sum -= load.z();
+  return sum;
+}
+/// A quarter of each quad to each of its corners, over the whole.
+std::vector<double> area_shares(const fem::SurfaceMesh &mesh)
+{
+  std::vector<double> share(mesh.nodes.size(), 0.);
+  double whole = 0.;
+  for (const auto &quad : mesh.quads)
+  {
+    const auto at = [&](int corner) -> const dem::Vec3 &
+    {
+      return mesh.nodes[static_cast<std::size_t>(
+          quad[static_cast<std::size_t>(corner)])];
+    };
+    const double size = 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
+    whole += size;
+    for (const std::int32_t node : quad)
+      share[static_cast<std::size_t>(node)] += 0.25 * size;
+  }
+  for (double &one : share)
+    one /= whole;
+  return share;
+}
+} // namespace
+
+Subgrade::Subgrade(const Case &c) : Subgrade(c, make_stone_box(c)) {}
+
+Subgrade::Subgrade(const Case &c, StoneBox its_scene)
+    : LabTest(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
+              first_step(c, its_scene.limit)),
+      scene(std::move(its_scene)),
+      pouring(scene.room, pouring_parameters(c), scene.layers,
+              static_cast<std::uint64_t>(c.subgrade.layer.seed)),
+      pulses(c),
+      joined(std::make_unique<coupling::Exchange>(c.coupling.exchange_rules()))
+{
+  build_ground();
+  setup = ground_setup(c, *ground, scene.all.smallest_mass(), time_step());
+  check_ground_setup(c, setup);
+  for (const double depth : parse_depths(c.subgrade.record.stress_depths))
+  {
+    char name[60];
+    std::snprintf(name, sizeof name, "vertical_stress_%gm_Pa", depth);
+    stress_names.emplace_back(name);
+  }
+  dead_stress.assign(stress_names.size(), 0.);
+  peak_stress = dead_stress;
+  pouring.prepare(engine());
+}
+
+void Subgrade::build_ground()
+{
+  fem::Solid block = make_ground(parameters);
+  const CouplingParameters &c = parameters.coupling;
+  const fem::SolidMesh &mesh = block.mesh();
+  mesh_size = {mesh.cells.size(), mesh.nodes.size()};
+  std::unique_ptr<coupling::Body> body;
+  if (parameters.subgrade.ground.body == GroundBody::full)
+  {
+    axis = GroundAxis(mesh,
+                      parse_depths(parameters.subgrade.record.stress_depths));
+    auto full = std::make_unique<coupling::SolidBody>(
+        std::move(block), fem::z_upper,
+        coupling::BodySteps{c.is_body_implicit, c.body_steps});
+    solid = full.get();
+    top = full->mesh();
+    body = std::move(full);
+  }
+  else
+  {
+    auto reduced = std::make_unique<coupling::CondensedBody>(
+        block, fem::z_upper, parameters.subgrade.ground.inner_modes,
+        c.body_steps, window_of(parameters, time_step()));
+    condensed = reduced.get();
+    top = reduced->mesh();
+    body = std::move(reduced);
+  }
+  const auto place = [this](std::int32_t node) -> const dem::Vec3 &
+  { return top.nodes[static_cast<std::size_t>(node)]; };
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(top.nodes.size()); ++k)
+  {
+    if (place(k).norm() < place(middle).norm())
+      middle = k;
+    if (std::abs(place(k).y()) < 1e-9) // on a line of the mesh
+      cut.push_back(k);
+  }
+  std::ranges::sort(cut, {}, [&](std::int32_t k) { return place(k).x(); });
+  bowl.assign(cut.size(), 0.);
+  area = area_shares(top);
+  ground = &joined->add(std::move(body), top, "subgrade",
+                        parameters.subgrade.contact,
+                        coupling::StoneSide::outside, engine());
+  joined->hold(*ground, true);
+}
+
+void Subgrade::build_plate(double height)
+{
+  const LoadPlateParameters &p = parameters.subgrade.plate;
+  const fem::SurfaceMesh surface = plate_surface(p, height);
+  now.plate_start = height;
+  auto body = std::make_unique<coupling::RigidBody>(
+      plate_body(p, height), surface.nodes,
+      coupling::RigidDrive{[this](double time) { return plate_load(time); },
+                           {}});
+  plate = body.get();
+  joined->add(std::move(body), surface, "plate", parameters.wall,
+              coupling::StoneSide::outside, engine());
+}
+
+/// Weight, static load and pulse at a time of the body, which began when it was
+/// placed.
+fem::PlateLoad Subgrade::plate_load(double body_time) const
+{
+  const LoadPlateParameters &p = parameters.subgrade.plate;
+  const bool is_loading = now.stage >= Stage::loading;
+  double down = p.mass * gravity +
+                p.static_load * (is_loading ? 1. : smooth(body_time / ramp));
+  if (is_loading)
+    down += pulses(body_time - (now.loaded_at - now.placed_at));
+  fem::PlateLoad load;
+  if (!is_loading && plate)
+  {
+    const fem::PlateBody &body = plate->plate();
+    load.force = -p.mass / brake_time * body.velocity();
+    load.moment =
+        -plate_body(p, 0.).inertia.minCoeff() / brake_time * body.spin();
+  }
+  load.force.z() -= down;
+  return load;
+}
+
+int Subgrade::steps_in_move() const
+{
+  return now.stage == Stage::pouring ? 1
+                                     : parameters.coupling.rules.stone_steps;
+}
+
+Surroundings Subgrade::surroundings() const
+{
+  if (now.stage == Stage::pouring)
+    return {};
+  return {joined.get(), ground, setup.window,
+          parameters.coupling.rules.stone_steps};
+}
+
+void Subgrade::move(double time_step)
+{
+  const double before = engine().time();
+  const Stage stage_before = now.stage;
+  if (now.stage == Stage::pouring)
+    pour(time_step);
+  else if (now.stage == Stage::placing)
+    place(time_step);
+  else
+    load_plate(time_step);
+  note_due(before);
+  if (now.stage == Stage::loading && stage_before == Stage::placing)
+    due_now = {true, true, parameters.subgrade.record.checkpoint_interval > 0.};
+  if (due_now.row && now.stage >= Stage::loading)
+    take_row();
+}
+
+/// Stones and plate: what carries them is what they weigh, and no stone is
+/// out of balance.
+bool Subgrade::is_at_rest() const
+{
+  const LoadPlateParameters &p = parameters.subgrade.plate;
+  const double on_plate = p.mass * gravity + p.static_load;
+  return plate->plate().velocity().norm() < rest_speed &&
+         std::abs(force_on_plate() - on_plate) < rest_share * on_plate &&
+         dem::unbalanced_weight_ratio(engine().particles(),
+                                      engine().parameters().gravity) <
+             parameters.subgrade.layer.unbalanced_ratio;
+}
+
+void Subgrade::pour(double time_step)
+{
+  pouring.steer(engine(), time_step);
+  engine().advance(time_step);
+  if (!pouring.is_done())
+    return;
+  now.placed_at = engine().time();
+  build_plate(height_above(engine().particles(), parameters.subgrade.plate));
+  now.stage = Stage::placing;
+}
+
+void Subgrade::place(double time_step)
+{
+  joined->advance(coupling::stones_of(engine(), shapes),
+                  window_of(parameters, time_step));
+  const double spent = engine().time() - now.placed_at;
+  if (joined->n_windows() % rest_interval == 0 && spent > 2. * ramp &&
+      is_at_rest())
+    start_loading();
+  else if (spent > parameters.subgrade.layer.max_time)
+    throw RunFailure("plate and stones are not at rest " +
+                     std::to_string(spent) +
+                     " s after the plate was placed: see Layer/max_time, "
+                     "unbalanced_ratio, local_damping");
+}
+
+void Subgrade::start_loading()
+{
+  const LayerParameters &layer = parameters.subgrade.layer;
+  const dem::Particles &all = engine().particles();
+  now.loaded_at = engine().time();
+  now.plate_rest = plate->plate().centre().z();
+  now.height =
+      now.plate_start + now.plate_rest -
+      plate_body(parameters.subgrade.plate, now.plate_start).centre.z();
+  now.porosity =
+      1. - solid_volume(all) / (layer.length * layer.width * now.height);
+  now.coordination =
+      dem::contact_network(all, engine().pairs()).coordination_number;
+  const coupling::FieldView loads = joined->load_on(*ground);
+  rest_load.assign(loads.begin(), loads.end());
+  now.dead_load = sum_down(rest_load);
+  if (solid)
+    dead_stress = stresses_under(rest_load);
+  balance_ground();
+  engine().set_local_damping(parameters.time.local_damping);
+  engine().set_breaking(parameters.breakage.is_active);
+  now.stage = Stage::loading;
+  record.begin(parameters.subgrade.record.slices, now.height,
+               solid ? axis.heights(solid->solid()) : std::vector<double>());
+  for (const Quantity &one : row())
+    if (const std::string name = one.name; name == "energy_residual_J")
+      now.residual = one.value;
+    else if (name == "external_work_J")
+      now.work = one.value;
+}
+
+/// Of the full ground at rest; it stays as it is [Pa].
+std::vector<double> Subgrade::stresses_under(coupling::FieldView load)
+{
+  std::ostringstream before(std::ios::binary);
+  solid->save(before);
+  fem::Solid &body = solid->solid();
+  coupling::Field all(body.mesh().nodes.size(), dem::Vec3::Zero());
+  fem::add_loads(fem::boundary_surface(body.mesh(), fem::z_upper), load, all);
+  body.settle(all);
+  const std::vector<double> result = axis.stresses(body);
+  std::istringstream back(std::move(before).str(), std::ios::binary);
+  solid->restore(back);
+  return result;
+}
+
+/// Lets the ground go, in balance with what lies on it.
+void Subgrade::balance_ground()
+{
+  if (solid)
+    solid->balance(rest_load);
+  else
+    condensed->balance(rest_load);
+  joined->hold(*ground, false);
+}
+
+void Subgrade::load_plate(double time_step)
+{
+  joined->advance(coupling::stones_of(engine(), shapes),
+                  window_of(parameters, time_step));
+  if (loading_time() < duration())
+    return;
+  now.stage = Stage::done;
+  has_tables = true;
+}
+
+double Subgrade::loading_time() const
+{
+  return now.stage < Stage::loading ? 0. : engine().time() - now.loaded_at;
+}
+
+double Subgrade::progress_at(double time) const
+{
+  return now.stage < Stage::loading ? 0. : std::max(0., time - now.loaded_at);
+}
+
+double Subgrade::share_done() const
+{
+  return now.stage == Stage::done
+             ? 1.
+             : std::min(loading_time() / duration(), 1. - 1e-9);
+}
+
+double Subgrade::duration() const
+{
+  return pulses.duration() + parameters.subgrade.pulse.rest;
+}
+
+std::string Subgrade::phase() const
+{
+  if (now.stage < Stage::loading)
+    return now.stage == Stage::pouring
+               ? "pouring, layer " +
+                     std::to_string(std::min(pouring.layers().size() + 1,
+                                             pouring.n_layers()))
+               : "placing";
+  char text[40];
+  std::snprintf(text, sizeof text, "loading %.4f s", loading_time());
+  return text;
+}
+
+/// What is due after a move that began at this time.
+void Subgrade::note_due(double before)
+{
+  const RecordParameters &r = parameters.subgrade.record;
+  const bool is_loading = now.stage >= Stage::loading;
+  const double origin = is_loading ? now.loaded_at : 0.;
+  const auto has_passed = [&](double interval)
+  {
+    const auto count = [&](double time)
+    { return std::floor((time - origin) / interval + 1e-6); };
+    return interval > 0. && count(engine().time()) != count(before);
+  };
+  due_now.row =
+      has_passed(is_loading ? r.row_interval : patience * r.row_interval);
+  due_now.frame = is_loading && has_passed(r.frame_interval);
+  due_now.checkpoint = has_passed(r.checkpoint_interval);
+}
+
+double Subgrade::plate_settlement() const
+{
+  return now.stage < Stage::loading
+             ? 0.
+             : now.plate_rest - plate->plate().centre().z();
+}
+
+/// Of the top below the middle of the plate, whose height was zero.
+double Subgrade::ground_settlement() const
+{
+  return settlement_at(middle);
+}
+
+/// Of the whole top.
+double Subgrade::mean_settlement() const
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < area.size(); ++k)
+    sum += area[k] * settlement_at(static_cast<std::int32_t>(k));
+  return sum;
+}
+
+double Subgrade::settlement_at(std::int32_t node) const
+{
+  return -ground->motion().position[static_cast<std::size_t>(node)].z();
+}
+
+/// Down [N].
+double Subgrade::force_on_ground() const
+{
+  return sum_down(engine().surface(0).load);
+}
+
+/// Up [N].
+double Subgrade::force_on_plate() const
+{
+  return plate ? -sum_down(engine().surface(1).load) : 0.;
+}
+
+/// At the depths, more than the dead load does [Pa].
+std::vector<double> Subgrade::stresses() const
+{
+  return solid ? axis.stresses(solid->solid()) : std::vector<double>();
+}
+
+void Subgrade::take_row()
+{
+  const dem::Particles &all = engine().particles();
+  const double time = loading_time();
+  const double plate_down = -plate->plate().velocity().z();
+  const double ground_down =
+      -ground->motion().velocity[static_cast<std::size_t>(middle)].z();
+  record.add({time, pulses(time), plate_down, ground_down});
+  record.add_stones(all, footprint(parameters.subgrade.plate));
+  if (solid)
+    record.add_ground(axis.speeds(solid->solid()));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    now.fastest = std::max(now.fastest, all.velocity(i).norm());
+  now.lowest = std::max(now.lowest, plate_settlement());
+  if (ground_settlement() > now.deepest)
+  {
+    now.deepest = ground_settlement();
+    for (std::size_t k = 0; k < cut.size(); ++k)
+      bowl[k] = settlement_at(cut[k]);
+  }
+  now.peak_force = std::max(now.peak_force, force_on_ground());
+  now.worst_gain =
+      std::max(now.worst_gain,
+               joined->gain(engine(), window_of(parameters, time_step())));
+  const std::vector<double> stress = stresses();
+  for (std::size_t k = 0; k < stress.size(); ++k)
+    peak_stress[k] = std::max(peak_stress[k], stress[k]);
+}
+
+std::vector<Quantity> Subgrade::measured() const
+{
+  const dem::Particles &all = engine().particles();
+  const dem::ContactNetwork network =
+      dem::contact_network(all, engine().pairs());
+  double sum = 0., peak = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    sum += all.velocity(i).squaredNorm();
+    peak = std::max(peak, all.velocity(i).norm());
+  }
+  const double time = loading_time();
+  const auto ground_speed =
+      ground->motion().velocity[static_cast<std::size_t>(middle)];
+  const double stage =
+      std::min(static_cast<double>(now.stage),
+               static_cast<double>(Stage::loading)); // the report's loading
+  std::vector<Quantity> row = {
+      {"stage_1", stage},
+      {"loading_time_s", time},
+      {"load_N", now.stage < Stage::loading ? 0. : pulses(time)},
+      {"plate_settlement_m", plate_settlement()},
+      {"plate_velocity_m_per_s", plate ? -plate->plate().velocity().z() : 0.},
+      {"subgrade_settlement_m", ground_settlement()},
+      {"subgrade_velocity_m_per_s", -ground_speed.z()},
+      {"subgrade_mean_settlement_m", mean_settlement()},
+      {"plate_force_N", force_on_plate()},
+      {"subgrade_force_N", force_on_ground()},
+      {"stone_velocity_rms_m_per_s",
+       std::sqrt(sum / static_cast<double>(all.size()))},
+      {"stone_velocity_peak_m_per_s", peak},
+      {"coordination_number_1", network.coordination_number},
+      {"n_contacts_1", static_cast<double>(network.n_contacts)},
+      {"mean_contact_force_N", network.mean_force}};
+  const std::vector<double> stress = stresses();
+  for (std::size_t k = 0; k < stress.size(); ++k)
+    row.push_back({stress_names[k].c_str(), stress[k]});
+  row.push_back({"bodies_stored_energy_J", body_energy().stored});
+  return row;
+}
+
+coupling::BodyEnergy Subgrade::body_energy() const
+{
+  coupling::BodyEnergy sum = ground->energy();
+  if (plate)
+  {
+    const coupling::BodyEnergy e = plate->energy();
+    sum.kinetic += e.kinetic;
+    sum.external += e.external;
+    sum.load_work += e.load_work;
+  }
+  // What the ground gets back from the load it rests under is stored in it.
+  sum.stored -= ground->energy().external;
+  sum.external -= ground->energy().external;
+  return sum;
+}
+
+std::vector<dem::BreakageEvent> Subgrade::fresh_events()
+{
+  auto events = joined->take_events();
+  const auto last = LabTest::fresh_events();
+  events.insert(events.end(), last.begin(), last.end());
+  return events;
+}
+} // namespace spall

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "laboratory/test.h"
+#include "subgrade/axis.h"
+#include "subgrade/load.h"
+#include "subgrade/record.h"
+#include "subgrade/scene.h"
+
+namespace spall
+{
+/// A plate or sleeper on stones on an elastic ground. The stones fall on ground
+/// that is held and come to rest; the plate is set down on them and comes to
+/// rest; then the ground is let go, in balance with what lies on it, and the
+/// pulses come. Settlement and breakage count from there.
+class Subgrade : public LabTest
+{
+public:
+  /// Throws InputError.
+  explicit Subgrade(const Case &parameters);
+
+  double share_done() const override; ///< of the loading
+  double duration() const override;   ///< of the loading [s]
+  std::string phase() const override;
+  Due due() const override { return due_now; }
+  double progress_at(double time) const override; ///< since loading began [s]
+  const char *progress_column() const override { return "loading_time_s"; }
+  void summarise(nlohmann::ordered_json &summary) const override;
+  void save(std::ostream &out) const override;
+  void restore(std::istream &in) override;
+
+  bool has_ledger() const override { return true; }
+  const coupling::Exchange *exchange() const override { return joined.get(); }
+  const SetupStep *setup_step() const override { return &setup; }
+  FrameParts frame_parts() const override;
+  std::vector<NamedText> take_files() override;
+  const dem::Particles &all_stones() const override { return scene.all; }
+  void print_forecast() override;
+  int steps_in_move() const override;
+
+private:
+  enum class Stage : std::int32_t
+  {
+    pouring,
+    placing,
+    loading,
+    done
+  };
+  /// Numbers that a checkpoint keeps as they are.
+  struct State
+  {
+    Stage stage = Stage::pouring;
+    double placed_at = 0.;           ///< [s]
+    double loaded_at = 0.;           ///< [s]
+    double plate_start = 0.;         ///< lower face where it was set down [m]
+    double plate_rest = 0.;          ///< centre when loading began [m]
+    double height = 0.;              ///< of the layer then [m]
+    double porosity = 0.;            ///< of the layer then [-]
+    double coordination = 0.;        ///< then [-]
+    double dead_load = 0.;           ///< on the ground then, down [N]
+    double residual = 0., work = 0.; ///< of the energies then [J]
+    double lowest = 0.;              ///< largest settlement of the plate [m]
+    double deepest = 0.;             ///< of the ground [m]
+    double fastest = 0.;             ///< stone [m/s]
+    double worst_gain = 0.;          ///< [-]
+    double peak_force = 0.;          ///< of the stones on the ground, down [N]
+  };
+
+  Subgrade(const Case &parameters, StoneBox its_scene);
+  void move(double time_step) override;
+  std::vector<Quantity> measured() const override;
+  coupling::BodyEnergy body_energy() const override;
+  std::vector<dem::BreakageEvent> fresh_events() override;
+  Surroundings surroundings() const override;
+
+  void build_ground();
+  void build_plate(double height);
+  void pour(double time_step);
+  void place(double time_step);
+  void load_plate(double time_step);
+  void start_loading();
+  void balance_ground();
+  std::vector<double> stresses_under(coupling::FieldView load);
+  std::vector<double> stresses() const;
+  bool is_at_rest() const;
+  void note_due(double before);
+  void take_row();
+  fem::PlateLoad plate_load(double body_time) const;
+  double loading_time() const;
+  double plate_settlement() const;
+  double ground_settlement() const;
+  double force_on_ground() const;
+  double force_on_plate() const;
+  double settlement_at(std::int32_t node) const;
+  double mean_settlement() const;
+  std::string bowl_table() const;
+
+  StoneBox scene; ///< its engine is with LabTest
+  dem::Pouring pouring;
+  SetupStep setup;
+  SubgradeLoad pulses;
+  std::unique_ptr<coupling::Exchange> joined;
+  coupling::Body *ground = nullptr;
+  coupling::SolidBody *solid = nullptr; ///< null if condensed
+  coupling::CondensedBody *condensed = nullptr;
+  coupling::RigidBody *plate = nullptr; ///< null before it is placed
+  std::pair<std::size_t, std::size_t> mesh_size;
+  std::int32_t middle = 0; ///< node of the ground's top under the plate
+  fem::SurfaceMesh top;    ///< of the ground
+  GroundAxis axis;         ///< of a full ground
+  std::vector<std::string> stress_names;
+  std::vector<std::int32_t> cut; ///< nodes of the top along x, ascending
+  std::vector<double> area;      ///< share of the top that a node has [-]
+  std::vector<double> bowl;      ///< their settlement when it was deepest [m]
+  coupling::Field rest_load;     ///< on the ground when loading began [N]
+  std::vector<double> dead_stress, peak_stress; ///< [Pa]
+  SubgradeRecord record;
+  State now;
+  Due due_now;
+  bool has_tables = false; ///< to be written
+};
+} // namespace spall

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "run/folder.h"
+#include "triaxial/triaxial.h"
+
+#include <dem/io/vtk_output.h>
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+
+namespace spall
+{
+/// Writes the run folder of a triaxial test: history, events, ledger, frames,
+/// checkpoints and the summary.
+class Recorder
+{
+public:
+  Recorder(const Case &parameters, std::filesystem::path folder);
+
+  /// Starts the files of a new run.
+  void start();
+  /// Continues from the last checkpoint: state of the test and of the files.
+  /// Throws InputError if there is none or it is of another case.
+  void resume(Triaxial &test);
+
+  /// Writes what is due after a step.
+  void after_step(Triaxial &test);
+  /// Writes what a finished or stopped run leaves.
+  void finish(Triaxial &test);
+
+  const Sample &start_of_loading() const { return loading_start; }
+  const Sample &end() const { return last; } ///< last row of the history
+
+  /// Writes what a run leaves that a guard has stopped: the state of this
+  /// moment, beside the last checkpoint. Returns its path.
+  std::string keep_stopped(Triaxial &test);
+
+  /// Path of the last checkpoint, empty if none.
+  std::string last_checkpoint() const;
+
+private:
+  void write_history(Triaxial &test);
+  void write_events(Triaxial &test);
+  void write_ledger(Triaxial &test, const Sample &sample);
+  void write_frame(Triaxial &test, bool with_surfaces);
+  void write_checkpoint(Triaxial &test, const std::string &name = "state.bin");
+  void write_summary(const Triaxial &test);
+  void note_stage(Triaxial &test);
+  double elapsed() const;
+
+  Case parameters;
+  std::filesystem::path folder;
+  CsvFile history, events, ledger;
+  std::vector<dem::FrameEntry> frames;
+  int n_frames = 0;
+  Stage stage_before = Stage::preparation;
+  double roundness = 0.;
+  Sample loading_start, last;
+  double worst_gain = 0.;        ///< of the exchange so far [-]
+  double peak_axial_stress = 0.; ///< while loading, so far [Pa]
+  double output_seconds = 0., preparation_seconds = 0.;
+  dem::EngineClock preparation_clock;
+  std::map<std::string, double> spent_before; ///< wall-clock before a restart
+  std::chrono::steady_clock::time_point started;
+};
+} // namespace spall

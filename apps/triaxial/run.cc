@@ -1,0 +1,153 @@
+#include "errors.h"
+#include "run/checkpoint.h"
+#include "run/options.h"
+#include "run/progress.h"
+#include "run/thread_choice.h"
+#include "triaxial/recorder.h"
+
+#include <cstdio>
+
+namespace spall
+{
+namespace
+{
+/// Share of the whole run that is done and the name of its phase.
+void show_progress(Progress &progress, const Triaxial &test, int cycles,
+                   double rate)
+{
+  char phase[40];
+  if (test.stage() == Stage::preparation)
+    std::snprintf(phase, sizeof phase, "preparation");
+  else if (test.stage() == Stage::consolidation)
+    std::snprintf(phase, sizeof phase, "consolidation");
+  else
+    std::snprintf(phase, sizeof phase, "cycle %.2f/%d", test.cycle(), cycles);
+  const double share =
+      test.stage() < Stage::loading ? 0. : test.cycle() / cycles;
+  progress.show(phase, share, rate);
+}
+
+void describe(Progress &progress, const Triaxial &test)
+{
+  char line[200];
+  const dem::StepLimit limit =
+      dem::critical_step(test.engine().parameters(), test.engine().particles());
+  std::snprintf(line, sizeof line,
+                "%zu stones, time step %.3g s, critical %.3g s (%s)",
+                test.engine().particles().size(), test.time_step(), limit.step,
+                limit.reason.c_str());
+  progress.say(line);
+  if (!test.gain())
+    return;
+  std::snprintf(line, sizeof line,
+                "exchange gain k dt^2/(4 m) = %.3g, stable below %.3g",
+                test.gain()->gain, test.gain()->limit);
+  progress.say(line);
+}
+
+void describe_preparation(Progress &progress, const Triaxial &test)
+{
+  char line[200];
+  const Triaxial::Prepared &p = test.prepared();
+  std::snprintf(line, sizeof line,
+                "prepared in %.3f s: stress %.0f %.0f %.0f Pa, unbalanced "
+                "force ratio %.1e, porosity %.3f",
+                p.time, p.stress.x(), p.stress.y(), p.stress.z(),
+                p.unbalanced_ratio, p.porosity);
+  progress.say(line);
+}
+
+void describe_end(Progress &progress, const Recorder &recorder)
+{
+  const Sample &end = recorder.end(), &start = recorder.start_of_loading();
+  char line[240];
+  const double work = end.external_work - start.external_work;
+  std::snprintf(line, sizeof line,
+                "energy residual %.2e J of %.3g J external work (%.3f %%)",
+                end.energy_residual - start.energy_residual, work,
+                100. * (end.energy_residual - start.energy_residual) / work);
+  progress.say(line);
+  std::snprintf(line, sizeof line,
+                "permanent axial strain %.4f %%, LAA %.5f %%, coordination "
+                "number %.3f -> %.3f, %.0f events",
+                100. * end.axial_strain, end.laa, start.coordination_number,
+                end.coordination_number, end.n_events);
+  progress.say(line);
+}
+
+/// Steps until the test is done or a stop is asked for.
+void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
+              ThreadChoice &threads, int cycles)
+{
+  using Clock = std::chrono::steady_clock;
+  auto since = Clock::now();
+  std::int64_t steps_before = test.engine().n_steps(), n_windows = 0;
+  while (test.stage() != Stage::done && !is_stop_asked())
+  {
+    const bool was_preparing = test.stage() == Stage::preparation;
+    threads.before_step();
+    test.advance();
+    recorder.after_step(test);
+    for (const std::string &note : test.take_notes())
+      progress.say(note);
+    if (was_preparing && test.stage() != Stage::preparation)
+      describe_preparation(progress, test);
+    if (++n_windows % 64 != 0 || !progress.is_due())
+      continue;
+    const double seconds =
+        std::chrono::duration<double>(Clock::now() - since).count();
+    show_progress(progress, test, cycles,
+                  static_cast<double>(test.engine().n_steps() - steps_before) /
+                      seconds);
+    since = Clock::now();
+    steps_before = test.engine().n_steps();
+  }
+}
+
+} // namespace
+
+void run_triaxial(const RunOptions &options, const Case &parameters)
+{
+  const int all = parameters.loading.n_cycles(),
+            cycles = options.until ? std::min(*options.until, all) : all;
+  const std::filesystem::path folder = options.out;
+  Triaxial test(parameters);
+  test.stop_after(cycles);
+  if (options.is_resumed)
+    require_checkpoint(folder / "checkpoint" / "state.bin");
+  prepare_run_folder(folder, options.is_resumed);
+  Recorder recorder(parameters, folder);
+  Progress progress((folder / "log.txt").string());
+  if (options.is_resumed)
+    recorder.resume(test);
+  else
+    recorder.start();
+  describe(progress, test);
+  try
+  {
+    ThreadChoice threads(options.threads.value_or(parameters.threads));
+    run_loop(test, recorder, progress, threads, cycles);
+    recorder.finish(test);
+  }
+  catch (const coupling::GuardStop &stop)
+  {
+    const std::string now = recorder.keep_stopped(test),
+                      before = recorder.last_checkpoint();
+    throw RunFailure(
+        std::string(stop.what()) + "; checkpoint of this moment: " + now +
+        "; last one before: " + (before.empty() ? "none" : before));
+  }
+  catch (const std::exception &error)
+  {
+    const std::string checkpoint = recorder.last_checkpoint();
+    throw RunFailure(std::string(error.what()) + "; last checkpoint: " +
+                     (checkpoint.empty() ? "none" : checkpoint));
+  }
+  if (is_stop_asked())
+    throw RunFailure("stopped at step " +
+                     std::to_string(test.engine().n_steps()) +
+                     ", go on with --resume; last checkpoint: " +
+                     recorder.last_checkpoint());
+  describe_end(progress, recorder);
+}
+} // namespace spall

@@ -1,0 +1,193 @@
+#include "triaxial/triaxial.h"
+
+#include <chrono>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace spall
+{
+namespace
+{
+/// Steps of the coarse run of a probe: some periods of the stiffest contacts.
+constexpr std::int64_t probe_steps = 32;
+
+/// Runs `work` and adds its wall-clock to `seconds`.
+template <class Work>
+void timed(double &seconds, const Work &work)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  work();
+  seconds += std::chrono::duration<double>(Clock::now() - start).count();
+}
+} // namespace
+
+bool Triaxial::is_fixed() const
+{
+  return parameters.time.step == StepRule::fixed;
+}
+
+/// Of the stones, between two exchanges with what closes the specimen.
+int Triaxial::steps_in_window() const
+{
+  return parameters.coupling.exchange_rules(parameters.boundary.lateral)
+      .stone_steps;
+}
+
+double Triaxial::time_step() const
+{
+  return now == Stage::preparation ? pace.step()
+                                   : pace.step() / steps_in_window();
+}
+
+Surroundings Triaxial::surroundings() const
+{
+  return {joined.get(), cell && cell->has_membrane() ? cell : nullptr,
+          setup.window, steps_in_window()};
+}
+
+double Triaxial::exchange_gain() const
+{
+  return joined ? joined->gain(engine(), pace.step()) : 0.;
+}
+
+/// Of the pace: of stones in the preparation, of windows from then on.
+double Triaxial::longest_step() const
+{
+  const int n = now == Stage::preparation ? 1 : steps_in_window();
+  if (is_fixed())
+    return n * setup.step;
+  const double allowed = n * watch.state().longest;
+  return probe.longest > 0. ? std::min(allowed, probe.longest) : allowed;
+}
+
+/// What is due before a step: a look at the contacts, a probe.
+void Triaxial::settle_step()
+{
+  if (watch.is_due(engine().n_steps() / steps_in_window()))
+  {
+    watch.look(engine(), surroundings(), time_step());
+    // The steps of a probe stay as they are: they are to meet.
+    if (!is_fixed() && probe.fine_left == 0)
+      pace.replan(longest_step());
+  }
+  if (now != Stage::loading)
+    return;
+  if (parameters.time.step == StepRule::error && pace.is_on_tick())
+    start_probe();
+  watch.note_used(time_step());
+}
+
+/// A run may go on with other steps where a load cycle ends.
+void Triaxial::resume_pace(const TimeParameters &then, std::int64_t ticks_then)
+{
+  if (then.step == parameters.time.step && cycle_ticks == ticks_then &&
+      (!is_fixed() || then.fixed_step == parameters.time.fixed_step))
+    return;
+  if (now < Stage::loading || !pace.is_on_tick() ||
+      pace.ticks() % ticks_then != 0)
+    throw std::runtime_error(
+        "is not at the end of a load cycle: Time/step, Time/fixed_step and "
+        "(rules stable and error) Output/samples_per_cycle must be as before");
+  probe = {};
+  watch.set_state(StepWatch(parameters.time, setup.cap).state());
+  watch.look(engine(), surroundings(), setup.step);
+  pace.begin(period() / static_cast<double>(cycle_ticks), longest_step(),
+             pace.ticks() / ticks_then * cycle_ticks);
+}
+
+/// Runs ahead with the present step, comes back, and halves the step.
+void Triaxial::start_probe()
+{
+  probe.n_coarse = std::min(probe_steps, pace.steps_to_tick());
+  probe.coarse_step = pace.step();
+  probe.coarse = probe.fine = {};
+  Sample energies;
+  add_energies(energies);
+  probe.residual_start = energies.energy_residual;
+  probe.work_start = energies.external_work;
+  // Restoring drops the events that nobody has taken yet.
+  held_events = take_events();
+  std::stringstream state;
+  timed(probing, [&] { save(state); });
+  Window coarse;
+  for (std::int64_t step = 0; step < probe.n_coarse; ++step)
+  {
+    load();
+    gather(coarse);
+  }
+  close_window(coarse);
+  timed(probing, [&] { restore(state); });
+  stopped_by.clear(); // if at all, the run comes there itself
+  probe.coarse = coarse;
+  probe.fine_left = 2 * probe.n_coarse;
+  probe.n_extra_steps += probe.n_coarse;
+  pace.replan(0.5 * probe.coarse_step);
+}
+
+/// After a step: the finer run of a probe goes on, or is compared.
+void Triaxial::follow_probe()
+{
+  if (probe.fine_left == 0)
+    return;
+  if (--probe.fine_left % 2 == 0)
+    gather(probe.fine);
+  if (probe.fine_left > 0)
+    return;
+  close_window(probe.fine);
+  const double before = longest_step();
+  const double duration =
+      static_cast<double>(probe.n_coarse) * probe.coarse_step;
+  adapt(parameters.time,
+        {duration, watch.state().longest, probe.fine.stored / period(),
+         static_cast<int>(cycle_ticks)},
+        probe);
+  // The limit of the contacts may have come down while the probe ran.
+  pace.replan(longest_step());
+  const double change = longest_step() / before;
+  const StepErrors errors = errors_of(probe);
+  if (change > 0.8 && change < 1.25)
+    return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "cycle " << cycle() << ": step " << longest_step()
+       << " s: errors of a cycle: force " << errors.force << ", energy "
+       << errors.energy;
+  watch.say(text.str());
+}
+
+void Triaxial::gather(Window &window) const
+{
+  const dem::Engine &stones = engine();
+  window.axial +=
+      stones.planes()[specimen.box[2][1]].force.z() + cell->rim_reaction();
+  if (membrane())
+    for (const dem::Vec3 &load : stones.surface().load)
+      window.lateral += load.norm();
+  else
+    for (std::size_t d = 0; d < 2; ++d)
+      for (const std::size_t plane : specimen.box[d])
+        window.lateral += stones.planes()[plane].force.norm();
+}
+
+void Triaxial::close_window(Window &window) const
+{
+  Sample energies;
+  add_energies(energies);
+  window.residual = energies.energy_residual - probe.residual_start;
+  window.work = std::abs(energies.external_work - probe.work_start);
+  window.stored = energies.elastic_energy + energies.membrane_strain_energy;
+}
+
+std::vector<dem::BreakageEvent> Triaxial::take_events()
+{
+  auto events = std::exchange(held_events, {});
+  const auto take = [&events](const std::vector<dem::BreakageEvent> &more)
+  { events.insert(events.end(), more.begin(), more.end()); };
+  if (joined)
+    take(joined->take_events());
+  take(engine().take_events());
+  return events;
+}
+} // namespace spall

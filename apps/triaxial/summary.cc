@@ -1,0 +1,121 @@
+#include "triaxial/summary.h"
+
+#include "run/contact_places.h"
+#include "run/ledger_rows.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spall
+{
+std::map<std::string, double>
+wall_clock(const Triaxial &test, const RecordedTime &recorded,
+           const std::map<std::string, double> &before)
+{
+  const dem::EngineClock now = test.engine().clock(),
+                         then = recorded.preparation_clock;
+  std::map<std::string, double> seconds;
+  seconds["preparation"] = recorded.preparation;
+  seconds["contacts"] = now.contacts - then.contacts;
+  seconds["search"] = now.search - then.search;
+  seconds["breakage"] = now.breakage - then.breakage;
+  seconds["motion"] = now.motion - then.motion;
+  const coupling::ExchangeClock exchange =
+      test.exchange() ? test.exchange()->clock() : coupling::ExchangeClock{};
+  seconds["membrane"] = exchange.bodies;
+  seconds["transfer"] = exchange.transfer;
+  seconds["repeating"] = exchange.keeping;
+  seconds["guards"] = exchange.guards;
+  seconds["step_watch"] = test.watch_seconds();
+  seconds["step_probe"] = test.probe_seconds();
+  seconds["output"] = recorded.output;
+  double known = 0.;
+  for (const auto &[phase, spent] : seconds)
+    known += spent;
+  seconds["other"] = std::max(0., recorded.total - known);
+  seconds["total"] = recorded.total;
+  for (const auto &[phase, spent] : before)
+    seconds[phase] += spent;
+  return seconds;
+}
+
+std::string summary_text(const Case &parameters, const Triaxial &test,
+                         const RunRecord &record)
+{
+  const dem::Engine &engine = test.engine();
+  const auto &breakable = engine.particles().is_breakable;
+  const Triaxial::Prepared &prepared = test.prepared();
+  const double work = record.end.external_work - record.start.external_work;
+  nlohmann::ordered_json out;
+  out["kind"] = "dynamic_triaxial";
+  out["title"] = parameters.title;
+  out["is_complete"] = test.cycle() >= parameters.loading.n_cycles();
+  out["lateral"] =
+      parameters.boundary.lateral == Lateral::membrane ? "membrane" : "rigid";
+  out["n_stones"] = engine.particles().size();
+  out["n_breakable"] =
+      std::count(breakable.begin(), breakable.end(), std::uint8_t{1});
+  out["solid_volume_m3"] = solid_volume(engine.particles());
+  out["initial_porosity"] = prepared.porosity;
+  out["time_step_s"] = test.time_step();
+  const StepRecord &steps = test.step_record();
+  if (parameters.time.step == StepRule::fixed)
+    out["step_over_limit_1"] = steps.worst_share;
+  else
+  {
+    out["shortest_step_s"] = steps.shortest_used;
+    out["longest_step_s"] = steps.longest_used;
+  }
+  if (parameters.time.step == StepRule::error)
+  {
+    const StepErrors errors = errors_of(test.step_probe());
+    out["force_error_1"] = errors.force;
+    out["energy_error_1"] = errors.energy;
+    out["n_probe_steps"] = test.step_probe().n_extra_steps;
+  }
+  out["n_steps"] = engine.n_steps();
+  out["n_rebuilds"] = engine.n_rebuilds();
+  out["cycles_1"] = record.end.cycle;
+  out["threads"] = record.threads;
+  out["peak_axial_stress_Pa"] = record.peak_axial_stress;
+  out["permanent_axial_strain_1"] = record.end.axial_strain;
+  out["permanent_volumetric_strain_1"] = record.end.volumetric_strain;
+  out["laa_percent"] = record.end.laa;
+  out["coordination_start_1"] = record.start.coordination_number;
+  out["coordination_end_1"] = record.end.coordination_number;
+  out["coordination_change_1"] =
+      record.end.coordination_number - record.start.coordination_number;
+  out["n_events"] = engine.n_events();
+  out["n_refused_events"] = engine.n_refused_events();
+  out["external_work_J"] = work;
+  out["energy_residual_ratio_1"] =
+      work != 0. ? std::abs((record.end.energy_residual -
+                             record.start.energy_residual) /
+                            work)
+                 : 0.;
+  add_contact_places(engine, out);
+  // Springs gained (< 0) by turning, over the external work of the loading.
+  out["shape_work_ratio_1"] =
+      work != 0. ? (record.end.shape_work - record.start.shape_work) / work
+                 : 0.;
+  if (test.gain())
+  {
+    out["exchange_gain_1"] = test.gain()->gain;
+    if (std::isfinite(test.gain()->limit))
+      out["exchange_gain_limit_1"] = test.gain()->limit;
+    out["worst_gain_1"] = record.worst_gain;
+    if (test.exchange())
+      add_ledger(*test.exchange(), out);
+  }
+  out["preparation"] = {
+      {"stress_Pa",
+       {prepared.stress.x(), prepared.stress.y(), prepared.stress.z()}},
+      {"unbalanced_force_ratio_1", prepared.unbalanced_ratio},
+      {"time_s", prepared.time}};
+  out["wall_clock_s"] = record.seconds;
+  out["version"] = SPALL_VERSION;
+  return out.dump(2) + "\n";
+}
+} // namespace spall

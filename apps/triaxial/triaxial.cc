@@ -1,0 +1,437 @@
+#include "triaxial/triaxial.h"
+
+#include "errors.h"
+
+#include <dem/io/binary.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+namespace spall
+{
+namespace
+{
+/// How often the preparation is asked whether it is at rest [steps].
+constexpr std::int64_t rest_interval = 200;
+
+double haversine(double phase)
+{
+  return 0.5 * (1. - std::cos(2. * std::numbers::pi * phase));
+}
+} // namespace
+
+Triaxial::Triaxial(const Case &c)
+    : parameters(c), specimen(make_specimen(c)),
+      servo(specimen.box,
+            {c.boundary.servo_response_time, c.preparation.wall_speed}),
+      setup(choose_step(c, *specimen.engine)), watch(c.time, setup.cap),
+      cycle_ticks(is_fixed() ? std::llround(c.loading.period() /
+                                            (setup.step * steps_in_window()))
+                             : c.output.samples_per_cycle),
+      n_cycles(c.loading.n_cycles())
+{
+  enter(Stage::preparation);
+  engine().set_breaking(false);
+  for (int d = 0; d < 3; ++d)
+    servo.follow(d, c.preparation.pressure);
+}
+
+double Triaxial::period() const
+{
+  return is_fixed()
+             ? static_cast<double>(cycle_ticks) * setup.step * steps_in_window()
+             : parameters.loading.period();
+}
+
+double Triaxial::cycle() const
+{
+  if (now < Stage::loading)
+    return 0.;
+  return (static_cast<double>(pace.ticks()) + pace.share_done()) /
+         static_cast<double>(cycle_ticks);
+}
+
+void Triaxial::advance()
+{
+  if (now == Stage::done)
+    return;
+  settle_step();
+  step_stage();
+  if (!stopped_by.empty())
+    throw coupling::GuardStop(std::exchange(stopped_by, {}));
+}
+
+void Triaxial::step_stage()
+{
+  switch (now)
+  {
+  case Stage::preparation:
+    return prepare();
+  case Stage::consolidation:
+    return consolidate();
+  case Stage::loading:
+    load();
+    return follow_probe();
+  case Stage::done:
+    return;
+  }
+}
+
+void Triaxial::enter(Stage next)
+{
+  now = next;
+  in_stage = 0;
+  const double step = longest_step();
+  if (next == Stage::preparation)
+    return pace.begin(std::numeric_limits<double>::infinity(), step);
+  if (next == Stage::loading)
+    return pace.begin(period() / static_cast<double>(cycle_ticks), step);
+  // Consolidation: two halves, or as many steps as come near to its length.
+  const double length = parameters.loading.consolidation_time;
+  stage_ticks =
+      is_fixed() ? std::max<std::int64_t>(2, std::llround(length / step)) : 2;
+  pace.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
+}
+
+void Triaxial::prepare()
+{
+  servo.update(engine(), pace.step());
+  engine().advance(pace.step());
+  pace.count();
+  ++in_stage;
+  if (in_stage % rest_interval == 0 && is_at_rest())
+  {
+    preparation.time = engine().time();
+    preparation.porosity =
+        1. - solid_volume(engine().particles()) /
+                 dem::box_size(engine(), specimen.box).prod();
+    place_boundaries();
+    enter(Stage::consolidation);
+  }
+  else if (engine().time() > parameters.preparation.max_time)
+  {
+    std::ostringstream text;
+    text << "preparation is not at rest after "
+         << parameters.preparation.max_time << " s: stress "
+         << preparation.stress.transpose() << " Pa (target "
+         << parameters.preparation.pressure << "), unbalanced force ratio "
+         << preparation.unbalanced_ratio << " (limit "
+         << parameters.preparation.unbalanced_ratio
+         << "): see Preparation/max_time, friction, local_damping";
+    throw RunFailure(text.str());
+  }
+}
+
+bool Triaxial::is_at_rest()
+{
+  preparation.stress = dem::box_stress(engine(), specimen.box);
+  preparation.unbalanced_ratio =
+      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
+  const PreparationParameters &limits = parameters.preparation;
+  const double worst =
+      (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
+  return worst < limits.stress_tolerance &&
+         preparation.unbalanced_ratio < limits.unbalanced_ratio &&
+         dem::contact_network(engine().particles(), engine().pairs())
+                 .n_contacts > 0;
+}
+
+void Triaxial::place_boundaries()
+{
+  const auto &planes = engine().planes();
+  for (int d = 0; d < 3; ++d)
+  {
+    const auto &[low, high] = specimen.box[static_cast<std::size_t>(d)];
+    lower[d] = planes[low].point[d];
+    upper[d] = planes[high].point[d];
+  }
+  area = (upper - lower).head<2>().prod();
+  servo.release(engine(), 2);
+  // Stones that carry nothing would fly on for ever.
+  engine().come_to_rest();
+  engine().set_friction(parameters.stone.friction);
+  engine().set_local_damping(parameters.time.local_damping);
+  const dem::Plane &top = planes[specimen.box[2][1]];
+  plane_work_gone = top.work;
+  build_cell();
+  cell->set_plate({upper.z(), 0., -parameters.preparation.pressure * area,
+                   top.force.z(), 0.});
+}
+
+void Triaxial::build_cell()
+{
+  const int n = parameters.boundary.elements_per_side;
+  std::optional<fem::Membrane> membrane;
+  if (parameters.boundary.lateral == Lateral::membrane)
+  {
+    membrane.emplace(coupling::tube_between_rims(
+        parameters.membrane, fem::box_sides(lower, upper, {n, n, n})));
+    watch.forget_membrane();
+  }
+  const CouplingParameters &c = parameters.coupling;
+  const coupling::BodySteps steps =
+      membrane ? coupling::BodySteps{c.is_body_implicit, c.body_steps}
+               : coupling::BodySteps{};
+  auto body = std::make_unique<coupling::CellBody>(
+      parameters.boundary.plate_mass, upper.z(), std::move(membrane), steps);
+  cell = body.get();
+  joined = std::make_unique<coupling::Exchange>(
+      c.exchange_rules(parameters.boundary.lateral));
+  std::unique_ptr<coupling::Seam> seam = coupling::seam_of(
+      *cell, specimen.box[2][1], parameters.membrane_contact, engine());
+  joined->add(std::move(body), std::move(seam), engine());
+}
+
+/// The servo walls go along with the stones.
+coupling::Stones Triaxial::stones()
+{
+  return {engine(),
+          [this](double time_step)
+          {
+            servo.update(engine(), time_step);
+            engine().advance(time_step);
+          },
+          [this](std::ostream &out)
+          {
+            engine().save(out, specimen.shapes);
+            servo.save(out);
+          },
+          [this](std::istream &in)
+          {
+            engine().restore(in, specimen.shapes);
+            servo.restore(in);
+          }};
+}
+
+void Triaxial::consolidate()
+{
+  // The first half hands over from the planes to the membrane, or from one
+  // pressure to the other; the second half is rest.
+  const double done =
+      static_cast<double>(pace.ticks()) + pace.share_after_step();
+  const double share =
+      std::min(1., 2. * done / static_cast<double>(stage_ticks));
+  const double from = parameters.preparation.pressure,
+               to = parameters.loading.confining_pressure;
+  const double isotropic = std::lerp(from, to, share);
+  if (cell->has_membrane())
+  {
+    pressure = share * to;
+    for (int d = 0; d < 2; ++d)
+    {
+      if (share < 1.)
+        servo.follow(d, (1. - share) * from);
+      else
+        servo.release(engine(), d);
+      if (share == 1.)
+        for (const std::size_t plane :
+             specimen.box[static_cast<std::size_t>(d)])
+          if (engine().planes()[plane].is_active)
+            engine().deactivate_plane(plane);
+    }
+  }
+  else
+    for (int d = 0; d < 2; ++d)
+      servo.follow(d, isotropic);
+  cell->set_drive(-isotropic * area);
+  step_boundaries();
+  if (pace.ticks() >= stage_ticks)
+  {
+    start_height = cell->plate().height() - lower.z();
+    start_volume = volume();
+    engine().set_breaking(parameters.breakage.is_active);
+    watch.report(engine(), surroundings());
+    if (parameters.loading.form == LoadForm::compression)
+      hold_plate();
+    enter(Stage::loading);
+  }
+}
+
+/// A plate that is driven starts from rest.
+void Triaxial::hold_plate()
+{
+  fem::RigidPlate::State state = cell->plate().state();
+  state.speed = 0.;
+  state.last_drive = -state.last_reaction;
+  cell->set_plate(state);
+}
+
+void Triaxial::load()
+{
+  const LoadingParameters &loading = parameters.loading;
+  const double phase = (static_cast<double>(pace.ticks() % cycle_ticks) +
+                        pace.share_after_step()) /
+                       static_cast<double>(cycle_ticks);
+  if (loading.form == LoadForm::compression)
+    cell->set_acceleration(plate_acceleration());
+  else
+    cell->set_drive(
+        -(loading.confining_pressure + loading.amplitude * haversine(phase)) *
+        area);
+  step_boundaries();
+  if (pace.ticks() >= n_cycles * cycle_ticks)
+    now = Stage::done;
+}
+
+/// Of a plate that moves at a constant rate [m/s^2]. It gets up to its speed in
+/// the first hundredth of the time, as a wave would run ahead of a jump.
+double Triaxial::plate_acceleration() const
+{
+  const LoadingParameters &loading = parameters.loading;
+  constexpr double start = 0.01;
+  const double share = cycle();
+  const double speed =
+      loading.final_strain * start_height / (period() * (1. - 0.5 * start));
+  return share < start ? -speed / (start * period()) : 0.;
+}
+
+void Triaxial::step_boundaries()
+{
+  if (cell->has_membrane())
+    cell->set_pressure(pressure);
+  try
+  {
+    joined->advance(stones(), pace.step());
+  }
+  catch (const coupling::GuardStop &stop)
+  {
+    stopped_by = stop.what(); // once the step has been counted
+  }
+  pace.count();
+  ++in_stage;
+}
+
+double Triaxial::lateral_stress() const
+{
+  const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.box);
+  return 0.5 * (on_planes.x() + on_planes.y()) + (membrane() ? pressure : 0.);
+}
+
+/// Mean section of the specimen, that of the plate when loading began [m^2].
+double Triaxial::section() const
+{
+  return now < Stage::loading
+             ? area
+             : area * (volume() / start_volume) * start_height /
+                   (cell->plate().height() - lower.z());
+}
+
+double Triaxial::volume() const
+{
+  return membrane() ? membrane()->enclosed_volume()
+                    : dem::box_size(engine(), specimen.box).prod();
+}
+
+Sample Triaxial::sample(double roundness) const
+{
+  const dem::Particles &stones = engine().particles();
+  const dem::ContactNetwork network =
+      dem::contact_network(stones, engine().pairs());
+  Sample s;
+  s.time = engine().time();
+  s.stage = std::min(2., static_cast<double>(now));
+  s.cycle = cycle();
+  s.axial_stress =
+      now == Stage::preparation
+          ? dem::box_stress(engine(), specimen.box).z()
+          : engine().planes()[specimen.box[2][1]].force.z() / section();
+  s.lateral_stress = lateral_stress();
+  if (now >= Stage::loading)
+  {
+    s.axial_strain = 1. - (cell->plate().height() - lower.z()) / start_height;
+    s.volumetric_strain = 1. - volume() / start_volume;
+  }
+  s.laa = 100. * dem::abrasion(stones);
+  s.coordination_number = network.coordination_number;
+  s.mean_contact_force = network.mean_force;
+  s.roundness = roundness;
+  s.n_contacts = static_cast<double>(network.n_contacts);
+  s.n_events = static_cast<double>(engine().n_events());
+  s.unbalanced_force_ratio =
+      dem::unbalanced_force_ratio(stones, engine().pairs());
+  add_energies(s);
+  return s;
+}
+
+void Triaxial::add_energies(Sample &s) const
+{
+  const dem::EngineEnergy energy = engine().energy();
+  s.external_work = energy.plane_work + energy.gravity_work;
+  s.kinetic_energy = energy.kinetic;
+  s.elastic_energy = energy.elastic;
+  s.friction = energy.friction;
+  s.rolling = energy.rolling;
+  s.damping = energy.damping;
+  s.breakage = energy.breakage;
+  s.shape_work = energy.shape_work;
+  if (cell)
+  {
+    const double top_work = engine().planes()[specimen.box[2][1]].work;
+    const coupling::BodyEnergy closed = cell->energy();
+    s.external_work += closed.external - (top_work - plane_work_gone);
+    s.kinetic_energy += closed.kinetic;
+    s.damping += closed.lost;
+    s.membrane_strain_energy = closed.stored;
+  }
+  s.energy_residual =
+      s.external_work -
+      (s.kinetic_energy + s.elastic_energy + s.friction + s.rolling +
+       s.damping + s.breakage + s.shape_work + s.membrane_strain_energy);
+}
+
+void Triaxial::save(std::ostream &out) const
+{
+  dem::write_value(out, now);
+  dem::write_value(out, in_stage);
+  dem::write_value(out, parameters.time);
+  dem::write_value(out, cycle_ticks);
+  dem::write_value(out, pace);
+  dem::write_value(out, stage_ticks);
+  dem::write_value(out, watch.state());
+  dem::write_value(out, probe);
+  dem::write_value(out, preparation);
+  dem::write_value(out, lower);
+  dem::write_value(out, upper);
+  for (const double value :
+       {area, pressure, plane_work_gone, start_height, start_volume})
+    dem::write_value(out, value);
+  engine().save(out, specimen.shapes);
+  servo.save(out);
+  if (joined)
+    joined->save(out);
+}
+
+void Triaxial::restore(std::istream &in)
+{
+  dem::read_value(in, now);
+  dem::read_value(in, in_stage);
+  TimeParameters time_then;
+  std::int64_t ticks_then = 0;
+  dem::read_value(in, time_then);
+  dem::read_value(in, ticks_then);
+  dem::read_value(in, pace);
+  dem::read_value(in, stage_ticks);
+  StepRecord record;
+  dem::read_value(in, record);
+  dem::read_value(in, probe);
+  dem::read_value(in, preparation);
+  dem::read_value(in, lower);
+  dem::read_value(in, upper);
+  for (double *value :
+       {&area, &pressure, &plane_work_gone, &start_height, &start_volume})
+    dem::read_value(in, *value);
+  const bool has_boundaries = now > Stage::preparation;
+  if (has_boundaries && !joined) // a probe goes back with the one it has
+    build_cell();
+  watch.set_state(record); // a new membrane would have it asked anew
+  engine().restore(in, specimen.shapes);
+  servo.restore(in);
+  if (joined)
+    joined->restore(in);
+  resume_pace(time_then, ticks_then);
+  if (now == Stage::done && pace.ticks() < n_cycles * cycle_ticks)
+    now = Stage::loading;
+}
+} // namespace spall

@@ -1,0 +1,152 @@
+#pragma once
+
+#include "run/pace.h"
+#include "run/sample.h"
+#include "run/step_probe.h"
+#include "run/step_watch.h"
+#include "specimen/specimen.h"
+
+#include <coupling/cell_body.h>
+#include <coupling/exchange.h>
+
+#include <iosfwd>
+#include <optional>
+
+namespace spall
+{
+enum class Stage : std::int32_t
+{
+  preparation,   ///< six servo planes compact the cloud
+  consolidation, ///< lateral boundary and plate take over
+  loading,       ///< haversine on the plate
+  done
+};
+
+/// The dynamic triaxial test: scene and sequence, step by step.
+class Triaxial
+{
+public:
+  /// Builds the scene. Throws InputError.
+  explicit Triaxial(const Case &parameters);
+
+  /// One step of the present stage. Throws RunFailure if the preparation does
+  /// not come to rest in time, coupling::GuardStop after a step that a guard
+  /// stops at.
+  void advance();
+
+  Stage stage() const { return now; }
+  double time_step() const; ///< of the stones, the next one [s]
+  double window() const { return pace.step(); } ///< of the exchange [s]
+  double period() const; ///< of a load cycle, a whole number of ticks [s]
+  /// Ticks since the present stage began, and of one load cycle. Every run
+  /// meets its ticks, whatever its steps; with a fixed step each is one.
+  std::int64_t ticks() const { return pace.ticks(); }
+  bool is_on_tick() const { return pace.is_on_tick(); }
+  std::int64_t ticks_per_cycle() const { return cycle_ticks; }
+  /// Steps since the present stage began [-].
+  std::int64_t stage_steps() const { return in_stage; }
+  /// Fractional load cycle; 0 before loading.
+  double cycle() const;
+  /// End of this many load cycles, whatever the case says.
+  void stop_after(int cycles) { n_cycles = cycles; }
+
+  /// The row of history.csv now; `roundness` is the caller's last value.
+  Sample sample(double roundness) const;
+
+  const dem::Engine &engine() const { return *specimen.engine; }
+  dem::Engine &engine() { return *specimen.engine; }
+  /// Null without one, and in the preparation.
+  const fem::Membrane *membrane() const
+  {
+    return cell && cell->has_membrane() ? &cell->membrane() : nullptr;
+  }
+  /// Stones and what closes the specimen; null in the preparation.
+  const coupling::Exchange *exchange() const { return joined.get(); }
+  const SetupStep &setup_step() const { return setup; }
+  /// Of the exchange now [-]; 0 in the preparation.
+  double exchange_gain() const;
+  /// Gain of the exchange at setup; only with a membrane.
+  const std::optional<coupling::ExchangeGain> &gain() const
+  {
+    return setup.gain;
+  }
+
+  /// How the preparation ended.
+  struct Prepared
+  {
+    dem::Vec3 stress = dem::Vec3::Zero(); ///< of each axis [Pa]
+    double unbalanced_ratio = 0.;         ///< [-]
+    double time = 0.;                     ///< it took [s]
+    double porosity = 0.;                 ///< then [-]
+  };
+  const Prepared &prepared() const { return preparation; }
+  /// What the steps were, and what they were chosen by.
+  const StepRecord &step_record() const { return watch.state(); }
+  const ProbeState &step_probe() const { return probe; }
+  double watch_seconds() const { return watch.seconds(); }
+  /// Wall-clock of keeping and restoring states for probes [s].
+  double probe_seconds() const { return probing; }
+  /// Lines for the log since the last call.
+  std::vector<std::string> take_notes() { return watch.take_notes(); }
+  /// Breakage events since the last call.
+  std::vector<dem::BreakageEvent> take_events();
+  double plate_work() const { return cell ? cell->plate().drive_work() : 0.; }
+
+  void save(std::ostream &out) const; ///< full state, bit for bit
+  /// Continues a saved test of the same case; throws std::runtime_error.
+  void restore(std::istream &in);
+
+private:
+  void step_stage();
+  void prepare();
+  void consolidate();
+  void load();
+  void enter(Stage next);
+  bool is_at_rest();
+  void place_boundaries();
+  void build_cell();
+  coupling::Stones stones();
+  int steps_in_window() const;
+  Surroundings surroundings() const;
+  void step_boundaries();
+  void hold_plate();
+  double plate_acceleration() const;
+  double section() const;
+  bool is_fixed() const;
+  double longest_step() const;
+  void settle_step();
+  void resume_pace(const TimeParameters &then, std::int64_t ticks_then);
+  void start_probe();
+  void follow_probe();
+  void gather(Window &window) const;
+  void close_window(Window &window) const;
+  void add_energies(Sample &sample) const;
+  double lateral_stress() const;
+  double volume() const;
+
+  Case parameters;
+  Specimen specimen;
+  dem::BoxServo servo;
+  SetupStep setup;
+  StepWatch watch;
+  Pace pace;
+  ProbeState probe;
+  std::string stopped_by; ///< words of a guard; empty: none
+  double probing = 0.;    ///< wall-clock of going back, for probes [s]
+  std::vector<dem::BreakageEvent> held_events;
+  std::int64_t cycle_ticks = 0, stage_ticks = 0;
+  int n_cycles = 0;
+
+  Stage now = Stage::preparation;
+  std::int64_t in_stage = 0;
+  Prepared preparation;
+  std::unique_ptr<coupling::Exchange> joined;
+  coupling::CellBody *cell = nullptr; ///< of `joined`
+  dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
+  double area = 0.;            ///< of the plate [m^2]
+  double pressure = 0.;        ///< on the membrane now [Pa]
+  double plane_work_gone = 0.; ///< of the top plane before the plate [J]
+  double start_height = 0.;    ///< of the specimen, loading [m]
+  double start_volume = 0.;    ///< [m^3]
+};
+} // namespace spall

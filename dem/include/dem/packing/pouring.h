@@ -1,0 +1,145 @@
+#pragma once
+
+#include <dem/engine.h>
+#include <dem/packing/insertion.h>
+
+#include <iosfwd>
+#include <span>
+#include <vector>
+
+namespace dem
+{
+/// An upright room with a flat floor, round (as wide as x) or a box. Its walls
+/// and its floor are whatever the engine has there.
+struct Room
+{
+  Vec3 floor = Vec3::Zero();         ///< middle of the floor [m]
+  double width_x = 1., width_y = 1.; ///< [m]
+  bool is_round = false;
+
+  double section() const; ///< [m^2]
+};
+
+struct PouringParameters
+{
+  /// Asked of stones under `level_pressure`: mass over volume of the room up to
+  /// the tamper; 0: the layers are not tamped [kg/m^3].
+  double density = 0.;
+  double friction = 0.2; ///< stone on stone until the last layer is in
+  /// Of the cloud that falls; less where stones do not find a place [-].
+  double solid_fraction = 0.2;
+  double tamper_speed = 0.1;    ///< [m/s]
+  double tamper_pressure = 2e5; ///< at which the tamper turns back [Pa]
+  double level_pressure = 5e3;  ///< under which the height is taken [Pa]
+  int max_strokes = 4;          ///< of the tamper on one layer
+  double tolerance = 2e-3;      ///< of the density; no more strokes [-]
+  /// Of stones at rest: sum of the resultant forces over the weight; before the
+  /// tamper comes ten times as much will do [-].
+  double unbalanced_ratio = 1e-3;
+  double max_time = 2.; ///< for a layer to come to rest, then it fails [s]
+};
+
+/// Stones of all sizes into `n` layers of about the same mass and gradation,
+/// largest first in each.
+std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n);
+
+/// Fills a room with stones, layer by layer: a cloud of stones falls in, comes
+/// to rest, and is tamped by a plane that comes down until it is felt and the
+/// density is reached (a stroke that springs back is followed by a deeper one)
+/// or its pressure is at the limit. Layers thinner than their largest stones
+/// may stay looser than the whole becomes, and stones that slide easily may be
+/// denser than asked before the tamper comes: Layer says what was reached. At
+/// last the stones get their friction back and come to rest. Gravity, damping
+/// and steps are the caller's.
+class Pouring
+{
+public:
+  enum class Stage : std::int32_t
+  {
+    waiting,  ///< for the next layer
+    settling, ///< stones fall
+    tamping,
+    lifting, ///< of the tamper
+    resting,
+    done
+  };
+
+  /// What a layer has come to.
+  struct Layer
+  {
+    double mass = 0.;     ///< of it and those below [kg]
+    double height = 0.;   ///< under level_pressure; without tamping none [m]
+    double density = 0.;  ///< mass over room [kg/m^3]
+    double pressure = 0.; ///< largest of the tamper, mean of 0.2 ms [Pa]
+    double time = 0.;     ///< when it was done [s]
+    std::int64_t strokes = 0;
+  };
+
+  /// `layers` must not be empty; largest stones first in each.
+  Pouring(const Room &room, const PouringParameters &parameters,
+          std::vector<std::vector<Body>> layers, std::uint64_t seed);
+
+  /// Adds the tamper, a plane that is out of the way until it is needed.
+  void prepare(Engine &engine);
+
+  /// Before each step of the engine: what is due, and the speed of the tamper.
+  /// Throws std::runtime_error if a layer finds no place or no rest.
+  void steer(Engine &engine, double time_step);
+
+  bool is_done() const { return now.stage == Stage::done; }
+  Stage stage() const { return now.stage; }
+  /// Of the layers that are done.
+  std::span<const Layer> layers() const { return finished; }
+  std::size_t n_layers() const { return bodies.size(); }
+  /// When it was last asked [-].
+  double unbalanced_ratio() const { return now.unbalanced_ratio; }
+  /// Number of the plane that tamps: up there and inactive when all is done.
+  std::size_t tamper() const { return plane; }
+
+  void save(std::ostream &out) const;
+  void restore(std::istream &in);
+
+private:
+  void pour(Engine &engine);
+  std::vector<Placement> cloud_above(double floor,
+                                     const InsertionBox &slab) const;
+  bool is_at_rest(const Engine &engine, double limit);
+  void settle(Engine &engine);
+  void lower_tamper(Engine &engine);
+  void tamp(Engine &engine);
+  void lift(Engine &engine);
+  void close_layer(Engine &engine);
+  void enter(Stage next, const Engine &engine);
+  void follow_pressure(const Engine &engine, double time_step);
+  double goal() const;
+
+  /// Plain data for the checkpoint.
+  struct State
+  {
+    Stage stage = Stage::waiting;
+    std::int32_t strokes = 0; ///< on the present layer
+    double since = 0.;        ///< when the stage began [s]
+    double mass = 0.;         ///< of the stones so far [kg]
+    double depth = 0.;        ///< that a stroke goes to above the floor [m]
+    double pressure = 0.;     ///< of the tamper, mean of some steps [Pa]
+    double peak = 0.;         ///< of the layer [Pa]
+    double level = 0.;        ///< above the floor, last taken [m]
+    double unbalanced_ratio = 0.;
+    double friction = 0.; ///< of the stones when all is done [-]
+  };
+
+  Room room;
+  PouringParameters parameters;
+  std::vector<std::vector<Body>> bodies;
+  std::uint64_t seed;
+  std::size_t plane = 0;
+  State now;
+  std::vector<Layer> finished;
+};
+
+/// Upper bound of where stones end [m]; the floor without stones.
+double top_of(const Particles &particles, double floor);
+
+/// Sum of the resultant forces on the stones over the sum of their weights [-].
+double unbalanced_weight_ratio(const Particles &particles, const Vec3 &gravity);
+} // namespace dem

@@ -1,0 +1,281 @@
+#include <dem/io/binary.h>
+#include <dem/packing/pouring.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+namespace dem
+{
+namespace
+{
+/// How often stones are asked whether they are at rest [steps].
+constexpr std::int64_t rest_interval = 200;
+/// Over which the pressure of the tamper is averaged [s].
+constexpr double averaging_time = 2e-4;
+/// Of the tamper above what it does not touch, over the width of the room [-].
+constexpr double clearance = 1e-3;
+
+double volume_of(std::span<const Body> stones)
+{
+  double sum = 0.;
+  for (const Body &stone : stones)
+    sum += stone.volume;
+  return sum;
+}
+} // namespace
+
+double Room::section() const
+{
+  return is_round ? 0.25 * std::numbers::pi * width_x * width_x
+                  : width_x * width_y;
+}
+
+double top_of(const Particles &particles, double floor)
+{
+  double top = floor;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    top = std::max(top, particles.position(i).z() +
+                            std::max(particles.radius(i),
+                                     particles.body[i].circumscribed_radius));
+  return top;
+}
+
+double unbalanced_weight_ratio(const Particles &particles, const Vec3 &gravity)
+{
+  double force = 0., weight = 0.;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    force += (particles.load[i].force + particles.mass(i) * gravity).norm();
+    weight += particles.mass(i) * gravity.norm();
+  }
+  return force / weight;
+}
+
+std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n)
+{
+  std::vector<std::vector<Body>> layers(static_cast<std::size_t>(n));
+  std::vector<double> volume(layers.size(), 0.);
+  for (const Body &stone : stones)
+  {
+    const auto least = std::ranges::min_element(volume);
+    layers[static_cast<std::size_t>(least - volume.begin())].push_back(stone);
+    *least += stone.volume;
+  }
+  return layers;
+}
+
+Pouring::Pouring(const Room &its_room, const PouringParameters &p,
+                 std::vector<std::vector<Body>> layers, std::uint64_t its_seed)
+    : room(its_room), parameters(p), bodies(std::move(layers)), seed(its_seed)
+{
+}
+
+void Pouring::prepare(Engine &engine)
+{
+  plane = engine.add_plane(room.floor + room.width_x * Vec3::UnitZ(),
+                           -Vec3::UnitZ());
+  engine.deactivate_plane(plane);
+  now.friction = engine.parameters().stone.friction;
+  engine.set_friction(parameters.friction);
+}
+
+void Pouring::steer(Engine &engine, double time_step)
+{
+  follow_pressure(engine, time_step);
+  switch (now.stage)
+  {
+  case Stage::waiting:
+    return pour(engine);
+  case Stage::settling:
+    return settle(engine);
+  case Stage::tamping:
+    return tamp(engine);
+  case Stage::lifting:
+    return lift(engine);
+  case Stage::resting:
+    if (!is_at_rest(engine, parameters.unbalanced_ratio))
+      return;
+    // Stones that carry nothing would roll on for ever.
+    engine.come_to_rest();
+    return enter(Stage::done, engine);
+  case Stage::done:
+    return;
+  }
+}
+
+void Pouring::enter(Stage next, const Engine &engine)
+{
+  now.stage = next;
+  now.since = engine.time();
+}
+
+void Pouring::follow_pressure(const Engine &engine, double time_step)
+{
+  const double present = engine.planes()[plane].force.z() / room.section();
+  now.pressure +=
+      std::min(1., time_step / averaging_time) * (present - now.pressure);
+  now.peak = std::max(now.peak, now.pressure);
+}
+
+/// Height above the floor at which the present stones have the density [m].
+double Pouring::goal() const
+{
+  return now.mass / (parameters.density * room.section());
+}
+
+/// Where the stones of a layer begin to fall. A cloud in which they find no
+/// place, as near walls, is made higher.
+std::vector<Placement> Pouring::cloud_above(double floor,
+                                            const InsertionBox &slab) const
+{
+  constexpr int n_tries = 12;
+  constexpr double growth = 1.25;
+  const std::vector<Body> &layer = bodies[finished.size()];
+  InsertionBox box = slab;
+  double height =
+      volume_of(layer) / (parameters.solid_fraction * room.section());
+  for (int k = 1;; ++k, height *= growth)
+    try
+    {
+      box.upper.z() = floor + height;
+      Random random(seed + finished.size());
+      return insert_stones(layer, box, random);
+    }
+    catch (const std::runtime_error &)
+    {
+      if (k == n_tries)
+        throw;
+    }
+}
+
+void Pouring::pour(Engine &engine)
+{
+  const std::vector<Body> &layer = bodies[finished.size()];
+  const double floor = top_of(engine.particles(), room.floor.z());
+  const Vec3 half(0.5 * room.width_x,
+                  0.5 * (room.is_round ? room.width_x : room.width_y), 0.);
+  InsertionBox box;
+  box.lower = Vec3(room.floor.x(), room.floor.y(), floor) - half;
+  box.upper = Vec3(room.floor.x(), room.floor.y(), floor) + half;
+  box.sees_surfaces = engine.parameters().geometry.follows_surfaces();
+  box.is_round = room.is_round;
+  const std::vector<Placement> places = cloud_above(floor, box);
+  for (std::size_t i = 0; i < layer.size(); ++i)
+    engine.add_stone(layer[i], places[i].position, places[i].orientation);
+  now.mass += volume_of(layer) * engine.parameters().stone.density;
+  now.strokes = 0;
+  now.peak = 0.;
+  now.depth = parameters.density > 0. ? goal() : 0.;
+  enter(Stage::settling, engine);
+}
+
+/// Asked now and then. Throws std::runtime_error after too long.
+bool Pouring::is_at_rest(const Engine &engine, double limit)
+{
+  if (engine.n_steps() % rest_interval != 0 || engine.time() == now.since)
+    return false;
+  now.unbalanced_ratio =
+      unbalanced_weight_ratio(engine.particles(), engine.parameters().gravity);
+  if (engine.time() - now.since > parameters.max_time)
+  {
+    std::ostringstream text;
+    text << "pouring: layer " << std::min(finished.size() + 1, bodies.size())
+         << " of " << bodies.size() << " is not at rest after "
+         << parameters.max_time << " s: resultant forces over weight "
+         << now.unbalanced_ratio << ", limit " << limit;
+    throw std::runtime_error(text.str());
+  }
+  return now.unbalanced_ratio < limit;
+}
+
+void Pouring::settle(Engine &engine)
+{
+  if (!is_at_rest(engine, 10. * parameters.unbalanced_ratio))
+    return;
+  if (parameters.density > 0.)
+    lower_tamper(engine);
+  else
+    close_layer(engine);
+}
+
+void Pouring::lower_tamper(Engine &engine)
+{
+  const double start =
+      top_of(engine.particles(), room.floor.z()) + clearance * room.width_x;
+  engine.place_plane(plane, {room.floor.x(), room.floor.y(), start});
+  engine.planes()[plane].velocity = -parameters.tamper_speed * Vec3::UnitZ();
+  ++now.strokes;
+  enter(Stage::tamping, engine);
+}
+
+/// Down to its depth at least, and until it is felt.
+void Pouring::tamp(Engine &engine)
+{
+  Plane &tamper = engine.planes()[plane];
+  const double height = tamper.point.z() - room.floor.z();
+  const bool is_deep =
+      height <= now.depth &&
+      tamper.force.z() > parameters.level_pressure * room.section();
+  if (!is_deep && now.pressure < parameters.tamper_pressure)
+    return;
+  tamper.velocity = -tamper.velocity;
+  now.level = height;
+  enter(Stage::lifting, engine);
+}
+
+void Pouring::lift(Engine &engine)
+{
+  const Plane &tamper = engine.planes()[plane];
+  const double height = tamper.point.z() - room.floor.z();
+  if (tamper.force.z() > parameters.level_pressure * room.section())
+    now.level = height;
+  if (tamper.force.z() != 0. || height < now.level + clearance * room.width_x)
+    return;
+  engine.deactivate_plane(plane);
+  const double missing = now.level - goal();
+  if (missing > parameters.tolerance * goal() &&
+      now.peak < parameters.tamper_pressure &&
+      now.strokes < parameters.max_strokes)
+  {
+    now.depth -= missing;
+    return enter(Stage::settling, engine);
+  }
+  close_layer(engine);
+}
+
+void Pouring::close_layer(Engine &engine)
+{
+  Layer layer;
+  layer.mass = now.mass;
+  layer.time = engine.time();
+  if (parameters.density > 0.)
+  {
+    layer.height = now.level;
+    layer.density = now.mass / (now.level * room.section());
+    layer.pressure = now.peak;
+    layer.strokes = now.strokes;
+  }
+  finished.push_back(layer);
+  if (finished.size() < bodies.size())
+    return enter(Stage::waiting, engine);
+  engine.set_friction(now.friction);
+  enter(Stage::resting, engine);
+}
+
+void Pouring::save(std::ostream &out) const
+{
+  write_value(out, plane);
+  write_value(out, now);
+  write_column(out, finished);
+}
+
+void Pouring::restore(std::istream &in)
+{
+  read_value(in, plane);
+  read_value(in, now);
+  read_column(in, finished);
+}
+} // namespace dem

@@ -1,0 +1,71 @@
+"""Broken cases of kind subgrade for bad_input.py."""
+from bad_cases import CASE, Bad, prm
+
+# Refused before anything is built, but for the last ones.
+SOUND = {
+    "Case": {"kind": "subgrade"},
+    "Layer": {"gradation": "g.csv", "shapes": "", "length": 0.1, "width": 0.1,
+              "thickness": 0.03, "solid_fraction": 0.4},
+    "LoadPlate": {"diameter": 0.08},
+    "Subgrade": {"length": 0.4, "width": 0.4, "cell_size": 0.04,
+                 "layers": "0.2 40e6 0.3 1800"},
+    "Record": {"stress_depths": "0.1"},
+    "Breakage": {"is_active": "false"},
+    "Wall": {"normal_stiffness": 1e6, "shear_stiffness": 0.85e6},
+    "GroundContact": {"normal_stiffness": 1e6, "shear_stiffness": 0.85e6},
+    "Coupling": {"exchange": "one_pass", "stone_steps": 1},
+    "Time": {"fixed_step": 1e-6},
+}
+
+
+def ground(changes, *message):
+    """A case with these changes and what must be said about it."""
+    case = {section: dict(entries) for section, entries in SOUND.items()}
+    name = "subgrade"
+    for place, text in changes.items():
+        section, key = place.split("/")
+        case.setdefault(section, {})[key] = text
+        name += "_" + key + "_" + str(text).replace("/", "_")
+    last = list(changes)[-1]
+    return Bad(name.replace(" ", "_"), CASE, [last, *message],
+               files={"case.prm": prm(case),
+                      "bad.csv": "a,b\n0,1\n0.5;3\n"})
+
+
+SUBGRADES = [
+    ground({"Layer/length": 0.03}, "three times the largest stone"),
+    ground({"Layer/thickness": 0.01}, "largest stone"),
+    ground({"Layer/layers": 900}, "number of stones"),
+    ground({"LoadPlate/diameter": 0.2}, "Layer/length"),
+    ground({"LoadPlate/form": "ring"}, "disc, block"),
+    ground({"Subgrade/length": 0.05}, "Layer/length"),
+    ground({"Subgrade/layers": "0.2 40e6 0.5 1800"}, "0 to below 0.5"),
+    ground({"Subgrade/layers": ""}, "from the top down"),
+    ground({"Subgrade/layers": "0.2 40e6 0.3"}, "from the top down"),
+    ground({"Subgrade/cell_size": 0.1}, "narrow side of the plate"),
+    ground({"Subgrade/bottom": "soft"}, "absorbing, rigid"),
+    ground({"Record/stress_depths": "0.1 0.05"}, "ascend"),
+    ground({"Record/stress_depths": "0.5"}, "less deep"),
+    ground({"Record/row_interval": 1e-7}, "a window"),
+    ground({"Pulse/form": "table", "Pulse/table": ""}, "time_s,force_N"),
+    ground({"Pulse/form": "table", "Pulse/table": "bad.csv"}, "time,value"),
+    ground({"Pulse/form": "train", "Pulse/axle_spacing": 30}, "car_length"),
+    ground({"Pulse/form": "train", "Pulse/share": "table",
+            "Pulse/share_table": "bad.csv"}, "distance_m,share_1"),
+    ground({"Coupling/exchange": "none"}, "every_step, one_pass, iterated"),
+    ground({"Coupling/stone_steps": 2, "Coupling/exchange": "every_step"}, "must be 1"),
+    ground({"Subgrade/body": "condensed", "Record/stress_depths": "0.1"},
+           "has no inside"),
+    ground({"Subgrade/body": "condensed", "Record/stress_depths": "",
+            "Coupling/body_time": "explicit"}, "must be implicit"),
+    ground({"Subgrade/body": "condensed", "Record/stress_depths": "",
+            "Coupling/body_time": "implicit", "Time/step": "stable"},
+           "must be fixed"),
+    ground({"Time/step": "error"}, "fixed or stable"),
+    # Once stones and ground are known.
+    ground({"Record/row_interval": 1e-2, "Time/fixed_step": 1e-3},
+           "must be at most"),
+    ground({"Record/row_interval": 1e-2, "Time/fixed_step": 1e-5,
+            "Coupling/stone_steps": 60, "Coupling/body_steps": 1},
+           "of the subgrade"),
+]

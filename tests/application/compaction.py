@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""Vibratory compaction, small: numbers and promises.
+
+    compaction.py SPALL rigid|flexible
+"""
+import math
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from lab import near, resumed_faults, spall_run, write_prm
+from triaxial_runs import ENVIRONMENT, report_faults, rows, summary
+
+MASS, ECCENTRIC, FREQUENCY, SEATING = 60., 2e-3, 40., 0.02
+SMALL = {
+    "Case": {"kind": "vibratory_compaction"},
+    "Container": {"diameter": 0.09, "height": 0.07, "elements_around": 16},
+    "Filling": {"gradation": "stones.csv", "layers": 2, "density": 1300,
+                "unbalanced_ratio": 5e-3, "tamper_speed": 0.2},
+    "Plate": {"mass": MASS, "seating_time": SEATING},
+    "Vibration": {"eccentric_mass": 1, "eccentricity": ECCENTRIC,
+                  "frequency": FREQUENCY, "duration": 0.2,
+                  "reports": "0.1 0.2", "rows_per_period": 20,
+                  "checkpoint_every": 2},
+    "Breakage": {"fracture_energy": 2000},
+}
+FLEXIBLE = {
+    "Container": {"form": "flexible", "pressure": 5e3},
+    "Coupling": {"exchange": "every_step"},
+    "Membrane": {"youngs_modulus": 5e7, "thickness": 3e-3},
+    "MembraneContact": {"normal_stiffness": 1e6, "shear_stiffness": 0.85e6},
+}
+FILES = ["history.csv", "events.csv", "ledger.csv", "roundness_0s.csv",
+         "roundness_0.1s.csv", "roundness_0.2s.csv"]
+
+
+def write_case(root, is_flexible):
+    (root / "stones.csv").write_text(
+        "diameter_m,passing_1\n0.016,0\n0.028,1\n")
+    case = {section: dict(entries) for section, entries in SMALL.items()}
+    for section, entries in FLEXIBLE.items() if is_flexible else ():
+        case.setdefault(section, {}).update(entries)
+    return write_prm(root / "case.prm", case)
+
+
+def impulse_faults(history):
+    """Load of the stones over whole periods against weight and momentum."""
+    omega = 2. * math.pi * FREQUENCY
+    free = [row for row in history if row["vibration_s"] > 0.]
+    first, last = free[20], free[-1]
+    given = last["plate_impulse_Ns"] - first["plate_impulse_Ns"]
+    time_between = last["vibration_s"] - first["vibration_s"]
+    momentum = MASS * (last["plate_velocity_m_s"] -
+                       first["plate_velocity_m_s"])
+    exciter = ECCENTRIC * omega * (math.cos(omega * first["vibration_s"]) -
+                                   math.cos(omega * last["vibration_s"]))
+    # The plate takes the same forces, but for the half step before an event;
+    # 3e-6 and 3e-5 measured.
+    return near("impulse of the stones", given,
+                MASS * 9.81 * time_between + momentum - exciter, 1e-4)
+
+
+def number_faults(folder):
+    found = summary(folder)
+    history = rows(folder, "history.csv")[1]
+    filling = found["filling"]
+    faults = impulse_faults(history)
+    faults += near("static load", found["static_load_N"], MASS * 9.81, 1e-12)
+    faults += near("force of the exciter", found["exciter_force_N"],
+                   ECCENTRIC * (2. * math.pi * FREQUENCY) ** 2, 1e-12)
+    # Few and large stones: tamped to it, or denser than asked as they fell.
+    if not 0.995 * 1300. < filling["density_reached_kg_m3"] < 1.25 * 1300.:
+        faults.append(f"density {filling}")
+    mass = filling["layers"][-1]["mass_kg"]
+    faults += near("mass", mass, 1300. * 0.07 * math.pi * 0.045 ** 2, 0.02)
+    last = history[-1]
+    if found["n_stones"] < 30 or not last["settlement_m"] > 0.:
+        faults.append(f"{found['n_stones']} stones settle by "
+                      f"{last['settlement_m']} m")
+    # Of the volume as it is: the cylinder, or the tube, which is wider.
+    section = mass / last["density_kg_m3"] / last["plate_height_m"]
+    if not 0.999 < section / (math.pi * 0.045 ** 2) < 1.1:
+        faults.append(f"section {section} m^2")
+    if not found["energy_residual_ratio_1"] < 1e-2:
+        faults.append(f"energy residual {found['energy_residual_ratio_1']}")
+    # Round-off without events: a load that falls in one is booked as it was
+    # by the one side and as it is by the other. 2e-7 and 2e-5 measured.
+    if not found["ledger"]["work_residual_1"] < 1e-4:
+        faults.append(f"ledger {found['ledger']}")
+    if not found["is_complete"] or len(found["reports"]) != 3:
+        faults.append(f"reports {found['reports']}")
+    for report, name in zip(found["reports"], FILES[3:]):
+        table = rows(folder, name)[1]
+        total = sum(row["mass_kg"] for row in table)
+        if len(table) != found["n_stones"] or \
+                abs(100. * (1. - total / mass) - report["laa_percent"]) > 1e-6:
+            faults.append(f"{name}: {total} kg, {report}")
+    return faults
+
+
+def stopped(words, folder):
+    """Stopped by SIGTERM in the vibration."""
+    with subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, env=ENVIRONMENT) as running:
+        table = folder / "roundness_0.1s.csv"
+        while running.poll() is None and not table.exists():
+            time.sleep(0.002)
+        running.send_signal(signal.SIGTERM)
+        running.communicate(timeout=100)
+        return [] if running.returncode == 2 else [
+            f"stopped: status {running.returncode}"]
+
+
+def main():
+    spall = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+        case = write_case(root, sys.argv[2] == "flexible")
+
+        def words(folder, *options):
+            return [spall, "run", case, "--out", root / folder,
+                    "--threads", 1, *options]
+        spall_run(words("whole"))
+        faults = number_faults(root / "whole")
+        # A checkpoint of the filling, and one of the vibration.
+        spall_run(words("until", "--until", 2))
+        spall_run(words("until", "--resume"))
+        faults += resumed_faults(root / "whole", root / "until", FILES)
+        faults += stopped(words("stopped"), root / "stopped")
+        spall_run(words("stopped", "--resume"))
+        faults += resumed_faults(root / "whole", root / "stopped", FILES)
+        said = spall_run([spall, "check", case]).stdout
+        faults += [f"check does not say {word}"
+                   for word in ("stones", "time step", "memory",
+                                "predicted time") if word not in said]
+        spall_run([spall, "report", root / "whole"])
+        page = (root / "whole" / "report.html").read_text()
+        faults += [f"the report has no {word}"
+                   for word in ("settlement", "roundness_distribution",
+                                "Density asked") if word not in page]
+        return report_faults(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

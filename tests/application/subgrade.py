@@ -1,0 +1,291 @@
+#!/usr/bin/env python3
+"""A plate on a few stones on a subgrade: numbers and promises.
+
+    subgrade.py SPALL
+"""
+import csv
+import math
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from lab import near, resumed_faults, spall_run, write_prm
+from triaxial_runs import ENVIRONMENT, report_faults, rows, summary
+
+# A few dozen spheres under a plate, one pulse, on a coarse block.
+SCENE = {
+    "Case": {"kind": "subgrade"},
+    "Layer": {"length": 0.2, "width": 0.2, "thickness": 0.06,
+              "gradation": "gradations/los_angeles_20_45mm.csv", "shapes": "",
+              "solid_fraction": 0.5, "is_tamped": "false",
+              "unbalanced_ratio": 3e-3, "local_damping": 0.6},
+    "LoadPlate": {"diameter": 0.14, "mass": 40, "height": 0.03},
+    "Subgrade": {"length": 0.8, "width": 0.8,
+                 "layers": "0.1 40e6 0.3 1900, 0.4 20e6 0.3 1800",
+                 "cell_size": 0.05, "growth": 1.6},
+    "Pulse": {"amplitude": 150, "frequency": 25, "cycles": 1, "rest": 0.16},
+    "Record": {"row_interval": 1e-3, "checkpoint_interval": 0.02,
+               "stress_depths": "0.05 0.2"},
+    "Stone": {"rolling_friction": 0.2},
+    "Breakage": {"is_active": "false"},
+    "Wall": {"normal_stiffness": 2e6, "shear_stiffness": 1.7e6},
+    "Coupling": {"exchange": "one_pass", "stone_steps": 3},
+    "Time": {"fixed_step": 1e-5, "local_damping": 0.2},
+}
+TABLES = ["history.csv", "events.csv", "ledger.csv"]
+
+
+def go(words, status=0):
+    """A machine may be busy."""
+    return spall_run(words, status, timeout=1000)
+
+
+def changed(**sections):
+    result = {name: dict(entries) for name, entries in SCENE.items()}
+    for name, entries in sections.items():
+        result.setdefault(name, {}).update(entries)
+    return result
+
+
+def loading_rows(folder):
+    return [row for row in rows(folder, "history.csv")[1]
+            if row["stage_1"] == 2]
+
+
+def balance_faults(folder, stone_weight):
+    """Forces through the interface against what they carry."""
+    found, loading = summary(folder), loading_rows(folder)
+    faults = []
+    # At rest the ground carries the plate and the stones but for what rubs
+    # off on the sides.
+    whole = 40 * 9.81 + stone_weight
+    # At rest to a hundredth of that.
+    if not 0.9 * whole < found["dead_load_N"] < 1.01 * whole:
+        faults.append(f"dead load {found['dead_load_N']}: of {whole} at most")
+    # Over the whole record momentum comes back to rest, so what the plate gets
+    # from the stones is its weight and the pulse.
+    times = [row["loading_time_s"] for row in loading]
+
+    def mean(column):
+        return sum(0.5 * (a[column] + b[column]) *
+                   (b["loading_time_s"] - a["loading_time_s"])
+                   for a, b in zip(loading, loading[1:])) / (times[-1] -
+                                                             times[0])
+
+    pulse = found["pulse_impulse_Ns"] / (times[-1] - times[0])
+    faults += near("mean force on the plate", mean("plate_force_N"),
+                   40 * 9.81 + pulse, 0.01)
+    side = found["dead_load_N"] / whole
+    if not side * (whole + pulse) * 0.97 < mean("subgrade_force_N") < \
+            1.01 * (whole + pulse):
+        faults.append(f"mean force on the ground {mean('subgrade_force_N')}: "
+                      f"{whole + pulse} in all")
+    faults += near("impulse", found["pulse_impulse_Ns"], 0.5 * 150 / 25, 1e-9)
+    faults += near("impulse of the rows", found["pulse_impulse_of_rows_Ns"],
+                   0.5 * 150 / 25, 1e-3)
+    return faults
+
+
+def energy_faults(folder):
+    found = summary(folder)
+    faults = []
+    residual = abs(found["loading_energy_residual_J"])
+    if not residual < 0.05 * abs(found["loading_work_J"]):
+        faults.append(f"loading: {residual} J astray of "
+                      f"{found['loading_work_J']}")
+    if not found["interface"]["work_residual_1"] < 0.02:
+        faults.append(f"ledger: {found['interface']['work_residual_1']}")
+    if not found["interface"]["impulse_residual_1"] < 1e-9:
+        faults.append(f"impulse: {found['interface']['impulse_residual_1']}")
+    with open(folder / "ledger.csv", newline="") as stream:
+        if len(list(csv.reader(stream))) < 20:
+            faults.append("ledger.csv is short")
+    return faults
+
+
+def output_faults(folder):
+    faults = []
+    header, loading = rows(folder, "history.csv")
+    for column in ("vertical_stress_0.05m_Pa", "vertical_stress_0.2m_Pa",
+                   "stone_velocity_rms_m_per_s", "coordination_number_1",
+                   "laa_percent"):
+        if column not in header:
+            faults.append(f"history.csv has no {column}")
+    found = summary(folder)
+    peaks = [entry["peak_of_pulses"]
+             for entry in found["stresses"].values()]
+    if not peaks[0] > peaks[1] > 0:
+        faults.append(f"stresses do not fall with depth: {peaks}")
+    if not found["plate_settlement_peak_m"] > \
+            found["subgrade_settlement_peak_m"] > 1e-6:
+        faults.append("settlements are out of order")
+    transfer = rows(folder, "transfer.csv")[1]
+    if len(transfer) < 4 or not all(
+            math.isfinite(value) for row in transfer
+            for value in row.values()):
+        faults.append("transfer.csv makes no sense")
+    profile = rows(folder, "profile.csv")[1]
+    ground = [row["velocity_peak_m_per_s"] for row in profile
+              if row["part_1"] == 1]
+    if not ground[0] > ground[-1] > 0.:
+        faults.append(f"velocities do not fall with depth: {ground}")
+    names = {path.name for path in (folder / "frames").iterdir()}
+    for name in ("subgrade_00001.vtu", "plate_00001.vtu"):
+        if name not in names:
+            faults.append(f"frames/{name} is missing")
+    return faults
+
+
+def stop_faults(words, folder, stage):
+    """Sends SIGTERM once there are ten rows of this stage."""
+    table = folder / "history.csv"
+
+    def is_there():
+        return table.exists() and len(
+            [line for line in table.read_text().splitlines()
+             if line.split(",")[1:2] == [stage]]) > 10
+
+    with subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, env=ENVIRONMENT) as running:
+        while running.poll() is None and not is_there():
+            time.sleep(0.02)
+        running.send_signal(signal.SIGTERM)
+        running.communicate(timeout=100)
+    return [] if running.returncode == 2 else [
+        f"stopped: status {running.returncode}"]
+
+
+def quick(spall, root):
+    case = write_prm(root / "case.prm", SCENE)
+    words = [spall, "run", case, "--threads", 1, "--out"]
+    go([*words, root / "whole"])
+    found = summary(root / "whole")
+    weight = 2750 * 9.81 * found["solid_volume_m3"]
+    faults = balance_faults(root / "whole", weight)
+    faults += energy_faults(root / "whole")
+    faults += output_faults(root / "whole")
+    # Cut off while pouring, placing and loading, gone on with.
+    faults += stop_faults([*words, root / "cut"], root / "cut", "0")
+    for stage in ("1", "2"):
+        faults += stop_faults([*words, root / "cut", "--resume"], root / "cut",
+                              stage)
+    go([*words, root / "cut", "--resume"])
+    faults += resumed_faults(root / "whole", root / "cut",
+                             [*TABLES, "transfer.csv", "profile.csv",
+                              "bowl.csv"])
+    ended = go([spall, "check", case])
+    for word in ("exchange gain", "recommended", "predicted time", "memory",
+                 "subgrade"):
+        if word not in ended.stdout:
+            faults.append(f"check does not say {word}")
+    go([spall, "report", root / "whole"])
+    page = (root / "whole" / "report.html").read_text()
+    for word in ("settlement", "transfer", "stress"):
+        if word not in page:
+            faults.append(f"the report has no {word}")
+    return faults
+
+
+def condensed(spall, root):
+    """The condensed ground gives the history of the full one."""
+    implicit = {"Coupling": {"body_time": "implicit", "stone_steps": 10},
+                "GroundContact": {"normal_stiffness": 4e5,
+                                  "shear_stiffness": 3.4e5},
+                "Pulse": {"rest": 0.04}, "Record": {"stress_depths": ""}}
+    for name, body in (("full", "full"), ("condensed", "condensed")):
+        case = write_prm(root / f"{name}.prm", changed(
+            Subgrade={"body": body, "inner_modes": 120}, **implicit))
+        go([spall, "run", case, "--threads", 1, "--out", root / name])
+    faults = []
+    for column in ("subgrade_settlement_m", "plate_settlement_m"):
+        full = [row[column] for row in loading_rows(root / "full")]
+        other = [row[column] for row in loading_rows(root / "condensed")]
+        gap = max(abs(a - b) for a, b in zip(full, other))
+        size = max(map(abs, full))
+        print(f"{column}: condensed against full {gap / size:.2e}")
+        if len(full) != len(other) or not gap < 0.02 * size:
+            faults.append(f"{column}: {gap} m of {size}")
+    return faults
+
+
+def train(spall, root):
+    """The load of a train in the history is that of its formula."""
+    case = write_prm(root / "train.prm", changed(
+        Pulse={"form": "train", "axle_load": 1000, "axle_spacing": 2,
+               "bogie_spacing": 6, "car_length": 12, "speed": 150,
+               "rest": 0.01, "rail_stiffness": 2e6}))
+    go([spall, "run", case, "--threads", 1, "--out", root / "train"])
+    found, loading = summary(root / "train"), loading_rows(root / "train")
+    faults = near("impulse", found["pulse_impulse_of_rows_Ns"],
+                  4 * 1000 * 0.6 / 150, 1e-3)
+    length = (4 * 2e6 / 40e6) ** 0.25
+
+    def share(x):
+        s = abs(x) / length
+        return 0.6 / (2 * length) * math.exp(-s) * (math.cos(s) + math.sin(s))
+
+    first = 8 * length / 150
+    axles = [first + x / 150 for x in (0, 2, 6, 8)]
+    for mine, other in zip(axles, found["axle_times_s"]):
+        faults += near("axle", other, mine, 1e-9)
+    for row in loading:
+        exact = sum(1000 * share(150 * (row["loading_time_s"] - at))
+                    for at in axles)
+        inside = row["loading_time_s"] < axles[-1] + first
+        if inside and abs(row["load_N"] - exact) > 1e-6 * 1000:
+            faults.append(f"load {row['load_N']} at "
+                          f"{row['loading_time_s']}: must be {exact}")
+            break
+    return faults
+
+
+def static(spall, root):
+    """A column of two layers under a load that stays: the mean settlement of
+    its top is q h / M of the layers, however the stones spread the load, with
+    M = E (1 - nu) / ((1 + nu) (1 - 2 nu))."""
+    (root / "load.csv").write_text("time_s,force_N\n0,0\n0.1,300\n0.5,300\n")
+    case = write_prm(root / "static.prm", changed(
+        Subgrade={"length": 0.2, "width": 0.2, "bottom": "rigid",
+                  "sides": "rigid", "mass_damping": 300,
+                  "layers": "0.1 4e6 0.3 1900, 0.2 2e6 0.2 1800"},
+        Pulse={"form": "table", "table": root / "load.csv", "rest": 0},
+        Coupling={"stone_steps": 2}))  # lighter nodes
+    go([spall, "run", case, "--threads", 1, "--out", root / "static"])
+    found, loading = summary(root / "static"), loading_rows(root / "static")
+    # Plate and stones swing a little to the end: the mean of the last 0.1 s.
+    end = {key: sum(row[key] for row in loading[-100:]) / 100
+           for key in loading[0]}
+    area = 0.2 * 0.2
+
+    def modulus(young, nu):
+        return young * (1 - nu) / ((1 + nu) * (1 - 2 * nu))
+
+    flexibility = (0.1 / modulus(4e6, 0.3) + 0.2 / modulus(2e6, 0.2)) / area
+    more = end["subgrade_force_N"] - found["dead_load_N"]
+    print(f"settlement {end['subgrade_mean_settlement_m']:.4e} m, closed form "
+          f"{more * flexibility:.4e} m; force on the plate "
+          f"{end['plate_force_N']:.2f} N, on the ground {more:.2f} N more")
+    faults = near("settlement", end["subgrade_mean_settlement_m"],
+                  more * flexibility, 5e-3)
+    faults += near("force on the plate", end["plate_force_N"],
+                   40 * 9.81 + 300, 5e-3)
+    # What does not come down rubs off on the sides; a hundredth of the plate's
+    # weight may be in motion when loading begins.
+    if not 0.85 * 300 < more < 300 + 0.01 * 40 * 9.81:
+        faults.append(f"the ground gets {more} N of 300 N")
+    return faults
+
+
+def main():
+    spall = str(pathlib.Path(sys.argv[1]).resolve())
+    test = {"quick": quick, "condensed": condensed, "train": train,
+            "static": static}[sys.argv[2]]
+    with tempfile.TemporaryDirectory() as name:
+        return report_faults(test(spall, pathlib.Path(name)))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

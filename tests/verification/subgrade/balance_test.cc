@@ -1,0 +1,85 @@
+#include "coupled_scene.h"
+#include "solid_scene.h"
+
+#include <coupling/solid_body.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Bodies that start from the balance under what lies on them.
+namespace
+{
+constexpr double window = 2e-3;
+const fem::SolidLayer soil{20e6, 0.3, 1800.};
+
+fem::Solid block()
+{
+  fem::SolidParameters p;
+  p.layers = {soil};
+  p.mass_damping = 400.; // to rest
+  fem::Solid solid(p, support::box({0.4, 0.4, 0.2}, {2, 2, 2}));
+  solid.fix(fem::z_lower, {true, true, true});
+  for (const auto side : {fem::x_lower, fem::x_upper})
+    solid.fix(side, {true, false, false});
+  for (const auto side : {fem::y_lower, fem::y_upper})
+    solid.fix(side, {false, true, false});
+  return solid;
+}
+
+/// A pressure on the top, as loads of its nodes [N].
+coupling::Field pressed(const coupling::Body &body, double pressure)
+{
+  coupling::Field load;
+  for (const dem::Vec3 &at : body.motion().position)
+  {
+    double area = 0.2 * 0.2;
+    for (int c = 0; c < 2; ++c)
+      if (std::abs(at[c] - 0.2) > 0.1) // a rim
+        area *= 0.5;
+    load.emplace_back(0., 0., -pressure * area);
+  }
+  return load;
+}
+
+double settlement(const coupling::Body &body)
+{
+  double lowest = 0.;
+  for (const dem::Vec3 &at : body.motion().position)
+    lowest = std::max(lowest, 0.2 - at.z());
+  return lowest;
+}
+
+template <class Ground>
+void starts_in_balance(Ground &body)
+{
+  const auto rest = pressed(body, 30e3), more = pressed(body, 40e3);
+  body.balance(rest);
+  for (int k = 0; k < 10; ++k)
+    body.advance(rest, window);
+  EXPECT_EQ(settlement(body), 0.);
+  const double start = support::missing(body);
+  for (int k = 0; k < 400; ++k)
+    body.advance(more, window);
+  // What exceeds the balance, on a column: q h (1 + nu) (1 - 2 nu) /
+  // (E (1 - nu)).
+  const double exact = 10e3 * 0.2 * 1.3 * 0.4 / (20e6 * 0.7);
+  EXPECT_NEAR(settlement(body), exact, 1e-6 * exact);
+  // The stones did the whole of their loads' work on it.
+  const double given = 40e3 * 0.16 * exact;
+  EXPECT_NEAR(body.energy().load_work, given, 1e-5 * given);
+  EXPECT_NEAR(support::missing(body), start, 1e-9 * given);
+}
+} // namespace
+
+TEST(Balance, FullBodyStartsAtRest)
+{
+  coupling::SolidBody body(block(), fem::z_upper, {true, 1});
+  starts_in_balance(body);
+}
+
+TEST(Balance, CondensedBodyStartsAtRest)
+{
+  coupling::CondensedBody body(block(), fem::z_upper, 6, 1, window);
+  starts_in_balance(body);
+}
