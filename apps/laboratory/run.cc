@@ -4,8 +4,7 @@
 #include "run/options.h"
 #include "run/progress.h"
 #include "run/thread_choice.h"
-
-#include <coupling/exchange.h>
+#include "run/to_end.h"
 
 #include <cstdio>
 
@@ -79,31 +78,14 @@ void run_lab(const RunOptions &options, const Case &parameters)
   else
     recorder.start(*test);
   describe(progress, *test);
-  try
-  {
-    ThreadChoice threads(options.threads.value_or(parameters.threads));
-    run_loop(*test, recorder, progress, threads);
-    recorder.finish(*test);
-  }
-  catch (const coupling::GuardStop &stop)
-  {
-    const std::string now = recorder.keep_stopped(*test),
-                      before = recorder.last_checkpoint();
-    throw RunFailure(
-        std::string(stop.what()) + "; checkpoint of this moment: " + now +
-        "; last one before: " + (before.empty() ? "none" : before));
-  }
-  catch (const std::exception &error)
-  {
-    const std::string checkpoint = recorder.last_checkpoint();
-    throw RunFailure(std::string(error.what()) + "; last checkpoint: " +
-                     (checkpoint.empty() ? "none" : checkpoint));
-  }
-  if (is_stop_asked())
-    throw RunFailure("stopped at step " +
-                     std::to_string(test->engine().n_steps()) +
-                     ", go on with --resume; last checkpoint: " +
-                     recorder.last_checkpoint());
+  run_to_end(*test, recorder,
+             [&]
+             {
+               ThreadChoice threads(
+                   options.threads.value_or(parameters.threads));
+               run_loop(*test, recorder, progress, threads);
+               recorder.finish(*test);
+             });
   describe_end(progress, *test);
 }
 } // namespace spall
