@@ -9,8 +9,8 @@
 // Stones poured into a room and tamped to a density.
 namespace
 {
-/// A stone of 3.5 mm radius on floor and wall, with its dashpots, is stable up to
-/// some 8e-6 s.
+/// A stone of 3.5 mm radius on floor and wall, with its dashpots, is stable up
+/// to some 8e-6 s.
 constexpr double step = 5e-6;
 
 dem::EngineParameters parameters(double friction)
