@@ -99,14 +99,7 @@ CompactionScene make_compaction_scene(const Case &parameters)
   scene.room = room_of(parameters.container);
   scene.shapes = load_shapes(parameters, "Filling", parameters.filling.shapes);
   const std::vector<dem::Body> stones = draw_filling(parameters, scene.shapes);
-  for (const dem::Body &stone : stones)
-  {
-    scene.all.add(stone, dem::Vec3::Zero(), dem::Quaternion::Identity(),
-                  parameters.stone.density);
-    scene.all.is_breakable.back() =
-        stone.series && 2. * dem::mean_radius(stone) >=
-                            parameters.breakage.min_diameter * (1. - 1e-9);
-  }
+  scene.all = unplaced_stones(parameters, stones);
   scene.layers = dem::deal_layers(stones, parameters.filling.layers);
   scene.engine = empty_container(engine_settings(parameters), scene.all,
                                  0.5 * parameters.container.diameter);

@@ -39,6 +39,21 @@ ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
   return library;
 }
 
+dem::Particles unplaced_stones(const Case &parameters,
+                               const std::vector<dem::Body> &stones)
+{
+  dem::Particles all;
+  for (const dem::Body &stone : stones)
+  {
+    all.add(stone, dem::Vec3::Zero(), dem::Quaternion::Identity(),
+            parameters.stone.density);
+    all.is_breakable.back() =
+        stone.series && 2. * dem::mean_radius(stone) >=
+                            parameters.breakage.min_diameter * (1. - 1e-9);
+  }
+  return all;
+}
+
 dem::EngineParameters engine_parameters(const Case &parameters)
 {
   dem::EngineParameters engine;

@@ -19,6 +19,11 @@ using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
 ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
                          const std::string &folder);
 
+/// Stones that are still to be placed, for what does not move: masses, sizes,
+/// which of them break.
+dem::Particles unplaced_stones(const Case &parameters,
+                               const std::vector<dem::Body> &stones);
+
 /// The random cloud of stones in its box, before compaction.
 struct Specimen
 {

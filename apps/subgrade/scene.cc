@@ -116,14 +116,7 @@ StoneBox make_stone_box(const Case &c)
   scene.shapes = load_shapes(c, "Layer", l.shapes);
   dem::Random random(static_cast<std::uint64_t>(l.seed));
   const std::vector<dem::Body> stones = draw_layer(c, scene.shapes, random);
-  for (const dem::Body &stone : stones)
-  {
-    scene.all.add(stone, dem::Vec3::Zero(), dem::Quaternion::Identity(),
-                  c.stone.density);
-    scene.all.is_breakable.back() =
-        stone.series &&
-        2. * dem::mean_radius(stone) >= c.breakage.min_diameter * (1. - 1e-9);
-  }
+  scene.all = unplaced_stones(c, stones);
   scene.layers = dem::deal_layers(stones, l.layers);
   scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
   dem::EngineParameters settings = engine_settings(c);

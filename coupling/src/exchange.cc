@@ -252,9 +252,9 @@ void Exchange::pass_window(const Stones &stones, double window)
 
 void Exchange::check_gap(double time) const
 {
+  // No number at all is beyond every limit.
   if (parameters.rule == ExchangeRule::iterated &&
-      report.gap > parameters.tolerance &&
-      !(report.gap <= parameters.gap_limit))
+      !(report.gap <= std::max(parameters.tolerance, parameters.gap_limit)))
     throw GuardStop(
         "coupling: after " + std::to_string(report.passes) + " passes at " +
         text_of(time) + " s the bodies are " + text_of(report.gap) +
@@ -391,7 +391,7 @@ void Exchange::check_ledger(double time) const
   // Where hardly anything has crossed yet no share is meant.
   constexpr std::int64_t first_windows = 100;
   if (window_count > first_windows &&
-      books.work_residual() > parameters.ledger_limit)
+      !(books.work_residual() <= parameters.ledger_limit))
     throw GuardStop("coupling: at " + text_of(time) +
                     " s the ledger is beyond Coupling/ledger_limit = " +
                     text_of(parameters.ledger_limit) + ": stones gave " +
