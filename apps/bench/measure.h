@@ -28,13 +28,4 @@ BenchSample measure(dem::Engine &engine, int n_steps, double time_step);
 
 /// Work put in less what is stored and what is lost, since the start [J].
 double energy_residual(const dem::EngineEnergy &energy);
-
-/// Memory of the program.
-struct MemoryUse
-{
-  double now = 0.;  ///< resident [bytes]
-  double peak = 0.; ///< resident, highest so far [bytes]
-};
-
-MemoryUse memory_use();
 } // namespace spall

@@ -2,6 +2,7 @@
 
 #include "bench/closing.h"
 #include "bench/measure.h"
+#include "run/cost.h"
 
 #include <optional>
 #include <string>

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 struct StudyOptions
 {
   std::string file, out, figures;
+  std::vector<Override> overrides;
   int jobs =
       static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
@@ -38,6 +39,8 @@ StudyOptions parse_options(Words words)
       options.out = value();
     else if (word == "--figures")
       options.figures = value();
+    else if (word == "--set")
+      options.overrides.push_back(parse_override(value()));
     else if (word == "--jobs")
     {
       const std::string &text = value();
@@ -50,8 +53,8 @@ StudyOptions parse_options(Words words)
     }
     else if (word.starts_with("--") || !options.file.empty())
       throw InputError("study: " + word +
-                       ": must be one study file, --out DIR, --jobs N or "
-                       "--figures FOLDER");
+                       ": must be one study file, --out DIR, --jobs N, "
+                       "--figures FOLDER or --set Section/key=value");
     else
       options.file = word;
   }
@@ -75,7 +78,7 @@ void make_folder(const fs::path &folder)
 int study_command(Words words)
 {
   const StudyOptions options = parse_options(words);
-  const Study study = read_study(options.file);
+  const Study study = read_study(options.file, options.overrides);
   const std::vector<StudyPoint> points = points_of(study);
   const fs::path folder = options.out;
   make_folder(folder);

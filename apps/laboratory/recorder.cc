@@ -2,6 +2,7 @@
 
 #include "case/file.h"
 #include "run/checkpoint.h"
+#include "run/cost.h"
 #include "run/event_rows.h"
 #include "run/frames.h"
 #include "run/ledger_rows.h"
@@ -138,6 +139,7 @@ std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
     known += spent;
   seconds["total"] = elapsed();
   seconds["other"] = std::max(0., seconds["total"] - known);
+  seconds[processor_time] = processor_seconds();
   for (const auto &[phase, spent] : spent_before)
     seconds[phase] += spent;
   return seconds;
@@ -175,7 +177,7 @@ void LabRecorder::finish(LabTest &test)
   summary["energy_residual_ratio_1"] = residual_ratio(test);
   if (test.exchange())
     add_ledger(*test.exchange(), summary);
-  summary["wall_clock_s"] = wall_clock(test);
+  add_cost(wall_clock(test), summary);
   summary["version"] = SPALL_VERSION;
   write_text(folder / "summary.json", summary.dump(2) + "\n");
 }

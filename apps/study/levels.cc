@@ -1,19 +1,13 @@
 #include "study/levels.h"
 
-#include "report/text.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <stdexcept>
 
 namespace spall
 {
 namespace
 {
-/// Differences of means below this share of the mean of all are none.
-constexpr double noticeable = 0.05;
-
 bool read_number(const std::string &text, double &value)
 {
   char *end = nullptr;
@@ -21,14 +15,14 @@ bool read_number(const std::string &text, double &value)
   return !text.empty() && *end == '\0';
 }
 
-std::vector<Level> empty_levels(const StudyData &data, std::size_t k)
+std::vector<Level> empty_levels(const StudyData &data, const Cut &cut)
 {
   std::vector<Level> levels;
   bool are_numbers = true;
-  for (std::size_t p = 0; p < data.points.size(); ++p)
+  for (const StudyPoint &point : data.points)
   {
-    const std::string &value = data.points[p].values[k];
-    if (!is_in_sweep(data, p, k) ||
+    const std::string &value = point.values[cut.key];
+    if (!cut.takes(point) ||
         std::ranges::find(levels, value, &Level::value) != levels.end())
       continue;
     Level level{value, 0., {}};
@@ -46,76 +40,39 @@ std::vector<Level> empty_levels(const StudyData &data, std::size_t k)
 
 double Level::mean() const
 {
-  return samples.empty() ? std::numeric_limits<double>::quiet_NaN()
-                         : std::accumulate(samples.begin(), samples.end(), 0.) /
-                               static_cast<double>(samples.size());
+  return estimate_of(samples).mean;
 }
 
 double Level::deviation() const
 {
-  if (samples.size() < 2)
-    return 0.;
-  double sum = 0.;
-  for (const double sample : samples)
-    sum += std::pow(sample - mean(), 2);
-  return std::sqrt(sum / static_cast<double>(samples.size() - 1));
+  return standard_deviation(samples);
 }
 
-bool is_in_sweep(const StudyData &data, std::size_t point, std::size_t k)
+bool Cut::takes(const StudyPoint &point) const
 {
-  const std::vector<int> &sweeps = data.points[point].sweeps;
-  return data.study.is_grid ||
-         std::ranges::find(sweeps, static_cast<int>(k)) != sweeps.end();
+  return std::ranges::find(point.sweeps, static_cast<int>(key)) !=
+             point.sweeps.end() &&
+         (!where_key || point.values[*where_key] == where_value);
 }
 
-std::vector<Level> levels_of(const StudyData &data, std::size_t k,
+std::size_t place_of(const Study &study, const std::string &key_name)
+{
+  const auto found = std::ranges::find(study.keys, key_name, &SweptKey::name);
+  if (found == study.keys.end())
+    throw std::logic_error("no swept key " + key_name);
+  return static_cast<std::size_t>(found - study.keys.begin());
+}
+
+std::vector<Level> levels_of(const StudyData &data, const Cut &cut,
                              std::size_t outcome)
 {
-  std::vector<Level> levels = empty_levels(data, k);
+  std::vector<Level> levels = empty_levels(data, cut);
   for (std::size_t p = 0; p < data.points.size(); ++p)
-    if (is_in_sweep(data, p, k) && data.results[p].is_done)
+    if (cut.takes(data.points[p]) && data.results[p].is_done)
       if (const double value = data.results[p].outcomes[outcome];
           std::isfinite(value))
-        std::ranges::find(levels, data.points[p].values[k], &Level::value)
+        std::ranges::find(levels, data.points[p].values[cut.key], &Level::value)
             ->samples.push_back(value);
   return levels;
-}
-
-Verdict judge(const std::vector<Level> &levels, const std::string &relation)
-{
-  Verdict verdict;
-  std::vector<double> means;
-  double sum = 0.;
-  for (const Level &level : levels)
-  {
-    verdict.numbers += (verdict.numbers.empty() ? "" : ", ") + level.value +
-                       ": " + format(level.mean(), 4);
-    if (!std::isfinite(level.mean()))
-      return verdict; // some level gave nothing: nothing is shown
-    means.push_back(level.mean());
-    sum += level.mean();
-  }
-  if (means.size() < 2)
-    return verdict;
-  const double limit =
-      noticeable * std::abs(sum / static_cast<double>(means.size()));
-  const auto [low, high] = std::ranges::minmax(means);
-  const bool has_changed = high - low > limit;
-  const double sign = relation == "falls" ? -1. : 1.;
-  bool is_one_way = sign * (means.back() - means.front()) > limit;
-  for (std::size_t l = 1; l < means.size(); ++l)
-    is_one_way = is_one_way && sign * (means[l] - means[l - 1]) >= -limit;
-  const std::size_t n = means.size();
-  if (relation == "rises" || relation == "falls")
-    verdict.is_shown = is_one_way;
-  else if (relation == "changes")
-    verdict.is_shown = has_changed;
-  else if (relation == "stays")
-    verdict.is_shown = !has_changed;
-  else if (relation == "settles_low")
-    verdict.is_shown = std::abs(means[1] - means[0]) <= limit;
-  else
-    verdict.is_shown = std::abs(means[n - 1] - means[n - 2]) <= limit;
-  return verdict;
 }
 } // namespace spall

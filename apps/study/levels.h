@@ -1,7 +1,9 @@
 #pragma once
 
+#include "study/estimate.h"
 #include "study/study.h"
 
+#include <optional>
 #include <span>
 
 namespace spall
@@ -26,21 +28,23 @@ struct StudyData
   std::span<const PointResult> results;
 };
 
-/// Whether the case is a point of the sweep of key k.
-bool is_in_sweep(const StudyData &data, std::size_t point, std::size_t k);
-
-/// Levels of key k in order of their values; `outcome` is a place in
-/// Study::outcomes. Values that are all numbers are sorted.
-std::vector<Level> levels_of(const StudyData &data, std::size_t k,
-                             std::size_t outcome);
-
-struct Verdict
+/// The cases of the sweep of a key, all or those with one value of another.
+struct Cut
 {
-  bool is_shown = false;
-  std::string numbers; ///< the means it is judged by
+  explicit Cut(std::size_t of_key) : key(of_key) {}
+
+  std::size_t key;
+  std::optional<std::size_t> where_key = {};
+  std::string where_value = "";
+
+  bool takes(const StudyPoint &point) const;
 };
 
-/// Whether the levels go as `relation` says (see relations): differences of
-/// the means count from 5 % of the mean of all on.
-Verdict judge(const std::vector<Level> &levels, const std::string &relation);
+/// Place of a key among those of the study. Throws std::logic_error.
+std::size_t place_of(const Study &study, const std::string &key_name);
+
+/// Levels of the key in order of their values; `outcome` is a place in
+/// Study::outcomes. Values that are all numbers are sorted.
+std::vector<Level> levels_of(const StudyData &data, const Cut &cut,
+                             std::size_t outcome);
 } // namespace spall

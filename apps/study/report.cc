@@ -3,7 +3,7 @@
 #include "report/page.h"
 #include "report/text.h"
 #include "run/folder.h"
-#include "study/levels.h"
+#include "study/tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
 {
   const SweptKey &key = data.study.keys[k];
   const std::string &name = data.study.outcomes[outcome];
-  const std::vector<Level> levels = levels_of(data, k, outcome);
+  const std::vector<Level> levels = levels_of(data, Cut(k), outcome);
   const Abscissa along = abscissa_of(key, levels);
   Chart chart{name + "_" + key.id(),
               name + " over " + key.name() +
@@ -94,14 +94,15 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
                   study.keys[k].name() + ", all seeds.",
               study.curve_x, study.curve_y};
   std::size_t n_levels = 0;
-  for (const Level &level : levels_of(data, k, 0))
+  for (const Level &level : levels_of(data, Cut(k), 0))
   {
     bool is_named = false;
     for (std::size_t p = 0; p < data.points.size(); ++p)
     {
       const fs::path history = folder / data.points[p].folder / "history.csv";
-      if (data.points[p].values[k] != level.value || !is_in_sweep(data, p, k) ||
-          !data.results[p].is_done || !fs::exists(history))
+      if (data.points[p].values[k] != level.value ||
+          !Cut(k).takes(data.points[p]) || !data.results[p].is_done ||
+          !fs::exists(history))
         continue;
       const Table table = read_table(history.string());
       const Column *x = table.find(study.curve_x),
@@ -124,87 +125,65 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
   return chart;
 }
 
-std::string figure(const Chart &chart)
+/// Error against cost on logarithmic axes, a colour for every key, the Pareto
+/// front as a line.
+Chart price_chart(const StudyData &data)
+{
+  Chart chart{"error_against_cost",
+              "Worst error of any outcome over the spread of the seeds against "
+              "cost over that of the base case. The line joins what nothing "
+              "else is both cheaper and nearer than; below the dashed line an "
+              "error is less than half the spread.",
+              data.study.cost + " over the base case",
+              "worst error / spread of seeds"};
+  chart.has_log_x = chart.has_log_y = true;
+  Curve front, half;
+  front.line_width = 1.;
+  front.colour = "#555555";
+  half = front;
+  half.dash = "5 4";
+  std::vector<PricedLevel> levels = price_levels(data);
+  std::ranges::sort(levels, {}, &PricedLevel::cost);
+  for (std::size_t k = 0; k < data.study.keys.size(); ++k)
+  {
+    Curve curve;
+    curve.name = data.study.keys[k].name();
+    curve.colour = palette_colour(k);
+    curve.line_width = 0.;
+    curve.marker = Marker::dot;
+    for (const PricedLevel &level : levels)
+      if (level.key == k)
+      {
+        curve.x.push_back(level.cost);
+        curve.y.push_back(level.worst);
+      }
+    chart.curves.push_back(curve);
+  }
+  for (const PricedLevel &level : levels)
+  {
+    half.x.push_back(level.cost);
+    half.y.push_back(0.5);
+    if (level.is_on_front)
+    {
+      front.x.push_back(level.cost);
+      front.y.push_back(level.worst);
+    }
+  }
+  chart.curves.push_back(front);
+  chart.curves.push_back(half);
+  return chart;
+}
+
+/// The chart in the page, and as a file of its own where figures are kept.
+std::string figure(const Chart &chart, const fs::path &figures)
 {
   if (chart.curves.empty())
     return "<p class=\"note\">Not drawn: " + escape(chart.id) + "</p>\n";
-  return "<figure id=\"" + escape(chart.id) + "\">\n" + draw(chart) +
-         "<figcaption>" + escape(chart.caption) + "</figcaption></figure>\n";
-}
-
-std::string row(const std::vector<std::string> &cells, const char *tag = "td")
-{
-  std::string out = "<tr>";
-  for (const std::string &cell : cells)
-    out += std::string("<") + tag + ">" + escape(cell) + "</" + tag + ">";
-  return out + "</tr>\n";
-}
-
-std::string expectations(const StudyData &data)
-{
-  if (data.study.expectations.empty())
-    return "";
-  std::string out = "<section>\n<h2>Expectations</h2>\n<div class=\"wide\">"
-                    "<table><thead>" +
-                    row({"name", "expected", "shown", "means"}, "th") +
-                    "</thead><tbody>\n";
-  for (const Expectation &e : data.study.expectations)
-  {
-    const auto outcome = static_cast<std::size_t>(
-        std::ranges::find(data.study.outcomes, e.outcome) -
-        data.study.outcomes.begin());
-    const auto key = static_cast<std::size_t>(
-        std::ranges::find_if(data.study.keys, [&](const SweptKey &swept)
-                             { return swept.name() == e.key; }) -
-        data.study.keys.begin());
-    const Verdict verdict = judge(levels_of(data, key, outcome), e.relation);
-    out += row({e.name, e.outcome + " " + e.relation + " with " + e.key,
-                verdict.is_shown ? "yes" : "no", verdict.numbers});
-  }
-  return out + "</tbody></table></div>\n</section>\n";
-}
-
-std::string failures(const StudyData &data)
-{
-  std::string rows;
-  for (std::size_t p = 0; p < data.points.size(); ++p)
-    if (!data.results[p].is_done)
-    {
-      std::string values;
-      for (std::size_t k = 0; k < data.study.keys.size(); ++k)
-        values += (k > 0 ? ", " : "") + data.study.keys[k].name() + " = " +
-                  data.points[p].values[k];
-      rows += row({data.points[p].folder, values, data.results[p].fault});
-    }
-  return rows.empty() ? ""
-                      : "<section>\n<h2>Cases that failed</h2>\n<table>" +
-                            rows + "</table>\n</section>\n";
-}
-
-std::string table(const StudyData &data)
-{
-  std::vector<std::string> head = {"run"};
-  for (const SweptKey &key : data.study.keys)
-    head.push_back(key.name());
-  head.emplace_back("seed");
-  head.insert(head.end(), data.study.outcomes.begin(),
-              data.study.outcomes.end());
-  std::string out = "<section>\n<h2>Cases</h2>\n<details><summary>" +
-                    std::to_string(data.points.size()) +
-                    " cases (study.csv)</summary><div class=\"wide\"><table>"
-                    "<thead>" +
-                    row(head, "th") + "</thead><tbody>\n";
-  for (std::size_t p = 0; p < data.points.size(); ++p)
-  {
-    std::vector<std::string> cells = {data.points[p].folder};
-    cells.insert(cells.end(), data.points[p].values.begin(),
-                 data.points[p].values.end());
-    cells.push_back(data.points[p].seed);
-    for (const double value : data.results[p].outcomes)
-      cells.push_back(format(value, 5));
-    out += row(cells);
-  }
-  return out + "</tbody></table></div></details>\n</section>\n";
+  const std::string drawn = draw(chart);
+  if (!figures.empty())
+    write_text(figures / (chart.id + ".svg"), svg_file(drawn));
+  return "<figure id=\"" + escape(chart.id) + "\">\n" + drawn + "<figcaption>" +
+         escape(chart.caption) + "</figcaption></figure>\n";
 }
 } // namespace
 
@@ -214,7 +193,10 @@ std::string study_page(const Study &study,
                        const fs::path &folder, const fs::path &figures)
 {
   const StudyData data{study, points, results};
-  std::string body = expectations(data) + failures(data);
+  std::string body = expectation_table(data) + price_table(data);
+  if (study.has_reference)
+    body += figure(price_chart(data), figures);
+  body += failure_table(data);
   for (std::size_t k = 0; k < study.keys.size(); ++k)
   {
     body += "<section>\n<h2>" + escape(study.keys[k].name()) +
@@ -225,14 +207,10 @@ std::string study_page(const Study &study,
     for (std::size_t o = 0; o < study.outcomes.size(); ++o)
       charts.push_back(level_chart(data, k, o));
     for (const Chart &chart : charts)
-    {
-      body += figure(chart);
-      if (!figures.empty() && !chart.curves.empty())
-        write_text(figures / (chart.id + ".svg"), svg_file(draw(chart)));
-    }
-    body += "</div>\n</section>\n";
+      body += figure(chart, figures);
+    body += "</div>\n" + difference_table(data, k) + "</section>\n";
   }
   return page_around(study.title, "Spall study of " + study.file,
-                     body + table(data));
+                     body + case_table(data));
 }
 } // namespace spall

@@ -39,6 +39,17 @@ std::vector<std::string> list_of(const Assignment &a)
   return values;
 }
 
+/// The enumerator with the place of the value among the names.
+template <typename Choice>
+Choice choice_of(const Assignment &a, const std::vector<std::string> &names,
+                 const std::string &allowed)
+{
+  const auto found = std::ranges::find(names, a.value);
+  if (found == names.end())
+    refuse(a, allowed);
+  return static_cast<Choice>(found - names.begin());
+}
+
 void take_study(const Assignment &a, Study &study)
 {
   if (a.key == "case")
@@ -50,10 +61,19 @@ void take_study(const Assignment &a, Study &study)
   else if (a.key == "title")
     study.title = a.value;
   else if (a.key == "combine")
+    study.combine = choice_of<Combine>(
+        a, {"each", "each_variant", "grid"},
+        "must be each (one key at a time), each_variant (that for every "
+        "variant) or grid (all combinations)");
+  else if (a.key == "judged_by")
+    study.judged_by = choice_of<JudgedBy>(
+        a, {"means", "seeds"},
+        "must be means (5 % of the mean counts) or seeds (what exceeds its "
+        "95 % interval over the seeds counts)");
+  else if (a.key == "cost")
   {
-    if (a.value != "each" && a.value != "grid")
-      refuse(a, "must be each (one key at a time) or grid (all combinations)");
-    study.is_grid = a.value == "grid";
+    study.has_reference = true;
+    study.cost = a.value;
   }
   else if (a.key == "seeds")
     study.seeds = list_of(a);
@@ -68,8 +88,8 @@ void take_study(const Assignment &a, Study &study)
     study.curve_y = columns[1];
   }
   else
-    refuse(a, "no key of this name: must be case, title, combine, seeds, "
-              "outcomes or curve");
+    refuse(a, "no key of this name: must be case, title, combine, judged_by, "
+              "cost, seeds, outcomes or curve");
 }
 
 void take_sweep(const Assignment &a, Study &study)
@@ -79,6 +99,13 @@ void take_sweep(const Assignment &a, Study &study)
     refuse(a, "must be Section/key = values");
   study.keys.push_back(
       {a.key.substr(0, slash), a.key.substr(slash + 1), list_of(a), a.place});
+}
+
+void take_base(const Assignment &a, Study &study)
+{
+  if (a.key.find('/') == std::string::npos)
+    refuse(a, "must be Section/key = value");
+  study.base.push_back(parse_override(a.key + "=" + a.value));
 }
 
 /// NAME = Section/key=value; Section/key=value ...
@@ -99,15 +126,52 @@ void take_variant(const Assignment &a, Study &study)
   study.variants.push_back(variant);
 }
 
-/// OUTCOME RELATION with Section/key.
+/// As the value reads back from a case: 5e8 is 5e+08.
+std::string same_text(const std::string &value)
+{
+  try
+  {
+    return number_text(to_number(value));
+  }
+  catch (const std::invalid_argument &)
+  {
+    return value;
+  }
+}
+
+/// OUTCOME RELATION with Section/key [than Section/key]
+/// [where Section/key=value] [: what others found].
 void take_expectation(const Assignment &a, Study &study)
 {
-  const std::vector<std::string> words = words_of(a.value, ' ');
-  if (words.size() != 4 || words[2] != "with" ||
-      std::ranges::find(relations, words[1]) == relations.end())
-    refuse(a, "must be OUTCOME rises|falls|changes|stays|settles_low|"
-              "settles_high with Section/key");
-  study.expectations.push_back({a.key, words[0], words[1], words[3]});
+  const std::size_t colon = a.value.find(':');
+  const std::vector<std::string> words =
+      words_of(a.value.substr(0, colon), ' ');
+  const auto need = [&a](bool is_right)
+  {
+    if (!is_right)
+      refuse(a, "must be OUTCOME rises|falls|changes|stays|settles_low|"
+                "settles_high|is_positive|is_negative|answers_more with "
+                "Section/key [than Section/key] [where Section/key=value] "
+                "[: what others found]");
+  };
+  need(words.size() >= 4 && words.size() % 2 == 0 && words[2] == "with" &&
+       std::ranges::find(relations, words[1]) != relations.end());
+  Expectation expected{a.key, words[0], words[1], words[3], "", "", "", ""};
+  for (std::size_t k = 4; k < words.size(); k += 2)
+    if (words[k] == "than")
+      expected.than = words[k + 1];
+    else
+    {
+      const std::size_t equals = words[k + 1].find('=');
+      need(words[k] == "where" && equals != std::string::npos);
+      expected.where_key = words[k + 1].substr(0, equals);
+      expected.where_value = same_text(words[k + 1].substr(equals + 1));
+    }
+  need(expected.than.empty() == (expected.relation != "answers_more"));
+  if (colon != std::string::npos)
+    expected.reported = a.value.substr(
+        std::min(a.value.find_first_not_of(' ', colon + 1), a.value.size()));
+  study.expectations.push_back(expected);
 }
 
 void check_study(const Study &study)
@@ -125,10 +189,31 @@ void check_study(const Study &study)
   {
     need(std::ranges::find(study.outcomes, e.outcome) != study.outcomes.end(),
          "Expect/" + e.name + ": " + e.outcome + " is not in Study/outcomes");
-    need(std::ranges::any_of(study.keys, [&](const SweptKey &key)
-                             { return key.name() == e.key; }),
-         "Expect/" + e.name + ": " + e.key + " is not in section Sweep");
+    for (const std::string &name : {e.key, e.than, e.where_key})
+      need(name.empty() ||
+               std::ranges::any_of(study.keys, [&](const SweptKey &key)
+                                   { return key.name() == name; }),
+           "Expect/" + e.name + ": " + name +
+               " is not in section Sweep (or Variants)");
   }
+  need(study.combine != Combine::each_variant || !study.variants.empty(),
+       "Study/combine = each_variant needs a section Variants");
+  for (const Variant &variant : study.variants)
+    for (const Override &setting : variant.settings)
+      need(study.combine == Combine::each ||
+               std::ranges::none_of(study.keys,
+                                    [&](const SweptKey &key) {
+                                      return key.name() == setting.section +
+                                                               "/" +
+                                                               setting.key;
+                                    }),
+           "Variants/" + variant.name + " and Sweep both set " +
+               setting.section + "/" + setting.key);
+  need(!study.has_reference || study.combine == Combine::each,
+       "Study/cost needs combine = each");
+  need(!study.has_reference || std::ranges::find(study.outcomes, study.cost) !=
+                                   study.outcomes.end(),
+       "Study/cost = " + study.cost + " must be in Study/outcomes");
 }
 
 std::string seed_key_of(CaseKind kind)
@@ -152,7 +237,7 @@ std::string seed_key_of(CaseKind kind)
 /// Values of the swept keys in the base case.
 std::vector<std::string> base_values(const Study &study)
 {
-  Case base = read_case(study.case_file, {});
+  Case base = read_case(study.case_file, study.base);
   const std::vector<Parameter> list = parameters_of(base);
   std::vector<std::string> values;
   for (const SweptKey &key : study.keys)
@@ -168,52 +253,83 @@ std::vector<std::string> base_values(const Study &study)
     if (found == list.end())
       throw InputError(key.place + ": Sweep/" + key.name() +
                        ": no parameter of this name");
-    values.push_back(value_text(*found));
+    values.push_back(same_text(value_text(*found)));
   }
   return values;
 }
 
-/// The values of one case per row: all combinations, or each key by itself.
-std::vector<std::vector<std::string>> rows_of(const Study &study)
+using Row = std::vector<std::string>;
+
+/// One row of values per case: each key by itself around the base.
+std::vector<Row> single_rows(const Study &study, const Row &base,
+                             std::size_t first)
 {
-  const std::vector<std::string> base = base_values(study);
-  std::vector<std::vector<std::string>> rows;
-  if (!study.is_grid)
-  {
-    for (std::size_t k = 0; k < study.keys.size(); ++k)
-      for (const std::string &value : study.keys[k].values)
-      {
-        rows.push_back(base);
-        rows.back()[k] = value;
-      }
-    return rows;
-  }
-  rows.emplace_back();
+  std::vector<Row> rows;
+  for (std::size_t k = first; k < study.keys.size(); ++k)
+    for (const std::string &value : study.keys[k].values)
+    {
+      rows.push_back(base);
+      rows.back()[k] = same_text(value);
+    }
+  return rows;
+}
+
+/// All combinations.
+std::vector<Row> grid_rows(const Study &study)
+{
+  std::vector<Row> rows(1);
   for (const SweptKey &key : study.keys)
   {
-    std::vector<std::vector<std::string>> longer;
-    for (const std::vector<std::string> &row : rows)
+    std::vector<Row> longer;
+    for (const Row &row : rows)
       for (const std::string &value : key.values)
       {
         longer.push_back(row);
-        longer.back().push_back(value);
+        longer.back().push_back(same_text(value));
       }
     rows = std::move(longer);
   }
   return rows;
 }
 
-/// As the value reads back from a case: 5e8 is 5e+08.
-std::string same_text(const std::string &value)
+std::vector<Row> rows_of(const Study &study, const Row &base)
 {
-  try
-  {
-    return number_text(to_number(value));
-  }
-  catch (const std::invalid_argument &)
-  {
-    return value;
-  }
+  if (study.combine == Combine::grid)
+    return grid_rows(study);
+  std::vector<Row> rows;
+  if (study.has_reference)
+    rows.push_back(base);
+  if (study.combine == Combine::each)
+    for (const Row &row : single_rows(study, base, 0))
+      rows.push_back(row);
+  else
+    for (const Variant &variant : study.variants)
+    {
+      Row around = base;
+      around[0] = variant.name;
+      for (const Row &row : single_rows(study, around, 1))
+        rows.push_back(row);
+    }
+  return rows;
+}
+
+/// Whether the row is a point of the sweep of key k: it has one of the values
+/// of the key, and the others are those of the base. The variants of
+/// each_variant meet in every row.
+bool is_swept(const Study &study, const Row &row, const Row &base,
+              std::size_t k)
+{
+  if (study.combine == Combine::grid)
+    return true;
+  const bool meets = study.combine == Combine::each_variant;
+  if (meets && study.keys[k].is_variant())
+    return true;
+  for (std::size_t other = 0; other < row.size(); ++other)
+    if (other != k && row[other] != base[other] &&
+        !(meets && study.keys[other].is_variant()))
+      return false;
+  return std::ranges::any_of(study.keys[k].values, [&](const std::string &value)
+                             { return same_text(value) == row[k]; });
 }
 
 StudyPoint make_point(const Study &study, const std::vector<std::string> &row,
@@ -221,17 +337,18 @@ StudyPoint make_point(const Study &study, const std::vector<std::string> &row,
 {
   StudyPoint point;
   point.seed = seed;
+  point.overrides = study.base;
   for (std::size_t k = 0; k < row.size(); ++k)
   {
-    point.values.push_back(same_text(row[k]));
+    point.values.push_back(row[k]);
     if (!study.keys[k].is_variant())
       point.overrides.push_back(
           {study.keys[k].section, study.keys[k].key, row[k]});
-    for (const Variant &variant : study.variants)
-      if (study.keys[k].is_variant() && variant.name == row[k])
-        point.overrides.insert(point.overrides.end(), variant.settings.begin(),
-                               variant.settings.end());
   }
+  for (const Variant &variant : study.variants)
+    if (variant.name == row.front())
+      point.overrides.insert(point.overrides.end(), variant.settings.begin(),
+                             variant.settings.end());
   if (!seed.empty())
     point.overrides.push_back(parse_override(study.seed_key + "=" + seed));
   char name[40];
@@ -249,7 +366,8 @@ StudyPoint make_point(const Study &study, const std::vector<std::string> &row,
 }
 } // namespace
 
-Study read_study(const std::string &file)
+Study read_study(const std::string &file,
+                 const std::vector<Override> &overrides)
 {
   Study study;
   study.file = file;
@@ -262,12 +380,14 @@ Study read_study(const std::string &file)
       take_variant(a, study);
     else if (a.section == "Expect")
       take_expectation(a, study);
+    else if (a.section == "Base")
+      take_base(a, study);
     else
-      refuse(
-          a,
-          "no section of this name: must be Study, Sweep, Variants or Expect");
+      refuse(a, "no section of this name: must be Study, Base, Sweep, "
+                "Variants or Expect");
+  study.base.insert(study.base.end(), overrides.begin(), overrides.end());
   check_study(study);
-  study.seed_key = seed_key_of(read_case(study.case_file, {}).kind);
+  study.seed_key = seed_key_of(read_case(study.case_file, study.base).kind);
   return study;
 }
 
@@ -277,23 +397,23 @@ std::vector<StudyPoint> points_of(const Study &study)
   std::vector<std::string> seeds = study.seeds;
   if (seeds.empty())
     seeds.emplace_back();
-  const std::vector<std::vector<std::string>> rows = rows_of(study);
-  for (std::size_t r = 0; r < rows.size(); ++r)
+  const Row base = base_values(study);
+  const std::vector<Row> rows = rows_of(study, base);
+  for (const Row &row : rows)
     for (const std::string &seed : seeds)
     {
-      StudyPoint point = make_point(study, rows[r], seed, points.size() + 1);
+      StudyPoint point = make_point(study, row, seed, points.size() + 1);
       auto known =
           std::ranges::find_if(points, [&](const StudyPoint &other)
                                { return other.resolved == point.resolved; });
       if (known == points.end())
         known = points.insert(points.end(), std::move(point));
-      if (study.is_grid)
-        continue;
-      // Row r is of the sweep that the first r values reach into.
-      std::size_t k = 0;
-      for (std::size_t left = r; left >= study.keys[k].values.size(); ++k)
-        left -= study.keys[k].values.size();
-      known->sweeps.push_back(static_cast<int>(k));
+      known->is_base |= row == base;
+      for (std::size_t k = 0; k < row.size(); ++k)
+        if (is_swept(study, row, base, k) &&
+            std::ranges::find(known->sweeps, static_cast<int>(k)) ==
+                known->sweeps.end())
+          known->sweeps.push_back(static_cast<int>(k));
     }
   return points;
 }

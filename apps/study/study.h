@@ -41,17 +41,39 @@ struct Variant
 struct Expectation
 {
   std::string name;
-  std::string outcome;  ///< key of summary.json
-  std::string relation; ///< one of `relations`
-  std::string key;      ///< Section/key
+  std::string outcome;                ///< key of summary.json
+  std::string relation;               ///< one of `relations`
+  std::string key;                    ///< Section/key
+  std::string than;                   ///< the other key of answers_more
+  std::string where_key, where_value; ///< of the cases looked at; empty: all
+  std::string reported;               ///< what others found, as text
 };
 
 /// rises, falls: over the whole sweep, from value to value at most against it
-/// by the spread of the seeds; changes, stays: range over mean above or below
-/// 5 %; settles_low, settles_high: the two smallest or largest values within
-/// 5 %.
+/// by what is noticeable; changes, stays: range above or below 5 % of the mean;
+/// settles_low, settles_high: the two smallest or largest values within 5 %;
+/// is_positive, is_negative: the outcome itself; answers_more: larger change
+/// over the whole sweep than over that of another key.
 inline const std::vector<std::string> relations = {
-    "rises", "falls", "changes", "stays", "settles_low", "settles_high"};
+    "rises",        "falls",       "changes",     "stays",       "settles_low",
+    "settles_high", "is_positive", "is_negative", "answers_more"};
+
+/// How the values of the keys are put together: each key by itself around the
+/// base case, that for every variant, or all combinations.
+enum class Combine
+{
+  each,
+  each_variant,
+  grid
+};
+
+/// What makes a difference count: 5 % of the mean of all, or that it exceeds
+/// its 95 % interval over the seeds.
+enum class JudgedBy
+{
+  means,
+  seeds
+};
 
 /// A sweep of cases, from a study file.
 struct Study
@@ -59,8 +81,14 @@ struct Study
   std::string file;      ///< as given
   std::string case_file; ///< base case, found
   std::string title = "study";
-  bool is_grid = false; ///< all combinations; else each key by itself
-  std::string seed_key; ///< Section/key
+  Combine combine = Combine::each;
+  JudgedBy judged_by = JudgedBy::means;
+  /// Whether the base case is the reference of an error map, which then runs
+  /// too; an outcome is the cost.
+  bool has_reference = false;
+  std::string cost;           ///< empty without a reference
+  std::vector<Override> base; ///< settings of every case
+  std::string seed_key;       ///< Section/key
   std::vector<std::string> seeds;
   std::vector<std::string> outcomes; ///< keys of summary.json
   std::string curve_x, curve_y;      ///< columns of history.csv; may be empty
@@ -75,13 +103,16 @@ struct StudyPoint
   std::vector<std::string> values; ///< of the keys, in their order
   std::string seed;
   std::vector<int> sweeps; ///< keys that it is a point of
+  bool is_base = false;    ///< no key has another value than the base case
   std::string folder;      ///< name in the folder of the study
   std::vector<Override> overrides;
   std::string resolved; ///< the case as it will be run
 };
 
+/// `overrides` are settings of every case that come after those of the file.
 /// Throws InputError: file, section, key, value, what is allowed.
-Study read_study(const std::string &file);
+Study read_study(const std::string &file,
+                 const std::vector<Override> &overrides = {});
 
 /// Every case once. Throws InputError if one of them is no case.
 std::vector<StudyPoint> points_of(const Study &study);

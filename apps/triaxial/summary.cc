@@ -1,6 +1,7 @@
 #include "triaxial/summary.h"
 
 #include "run/contact_places.h"
+#include "run/cost.h"
 #include "run/ledger_rows.h"
 
 #include <nlohmann/json.hpp>
@@ -36,6 +37,7 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
     known += spent;
   seconds["other"] = std::max(0., recorded.total - known);
   seconds["total"] = recorded.total;
+  seconds[processor_time] = processor_seconds();
   for (const auto &[phase, spent] : before)
     seconds[phase] += spent;
   return seconds;
@@ -87,6 +89,12 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["coordination_end_1"] = record.end.coordination_number;
   out["coordination_change_1"] =
       record.end.coordination_number - record.start.coordination_number;
+  out["mean_contact_force_end_N"] = record.end.mean_contact_force;
+  out["mean_contact_force_change_1"] =
+      record.start.mean_contact_force > 0.
+          ? record.end.mean_contact_force / record.start.mean_contact_force - 1.
+          : 0.;
+  out["roundness_change_1"] = record.end.roundness - record.start.roundness;
   out["n_events"] = engine.n_events();
   out["n_refused_events"] = engine.n_refused_events();
   out["external_work_J"] = work;
@@ -114,7 +122,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
        {prepared.stress.x(), prepared.stress.y(), prepared.stress.z()}},
       {"unbalanced_force_ratio_1", prepared.unbalanced_ratio},
       {"time_s", prepared.time}};
-  out["wall_clock_s"] = record.seconds;
+  add_cost(record.seconds, out);
   out["version"] = SPALL_VERSION;
   return out.dump(2) + "\n";
 }

@@ -1,5 +1,7 @@
 #include "errors.h"
-#include "study/levels.h"
+#include "study/judge.h"
+#include "study/prices.h"
+#include "study/tables.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +89,8 @@ TEST_F(StudyFile, EachSharesTheBaseCase)
   for (std::size_t k = 0; k < points.size(); ++k)
     results.push_back(
         {k != 0, "", {std::stod(points[k].values[0]) + 2. * (k % 2)}});
-  const std::vector<Level> levels = levels_of({each, points, results}, 0, 0);
+  const std::vector<Level> levels =
+      levels_of({each, points, results}, Cut(0), 0);
   ASSERT_EQ(levels.size(), 3u);
   EXPECT_EQ(levels[0].samples.size(), 1u); // the first case failed
   EXPECT_EQ(levels[2].value, "3000");
@@ -106,7 +109,7 @@ TEST(StudyLevels, JudgeTellsTheRelations)
   };
   const auto is_shown =
       [&](const std::vector<double> &means, const std::string &relation)
-  { return judge(levels(means), relation).is_shown; };
+  { return judge_means(levels(means), relation).ruling == Ruling::holds; };
   EXPECT_TRUE(is_shown({1., 2., 3.}, "rises"));
   EXPECT_TRUE(is_shown({1., 1.99, 1.98, 3.}, "rises")); // within 5 %
   EXPECT_FALSE(is_shown({1., 3., 2.}, "rises"));
@@ -122,6 +125,161 @@ TEST(StudyLevels, JudgeTellsTheRelations)
   EXPECT_FALSE(is_shown({1.}, "rises"));
   std::vector<Level> missing = levels({1., 2.});
   missing[0].samples.clear();
-  EXPECT_FALSE(judge(missing, "rises").is_shown);
+  EXPECT_EQ(judge_means(missing, "rises").ruling, Ruling::does_not);
+  EXPECT_TRUE(is_shown({1., 2.}, "is_positive"));
+  EXPECT_FALSE(is_shown({-1., 2.}, "is_positive"));
+}
+
+// Student's distribution: tabulated points.
+TEST(StudyEstimate, IntervalsAreStudents)
+{
+  EXPECT_NEAR(student_95(2), 4.303, 1e-3);
+  EXPECT_NEAR(student_95(11), 2.201, 1e-3);
+  EXPECT_NEAR(student_95(30), 2.042, 1e-3);
+  const std::vector<double> samples = {1., 2., 3.};
+  const Estimate e = estimate_of(samples);
+  EXPECT_DOUBLE_EQ(e.mean, 2.);
+  EXPECT_NEAR(e.half_width, 4.3027 / std::sqrt(3.), 1e-4);
+  EXPECT_FALSE(e.is_resolved());
+  EXPECT_FALSE(estimate_of(std::vector<double>{5.}).is_resolved());
+}
+
+class SeededStudy : public StudyFile
+{
+protected:
+  /// Density in {2000, 3000} for two variants and three seeds; outcome
+  /// (density / 1000) slope + seed, slope by the variant.
+  void make(const std::string &more, double slope_a, double slope_b,
+            double wobble)
+  {
+    study = read_study(
+        write("e.prm", "subsection Study\n  set case = c.prm\n"
+                       "  set outcomes = n_events\n  set seeds = 1, 2, 3\n"
+                       "  set combine = each_variant\n"
+                       "  set judged_by = seeds\nend\n"
+                       "subsection Variants\n"
+                       "  set a = Breakage/is_active=true\n"
+                       "  set b = Breakage/is_active=false\nend\n"
+                       "subsection Sweep\n"
+                       "  set Stone/density = 2000, 3000\n"
+                       "  set Stone/friction = 0.3, 0.6\nend\n"
+                       "subsection Expect\n" +
+                           more + "end\n"));
+    points = points_of(study);
+    results.clear();
+    for (const StudyPoint &point : points)
+    {
+      const double seed = std::stod(point.seed),
+                   slope = point.values[0] == "a" ? slope_a : slope_b;
+      const double density = std::stod(point.values[1]) / 1000.;
+      results.push_back(
+          {true, "", {density * (slope + wobble * (seed - 2.)) + 100. * seed}});
+    }
+  }
+
+  Ruling ruling(std::size_t k) const
+  {
+    return judge({study, points, results}, study.expectations[k]).ruling;
+  }
+
+  Study study;
+  std::vector<StudyPoint> points;
+  std::vector<PointResult> results;
+};
+
+// The seeds differ by a hundred times the effect, which pairs take out.
+TEST_F(SeededStudy, PairsTakeOutWhatSeedsShare)
+{
+  make("  set up = n_events rises with Stone/density where Variants=a\n"
+       "  set down = n_events falls with Stone/density where Variants=b: as X\n"
+       "  set no = n_events rises with Stone/density where Variants=b\n"
+       "  set plus = n_events is_positive with Stone/density\n"
+       "  set more = n_events answers_more with Stone/density than "
+       "Stone/friction\n",
+       1., -1., 0.1);
+  EXPECT_EQ(points.size(), 2u * 4u * 3u);
+  EXPECT_EQ(study.expectations[1].reported, "as X");
+  EXPECT_EQ(ruling(0), Ruling::holds);
+  EXPECT_EQ(ruling(1), Ruling::holds);
+  EXPECT_EQ(ruling(2), Ruling::does_not);
+  EXPECT_EQ(ruling(3), Ruling::not_resolved); // 100, 200, 300
+  EXPECT_EQ(ruling(4), Ruling::not_resolved); // a and b cancel
+  const std::vector<double> ends =
+      paired_differences({study, points, results}, Cut(0), 0, "a", "b");
+  ASSERT_EQ(ends.size(), 3u);
+  // Density over all rows of a variant: 2, 3 and twice 2.75.
+  EXPECT_NEAR(ends[1], -2. * (2. + 3. + 2. * 2.75) / 4., 1e-12);
+}
+
+TEST_F(SeededStudy, WhatSeedsDifferByIsNotResolved)
+{
+  make("  set up = n_events rises with Stone/density where Variants=a\n"
+       "  set same = n_events stays with Stone/density where Variants=a\n",
+       1., -1., 1.);
+  EXPECT_EQ(ruling(0), Ruling::not_resolved);
+  EXPECT_EQ(ruling(1), Ruling::holds); // 1 of 202
+}
+
+TEST_F(SeededStudy, BadSentencesAreRefused)
+{
+  EXPECT_THROW(make("  set x = n_events rises with\n", 1., 1., 0.), InputError);
+  EXPECT_THROW(
+      make("  set x = n_events rises with Wall/friction\n", 1., 1., 0.),
+      InputError);
+  EXPECT_THROW(
+      make("  set x = n_events answers_more with Stone/density\n", 1., 1., 0.),
+      InputError);
+  EXPECT_THROW(make("  set x = n_events rises with Stone/density than "
+                    "Stone/friction\n",
+                    1., 1., 0.),
+               InputError);
+}
+
+// Reference 10, 12, 14 at cost 4; a knob that halves the cost and is off by
+// 0.2 is fine, one that is off by 2 is not, one that costs more is on no front.
+TEST_F(StudyFile, PricesAreAgainstTheReference)
+{
+  const Study map = read_study(
+      write("m.prm", "subsection Study\n  set case = c.prm\n"
+                     "  set outcomes = n_events, processor_s\n"
+                     "  set seeds = 1, 2, 3\n  set cost = processor_s\nend\n"
+                     "subsection Base\n  set Stone/friction = 0.4\nend\n"
+                     "subsection Sweep\n"
+                     "  set Stone/density = 2000, 2750, 3000\n"
+                     "  set Time/fixed_step = 2e-7\nend\n"));
+  const std::vector<StudyPoint> points = points_of(map);
+  ASSERT_EQ(points.size(), 4u * 3u); // the base case once
+  EXPECT_TRUE(points[0].is_base);
+  EXPECT_NE(points[0].resolved.find("friction = 0.4"), std::string::npos);
+  std::vector<PointResult> results;
+  for (const StudyPoint &point : points)
+  {
+    const double base = 8. + 2. * std::stod(point.seed);
+    const bool is_light = point.values[0] == "2000",
+               is_heavy = point.values[0] == "3000",
+               is_fine_step = point.values[1] == "2e-07";
+    results.push_back({true,
+                       "",
+                       {base + (is_light   ? 0.2
+                                : is_heavy ? 2.
+                                           : 0.),
+                        is_light       ? 2.
+                        : is_heavy     ? 1.
+                        : is_fine_step ? 8.
+                                       : 4.}});
+  }
+  const StudyData data{map, points, results};
+  EXPECT_DOUBLE_EQ(reference_spread(data)[0], 2.);
+  const std::vector<PricedLevel> levels = price_levels(data);
+  ASSERT_EQ(levels.size(), 3u);
+  EXPECT_NEAR(levels[0].worst, 0.1, 1e-12);
+  EXPECT_NEAR(levels[0].cost, 0.5, 1e-12);
+  EXPECT_TRUE(levels[0].is_on_front);
+  EXPECT_TRUE(levels[0].is_cheapest_fine);
+  EXPECT_NEAR(levels[1].worst, 1., 1e-12);
+  EXPECT_TRUE(levels[1].is_on_front);
+  EXPECT_FALSE(levels[1].is_cheapest_fine);
+  EXPECT_NEAR(levels[2].cost, 2., 1e-12);
+  EXPECT_NE(price_table(data).find("cheapest that is fine"), std::string::npos);
 }
 } // namespace

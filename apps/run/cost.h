@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <map>
+#include <string>
+
+namespace spall
+{
+/// Of all threads of this program since its start [s].
+double processor_seconds();
+
+/// Memory of this program.
+struct MemoryUse
+{
+  double now = 0.;  ///< resident [bytes]
+  double peak = 0.; ///< resident, highest so far [bytes]
+};
+
+MemoryUse memory_use();
+
+/// Place of processor_seconds among the times of a run, which are carried over
+/// restarts together.
+inline constexpr const char *processor_time = "processor";
+
+/// Writes processor_s, peak_memory_B and, as wall_clock_s, the phases.
+void add_cost(std::map<std::string, double> seconds,
+              nlohmann::ordered_json &summary);
+} // namespace spall

@@ -1,0 +1,67 @@
+#include "study/pairs.h"
+
+#include <cmath>
+#include <map>
+
+namespace spall
+{
+namespace
+{
+using BySeed = std::map<std::string, std::vector<double>>;
+
+std::vector<double> means_of(const BySeed &samples)
+{
+  std::vector<double> means;
+  for (const auto &[seed, values] : samples)
+    means.push_back(estimate_of(values).mean);
+  return means;
+}
+
+bool has_given(const StudyData &data, const Cut &cut, std::size_t point,
+               std::size_t outcome)
+{
+  return data.results[point].is_done && cut.takes(data.points[point]) &&
+         std::isfinite(data.results[point].outcomes[outcome]);
+}
+
+/// All that tells two cases apart but this key.
+std::vector<std::string> all_but(const StudyPoint &point, std::size_t key)
+{
+  std::vector<std::string> rest = point.values;
+  rest[key] = point.seed;
+  return rest;
+}
+} // namespace
+
+std::vector<double> seed_means(const StudyData &data, const Cut &cut,
+                               std::size_t outcome)
+{
+  BySeed samples;
+  for (std::size_t p = 0; p < data.points.size(); ++p)
+    if (has_given(data, cut, p, outcome))
+      samples[data.points[p].seed].push_back(data.results[p].outcomes[outcome]);
+  return means_of(samples);
+}
+
+std::vector<double> paired_differences(const StudyData &data, const Cut &cut,
+                                       std::size_t outcome,
+                                       const std::string &from,
+                                       const std::string &to)
+{
+  std::map<std::vector<std::string>, double> before;
+  for (std::size_t p = 0; p < data.points.size(); ++p)
+    if (has_given(data, cut, p, outcome) &&
+        data.points[p].values[cut.key] == from)
+      before[all_but(data.points[p], cut.key)] =
+          data.results[p].outcomes[outcome];
+  BySeed samples;
+  for (std::size_t p = 0; p < data.points.size(); ++p)
+    if (has_given(data, cut, p, outcome) &&
+        data.points[p].values[cut.key] == to)
+      if (const auto partner = before.find(all_but(data.points[p], cut.key));
+          partner != before.end())
+        samples[data.points[p].seed].push_back(
+            data.results[p].outcomes[outcome] - partner->second);
+  return means_of(samples);
+}
+} // namespace spall
