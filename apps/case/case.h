@@ -66,6 +66,7 @@ struct SpecimenParameters
   std::string gradation = "gradations/quick_7_22mm.csv";
   /// folder of shape files; empty: spheres
   std::string shapes = "shapes/limestone";
+  int order = dem::max_order; ///< N_s: at most this many degrees of the files
   int seed = 1;
   double initial_solid_fraction = 0.25; ///< of the random cloud [-]
 };

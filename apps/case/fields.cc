@@ -23,6 +23,8 @@ void add_specimen(List &list, SpecimenParameters &s)
             "CSV file diameter_m,passing_1: share of the mass that passes."},
            s.gradation);
   list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, s.shapes);
+  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
+           s.order, between(1, dem::max_order));
   list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, s.seed,
            between(0, 2147483647));
   list.add({"initial_solid_fraction", "-",

@@ -2,6 +2,7 @@
 
 #include "commands/commands.h"
 #include "errors.h"
+#include "report/text_table.h"
 #include "run/folder.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct StudyOptions
 {
-  std::string file, out, figures;
+  std::string file, out, figures, page;
   std::vector<Override> overrides;
   int jobs =
       static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -39,6 +40,8 @@ StudyOptions parse_options(Words words)
       options.out = value();
     else if (word == "--figures")
       options.figures = value();
+    else if (word == "--page")
+      options.page = value();
     else if (word == "--set")
       options.overrides.push_back(parse_override(value()));
     else if (word == "--jobs")
@@ -52,9 +55,10 @@ StudyOptions parse_options(Words words)
                          ": must be a whole number from 1 up");
     }
     else if (word.starts_with("--") || !options.file.empty())
-      throw InputError("study: " + word +
-                       ": must be one study file, --out DIR, --jobs N, "
-                       "--figures FOLDER or --set Section/key=value");
+      throw InputError(
+          "study: " + word +
+          ": must be one study file, --out DIR, --jobs N, "
+          "--figures FOLDER, --page FILE or --set Section/key=value");
     else
       options.file = word;
   }
@@ -90,7 +94,10 @@ int study_command(Words words)
       run_points(study, points, folder, options.jobs);
   write_study_table(study, points, results, folder / "study.csv");
   write_text(folder / "report.html",
-             study_page(study, points, results, folder, options.figures));
+             study_page({study, points, results}, folder, options.figures));
+  if (!options.page.empty())
+    renew_page("study", options.page, "<!-- spall study --page -->",
+               study_markdown({study, points, results}));
   std::cout << (folder / "study.csv").string() << '\n'
             << (folder / "report.html").string() << std::endl;
   const auto n_failed =

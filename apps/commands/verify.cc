@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 #include "errors.h"
+#include "report/text_table.h"
 #include "verify/families.h"
 #include "verify/table.h"
 
@@ -80,22 +81,6 @@ void write_file(const std::string &path, const std::string &content)
     throw InputError("verify: cannot write '" + path + "'");
 }
 
-/// All that follows this line of a page is made by the program.
-constexpr const char *marker = "<!-- spall verify --page -->\n";
-
-/// Lines of the page up to the marker, which must be there.
-std::string kept_part(const std::string &path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  const std::size_t place = text.str().find(marker);
-  if (!file || place == std::string::npos)
-    throw InputError("verify: --page " + path + ": must be a file with the " +
-                     "line " + std::string(marker));
-  return text.str().substr(0, place) + marker;
-}
-
 void write_files(const Options &options, const std::vector<Result> &results)
 {
   std::ostringstream csv, page;
@@ -104,7 +89,8 @@ void write_files(const Options &options, const std::vector<Result> &results)
   if (!options.csv.empty())
     write_file(options.csv, csv.str());
   if (!options.page.empty())
-    write_file(options.page, kept_part(options.page) + "\n" + page.str());
+    renew_page("verify", options.page, "<!-- spall verify --page -->",
+               page.str());
 }
 } // namespace
 

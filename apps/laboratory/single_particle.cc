@@ -24,13 +24,9 @@ ShapeLibrary load_shape(const Case &parameters)
   const ParticleParameters &p = parameters.particle;
   if (p.shape.empty())
     return {};
-  dem::Coefficients series =
-      read_shape(find_path(parameters, "Particle", "shape", p.shape))
-          .coefficients;
-  const auto kept = static_cast<std::size_t>(dem::n_coefficients(p.order));
-  if (series.size() > kept)
-    series.resize(kept);
-  return {std::make_shared<const dem::Coefficients>(std::move(series))};
+  return {cut_at(read_shape(find_path(parameters, "Particle", "shape", p.shape))
+                     .coefficients,
+                 p.order)};
 }
 
 dem::Body make_stone(const Case &parameters, const ShapeLibrary &shapes)

@@ -27,15 +27,23 @@ std::string in_four_digits(double value)
 }
 } // namespace
 
+std::shared_ptr<const dem::Coefficients> cut_at(dem::Coefficients series,
+                                                int order)
+{
+  const auto kept = static_cast<std::size_t>(dem::n_coefficients(order));
+  if (series.size() > kept)
+    series.resize(kept);
+  return std::make_shared<const dem::Coefficients>(std::move(series));
+}
+
 ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
-                         const std::string &folder)
+                         const std::string &folder, int order)
 {
   ShapeLibrary library;
   if (!folder.empty())
     for (const ShapeFile &shape :
          read_shapes(find_path(parameters, section, "shapes", folder)))
-      library.push_back(
-          std::make_shared<const dem::Coefficients>(shape.coefficients));
+      library.push_back(cut_at(shape.coefficients, order));
   return library;
 }
 
@@ -84,7 +92,7 @@ Specimen make_specimen(const Case &parameters)
   const Gradation gradation = read_gradation(
       find_path(parameters, "Specimen", "gradation", s.gradation));
   Specimen specimen;
-  specimen.shapes = load_shapes(parameters, "Specimen", s.shapes);
+  specimen.shapes = load_shapes(parameters, "Specimen", s.shapes, s.order);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
   const std::vector<dem::Body> stones = dem::draw_stones(
       {gradation.diameter, gradation.passing},

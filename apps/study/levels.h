@@ -4,7 +4,6 @@
 #include "study/study.h"
 
 #include <optional>
-#include <span>
 
 namespace spall
 {
@@ -18,14 +17,6 @@ struct Level
 
   double mean() const;      ///< NaN without samples
   double deviation() const; ///< standard, of the samples; 0 for one
-};
-
-/// The cases of a study with what they gave.
-struct StudyData
-{
-  const Study &study;
-  std::span<const StudyPoint> points;
-  std::span<const PointResult> results;
 };
 
 /// The cases of the sweep of a key, all or those with one value of another.

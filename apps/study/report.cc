@@ -185,32 +185,67 @@ std::string figure(const Chart &chart, const fs::path &figures)
   return "<figure id=\"" + escape(chart.id) + "\">\n" + drawn + "<figcaption>" +
          escape(chart.caption) + "</figcaption></figure>\n";
 }
+
+std::string section(const TextTable &table, const std::string &more = "")
+{
+  if (table.rows.empty())
+    return "";
+  return "<section>\n<h2>" + escape(table.title) + "</h2>\n<p>" +
+         escape(table.note) + "</p>\n" + html_rows(table) + more +
+         "</section>\n";
+}
+
+/// A table that is closed until it is asked for.
+std::string folded(const TextTable &table, const std::string &summary)
+{
+  return "<details><summary>" + escape(summary) + "</summary><p>" +
+         escape(table.note) + "</p>" + html_rows(table) + "</details>\n";
+}
+
+std::string key_section(const StudyData &data, std::size_t k,
+                        const fs::path &folder, const fs::path &figures)
+{
+  std::string body = "<section>\n<h2>" + escape(data.study.keys[k].name()) +
+                     "</h2>\n<div class=\"charts\">\n";
+  if (!data.study.curve_x.empty())
+    body += figure(curve_chart(data, k, folder), figures);
+  for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
+    body += figure(level_chart(data, k, o), figures);
+  const TextTable differences = difference_table(data, k);
+  return body + "</div>\n" + folded(differences, differences.title) +
+         "</section>\n";
+}
 } // namespace
 
-std::string study_page(const Study &study,
-                       const std::vector<StudyPoint> &points,
-                       const std::vector<PointResult> &results,
-                       const fs::path &folder, const fs::path &figures)
+std::string study_page(const StudyData &data, const fs::path &folder,
+                       const fs::path &figures)
 {
-  const StudyData data{study, points, results};
-  std::string body = expectation_table(data) + price_table(data);
+  const Study &study = data.study;
+  std::string body = section(expectation_table(data));
   if (study.has_reference)
-    body += figure(price_chart(data), figures);
-  body += failure_table(data);
+    body += section(price_table(data), figure(price_chart(data), figures));
+  body += section(failure_table(data));
   for (std::size_t k = 0; k < study.keys.size(); ++k)
-  {
-    body += "<section>\n<h2>" + escape(study.keys[k].name()) +
-            "</h2>\n<div class=\"charts\">\n";
-    std::vector<Chart> charts;
-    if (!study.curve_x.empty())
-      charts.push_back(curve_chart(data, k, folder));
-    for (std::size_t o = 0; o < study.outcomes.size(); ++o)
-      charts.push_back(level_chart(data, k, o));
-    for (const Chart &chart : charts)
-      body += figure(chart, figures);
-    body += "</div>\n" + difference_table(data, k) + "</section>\n";
-  }
-  return page_around(study.title, "Spall study of " + study.file,
-                     body + case_table(data));
+    body += key_section(data, k, folder, figures);
+  body += "<section>\n<h2>Cases</h2>\n" +
+          folded(case_table(data),
+                 std::to_string(data.points.size()) + " cases (study.csv)") +
+          "</section>\n";
+  return page_around(study.title, "Spall study of " + study.file, body);
+}
+
+std::string study_markdown(const StudyData &data)
+{
+  std::vector<TextTable> tables = {expectation_table(data)};
+  if (data.study.has_reference)
+    tables.push_back(price_table(data));
+  for (std::size_t k = 0; k < data.study.keys.size(); ++k)
+    tables.push_back(difference_table(data, k));
+  tables.push_back(failure_table(data));
+  std::string text;
+  for (const TextTable &table : tables)
+    if (!table.rows.empty())
+      text += markdown(table);
+  return text;
 }
 } // namespace spall

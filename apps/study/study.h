@@ -3,6 +3,7 @@
 #include "case/file.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -139,11 +140,20 @@ void write_study_table(const Study &study,
                        const std::vector<PointResult> &results,
                        const std::filesystem::path &path);
 
+/// The cases of a study with what they gave.
+struct StudyData
+{
+  const Study &study;
+  std::span<const StudyPoint> points;
+  std::span<const PointResult> results;
+};
+
 /// The report as one HTML page; charts also as files into `figures` unless it
 /// is empty.
-std::string study_page(const Study &study,
-                       const std::vector<StudyPoint> &points,
-                       const std::vector<PointResult> &results,
+std::string study_page(const StudyData &data,
                        const std::filesystem::path &folder,
                        const std::filesystem::path &figures);
+
+/// Its tables in Markdown.
+std::string study_markdown(const StudyData &data);
 } // namespace spall

@@ -280,6 +280,9 @@ TEST_F(StudyFile, PricesAreAgainstTheReference)
   EXPECT_TRUE(levels[1].is_on_front);
   EXPECT_FALSE(levels[1].is_cheapest_fine);
   EXPECT_NEAR(levels[2].cost, 2., 1e-12);
-  EXPECT_NE(price_table(data).find("cheapest that is fine"), std::string::npos);
+  EXPECT_NE(
+      study_markdown(data).find("| on the front, cheapest that is fine |"),
+      std::string::npos)
+      << study_markdown(data);
 }
 } // namespace
