@@ -21,8 +21,7 @@ std::shared_ptr<const dem::Coefficients> cut_at(dem::Coefficients series,
 /// The shapes of a folder that the key `shapes` of this section names, cut at
 /// an order; empty: none. Throws InputError.
 ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
-                         const std::string &folder,
-                         int order = dem::max_order);
+                         const std::string &folder, int order = dem::max_order);
 
 /// Stones that are still to be placed, for what does not move: masses, sizes,
 /// which of them break.
