@@ -42,7 +42,7 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
 }
 
 std::string summary_text(const Case &parameters, const Triaxial &test,
-                         const RunRecord &record)
+                         const RunRecord &record, const CycleRecorder &cycles)
 {
   const dem::Engine &engine = test.engine();
   const auto &breakable = engine.particles().is_breakable;
@@ -87,6 +87,9 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["coordination_end_1"] = record.end.coordination_number;
   out["coordination_change_1"] =
       record.end.coordination_number - record.start.coordination_number;
+  out["roundness_start_1"] = record.start.roundness;
+  out["roundness_end_1"] = record.end.roundness;
+  cycles.add_to(out);
   out["n_events"] = engine.n_events();
   out["n_refused_events"] = engine.n_refused_events();
   out["external_work_J"] = work;

@@ -177,6 +177,13 @@ Depth depth_of(const Outline &outline, const Vec3 &x)
           std::min(x.z() - outline.low, outline.high - x.z())};
 }
 
+/// NaN of nothing.
+double share(std::int64_t part, std::int64_t whole)
+{
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole)
+                   : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// Points of some part of the space.
 struct Tally
 {
@@ -189,7 +196,7 @@ struct Tally
   }
   double porosity() const ///< NaN without points
   {
-    return 1. - static_cast<double>(n_solid) / static_cast<double>(n);
+    return 1. - share(n_solid, n);
   }
 };
 
@@ -227,8 +234,7 @@ struct Layers
     {
       profile.distance.push_back((static_cast<double>(k) + 0.5) * thickness);
       profile.porosity.push_back(points[k].porosity());
-      profile.coordination.push_back(static_cast<double>(n_contacts[k]) /
-                                     static_cast<double>(n_bearing[k]));
+      profile.coordination.push_back(share(n_contacts[k], n_bearing[k]));
       profile.n_stones.push_back(static_cast<double>(n_stones[k]));
     }
     return profile;
