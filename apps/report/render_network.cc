@@ -174,8 +174,9 @@ vtkNew<vtkRenderer> bulge_panel(vtkPolyData *faces, vtkLookupTable *colours)
   sheet->GetProperty()->EdgeVisibilityOn();
   sheet->GetProperty()->SetEdgeColor(0.35, 0.35, 0.35);
   sheet->GetProperty()->SetLineWidth(PictureSheet::fineness);
-  sheet->GetProperty()->SetAmbient(0.3);
-  sheet->GetProperty()->SetDiffuse(0.7);
+  // The colours are to be read: little shade.
+  sheet->GetProperty()->SetAmbient(0.75);
+  sheet->GetProperty()->SetDiffuse(0.3);
   renderer->AddActor(sheet);
   add_lights(renderer);
   add_title(renderer, "membrane");
