@@ -2,6 +2,7 @@
 #include "errors.h"
 #include "report/figures.h"
 #include "report/page.h"
+#include "report/render_network.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -73,6 +74,25 @@ std::vector<Picture> draw_specimens(std::span<const RunData> runs)
   return pictures;
 }
 
+/// One scale of forces and one of bulges for all runs.
+std::vector<Picture> draw_networks(std::span<const RunData> runs)
+{
+  std::vector<std::vector<NetworkFiles>> networks;
+  double max_force = 0., max_bulge = 0.;
+  for (const RunData &run : runs)
+  {
+    networks.push_back(find_networks(run.folder));
+    max_force = std::max(max_force, force_scale(networks.back()));
+    max_bulge = std::max(max_bulge, bulge_scale(networks.back()));
+  }
+  std::vector<Picture> pictures;
+  for (const auto &files : networks)
+    pictures.push_back(files.empty()
+                           ? Picture{"", "there is no frames/contacts_*.vtu."}
+                           : render_network(files, max_force, max_bulge));
+  return pictures;
+}
+
 void write_figures(const Report &report, const fs::path &folder)
 {
   std::error_code error;
@@ -90,6 +110,9 @@ void write_figures(const Report &report, const fs::path &folder)
     if (!report.pictures[k].png.empty())
       write_file(folder / ("specimen" + number + ".png"),
                  report.pictures[k].png);
+    if (!report.networks[k].png.empty())
+      write_file(folder / ("contacts" + number + ".png"),
+                 report.networks[k].png);
   }
 }
 } // namespace
@@ -98,7 +121,8 @@ int report_command(Words words)
 {
   const Options options = parse(words);
   const std::vector<RunData> runs = read_runs(options.folders);
-  const Report report{runs, make_charts(runs), draw_specimens(runs)};
+  const Report report{runs, make_charts(runs), draw_specimens(runs),
+                      draw_networks(runs)};
   fs::path page = "report.html";
   if (!options.out.empty())
     page = options.out;

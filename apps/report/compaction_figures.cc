@@ -32,7 +32,9 @@ constexpr std::array quantities = {
     Quantity{"plate_load", "plate_load_N", "Load (kN)",
              "Force of the stones on the plate.", 1e-3},
     Quantity{"coordination", "coordination_number_1", "Coordination number (–)",
-             "Contacts per stone that has at least two."}};
+             "Contacts per stone that has at least two."},
+    Quantity{"contact_force", "mean_contact_force_N", "Mean contact force (N)",
+             "Mean contact force between stones."}};
 
 Chart quantity_chart(std::span<const RunData> runs, const Quantity &quantity)
 {

@@ -18,6 +18,8 @@ Chart loop_chart(std::span<const RunData> runs);
 std::vector<Chart> energy_charts(std::span<const RunData> runs);
 Chart residual_chart(std::span<const RunData> runs);
 std::vector<Chart> event_charts(std::span<const RunData> runs);
+std::vector<Chart> cycle_charts(std::span<const RunData> runs);
+std::vector<Chart> profile_charts(std::span<const RunData> runs);
 
 Column scaled(const Column &values, double factor);
 Column picked(const Column &values, const std::vector<std::size_t> &rows);

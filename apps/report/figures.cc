@@ -46,7 +46,8 @@ const std::vector<Quantity> quantities{
      "within them (faint line).",
      1., Sampling::both},
     {"contact_force", "mean_contact_force_N", "Mean contact force (N)",
-     "Mean normal contact force: at the ends of the cycles (markers) and "
+     "Mean contact force between stones: at the ends of the cycles (markers) "
+     "and "
      "within them (faint line).",
      1., Sampling::both}};
 
@@ -130,6 +131,10 @@ std::vector<Chart> make_charts(std::span<const RunData> runs)
   std::vector<Chart> charts{loop_chart(runs)};
   for (const Quantity &quantity : quantities)
     charts.push_back(quantity_chart(quantity, runs));
+  for (const Chart &chart : cycle_charts(runs))
+    charts.push_back(chart);
+  for (const Chart &chart : profile_charts(runs))
+    charts.push_back(chart);
   charts.push_back(event_count_chart(runs));
   for (const Chart &chart : event_charts(runs))
     charts.push_back(chart);

@@ -81,15 +81,28 @@ std::string header(std::span<const RunData> runs)
   return out + "</header>\n";
 }
 
-std::string picture_caption(const Report &report, std::size_t k)
+constexpr const char *specimen_caption =
+    "Stones by their true surfaces, coloured by the share of their mass that "
+    "they have lost; 98 % of the stones lie within the colour bar. The "
+    "membrane or plate, if there is one, is half transparent.";
+
+constexpr const char *network_caption =
+    "Contacts as lines from centre to centre or to the boundary, as thick as "
+    "their normal force; 99 % of the contacts lie within the colour bar. A "
+    "membrane is coloured by how far it has come outward of where it was put.";
+
+std::string figure_of(const Report &report, std::size_t k,
+                      const Picture &picture, const std::string &caption)
 {
-  const std::string start =
-      report.runs.size() > 1 ? report.runs[k].name + ". " : "";
-  return start +
-         "Stones by their true surfaces, coloured by the share of "
-         "their mass that they have lost; 98 % of the stones lie "
-         "within the colour bar. The membrane or plate, if there is one, "
-         "is half transparent.";
+  if (picture.png.empty())
+    return notes(
+        {"No picture of " + report.runs[k].name + ": " + picture.problem});
+  const std::string text = escape(
+      (report.runs.size() > 1 ? report.runs[k].name + ". " : "") + caption);
+  return "<figure><img alt=\"" + text + "\" width=\"" +
+         std::to_string(picture.width / 2) + "\" src=\"data:image/png;base64," +
+         base64(picture.png) + "\"><figcaption>" + text +
+         "</figcaption></figure>\n";
 }
 
 std::string specimens(const Report &report)
@@ -97,16 +110,10 @@ std::string specimens(const Report &report)
   std::string out = "<section>\n<h2>Specimen</h2>\n";
   for (std::size_t k = 0; k < report.pictures.size(); ++k)
   {
-    const Picture &picture = report.pictures[k];
-    const std::string caption = escape(picture_caption(report, k));
-    if (picture.png.empty())
-      out += notes(
-          {"No picture of " + report.runs[k].name + ": " + picture.problem});
-    else
-      out += "<figure><img alt=\"" + caption + "\" width=\"" +
-             std::to_string(picture.width / 2) +
-             "\" src=\"data:image/png;base64," + base64(picture.png) +
-             "\"><figcaption>" + caption + "</figcaption></figure>\n";
+    out += figure_of(report, k, report.pictures[k], specimen_caption);
+    // What is missing has been said once.
+    if (!report.networks[k].png.empty())
+      out += figure_of(report, k, report.networks[k], network_caption);
   }
   return out + "</section>\n";
 }

@@ -10,12 +10,13 @@
 
 namespace spall
 {
-/// Everything of a page; pictures[k] belongs to runs[k].
+/// Everything of a page; pictures[k] and networks[k] belong to runs[k].
 struct Report
 {
   std::span<const RunData> runs;
   std::vector<Chart> charts;
-  std::vector<Picture> pictures;
+  std::vector<Picture> pictures; ///< of the stones
+  std::vector<Picture> networks; ///< of contact forces and bulge
 };
 
 /// An HTML page in the style of the reports: `body` is HTML, the rest text.

@@ -95,6 +95,12 @@ void read_summary(const fs::path &folder, RunData &run)
     run.notes.push_back("summary.json is not valid JSON and was left out.");
 }
 
+void read_if_there(const fs::path &path, Table &table)
+{
+  if (fs::exists(path))
+    table = read_table(path.string());
+}
+
 void name_apart(std::vector<RunData> &runs)
 {
   std::map<std::string, int> uses;
@@ -152,6 +158,9 @@ RunData read_run(const std::string &folder)
     run.events = read_table((path / "events.csv").string());
   else
     run.notes.push_back("There is no events.csv.");
+  read_if_there(path / "cycles.csv", run.cycles);
+  read_if_there(path / "boundary_profile_start.csv", run.profile_start);
+  read_if_there(path / "boundary_profile_end.csv", run.profile_end);
   if (fs::exists(path / "case.prm"))
     run.case_text = read_text(path / "case.prm");
   else

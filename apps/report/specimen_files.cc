@@ -2,6 +2,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 
 namespace spall
 {
@@ -17,25 +17,9 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// NAME_00012.vtu of a folder by number.
-std::map<int, std::string> frames_of(const fs::path &folder,
-                                     const std::string &name)
-{
-  std::map<int, std::string> files;
-  if (!fs::is_directory(folder))
-    return files;
-  for (const auto &entry : fs::directory_iterator(folder))
-  {
-    const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() == ".vtu" && stem.starts_with(name + "_"))
-      files[std::atoi(stem.c_str() + name.size() + 1)] = entry.path().string();
-  }
-  return files;
-}
-
-} // namespace
-
-vtkNew<vtkPolyData> read_faces(const std::string &path)
+/// The cells of a file, faces or lines as `add` puts them in.
+template <class Add>
+vtkNew<vtkPolyData> read_cells(const std::string &path, const Add &add)
 {
   const int shows_warnings = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();
@@ -44,23 +28,52 @@ vtkNew<vtkPolyData> read_faces(const std::string &path)
   reader->Update();
   vtkObject::SetGlobalWarningDisplay(shows_warnings);
   vtkUnstructuredGrid *grid = reader->GetOutput();
-  vtkNew<vtkPolyData> faces;
+  vtkNew<vtkPolyData> cells;
   if (grid && grid->GetNumberOfCells() > 0)
   {
-    faces->SetPoints(grid->GetPoints());
-    faces->SetPolys(grid->GetCells());
-    faces->GetCellData()->ShallowCopy(grid->GetCellData());
+    cells->SetPoints(grid->GetPoints());
+    add(cells, grid->GetCells());
+    cells->GetCellData()->ShallowCopy(grid->GetCellData());
+    cells->GetPointData()->ShallowCopy(grid->GetPointData());
   }
-  return faces;
+  return cells;
+}
+} // namespace
+
+std::map<int, std::string> frames_of(const std::string &folder,
+                                     const std::string &name)
+{
+  std::map<int, std::string> files;
+  const fs::path frames = fs::path(folder) / "frames";
+  if (!fs::is_directory(frames))
+    return files;
+  for (const auto &entry : fs::directory_iterator(frames))
+  {
+    const std::string stem = entry.path().stem().string();
+    if (entry.path().extension() == ".vtu" && stem.starts_with(name + "_"))
+      files[std::atoi(stem.c_str() + name.size() + 1)] = entry.path().string();
+  }
+  return files;
+}
+
+vtkNew<vtkPolyData> read_faces(const std::string &path)
+{
+  return read_cells(path, [](vtkPolyData *faces, vtkCellArray *cells)
+                    { faces->SetPolys(cells); });
+}
+
+vtkNew<vtkPolyData> read_lines(const std::string &path)
+{
+  return read_cells(path, [](vtkPolyData *lines, vtkCellArray *cells)
+                    { lines->SetLines(cells); });
 }
 
 std::vector<SpecimenFiles> find_specimens(const std::string &folder)
 {
-  const fs::path frames = fs::path(folder) / "frames";
-  const auto surfaces = frames_of(frames, "surfaces"),
-             tubes = frames_of(frames, "membrane"),
+  const auto surfaces = frames_of(folder, "surfaces"),
+             tubes = frames_of(folder, "membrane"),
              // What stands round or on the stones.
-      membranes = tubes.empty() ? frames_of(frames, "plate") : tubes;
+      membranes = tubes.empty() ? frames_of(folder, "plate") : tubes;
   if (surfaces.empty())
     return {};
   const auto specimen = [&](const std::string &title, const auto &frame)

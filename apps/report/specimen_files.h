@@ -3,6 +3,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ std::vector<SpecimenFiles> find_specimens(const std::string &folder);
 /// rounded up, in the last of these frames [-].
 double loss_scale(std::span<const SpecimenFiles> specimens);
 
-/// Faces of a .vtu file with their data; none if it cannot be read.
+/// NAME_00012.vtu in the frames of a run folder by number.
+std::map<int, std::string> frames_of(const std::string &folder,
+                                     const std::string &name);
+
+/// Faces, or lines, of a .vtu file with their data; none if it cannot be read.
 vtkNew<vtkPolyData> read_faces(const std::string &path);
+vtkNew<vtkPolyData> read_lines(const std::string &path);
 } // namespace spall

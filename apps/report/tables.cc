@@ -169,6 +169,14 @@ std::string coordination(const Json &summary)
          number_of(summary, "coordination_end_1", 1., 3);
 }
 
+/// Two numbers of the summary in one cell.
+std::string number_pair(const Json &summary, const std::string &one,
+                        const std::string &other, double factor)
+{
+  return number_of(summary, one, factor, 3) + " / " +
+         number_of(summary, other, factor, 3);
+}
+
 struct Row
 {
   std::string name;
@@ -211,6 +219,43 @@ std::vector<Row> summary_rows()
        [](const RunData &run) { return format(abrasion_percent(run), 4); }},
       {"Coordination number, start → end (–)",
        [](const RunData &run) { return coordination(run.summary); }},
+      number_row("Resilient axial strain, last cycle (%)",
+                 "resilient_axial_strain_1", 100.),
+      number_row("Resilient modulus, last cycle (MPa)", "resilient_modulus_Pa",
+                 1e-6),
+      number_row("Damping ratio, last cycle (–)", "damping_ratio_1"),
+      number_row("Change of the mean contact force (%)",
+                 "mean_contact_force_change_1", 100.),
+      {"Stones in force chains, at rest / under load (%)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "force_chain_share_1",
+                            "force_chain_share_peak_1", 100.);
+       }},
+      {"Anisotropy of the fabric, at rest / under load (–)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "fabric_anisotropy_1",
+                            "fabric_anisotropy_peak_1", 1.);
+       }},
+      {"Sliding contacts, at rest / under load (%)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "sliding_fraction_1",
+                            "sliding_fraction_peak_1", 100.);
+       }},
+      {"Axial stress under load, inside / at the plate (kPa)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "inside_axial_stress_peak_Pa",
+                            "wall_axial_stress_peak_Pa", 1e-3);
+       }},
+      {"Porosity at the end, lateral skin / inside (–)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "porosity_skin_1", "porosity_inside_1",
+                            1.);
+       }},
       number_row("Turns (–)", "turns_1", 1., 5),
       number_row("Mass lost (g)", "lost_mass_kg", 1e3, 4),
       {"Density asked / reached (kg/m³)",

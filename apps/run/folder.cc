@@ -19,15 +19,16 @@ std::ofstream open_file(const fs::path &path, std::ios::openmode mode)
   return stream;
 }
 
-/// What a vibratory compaction writes at its report times.
+/// What is written at some moments of a run, each into a file of its own.
 void remove_reports(const fs::path &folder)
 {
   std::error_code status;
   std::vector<fs::path> old;
   for (const fs::directory_entry &entry :
        fs::directory_iterator(folder, status))
-    if (entry.path().filename().string().starts_with("roundness_"))
-      old.push_back(entry.path());
+    for (const char *start : {"roundness_", "boundary_profile_"})
+      if (entry.path().filename().string().starts_with(start))
+        old.push_back(entry.path());
   for (const fs::path &path : old)
     fs::remove(path, status);
 }
@@ -89,9 +90,9 @@ void prepare_run_folder(const fs::path &folder, bool is_resumed)
                      ": holds something that is no run: must be empty, new or "
                      "the folder of an earlier run");
   if (!is_resumed)
-    for (const char *old :
-         {"history.csv", "events.csv", "ledger.csv", "summary.json", "run.pvd",
-          "report.html", "frames", "checkpoint", "log.txt"})
+    for (const char *old : {"history.csv", "events.csv", "ledger.csv",
+                            "cycles.csv", "summary.json", "run.pvd",
+                            "report.html", "frames", "checkpoint", "log.txt"})
       fs::remove_all(folder / old, status);
   if (!is_resumed)
     remove_reports(folder);

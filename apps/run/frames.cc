@@ -1,6 +1,6 @@
 #include "run/frames.h"
 
-#include <dem/boundary/drum_contacts.h>
+#include <dem/measure/network.h>
 
 #include <cstdio>
 #include <string>
@@ -9,32 +9,6 @@ namespace spall
 {
 namespace
 {
-/// Where contact k ends: the centre of stone B, or the point on the wall.
-dem::Vec3 end_of(const dem::Engine &engine, const dem::ContactBatch &batch,
-                 std::size_t k, dem::ContactKind kind)
-{
-  const dem::Particles &stones = engine.particles();
-  const auto b = static_cast<std::size_t>(batch.b[k]);
-  if (kind == dem::ContactKind::stone_stone)
-    return stones.position(b);
-  const dem::Vec3 &from = stones.position(static_cast<std::size_t>(batch.a[k]));
-  if (&batch == &engine.on_drum())
-  {
-    const dem::DrumPoint at =
-        dem::nearest_on_drum(engine.drum(), dem::drum_part(batch, k), from);
-    return at.point;
-  }
-  if (kind == dem::ContactKind::stone_plane)
-  {
-    const dem::Plane &plane = engine.planes()[b];
-    return from - (from - plane.point).dot(plane.normal) * plane.normal;
-  }
-  for (const dem::SurfaceContacts &facets : engine.surfaces())
-    if (&batch == &facets.batch)
-      return facets.point_of(k);
-  return from;
-}
-
 std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
 {
   std::vector<dem::ContactLine> lines;
@@ -46,7 +20,10 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
         continue;
       const dem::Vec3 &from =
           engine.particles().position(static_cast<std::size_t>(batch.a[k]));
-      const dem::Vec3 to = end_of(engine, batch, k, kind);
+      const dem::Vec3 to = kind == dem::ContactKind::stone_stone
+                               ? engine.particles().position(
+                                     static_cast<std::size_t>(batch.b[k]))
+                               : dem::wall_contact_point(engine, batch, k);
       const dem::Vec3 n = (to - from).normalized();
       const dem::Vec3 force =
           kind == dem::ContactKind::stone_stone

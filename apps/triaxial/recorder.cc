@@ -32,7 +32,7 @@ std::string triaxial_ledger_header()
 } // namespace
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
-    : parameters(c), folder(std::move(run_folder)),
+    : parameters(c), folder(std::move(run_folder)), cycles(c, folder),
       started(std::chrono::steady_clock::now())
 {
 }
@@ -51,6 +51,7 @@ void Recorder::start()
   events.open(folder / "events.csv", events_header("cycle_1"));
   if (parameters.boundary.lateral == Lateral::membrane)
     ledger.open(folder / "ledger.csv", triaxial_ledger_header());
+  cycles.start();
 }
 
 void Recorder::resume(Triaxial &test)
@@ -58,7 +59,12 @@ void Recorder::resume(Triaxial &test)
   Progressed done;
   read_checkpoint(
       folder / "checkpoint" / "state.bin", parameters,
-      [&test](std::istream &in) { test.restore(in); }, done);
+      [&](std::istream &in)
+      {
+        test.restore(in);
+        cycles.restore(in);
+      },
+      done);
   write_text(folder / "case.prm", resolved_case(parameters));
   history.resume(folder / "history.csv", done.history_size);
   events.resume(folder / "events.csv", done.events_size);
@@ -98,7 +104,10 @@ void Recorder::after_step(Triaxial &test)
       write_history(test);
       if (step == 0)
         loading_start = last;
+      cycles.take(test, last);
     }
+    if (is_due(2) && step % n != 0)
+      cycles.take_peak(test);
     if (step == 0 || is_due(parameters.output.frames_per_cycle))
       write_frame(test, step == 0 ||
                             parameters.output.surfaces == SurfaceFrames::all);
@@ -187,15 +196,23 @@ void Recorder::write_checkpoint(Triaxial &test, const std::string &name)
       spent_before);
   spall::write_checkpoint(
       folder / "checkpoint" / name, parameters,
-      [&test](std::ostream &out) { test.save(out); }, done);
+      [&](std::ostream &out)
+      {
+        test.save(out);
+        cycles.save(out);
+      },
+      done);
 }
 
 void Recorder::finish(Triaxial &test)
 {
   const double begun = elapsed();
-  if (test.cycle() >= parameters.loading.n_cycles() &&
-      parameters.output.surfaces == SurfaceFrames::ends)
-    write_frame(test, true);
+  if (test.cycle() >= parameters.loading.n_cycles())
+  {
+    cycles.finish(test);
+    if (parameters.output.surfaces == SurfaceFrames::ends)
+      write_frame(test, true);
+  }
   write_checkpoint(test);
   output_seconds += elapsed() - begun;
   RunRecord record;
@@ -207,7 +224,8 @@ void Recorder::finish(Triaxial &test)
   record.seconds = wall_clock(
       test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
       spent_before);
-  write_text(folder / "summary.json", summary_text(parameters, test, record));
+  write_text(folder / "summary.json",
+             summary_text(parameters, test, record, cycles));
 }
 
 std::string Recorder::keep_stopped(Triaxial &test)

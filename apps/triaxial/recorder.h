@@ -1,7 +1,6 @@
 #pragma once
 
-#include "run/folder.h"
-#include "triaxial/triaxial.h"
+#include "triaxial/cycles.h"
 
 #include <dem/io/vtk_output.h>
 
@@ -52,6 +51,7 @@ private:
   Case parameters;
   std::filesystem::path folder;
   CsvFile history, events, ledger;
+  CycleRecorder cycles;
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   Stage stage_before = Stage::preparation;

@@ -44,7 +44,7 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
 }
 
 std::string summary_text(const Case &parameters, const Triaxial &test,
-                         const RunRecord &record)
+                         const RunRecord &record, const CycleRecorder &cycles)
 {
   const dem::Engine &engine = test.engine();
   const auto &breakable = engine.particles().is_breakable;
@@ -89,12 +89,10 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["coordination_end_1"] = record.end.coordination_number;
   out["coordination_change_1"] =
       record.end.coordination_number - record.start.coordination_number;
-  out["mean_contact_force_end_N"] = record.end.mean_contact_force;
-  out["mean_contact_force_change_1"] =
-      record.start.mean_contact_force > 0.
-          ? record.end.mean_contact_force / record.start.mean_contact_force - 1.
-          : 0.;
+  out["roundness_start_1"] = record.start.roundness;
+  out["roundness_end_1"] = record.end.roundness;
   out["roundness_change_1"] = record.end.roundness - record.start.roundness;
+  cycles.add_to(out);
   out["n_events"] = engine.n_events();
   out["n_refused_events"] = engine.n_refused_events();
   out["external_work_J"] = work;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "triaxial/triaxial.h"
+#include "triaxial/cycles.h"
 
 #include <map>
 #include <string>
@@ -33,5 +33,5 @@ struct RunRecord
 
 /// summary.json.
 std::string summary_text(const Case &parameters, const Triaxial &test,
-                         const RunRecord &record);
+                         const RunRecord &record, const CycleRecorder &cycles);
 } // namespace spall

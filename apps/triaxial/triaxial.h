@@ -55,6 +55,7 @@ public:
 
   const dem::Engine &engine() const { return *specimen.engine; }
   dem::Engine &engine() { return *specimen.engine; }
+  const dem::BoxPlanes &box() const { return specimen.box; }
   /// Null without one, and in the preparation.
   const fem::Membrane *membrane() const
   {

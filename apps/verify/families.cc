@@ -4,9 +4,9 @@ namespace spall::verify
 {
 const std::vector<Family> &families()
 {
-  static const std::vector<Family> list = {laws(),        impacts(), rolling(),
-                                           integration(), shape(),   breakage(),
-                                           membrane(),    coupling()};
+  static const std::vector<Family> list = {
+      laws(),     impacts(),  rolling(),  integration(), shape(),
+      breakage(), membrane(), coupling(), network()};
   return list;
 }
 } // namespace spall::verify

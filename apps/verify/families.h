@@ -13,6 +13,7 @@ Family shape();
 Family breakage();
 Family membrane();
 Family coupling();
+Family network();
 
 /// All of them, in the order of the table.
 const std::vector<Family> &families();

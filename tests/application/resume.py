@@ -13,7 +13,8 @@ import time
 from triaxial_runs import (QUICK, command, differing, report_faults, run,
                            summary)
 
-TABLES = ["history.csv", "events.csv", "ledger.csv"]
+TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
+          "boundary_profile_start.csv", "boundary_profile_end.csv"]
 
 
 def stop_when(is_time, spall, folder, lateral, *options, settings=()):

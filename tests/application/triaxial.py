@@ -10,6 +10,7 @@ the packing are compared widely, and what is a promise of the method (balance,
 energy, rest, sums) is held to its own limit.
 """
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -36,6 +37,13 @@ STRAIN_FACTOR = 3.  # permanent strain, up or down, of its reference
 # that was booked where a facet contact no longer was gave 2e-2.
 LIMIT_MEMBRANE = 0.01
 
+NETWORK = [
+    ("coordination_number", "1"), ("mean_contact_force", "N"),
+    ("strong_contact_share", "1"), ("force_chain_share", "1"),
+    ("n_force_chains", "1"), ("force_chain_length", "1"),
+    ("fabric_anisotropy", "1"), ("sliding_fraction", "1"),
+    ("inside_axial_stress", "Pa"), ("wall_axial_stress", "Pa"),
+    ("inside_lateral_stress", "Pa"), ("wall_lateral_stress", "Pa")]
 HEADERS = {
     "history.csv":
         "time_s,stage_1,cycle_1,axial_stress_Pa,lateral_stress_Pa,"
@@ -56,6 +64,19 @@ HEADERS = {
         "impulse_taken_x_Ns,impulse_taken_y_Ns,impulse_taken_z_Ns,"
         "impulse_residual_1,gain_1,passes_1,gap_m,membrane_work_J,"
         "plate_work_J,energy_residual_J",
+    "cycles.csv": ",".join(
+        ["cycle_1", "time_s", "permanent_axial_strain_1",
+         "permanent_volumetric_strain_1", "resilient_axial_strain_1",
+         "resilient_modulus_Pa", "damping_ratio_1", "laa_percent",
+         "roundness_1", "n_events_1", "friction_dissipation_J",
+         "rolling_dissipation_J", "damping_dissipation_J",
+         "breakage_energy_J",
+         *(f"{name}{when}_{unit}" for when in ("", "_peak")
+           for name, unit in NETWORK)]),
+    "boundary_profile_end.csv":
+        "distance_m,porosity_lateral_1,coordination_lateral_1,"
+        "n_stones_lateral_1,porosity_platens_1,coordination_platens_1,"
+        "n_stones_platens_1",
 }
 DENSITY = 2750.  # kg/m^3, of the material file
 
@@ -163,6 +184,67 @@ def row_faults(folder, found):
     return faults
 
 
+def loop_of(points):
+    """Resilient strain, modulus, damping ratio of (strain, stress) points."""
+    strains = [strain for strain, _ in points]
+    stresses = [stress for _, stress in points]
+    top = strains.index(max(strains))
+    resilient = max(strains) - min(strains[top:])
+    cyclic = max(stresses) - min(stresses)
+    closed = [*points, points[0]]
+    area = sum(0.5 * (q + r) * (b - a)
+               for (a, q), (b, r) in zip(closed, closed[1:]))
+    return (resilient, cyclic / resilient if resilient else math.nan,
+            2. * area / (math.pi * cyclic * resilient)
+            if resilient else math.nan)
+
+
+def cycle_faults(folder, found):
+    """The cycles are what the history says, and the summary the last of them.
+    """
+    history = [row for row in rows(folder, "history.csv")[1]
+               if row["stage_1"] == 2.]
+    cycles, faults = rows(folder, "cycles.csv")[1], []
+    if [row["cycle_1"] for row in cycles] != \
+            [1. + k for k in range(round(found["cycles_1"]))]:
+        return ["cycles.csv has not one row for each cycle"]
+    for row in cycles:
+        n = row["cycle_1"]
+        part = [h for h in history if n - 1.001 < h["cycle_1"] < n + 0.001]
+        resilient, modulus, ratio = loop_of(
+            [(h["axial_strain_1"],
+              h["axial_stress_Pa"] - h["lateral_stress_Pa"]) for h in part])
+        first, last = part[0], part[-1]
+        pairs = {
+            "resilient_axial_strain_1": resilient,
+            "resilient_modulus_Pa": modulus,
+            "damping_ratio_1": ratio,
+            "permanent_axial_strain_1": last["axial_strain_1"],
+            "permanent_volumetric_strain_1": last["volumetric_strain_1"],
+            "coordination_number_1": last["coordination_number_1"],
+            "mean_contact_force_N": last["mean_contact_force_N"],
+            "wall_axial_stress_Pa": last["axial_stress_Pa"],
+            "n_events_1": last["n_events_1"] - first["n_events_1"],
+            "friction_dissipation_J": last["friction_dissipation_J"] -
+                                      first["friction_dissipation_J"],
+        }
+        faults += [f"cycle {n}: {key} = {row[key]}, from the history {value}"
+                   for key, value in pairs.items()
+                   if not (math.isnan(row[key]) and math.isnan(value)) and
+                   not abs(row[key] - value) <= 1e-9 * abs(value)]
+        shares = [key for key in row if "share" in key or "fraction" in key]
+        faults += [f"cycle {n}: {key} = {row[key]}" for key in shares
+                   if not 0. < row[key] < 1.]
+    for key in ("force_chain_share_1", "fabric_anisotropy_1",
+                "sliding_fraction_1", "inside_axial_stress_Pa"):
+        if found[key] != cycles[-1][key]:
+            faults.append(f"{key}: not that of the last cycle")
+    # Between a dense packing with sizes and a loose one of single stones.
+    if not 0.3 < found["porosity_inside_1"] < 0.55:
+        faults.append(f"porosity inside {found['porosity_inside_1']}")
+    return faults
+
+
 def reread_faults(spall, folder):
     """The resolved case is a case."""
     ended = subprocess.run([spall, "check", str(folder / "case.prm")],
@@ -202,7 +284,8 @@ def main():
             found_faults = (
                 reference_faults(found, json.loads(path.read_text())) +
                 promise_faults(found) + file_faults(folder, found) +
-                row_faults(folder, found) + reread_faults(spall, folder))
+                row_faults(folder, found) + cycle_faults(folder, found) +
+                reread_faults(spall, folder))
             faults += [f"{lateral}: {fault}" for fault in found_faults]
         faults += report_is_written(spall, folders,
                                     pathlib.Path(name) / "report.html")

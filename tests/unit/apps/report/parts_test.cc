@@ -199,4 +199,39 @@ TEST(ReportFigures, PermanentStrainIsTakenAtTheEndsOfTheCycles)
   EXPECT_EQ(find_chart(charts, "abrasion").notes.at(0),
             "run: no column laa_percent.");
 }
+
+TEST(ReportFigures, CyclesOfOneRunShowRestAndLoad)
+{
+  RunData run;
+  run.name = "run";
+  for (const Chart &chart : make_charts({&run, 1}))
+    EXPECT_NE(chart.id, "force_chains");
+  run.cycles = {{"cycle_1", "force_chain_share_1", "force_chain_share_peak_1"},
+                {{1., 2.}, {0.1, 0.2}, {0.3, 0.4}}};
+  const std::vector<Chart> charts = make_charts({&run, 1});
+  const Chart &chart = find_chart(charts, "force_chains");
+  ASSERT_EQ(chart.curves.size(), 2u);
+  EXPECT_EQ(chart.curves[0].y, (std::vector<double>{10., 20.})); // [%]
+  EXPECT_EQ(chart.curves[1].y, (std::vector<double>{30., 40.}));
+  EXPECT_EQ(find_chart(charts, "damping_ratio").notes.at(0),
+            "run: no column damping_ratio_1.");
+  // Several runs in one chart, each by one curve.
+  const std::vector<RunData> runs(2, run);
+  const std::vector<Chart> both = make_charts(runs);
+  EXPECT_EQ(find_chart(both, "force_chains").curves.size(), 2u);
+}
+
+TEST(ReportFigures, ProfilesAreThoseOfStartAndEnd)
+{
+  RunData run;
+  run.name = "run";
+  run.profile_start = {{"distance_m", "porosity_lateral_1"},
+                       {{1e-3, 3e-3}, {0.6, 0.4}}};
+  run.profile_end = run.profile_start;
+  const std::vector<Chart> charts = make_charts({&run, 1});
+  const Chart &chart = find_chart(charts, "porosity_lateral");
+  ASSERT_EQ(chart.curves.size(), 2u);
+  EXPECT_EQ(chart.curves[0].x, (std::vector<double>{1., 3.})); // [mm]
+  EXPECT_EQ(chart.curves[1].y, (std::vector<double>{60., 40.}));
+}
 } // namespace

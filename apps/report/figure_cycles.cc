@@ -1,0 +1,171 @@
+// Figures of cycles.csv and of the boundary profiles.
+#include "report/figure_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace spall
+{
+namespace
+{
+/// A column of cycles.csv; a second one is drawn beside it for one run alone.
+struct CycleQuantity
+{
+  const char *id, *column, *y_label, *caption;
+  double factor = 1.; ///< unit of the column in units of the label
+  const char *peak = nullptr;
+};
+
+constexpr std::array cycle_quantities = {
+    CycleQuantity{"resilient_strain", "resilient_axial_strain_1",
+                  "Resilient axial strain (%)",
+                  "Resilient axial strain: what unloading gives back in each "
+                  "cycle.",
+                  100.},
+    CycleQuantity{
+        "resilient_modulus", "resilient_modulus_Pa", "Resilient modulus (MPa)",
+        "Resilient modulus: cyclic stress over resilient strain.", 1e-6},
+    CycleQuantity{"damping_ratio", "damping_ratio_1", "Damping ratio (–)",
+                  "Damping ratio: area of the loop over 4π times the energy of "
+                  "the single amplitudes."},
+    CycleQuantity{"force_chains", "force_chain_share_1",
+                  "Stones in force chains (%)",
+                  "Share of the stones in force chains (Peters et al. 2005)",
+                  100., "force_chain_share_peak_1"},
+    CycleQuantity{"fabric_anisotropy", "fabric_anisotropy_1",
+                  "Anisotropy of the fabric (–)",
+                  "Anisotropy of the contact normals, 0 if they are isotropic",
+                  1., "fabric_anisotropy_peak_1"},
+    CycleQuantity{"sliding_fraction", "sliding_fraction_1",
+                  "Sliding contacts (%)",
+                  "Share of the contacts at the limit of friction", 100.,
+                  "sliding_fraction_peak_1"},
+    CycleQuantity{"stress_inside", "inside_axial_stress_Pa",
+                  "Axial stress inside (kPa)",
+                  "Mean axial stress inside, skin excluded", 1e-3,
+                  "inside_axial_stress_peak_Pa"}};
+
+/// An axis of a chart: a column and its unit in units of the label.
+struct AxisColumn
+{
+  std::string name;
+  double factor = 1.;
+};
+
+/// Adds one column of a table over another, or a note why not.
+void add_curve(const RunData &run, const Table &table, const AxisColumn &x,
+               const AxisColumn &y, Curve curve, Chart &chart)
+{
+  const Column *of_x = find_or_note(table, x.name, run, chart);
+  const Column *of_y = find_or_note(table, y.name, run, chart);
+  if (!of_x || !of_y)
+    return;
+  curve.x = scaled(*of_x, x.factor);
+  curve.y = scaled(*of_y, y.factor);
+  curve.marker = curve.x.size() <= 60 ? Marker::dot : Marker::none;
+  chart.curves.push_back(curve);
+}
+
+/// The style of a second curve of one run.
+Curve second_curve(const std::string &name)
+{
+  Curve curve;
+  curve.name = name;
+  curve.colour = palette_colour(1);
+  curve.dash = palette_dash(1);
+  return curve;
+}
+
+Chart cycle_chart(const CycleQuantity &quantity, std::span<const RunData> runs)
+{
+  Chart chart{quantity.id, quantity.caption, cycle_label, quantity.y_label};
+  const bool has_both = quantity.peak && runs.size() == 1;
+  if (quantity.peak)
+    chart.caption += has_both ? ": at the ends of the cycles and half through "
+                                "them, under the largest load."
+                              : ", at the end of each cycle.";
+  const AxisColumn x{"cycle_1"}, y{quantity.column, quantity.factor};
+  for (std::size_t k = 0; k < runs.size(); ++k)
+  {
+    Curve curve = run_curve(runs, k);
+    if (has_both)
+      curve.name = "end of cycle";
+    add_curve(runs[k], runs[k].cycles, x, y, curve, chart);
+    if (has_both)
+      add_curve(runs[k], runs[k].cycles, x, {quantity.peak, quantity.factor},
+                second_curve("half through"), chart);
+  }
+  return chart;
+}
+
+struct ProfileQuantity
+{
+  const char *id, *column, *x_label, *y_label, *caption;
+  double factor = 1.;
+};
+
+constexpr std::array profile_quantities = {
+    ProfileQuantity{"porosity_lateral", "porosity_lateral_1",
+                    "Distance from the lateral boundary (mm)", "Porosity (%)",
+                    "Porosity over the distance from the lateral boundary, "
+                    "away from the platens.",
+                    100.},
+    ProfileQuantity{"coordination_lateral", "coordination_lateral_1",
+                    "Distance from the lateral boundary (mm)",
+                    "Coordination number (–)",
+                    "Coordination number over the distance from the lateral "
+                    "boundary, away from the platens."},
+    ProfileQuantity{"porosity_platens", "porosity_platens_1",
+                    "Distance from the nearer platen (mm)", "Porosity (%)",
+                    "Porosity over the distance from the platens, away from "
+                    "the lateral boundary.",
+                    100.}};
+
+/// Start and end of one run, or the ends of several.
+Chart profile_chart(const ProfileQuantity &quantity,
+                    std::span<const RunData> runs)
+{
+  Chart chart{quantity.id, quantity.caption, quantity.x_label,
+              quantity.y_label};
+  const AxisColumn x{"distance_m", 1e3}, y{quantity.column, quantity.factor};
+  for (std::size_t k = 0; k < runs.size(); ++k)
+  {
+    const RunData &run = runs[k];
+    if (runs.size() > 1)
+    {
+      add_curve(run, run.profile_end, x, y, run_curve(runs, k), chart);
+      continue;
+    }
+    Curve curve = run_curve(runs, k);
+    curve.name = "start of loading";
+    add_curve(run, run.profile_start, x, y, curve, chart);
+    add_curve(run, run.profile_end, x, y, second_curve("end of loading"),
+              chart);
+  }
+  if (runs.size() > 1)
+    chart.caption += " At the end of loading.";
+  return chart;
+}
+} // namespace
+
+std::vector<Chart> cycle_charts(std::span<const RunData> runs)
+{
+  std::vector<Chart> charts;
+  if (std::ranges::any_of(runs, [](const RunData &run)
+                          { return run.cycles.n_rows() > 0; }))
+    for (const CycleQuantity &quantity : cycle_quantities)
+      charts.push_back(cycle_chart(quantity, runs));
+  return charts;
+}
+
+std::vector<Chart> profile_charts(std::span<const RunData> runs)
+{
+  std::vector<Chart> charts;
+  if (std::ranges::any_of(runs, [](const RunData &run)
+                          { return run.profile_start.n_rows() > 0; }))
+    for (const ProfileQuantity &quantity : profile_quantities)
+      charts.push_back(profile_chart(quantity, runs));
+  return charts;
+}
+} // namespace spall

@@ -1,0 +1,201 @@
+#include "triaxial/cycles.h"
+
+#include <dem/io/binary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace spall
+{
+namespace
+{
+struct CycleColumn
+{
+  const char *name; ///< name_unit
+  double (*value)(const CycleRow &);
+};
+
+/// Before those of the contacts.
+const std::vector<CycleColumn> cycle_columns = {
+    {"cycle_1", [](const CycleRow &row) { return row.end.cycle; }},
+    {"time_s", [](const CycleRow &row) { return row.end.time; }},
+    {"permanent_axial_strain_1",
+     [](const CycleRow &row) { return row.end.axial_strain; }},
+    {"permanent_volumetric_strain_1",
+     [](const CycleRow &row) { return row.end.volumetric_strain; }},
+    {"resilient_axial_strain_1",
+     [](const CycleRow &row) { return row.resilient_strain; }},
+    {"resilient_modulus_Pa",
+     [](const CycleRow &row) { return row.resilient_modulus; }},
+    {"damping_ratio_1", [](const CycleRow &row) { return row.damping_ratio; }},
+    {"laa_percent", [](const CycleRow &row) { return row.end.laa; }},
+    {"roundness_1", [](const CycleRow &row) { return row.end.roundness; }},
+    {"n_events_1", [](const CycleRow &row) { return row.n_events; }},
+    {"friction_dissipation_J",
+     [](const CycleRow &row) { return row.friction; }},
+    {"rolling_dissipation_J", [](const CycleRow &row) { return row.rolling; }},
+    {"damping_dissipation_J", [](const CycleRow &row) { return row.damping; }},
+    {"breakage_energy_J", [](const CycleRow &row) { return row.breakage; }}};
+
+std::string cycles_header()
+{
+  std::string header;
+  for (const CycleColumn &column : cycle_columns)
+    header += (header.empty() ? "" : ",") + std::string(column.name);
+  for (const char *when : {"", "peak"})
+    for (const NetworkColumn &column : network_columns)
+      header += "," + column.label(when);
+  return header;
+}
+
+double deviator(const Sample &row)
+{
+  return row.axial_stress - row.lateral_stress;
+}
+} // namespace
+
+CycleRecorder::CycleRecorder(const Case &parameters,
+                             std::filesystem::path run_folder)
+    : is_cyclic(parameters.loading.form == LoadForm::haversine),
+      folder(std::move(run_folder))
+{
+}
+
+void CycleRecorder::start()
+{
+  if (is_cyclic)
+    file.open(folder / "cycles.csv", cycles_header());
+}
+
+void CycleRecorder::take(const Triaxial &test, const Sample &row)
+{
+  if (test.ticks() == 0)
+  {
+    state.start = network_state(test);
+    state.skin = skin_of(test);
+    state.porosity_start = note_profile(test, "boundary_profile_start.csv");
+    return begin_cycle(row);
+  }
+  state.porosity_end = {}; // that of a loading that goes on
+  state.loop.add(row.axial_strain, deviator(row));
+  if (test.ticks() % test.ticks_per_cycle() != 0)
+    return;
+  end_cycle(test, row);
+  begin_cycle(row);
+}
+
+void CycleRecorder::take_peak(const Triaxial &test)
+{
+  if (is_cyclic)
+    state.peak = network_state(test);
+}
+
+void CycleRecorder::begin_cycle(const Sample &row)
+{
+  state.begun = row;
+  for (const NetworkColumn &column : network_columns)
+    state.peak.*column.value = std::numeric_limits<double>::quiet_NaN();
+  state.loop.begin(row.axial_strain, deviator(row));
+}
+
+void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
+{
+  CycleRow &last = state.last;
+  last.end = row;
+  last.resilient_strain = state.loop.resilient_strain();
+  last.resilient_modulus = state.loop.resilient_modulus();
+  last.damping_ratio = state.loop.damping_ratio();
+  last.n_events = row.n_events - state.begun.n_events;
+  last.friction = row.friction - state.begun.friction;
+  last.rolling = row.rolling - state.begun.rolling;
+  last.damping = row.damping - state.begun.damping;
+  last.breakage = row.breakage - state.begun.breakage;
+  last.peak = state.peak;
+  last.rest = network_state(test);
+  ++state.n_cycles;
+  if (!is_cyclic)
+    return;
+  std::vector<double> values;
+  for (const CycleColumn &column : cycle_columns)
+    values.push_back(column.value(last));
+  for (const NetworkState *when : {&last.rest, &last.peak})
+    for (const NetworkColumn &column : network_columns)
+      values.push_back(when->*column.value);
+  file.write_row(values);
+}
+
+CycleRecorder::Porosity CycleRecorder::note_profile(const Triaxial &test,
+                                                    const char *name) const
+{
+  const dem::BoundaryProfile profile = boundary_profile(test);
+  write_profile(folder / name, profile);
+  return {profile.porosity_skin, profile.porosity_inside};
+}
+
+void CycleRecorder::finish(const Triaxial &test)
+{
+  state.porosity_end = note_profile(test, "boundary_profile_end.csv");
+}
+
+void CycleRecorder::add_to(nlohmann::ordered_json &summary) const
+{
+  if (state.n_cycles == 0.)
+    return;
+  const CycleRow &last = state.last;
+  const auto add = [&summary](const std::string &key, double value)
+  {
+    if (std::isfinite(value))
+      summary[key] = value;
+  };
+  if (is_cyclic)
+  {
+    add("resilient_axial_strain_1", last.resilient_strain);
+    add("resilient_modulus_Pa", last.resilient_modulus);
+    add("damping_ratio_1", last.damping_ratio);
+  }
+  if (is_cyclic)
+  {
+    add("coordination_peak_1", last.peak.coordination_number);
+    add("mean_contact_force_peak_N", last.peak.mean_contact_force);
+  }
+  const double force_start = state.start.mean_contact_force;
+  add("mean_contact_force_start_N", force_start);
+  add("mean_contact_force_end_N", last.rest.mean_contact_force);
+  add("mean_contact_force_change_1",
+      last.rest.mean_contact_force / force_start - 1.);
+  for (const NetworkColumn &column : std::span(network_columns).subspan(2))
+  {
+    add(column.label("start"), state.start.*column.value);
+    add(column.label(), last.rest.*column.value);
+    if (is_cyclic)
+      add(column.label("peak"), last.peak.*column.value);
+  }
+  add("skin_m", state.skin);
+  add("porosity_skin_start_1", state.porosity_start.skin);
+  add("porosity_inside_start_1", state.porosity_start.inside);
+  if (state.porosity_end.inside > 0.)
+  {
+    add("porosity_skin_1", state.porosity_end.skin);
+    add("porosity_inside_1", state.porosity_end.inside);
+  }
+}
+
+void CycleRecorder::save(std::ostream &out)
+{
+  dem::write_value(out, state);
+  if (is_cyclic)
+    dem::write_value(out, file.flushed_size());
+}
+
+void CycleRecorder::restore(std::istream &in)
+{
+  dem::read_value(in, state);
+  if (!is_cyclic)
+    return;
+  std::uint64_t size = 0;
+  dem::read_value(in, size);
+  file.resume(folder / "cycles.csv", size);
+}
+} // namespace spall

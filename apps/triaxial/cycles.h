@@ -1,0 +1,76 @@
+#pragma once
+
+#include "run/folder.h"
+#include "triaxial/hysteresis.h"
+#include "triaxial/network_state.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <iosfwd>
+
+namespace spall
+{
+/// What a load cycle has left; a row of cycles.csv. Plain data.
+struct CycleRow
+{
+  Sample end; ///< strains, abrasion, roundness at its end
+  double resilient_strain = 0., resilient_modulus = 0., damping_ratio = 0.;
+  double n_events = 0.; ///< in the cycle [-]
+  /// Lost in the cycle [J].
+  double friction = 0., rolling = 0., damping = 0., breakage = 0.;
+  NetworkState peak, rest; ///< half through the cycle and at its end
+};
+
+/// The table of the load cycles, built up row by row of the history, and the
+/// profiles at both ends of the loading.
+class CycleRecorder
+{
+public:
+  CycleRecorder(const Case &parameters, std::filesystem::path folder);
+
+  void start();
+  /// Takes in a row of the history while loading, at a tick: begins and ends
+  /// cycles, writes the profile where loading begins.
+  void take(const Triaxial &test, const Sample &row);
+  /// The tick half through a cycle.
+  void take_peak(const Triaxial &test);
+  /// The loading is over.
+  void finish(const Triaxial &test);
+
+  /// Adds the last cycle, the contacts and the porosities.
+  void add_to(nlohmann::ordered_json &summary) const;
+
+  void save(std::ostream &out); ///< and the size of the file
+  void restore(std::istream &in);
+
+private:
+  void begin_cycle(const Sample &row);
+  void end_cycle(const Triaxial &test, const Sample &row);
+
+  /// Next to the lateral boundary and inside [-].
+  struct Porosity
+  {
+    double skin = 0., inside = 0.;
+  };
+  /// Writes the profile of this moment to a file.
+  Porosity note_profile(const Triaxial &test, const char *name) const;
+
+  /// Plain data for the checkpoint.
+  struct State
+  {
+    Sample begun; ///< the row that the present cycle began with
+    Hysteresis loop;
+    NetworkState start; ///< of loading
+    double skin = 0.;   ///< then [m]
+    NetworkState peak;  ///< of the present cycle; NaN before
+    CycleRow last;      ///< the last complete one
+    double n_cycles = 0.;
+    Porosity porosity_start, porosity_end;
+  };
+
+  bool is_cyclic;
+  std::filesystem::path folder;
+  CsvFile file; ///< of cyclic loading alone
+  State state;
+};
+} // namespace spall

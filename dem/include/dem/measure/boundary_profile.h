@@ -1,0 +1,59 @@
+#pragma once
+
+#include <dem/measure/network.h>
+
+#include <array>
+
+namespace dem
+{
+/// The space of a specimen between its platens: horizontal sections at equal
+/// distances, section k at low + (k + 1/2) (high - low) / n. The sides of a
+/// section close it, in any order.
+struct Outline
+{
+  using Side = std::array<Eigen::Vector2d, 2>; ///< its ends [m]
+
+  double low = 0., high = 0.; ///< z of the platens [m]
+  std::vector<std::vector<Side>> sections;
+};
+
+/// The box with n sections.
+Outline outline_of(const Vec3 &lower, const Vec3 &upper, int n);
+
+/// A tube of triangles, deformed or not, cut at n heights between its platens.
+Outline outline_of(const FacetSurface &tube, double low, double high, int n);
+
+/// What the layers of a specimen at some distance from a boundary hold.
+struct LayerProfile
+{
+  std::vector<double> distance; ///< of the middle of each layer [m]
+  std::vector<double> porosity; ///< [-]; NaN: no space
+  /// Contacts with stones of the stones in the layer that have two or more, as
+  /// Eq. 31 counts; NaN: no such stone [-].
+  std::vector<double> coordination;
+  std::vector<double> n_stones; ///< with their centre in the layer [-]
+};
+
+struct BoundaryProfile
+{
+  LayerProfile lateral; ///< without the skin at the platens
+  LayerProfile platens; ///< without the skin at the lateral boundary
+  double porosity = 0.; ///< of all [-]
+  /// Next to the lateral boundary and away from all boundaries [-].
+  double porosity_skin = 0., porosity_inside = 0.;
+};
+
+struct ProfileWidths
+{
+  double layer = 0.; ///< about; a whole number of grid cells high [m]
+  double skin = 0.;  ///< thickness of what counts as near a boundary [m]
+};
+
+/// Porosity and coordination number over the distance from the lateral
+/// boundary, in horizontal section, and from the nearer platen. Porosity from
+/// points in cells of a grid as fine as the sections are apart: a point is in a
+/// stone if it is within its radius (overlaps count once).
+BoundaryProfile boundary_profile(const Particles &stones,
+                                 const Network &network, const Outline &outline,
+                                 const ProfileWidths &widths);
+} // namespace dem

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <dem/engine.h>
+
+#include <span>
+#include <vector>
+
+/// The contact network at one instant and its indicators: definitions and
+/// sources in docs/theory/network.md.
+namespace dem
+{
+/// Two stones that touch; however many places they touch at, one contact.
+struct PairContact
+{
+  std::int32_t a = 0, b = 0;
+  Vec3 normal = Vec3::UnitZ(); ///< from A to B; mean over the places [-]
+  Vec3 point = Vec3::Zero();   ///< mean over the places [m]
+  Vec3 force = Vec3::Zero();   ///< on A [N]
+  bool is_sliding = false;     ///< at the Coulomb limit, all places
+};
+
+/// A stone that touches a boundary.
+struct WallContact
+{
+  std::int32_t stone = 0;
+  Vec3 point = Vec3::Zero(); ///< [m]
+  Vec3 force = Vec3::Zero(); ///< on the stone [N]
+};
+
+struct Network
+{
+  std::vector<PairContact> pairs;
+  std::vector<WallContact> walls; ///< planes, drum, facet surfaces
+};
+
+/// What touches now, after a step.
+Network contact_network_of(const Engine &engine);
+
+/// Where wall contact k of this batch of the engine presses [m].
+Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
+                        std::size_t k);
+
+/// Fabric tensor (Satake 1982, Oda 1982) of the contact normals between stones,
+/// sum n (x) n / C, trace 1; zero without contacts [-].
+Mat3 fabric_tensor(std::span<const PairContact> pairs);
+
+/// Second invariant of the deviator, sqrt(3/2 a:a) with a = 15/2 (phi - I/3)
+/// (Kanatani 1984), of a fabric tensor phi [-]: 0 isotropic, 15/2 if all
+/// normals are parallel.
+double fabric_anisotropy(const Mat3 &fabric);
+
+/// Contacts between stones at the Coulomb limit over all; 0 without [-].
+double sliding_fraction(std::span<const PairContact> pairs);
+
+/// Contacts between stones whose normal force is above the mean over all
+/// (Radjai et al. 1998); 0 without [-].
+double strong_share(std::span<const PairContact> pairs);
+
+/// Mean stress of each stone, -1/V sum sym(F (x) (x_c - x)) over its contacts
+/// with stones and walls; compression positive [Pa].
+std::vector<Mat3> stone_stress(const Particles &stones, const Network &network);
+
+/// Force chains (Peters et al. 2005).
+struct ForceChains
+{
+  double share = 0.; ///< stones in chains over all stones [-]
+  std::int64_t n_chains = 0;
+  double mean_length = 0.; ///< stones in a chain; 0 without chains [-]
+};
+
+/// Chains of at least three touching stones whose major principal stress is
+/// above the mean of the stones that bear, and whose contacts are within 45
+/// degrees of the major axis of both stones; branches are part of their chain.
+ForceChains force_chains(const Particles &stones, const Network &network);
+} // namespace dem

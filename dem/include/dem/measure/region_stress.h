@@ -1,0 +1,38 @@
+#pragma once
+
+#include <dem/measure/network.h>
+
+#include <optional>
+#include <utility>
+
+namespace dem
+{
+/// An upright prism over a convex polygon.
+struct Prism
+{
+  std::vector<Eigen::Vector2d> corners; ///< counter-clockwise from above [m]
+  double low = 0., high = 0.;           ///< z of its ends [m]
+
+  double volume() const; ///< [m^3]
+};
+
+/// The prism of a box.
+Prism prism_of(const Vec3 &lower, const Vec3 &upper);
+
+/// What is left of a prism without a skin of this thickness [m]: every face is
+/// moved inward. Throws std::invalid_argument if nothing is.
+Prism without_skin(const Prism &prism, double skin);
+
+/// Part of the straight line from one point to another that is in the prism, as
+/// shares of its length from the start; none if it is outside [-].
+std::optional<std::pair<double, double>>
+part_inside(const Prism &prism, const Vec3 &from, const Vec3 &to);
+
+/// Mean stress in the prism, -1/V sum sym(F (x) d) over the contacts, d being
+/// the part inside of the line from the centre of A to that of B, or to the
+/// point on a wall: a contact hands its force over along this line (Goldhirsch
+/// 2010), so that the volume is that of the prism and no stone is counted to
+/// be in or out. Compression positive; motion of the stones left out [Pa].
+Mat3 mean_stress(const Prism &prism, const Particles &stones,
+                 const Network &network);
+} // namespace dem

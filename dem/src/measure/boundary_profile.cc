@@ -1,0 +1,342 @@
+#include <dem/measure/boundary_profile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dem
+{
+namespace
+{
+using Vec2 = Eigen::Vector2d;
+using Side = Outline::Side;
+
+double distance_to(const Side &side, const Vec2 &x)
+{
+  const Vec2 along = side[1] - side[0];
+  const double square = along.squaredNorm();
+  const double share =
+      square > 0. ? std::clamp((x - side[0]).dot(along) / square, 0., 1.) : 0.;
+  return (x - side[0] - share * along).norm();
+}
+
+/// Whether the ray from x along +x crosses the side.
+bool is_crossed(const Side &side, const Vec2 &x)
+{
+  const auto &[p, q] = side;
+  if ((p.y() > x.y()) == (q.y() > x.y()))
+    return false;
+  return x.x() < p.x() + (x.y() - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
+}
+
+/// Distance to the sides of a section, negative outside [m].
+double depth_in(const std::vector<Side> &section, const Vec2 &x)
+{
+  double least = std::numeric_limits<double>::infinity();
+  bool is_inside = false;
+  for (const Side &side : section)
+  {
+    least = std::min(least, distance_to(side, x));
+    is_inside ^= is_crossed(side, x);
+  }
+  return is_inside ? least : -least;
+}
+
+/// Points, one in each cell of a grid round the outline; spread in their cells,
+/// so that no layer of them lies along a wall.
+class PointGrid
+{
+public:
+  explicit PointGrid(const Outline &outline)
+      : low(outline.low), n_z(outline.sections.size()),
+        step_z((outline.high - outline.low) / static_cast<double>(n_z))
+  {
+    corner.setConstant(std::numeric_limits<double>::infinity());
+    Vec2 upper = -corner;
+    for (const std::vector<Side> &section : outline.sections)
+      for (const Side &side : section)
+      {
+        corner = corner.cwiseMin(side[0]);
+        upper = upper.cwiseMax(side[0]);
+      }
+    for (int d = 0; d < 2; ++d)
+      n[static_cast<std::size_t>(d)] = static_cast<std::size_t>(
+          std::max(1., std::ceil((upper - corner)[d] / step_z)));
+    step = {(upper - corner).x() / static_cast<double>(n[0]),
+            (upper - corner).y() / static_cast<double>(n[1])};
+  }
+
+  std::size_t size() const { return n_z * n[1] * n[0]; }
+  std::size_t index(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    return (k * n[1] + j) * n[0] + i;
+  }
+  Vec3 point(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    // Multiples of the generalised golden ratio (Roberts 2018) are even.
+    const auto spread = [](std::size_t one, std::size_t other)
+    {
+      const double sum = 0.7548776662466927 * static_cast<double>(one) +
+                         0.5698402909980532 * static_cast<double>(other);
+      return sum - std::floor(sum);
+    };
+    return {corner.x() + (static_cast<double>(i) + spread(j, k)) * step.x(),
+            corner.y() + (static_cast<double>(j) + spread(i, k)) * step.y(),
+            low + (static_cast<double>(k) + 0.5) * step_z};
+  }
+
+  /// Calls call(i, j, k) for all cells that may have their point within `reach`
+  /// of x.
+  template <class Call>
+  void for_near(const Vec3 &x, double reach, const Call &call) const
+  {
+    const auto range =
+        [reach](double at, double from, double cell, std::size_t count)
+    {
+      const auto clamped = [count](double value)
+      {
+        return static_cast<std::size_t>(
+            std::clamp(value, 0., static_cast<double>(count)));
+      };
+      return std::pair(clamped(std::floor((at - reach - from) / cell)),
+                       clamped(std::ceil((at + reach - from) / cell)));
+    };
+    const auto in_x = range(x.x(), corner.x(), step.x(), n[0]),
+               in_y = range(x.y(), corner.y(), step.y(), n[1]),
+               in_z = range(x.z(), low, step_z, n_z);
+    for (std::size_t k = in_z.first; k < in_z.second; ++k)
+      for (std::size_t j = in_y.first; j < in_y.second; ++j)
+        for (std::size_t i = in_x.first; i < in_x.second; ++i)
+          call(i, j, k);
+  }
+
+  std::array<std::size_t, 3> counts() const { return {n[0], n[1], n_z}; }
+  double height_of_cell() const { return step_z; }
+  double least_width() const ///< of the box round the sections [m]
+  {
+    return std::min(static_cast<double>(n[0]) * step.x(),
+                    static_cast<double>(n[1]) * step.y());
+  }
+
+private:
+  double low;
+  std::size_t n_z;
+  double step_z;
+  Vec2 corner, step;
+  std::array<std::size_t, 2> n{};
+};
+
+/// Which points of the grid are in stones.
+std::vector<std::uint8_t> solid_points(const Particles &stones,
+                                       const PointGrid &grid)
+{
+  std::vector<std::uint8_t> is_solid(grid.size(), 0);
+  for (std::size_t s = 0; s < stones.size(); ++s)
+  {
+    const Body &body = stones.body[s];
+    const Vec3 centre = stones.position(s);
+    const Mat3 back = stones.rotation(s).transpose();
+    const auto holds = [&](const Vec3 &arm)
+    {
+      const double square = arm.squaredNorm();
+      // The smallest radius over the nodes may be beaten between them.
+      if (square < 0.8 * body.inscribed_radius * body.inscribed_radius)
+        return true;
+      if (!body.series || square > std::pow(body.circumscribed_radius, 2))
+        return !body.series && square <= std::pow(mean_radius(body), 2);
+      const double distance = std::sqrt(square);
+      return distance <=
+             body.scale * radius(*body.series, back * arm / distance);
+    };
+    grid.for_near(centre, body.circumscribed_radius,
+                  [&](std::size_t i, std::size_t j, std::size_t k)
+                  {
+                    std::uint8_t &entry = is_solid[grid.index(i, j, k)];
+                    if (!entry && holds(grid.point(i, j, k) - centre))
+                      entry = 1;
+                  });
+  }
+  return is_solid;
+}
+
+/// How far a point is from the boundaries [m].
+struct Depth
+{
+  double lateral = 0., platen = 0.;
+
+  bool is_inside() const { return lateral >= 0. && platen >= 0.; }
+};
+
+Depth depth_of(const Outline &outline, const Vec3 &x)
+{
+  const auto n = static_cast<double>(outline.sections.size());
+  const double place =
+      std::floor((x.z() - outline.low) / (outline.high - outline.low) * n);
+  const auto section = static_cast<std::size_t>(std::clamp(place, 0., n - 1.));
+  return {depth_in(outline.sections[section], x.head<2>()),
+          std::min(x.z() - outline.low, outline.high - x.z())};
+}
+
+/// NaN of nothing.
+double share(std::int64_t part, std::int64_t whole)
+{
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole)
+                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Points of some part of the space.
+struct Tally
+{
+  std::int64_t n = 0, n_solid = 0;
+
+  void add(bool is_solid)
+  {
+    ++n;
+    n_solid += is_solid;
+  }
+  double porosity() const ///< NaN without points
+  {
+    return 1. - share(n_solid, n);
+  }
+};
+
+/// Sums over the layers along one distance.
+struct Layers
+{
+  double thickness;
+  std::vector<Tally> points;
+  std::vector<std::int64_t> n_stones, n_bearing, n_contacts;
+
+  Layers(double each, double reach)
+      : thickness(each),
+        points(static_cast<std::size_t>(std::ceil(reach / each))),
+        n_stones(points.size(), 0), n_bearing(n_stones), n_contacts(n_stones)
+  {
+  }
+  std::size_t at(double distance) const
+  {
+    return std::min(static_cast<std::size_t>(distance / thickness),
+                    points.size() - 1);
+  }
+  void add_stone(double distance, int its_contacts)
+  {
+    const std::size_t layer = at(distance);
+    ++n_stones[layer];
+    if (its_contacts < 2)
+      return;
+    ++n_bearing[layer];
+    n_contacts[layer] += its_contacts;
+  }
+  LayerProfile profile() const
+  {
+    LayerProfile profile;
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      profile.distance.push_back((static_cast<double>(k) + 0.5) * thickness);
+      profile.porosity.push_back(points[k].porosity());
+      profile.coordination.push_back(share(n_contacts[k], n_bearing[k]));
+      profile.n_stones.push_back(static_cast<double>(n_stones[k]));
+    }
+    return profile;
+  }
+};
+
+std::vector<int> contacts_of_stones(const Particles &stones,
+                                    const Network &network)
+{
+  std::vector<int> n_of(stones.size(), 0);
+  for (const PairContact &contact : network.pairs)
+  {
+    ++n_of[static_cast<std::size_t>(contact.a)];
+    ++n_of[static_cast<std::size_t>(contact.b)];
+  }
+  return n_of;
+}
+
+/// Corner of a triangle below the plane z and one above: where their edge cuts.
+Vec2 cut_at(const Vec3 &below, const Vec3 &above, double z)
+{
+  const double share = (z - below.z()) / (above.z() - below.z());
+  return (below + share * (above - below)).head<2>();
+}
+} // namespace
+
+Outline outline_of(const Vec3 &lower, const Vec3 &upper, int n)
+{
+  const Vec2 a = lower.head<2>(), c = upper.head<2>();
+  const Vec2 b(c.x(), a.y()), d(a.x(), c.y());
+  const std::vector<Side> section = {Side{a, b}, Side{b, c}, Side{c, d},
+                                     Side{d, a}};
+  return {lower.z(), upper.z(),
+          std::vector(static_cast<std::size_t>(n), section)};
+}
+
+Outline outline_of(const FacetSurface &tube, double low, double high, int n)
+{
+  Outline outline{low, high, {}};
+  for (int k = 0; k < n; ++k)
+  {
+    const double z = low + (k + 0.5) * (high - low) / n;
+    std::vector<Side> &section = outline.sections.emplace_back();
+    for (std::size_t t = 0; t < tube.triangles.size(); ++t)
+    {
+      const auto corner = corners_of(tube, static_cast<std::int32_t>(t));
+      std::vector<Vec2> cuts;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const Vec3 &one = corner[c], &other = corner[(c + 1) % 3];
+        if ((one.z() < z) != (other.z() < z))
+          cuts.push_back(one.z() < z ? cut_at(one, other, z)
+                                     : cut_at(other, one, z));
+      }
+      if (cuts.size() == 2)
+        section.push_back({cuts[0], cuts[1]});
+    }
+  }
+  return outline;
+}
+
+BoundaryProfile boundary_profile(const Particles &stones,
+                                 const Network &network, const Outline &outline,
+                                 const ProfileWidths &widths)
+{
+  const PointGrid grid(outline);
+  const std::vector<std::uint8_t> is_solid = solid_points(stones, grid);
+  const double cell = grid.height_of_cell();
+  const double layer = cell * std::max(1., std::round(widths.layer / cell));
+  const auto [n_x, n_y, n_z] = grid.counts();
+  Layers lateral(layer, 0.5 * grid.least_width()),
+      platens(layer, 0.5 * (outline.high - outline.low));
+  Tally all, skin, inside;
+  for (std::size_t k = 0; k < n_z; ++k)
+    for (std::size_t j = 0; j < n_y; ++j)
+      for (std::size_t i = 0; i < n_x; ++i)
+      {
+        const Depth depth = depth_of(outline, grid.point(i, j, k));
+        if (!depth.is_inside())
+          continue;
+        const bool holds = is_solid[grid.index(i, j, k)] != 0;
+        all.add(holds);
+        if (depth.platen >= widths.skin)
+        {
+          lateral.points[lateral.at(depth.lateral)].add(holds);
+          (depth.lateral < widths.skin ? skin : inside).add(holds);
+        }
+        if (depth.lateral >= widths.skin)
+          platens.points[platens.at(depth.platen)].add(holds);
+      }
+  const std::vector<int> n_of = contacts_of_stones(stones, network);
+  for (std::size_t s = 0; s < stones.size(); ++s)
+  {
+    const Depth depth = depth_of(outline, stones.position(s));
+    if (!depth.is_inside())
+      continue;
+    if (depth.platen >= widths.skin)
+      lateral.add_stone(depth.lateral, n_of[s]);
+    if (depth.lateral >= widths.skin)
+      platens.add_stone(depth.platen, n_of[s]);
+  }
+  return {lateral.profile(), platens.profile(), all.porosity(), skin.porosity(),
+          inside.porosity()};
+}
+} // namespace dem

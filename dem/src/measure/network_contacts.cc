@@ -1,0 +1,140 @@
+#include <dem/boundary/drum_contacts.h>
+#include <dem/contact/common_normal.h>
+#include <dem/measure/network.h>
+
+namespace dem
+{
+namespace
+{
+/// Shear springs at the Coulomb limit are there to round-off; dashpots that
+/// belong to the limit are kept to seven digits.
+constexpr double at_limit = 1. - 1e-5;
+
+Vec3 vector_of(const Triple<double> &v)
+{
+  return {v.x, v.y, v.z};
+}
+
+/// The surface of stone A where contact k presses: it follows the surfaces.
+SurfacePoint spot_on_a(const Particles &stones, const ContactBatch &batch,
+                       std::size_t k)
+{
+  const auto a = static_cast<std::size_t>(batch.a[k]);
+  SurfacePoint spot = turned(
+      surface_point(stones.body[a], batch.side_a.spot(k)), stones.rotation(a));
+  spot.position += stones.position(a);
+  return spot;
+}
+
+/// Point and normal of a place where two stones touch.
+struct Place
+{
+  Vec3 point, normal;
+};
+
+Place place_of(const Engine &engine, std::size_t k)
+{
+  const Particles &stones = engine.particles();
+  const ContactBatch &pairs = engine.pairs();
+  if (pairs.layout.has_spots)
+  {
+    const SurfacePoint spot = spot_on_a(stones, pairs, k);
+    return {spot.position - 0.5 * pairs.overlap[k] * spot.normal, spot.normal};
+  }
+  const auto a = static_cast<std::size_t>(pairs.a[k]),
+             b = static_cast<std::size_t>(pairs.b[k]);
+  const Vec3 normal = (stones.position(b) - stones.position(a)).normalized();
+  double radius = stones.radius(a);
+  if (engine.parameters().geometry.geometry == ContactGeometry::radial &&
+      pairs.side_a.is_known(k))
+  {
+    const Vec3 u = stones.orientation(a).conjugate() * normal;
+    radius = pairs.side_a.local_radius(k, {u.x(), u.y(), u.z()});
+  }
+  return {stones.position(a) + (radius - 0.5 * pairs.overlap[k]) * normal,
+          normal};
+}
+
+bool is_at_limit(const EngineParameters &parameters, const ContactBatch &pairs,
+                 std::size_t k, const Vec3 &normal)
+{
+  double pressing = pairs.normal_force[k];
+  if (parameters.friction_limit == FrictionLimit::total)
+    pressing -= vector_of(pairs.dashpot[k]).dot(normal);
+  return vector_of(pairs.shear[k]).norm() >=
+         at_limit * parameters.stone.friction * pressing;
+}
+
+/// Contacts k to `end` are of one pair of stones; false if none touches.
+bool join_places(const Engine &engine, std::size_t k, std::size_t end,
+                 PairContact &contact)
+{
+  const ContactBatch &pairs = engine.pairs();
+  contact = {pairs.a[k],   pairs.b[k],   Vec3::Zero(),
+             Vec3::Zero(), Vec3::Zero(), true};
+  double weight = 0.;
+  for (; k < end; ++k)
+  {
+    if (!pairs.is_touching(k))
+      continue;
+    const Place place = place_of(engine, k);
+    contact.normal += pairs.normal_force[k] * place.normal;
+    contact.point += pairs.normal_force[k] * place.point;
+    contact.force += pair_force(engine.particles(), pairs, k);
+    contact.is_sliding &=
+        is_at_limit(engine.parameters(), pairs, k, place.normal);
+    weight += pairs.normal_force[k];
+  }
+  if (weight <= 0.)
+    return false;
+  contact.normal.normalize();
+  contact.point /= weight;
+  return true;
+}
+
+void add_walls(const Engine &engine, const ContactBatch &batch,
+               std::vector<WallContact> &walls)
+{
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (batch.is_touching(k))
+      walls.push_back({batch.a[k], wall_contact_point(engine, batch, k),
+                       batch.load[k].force});
+}
+} // namespace
+
+Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
+                        std::size_t k)
+{
+  for (const SurfaceContacts &facets : engine.surfaces())
+    if (&batch == &facets.batch)
+      return facets.point_of(k);
+  const Particles &stones = engine.particles();
+  if (batch.layout.has_spots)
+    return spot_on_a(stones, batch, k).position;
+  const Vec3 &from = stones.position(static_cast<std::size_t>(batch.a[k]));
+  if (&batch == &engine.on_drum())
+    return nearest_on_drum(engine.drum(), drum_part(batch, k), from).point;
+  const Plane &plane = engine.planes()[static_cast<std::size_t>(batch.b[k])];
+  return from - (from - plane.point).dot(plane.normal) * plane.normal;
+}
+
+Network contact_network_of(const Engine &engine)
+{
+  const ContactBatch &pairs = engine.pairs();
+  Network network;
+  PairContact contact;
+  for (std::size_t k = 0, end = 0; k < pairs.size(); k = end)
+  {
+    for (end = k; end < pairs.size() && pairs.a[end] == pairs.a[k] &&
+                  pairs.b[end] == pairs.b[k];)
+      ++end;
+    if (join_places(engine, k, end, contact))
+      network.pairs.push_back(contact);
+  }
+  add_walls(engine, engine.on_planes(), network.walls);
+  add_walls(engine, engine.on_drum(), network.walls);
+  for (const SurfaceContacts &facets : engine.surfaces())
+    add_walls(engine, facets.batch, network.walls);
+  return network;
+}
+} // namespace dem
