@@ -19,18 +19,21 @@ constexpr int n_sections = 100;
 /// Layers of a profile in the diameter of the stone of mean volume.
 constexpr double layers_per_stone = 5.;
 
-/// The box between the planes, the upper one of which is the plate. A membrane
-/// has begun at the lateral ones.
-std::array<dem::Vec3, 2> box_of(const Triaxial &test)
+/// The section where the membrane was put.
+std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
 {
-  std::array<dem::Vec3, 2> corners;
-  for (std::size_t end = 0; end < 2; ++end)
-    for (int d = 0; d < 3; ++d)
-      corners[end][d] =
-          test.engine()
-              .planes()[test.box()[static_cast<std::size_t>(d)][end]]
-              .point[d];
-  return corners;
+  const std::vector<Eigen::Vector3d> &nodes = membrane.mesh().nodes;
+  double low = nodes.front().z(), high = low;
+  for (const Eigen::Vector3d &node : nodes)
+  {
+    low = std::min(low, node.z());
+    high = std::max(high, node.z());
+  }
+  std::vector<Eigen::Vector2d> rim;
+  for (const Eigen::Vector3d &node : nodes)
+    if (node.z() < low + 1e-6 * (high - low))
+      rim.emplace_back(node.head<2>());
+  return dem::corners_through(rim);
 }
 
 double mean_diameter(const dem::Particles &stones)
@@ -41,18 +44,40 @@ double mean_diameter(const dem::Particles &stones)
 
 dem::Outline outline_of(const Triaxial &test)
 {
-  const auto [lower, upper] = box_of(test);
-  return test.membrane() ? dem::outline_of(test.engine().surface(), lower.z(),
-                                           upper.z(), n_sections)
-                         : dem::outline_of(lower, upper, n_sections);
+  const dem::Prism space = space_of(test);
+  return test.membrane() ? dem::outline_of(test.engine().surface(), space.low,
+                                           space.high, n_sections)
+                         : dem::outline_of(space, n_sections);
 }
 } // namespace
 
+dem::Prism space_of(const Triaxial &test)
+{
+  std::array<dem::Vec3, 2> ends;
+  for (std::size_t end = 0; end < 2; ++end)
+    for (int d = 0; d < 3; ++d)
+      ends[end][d] = test.engine()
+                         .planes()[test.box()[static_cast<std::size_t>(d)][end]]
+                         .point[d];
+  dem::Prism space = dem::prism_of(ends[0], ends[1]);
+  if (test.membrane())
+    space.corners = rim_of(*test.membrane());
+  return space;
+}
+
 double skin_of(const Triaxial &test)
 {
-  const auto [lower, upper] = box_of(test);
+  const dem::Prism space = space_of(test);
+  Eigen::Vector2d lower = space.corners[0], upper = lower;
+  for (const Eigen::Vector2d &corner : space.corners)
+  {
+    lower = lower.cwiseMin(corner);
+    upper = upper.cwiseMax(corner);
+  }
+  const double least =
+      std::min((upper - lower).minCoeff(), space.high - space.low);
   return std::min(2. * test.engine().particles().largest_radius(),
-                  0.25 * (upper - lower).minCoeff());
+                  0.25 * least);
 }
 
 NetworkState network_state(const Triaxial &test)
@@ -60,10 +85,8 @@ NetworkState network_state(const Triaxial &test)
   const dem::Particles &stones = test.engine().particles();
   const dem::Network network = dem::contact_network_of(test.engine());
   const Sample sample = test.sample(0.);
-  const auto [lower, upper] = box_of(test);
   const dem::Mat3 inside = dem::mean_stress(
-      dem::without_skin(dem::prism_of(lower, upper), skin_of(test)), stones,
-      network);
+      dem::without_skin(space_of(test), skin_of(test)), stones, network);
   const dem::ForceChains chains = dem::force_chains(stones, network);
   NetworkState state;
   state.coordination_number = sample.coordination_number;

@@ -51,8 +51,12 @@ inline constexpr std::array<NetworkColumn, 12> network_columns = {
 /// While loading. Stress inside is that without a skin of skin_of().
 NetworkState network_state(const Triaxial &test);
 
+/// The space between the rigid walls, or where the membrane was put, between
+/// base and plate now.
+dem::Prism space_of(const Triaxial &test);
+
 /// Thickness of what counts as near a boundary: the largest stone, at most a
-/// quarter of the least width of the box [m].
+/// quarter of the least width of the space [m].
 double skin_of(const Triaxial &test);
 
 /// Porosity and coordination number over the distance from the boundaries.

@@ -65,8 +65,8 @@ std::vector<Row> face_centred_packing()
   const double pressure =
       2. * std::numbers::sqrt2 * hertz_force() / (distance * distance);
   const dem::BoundaryProfile profile = dem::boundary_profile(
-      engine.particles(), network, dem::outline_of(lower, lower + side, 100),
-      {cell, 0.});
+      engine.particles(), network,
+      dem::outline_of(dem::prism_of(lower, lower + side), 100), {cell, 0.});
   // Four balls in a cell less the lenses of 24 contacts.
   const double cap = 0.5 * (2. * radius - distance),
                lens = 2. * pi / 3. * cap * cap * (3. * radius - cap);
@@ -107,7 +107,8 @@ std::vector<Row> porosity_next_to_a_plane()
   const double layer = 0.4 * radius;
   const dem::BoundaryProfile profile = dem::boundary_profile(
       stones, {},
-      dem::outline_of(Vec3::Zero(), Vec3::Constant(2. * n * radius), 160),
+      dem::outline_of(
+          dem::prism_of(Vec3::Zero(), Vec3::Constant(2. * n * radius)), 160),
       {layer, 0.});
   std::vector<Row> rows;
   for (int k = 0; k < 3; ++k)

@@ -261,13 +261,13 @@ Vec2 cut_at(const Vec3 &below, const Vec3 &above, double z)
 }
 } // namespace
 
-Outline outline_of(const Vec3 &lower, const Vec3 &upper, int n)
+Outline outline_of(const Prism &prism, int n)
 {
-  const Vec2 a = lower.head<2>(), c = upper.head<2>();
-  const Vec2 b(c.x(), a.y()), d(a.x(), c.y());
-  const std::vector<Side> section = {Side{a, b}, Side{b, c}, Side{c, d},
-                                     Side{d, a}};
-  return {lower.z(), upper.z(),
+  std::vector<Side> section;
+  for (std::size_t k = 0; k < prism.corners.size(); ++k)
+    section.push_back(
+        {prism.corners[k], prism.corners[(k + 1) % prism.corners.size()]});
+  return {prism.low, prism.high,
           std::vector(static_cast<std::size_t>(n), section)};
 }
 

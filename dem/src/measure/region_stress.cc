@@ -1,6 +1,7 @@
 #include <dem/measure/region_stress.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace dem
@@ -50,6 +51,27 @@ Prism prism_of(const Vec3 &lower, const Vec3 &upper)
            {lower.x(), upper.y()}},
           lower.z(),
           upper.z()};
+}
+
+std::vector<Vec2> corners_through(std::vector<Vec2> points)
+{
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2 &point : points)
+    middle += point / static_cast<double>(points.size());
+  const auto angle = [&](const Vec2 &point)
+  { return std::atan2(point.y() - middle.y(), point.x() - middle.x()); };
+  std::ranges::sort(points, {}, angle);
+  std::vector<Vec2> corners;
+  const std::size_t n = points.size();
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const Vec2 before = points[k] - points[(k + n - 1) % n],
+               after = points[(k + 1) % n] - points[k];
+    const double turn = before.x() * after.y() - before.y() * after.x();
+    if (turn > 1e-9 * before.norm() * after.norm())
+      corners.push_back(points[k]);
+  }
+  return corners;
 }
 
 Prism without_skin(const Prism &prism, double skin)

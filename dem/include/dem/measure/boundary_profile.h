@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/measure/network.h>
+#include <dem/measure/region_stress.h>
 
 #include <array>
 
@@ -17,8 +17,8 @@ struct Outline
   std::vector<std::vector<Side>> sections;
 };
 
-/// The box with n sections.
-Outline outline_of(const Vec3 &lower, const Vec3 &upper, int n);
+/// A prism with n sections.
+Outline outline_of(const Prism &prism, int n);
 
 /// A tube of triangles, deformed or not, cut at n heights between its platens.
 Outline outline_of(const FacetSurface &tube, double low, double high, int n);

@@ -19,6 +19,11 @@ struct Prism
 /// The prism of a box.
 Prism prism_of(const Vec3 &lower, const Vec3 &upper);
 
+/// Corners of the convex polygon through these points, in their right order;
+/// points on straight sides are left out [m].
+std::vector<Eigen::Vector2d>
+corners_through(std::vector<Eigen::Vector2d> points);
+
 /// What is left of a prism without a skin of this thickness [m]: every face is
 /// moved inward. Throws std::invalid_argument if nothing is.
 Prism without_skin(const Prism &prism, double skin);

@@ -72,8 +72,8 @@ TEST(BoundaryProfile, OfASimpleCubicPacking)
   constexpr int n = 6;
   const double side = 2. * n * radius;
   const auto packing = packings::touching(packings::simple_cubic(n), same);
-  const dem::Outline box =
-      dem::outline_of(dem::Vec3::Zero(), dem::Vec3::Constant(side), 20 * n);
+  const dem::Outline box = dem::outline_of(
+      dem::prism_of(dem::Vec3::Zero(), dem::Vec3::Constant(side)), 20 * n);
   const auto profile = dem::boundary_profile(packing.stones, packing.network,
                                              box, {0.4 * radius, 2. * radius});
   const std::vector<double> thrown = thrown_porosities(n, 15, 0.4 * radius);
@@ -110,8 +110,9 @@ TEST(BoundaryProfile, OfAFaceCentredPackingIsItsPorosity)
 {
   const double cell = packings::fcc_cell;
   const auto packing = packings::touching(packings::face_centred(4), same);
-  const dem::Outline box = dem::outline_of(dem::Vec3::Constant(cell),
-                                           dem::Vec3::Constant(3. * cell), 120);
+  const dem::Outline box = dem::outline_of(
+      dem::prism_of(dem::Vec3::Constant(cell), dem::Vec3::Constant(3. * cell)),
+      120);
   const auto profile =
       dem::boundary_profile(packing.stones, packing.network, box, {cell, 0.});
   EXPECT_NEAR(profile.porosity, 1. - std::numbers::pi / (3. * std::sqrt(2.)),
@@ -125,7 +126,8 @@ TEST(BoundaryProfile, OfATubeIsThatOfTheBox)
   const auto packing = packings::touching(packings::simple_cubic(3), same);
   const auto in_box = dem::boundary_profile(
       packing.stones, packing.network,
-      dem::outline_of(dem::Vec3::Zero(), dem::Vec3::Constant(side), 60),
+      dem::outline_of(
+          dem::prism_of(dem::Vec3::Zero(), dem::Vec3::Constant(side)), 60),
       {0.4 * radius, 0.});
   const auto in_tube = dem::boundary_profile(
       packing.stones, packing.network,

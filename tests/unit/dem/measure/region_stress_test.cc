@@ -33,6 +33,22 @@ TEST(Prism, LosesItsSkinOnAllSides)
               2. * std::sqrt(3.) * 0.75 * 0.75 * 0.5, 1e-14);
 }
 
+TEST(Prism, HasTheCornersOfARim)
+{
+  // A rectangle with points on its sides, in no order.
+  dem::Prism prism{dem::corners_through({{3., 1.},
+                                         {0., 0.},
+                                         {1., 0.},
+                                         {3., 2.},
+                                         {0., 2.},
+                                         {3., 0.},
+                                         {0., 0.5},
+                                         {2., 2.}}),
+                   0., 1.};
+  EXPECT_EQ(prism.corners.size(), 4u);
+  EXPECT_NEAR(prism.volume(), 6., 1e-14);
+}
+
 TEST(Prism, CutsALine)
 {
   const dem::Prism box = cube(0., 1.);
