@@ -1,6 +1,7 @@
 #include "triaxial/summary.h"
 
 #include "run/contact_places.h"
+#include "run/digest.h"
 #include "run/ledger_rows.h"
 
 #include <nlohmann/json.hpp>
@@ -113,7 +114,9 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
       {"stress_Pa",
        {prepared.stress.x(), prepared.stress.y(), prepared.stress.z()}},
       {"unbalanced_force_ratio_1", prepared.unbalanced_ratio},
-      {"time_s", prepared.time}};
+      {"time_s", prepared.time},
+      {"hash", hex_text(prepared.hash)},
+      {"is_taken", prepared.is_taken != 0}};
   out["wall_clock_s"] = record.seconds;
   out["version"] = SPALL_VERSION;
   return out.dump(2) + "\n";

@@ -1,21 +1,18 @@
 #include "triaxial/triaxial.h"
 
-#include "errors.h"
+#include "run/digest.h"
+#include "triaxial/preparation.h"
 
 #include <dem/io/binary.h>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
 namespace spall
 {
 namespace
 {
-/// How often the preparation is asked whether it is at rest [steps].
-constexpr std::int64_t rest_interval = 200;
-
 double haversine(double phase)
 {
   return 0.5 * (1. - std::cos(2. * std::numbers::pi * phase));
@@ -26,12 +23,19 @@ Triaxial::Triaxial(const Case &c)
     : parameters(c), specimen(make_specimen(c)),
       servo(specimen.box,
             {c.boundary.servo_response_time, c.preparation.wall_speed}),
-      setup(choose_step(c, *specimen.engine)), watch(c.time, setup.cap),
+      setup(choose_step(c, *specimen.engine)),
+      watch(
+          c.time,
+          dem::critical_step(engine().parameters(), engine().particles()).step),
       cycle_ticks(is_fixed() ? std::llround(c.loading.period() /
                                             (setup.step * steps_in_window()))
                              : c.output.samples_per_cycle),
       n_cycles(c.loading.n_cycles())
 {
+  const std::string text = preparation_text(c, specimen.shapes);
+  Digest digest;
+  digest.add(text);
+  preparation.hash = digest.value();
   enter(Stage::preparation);
   engine().set_breaking(false);
   for (int d = 0; d < 3; ++d)
@@ -95,71 +99,6 @@ void Triaxial::enter(Stage next)
   pace.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
 }
 
-void Triaxial::prepare()
-{
-  servo.update(engine(), pace.step());
-  engine().advance(pace.step());
-  pace.count();
-  ++in_stage;
-  if (in_stage % rest_interval == 0 && is_at_rest())
-  {
-    preparation.time = engine().time();
-    preparation.porosity =
-        1. - solid_volume(engine().particles()) /
-                 dem::box_size(engine(), specimen.box).prod();
-    place_boundaries();
-    enter(Stage::consolidation);
-  }
-  else if (engine().time() > parameters.preparation.max_time)
-  {
-    std::ostringstream text;
-    text << "preparation is not at rest after "
-         << parameters.preparation.max_time << " s: stress "
-         << preparation.stress.transpose() << " Pa (target "
-         << parameters.preparation.pressure << "), unbalanced force ratio "
-         << preparation.unbalanced_ratio << " (limit "
-         << parameters.preparation.unbalanced_ratio
-         << "): see Preparation/max_time, friction, local_damping";
-    throw RunFailure(text.str());
-  }
-}
-
-bool Triaxial::is_at_rest()
-{
-  preparation.stress = dem::box_stress(engine(), specimen.box);
-  preparation.unbalanced_ratio =
-      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
-  const PreparationParameters &limits = parameters.preparation;
-  const double worst =
-      (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
-  return worst < limits.stress_tolerance &&
-         preparation.unbalanced_ratio < limits.unbalanced_ratio &&
-         dem::contact_network(engine().particles(), engine().pairs())
-                 .n_contacts > 0;
-}
-
-void Triaxial::place_boundaries()
-{
-  const auto &planes = engine().planes();
-  for (int d = 0; d < 3; ++d)
-  {
-    const auto &[low, high] = specimen.box[static_cast<std::size_t>(d)];
-    lower[d] = planes[low].point[d];
-    upper[d] = planes[high].point[d];
-  }
-  area = (upper - lower).head<2>().prod();
-  servo.release(engine(), 2);
-  // Stones that carry nothing would fly on for ever.
-  engine().come_to_rest();
-  engine().set_friction(parameters.stone.friction);
-  engine().set_local_damping(parameters.time.local_damping);
-  const dem::Plane &top = planes[specimen.box[2][1]];
-  plane_work_gone = top.work;
-  build_cell();
-  cell->set_plate({upper.z(), 0., -parameters.preparation.pressure * area,
-                   top.force.z(), 0.});
-}
-
 void Triaxial::build_cell()
 {
   const int n = parameters.boundary.elements_per_side;
@@ -177,6 +116,7 @@ void Triaxial::build_cell()
   auto body = std::make_unique<coupling::CellBody>(
       parameters.boundary.plate_mass, upper.z(), std::move(membrane), steps);
   cell = body.get();
+  watch.set_cap(setup.cap);
   joined = std::make_unique<coupling::Exchange>(
       c.exchange_rules(parameters.boundary.lateral));
   std::unique_ptr<coupling::Seam> seam = coupling::seam_of(

@@ -9,6 +9,7 @@
 #include <coupling/cell_body.h>
 #include <coupling/exchange.h>
 
+#include <functional>
 #include <iosfwd>
 #include <optional>
 
@@ -78,6 +79,8 @@ public:
     double unbalanced_ratio = 0.;         ///< [-]
     double time = 0.;                     ///< it took [s]
     double porosity = 0.;                 ///< then [-]
+    std::uint64_t hash = 0;               ///< of all that decides the specimen
+    std::int64_t is_taken = 0; ///< not made in this run, but taken from a file
   };
   const Prepared &prepared() const { return preparation; }
   /// What the steps were, and what they were chosen by.
@@ -92,6 +95,19 @@ public:
   std::vector<dem::BreakageEvent> take_events();
   double plate_work() const { return cell ? cell->plate().drive_work() : 0.; }
 
+  /// Is called once, when the preparation is at rest and nothing of what
+  /// follows has touched the specimen.
+  void when_prepared(std::function<void()> call)
+  {
+    call_prepared = std::move(call);
+  }
+  /// The specimen at that moment, bit for bit, and back from there into any
+  /// test of the same preparation_text(): the test goes on with the
+  /// consolidation as if it had prepared itself.
+  void save_prepared(std::ostream &out) const;
+  void take_prepared(std::istream &in); ///< throws std::runtime_error
+  const ShapeLibrary &shapes() const { return specimen.shapes; }
+
   void save(std::ostream &out) const; ///< full state, bit for bit
   /// Continues a saved test of the same case; throws std::runtime_error.
   void restore(std::istream &in);
@@ -103,10 +119,13 @@ private:
   void load();
   void enter(Stage next);
   bool is_at_rest();
+  std::string unprepared_text() const;
+  void hand_over();
   void place_boundaries();
   void build_cell();
   coupling::Stones stones();
   int steps_in_window() const;
+  int steps_in_pace() const;
   Surroundings surroundings() const;
   void step_boundaries();
   void hold_plate();
@@ -140,6 +159,7 @@ private:
   Stage now = Stage::preparation;
   std::int64_t in_stage = 0;
   Prepared preparation;
+  std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;
   coupling::CellBody *cell = nullptr; ///< of `joined`
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
