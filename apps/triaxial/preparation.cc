@@ -15,13 +15,18 @@ namespace
 /// Friction among stones is Preparation/friction until the loading boundaries
 /// are there, damping Preparation/local_damping; stones do not break.
 constexpr CaseKey deciding[] = {
+    {"Specimen", "form"},
     {"Specimen", "side"},
+    {"Specimen", "diameter"},
+    {"Specimen", "height"},
     {"Specimen", "solid_fraction"},
     {"Specimen", "gradation"},
     {"Specimen", "shapes"},
     {"Specimen", "seed"},
     {"Specimen", "initial_solid_fraction"},
+    {"Preparation", "target"},
     {"Preparation", "pressure"},
+    {"Preparation", "porosity"},
     {"Preparation", "friction"},
     {"Preparation", "wall_speed"},
     {"Preparation", "local_damping"},
@@ -90,6 +95,7 @@ constexpr CaseKey later[] = {
     {"Membrane", "mass_damping"},
     {"Boundary", "lateral"},
     {"Boundary", "elements_per_side"},
+    {"Boundary", "elements_around"},
     {"Boundary", "plate_mass"},
     {"Coupling", "exchange"},
     {"Coupling", "stone_steps"},
@@ -138,8 +144,15 @@ bool is_unused(const Case &of, const Parameter &parameter)
     return !is_fixed;
   if (is(parameter, "Time", "safety"))
     return is_fixed;
-  return is(parameter, "Breakage", "quadrature_rings") &&
-         of.breakage.inscribed == dem::InscribedSphereAt::origin;
+  if (is(parameter, "Breakage", "quadrature_rings"))
+    return of.breakage.inscribed == dem::InscribedSphereAt::origin;
+  if (is(parameter, "Preparation", "porosity"))
+    return of.preparation.target == PreparationTarget::pressure;
+  const bool is_box = of.specimen.form == SpecimenForm::box;
+  if (is(parameter, "Specimen", "side"))
+    return !is_box;
+  return is_box && (is(parameter, "Specimen", "diameter") ||
+                    is(parameter, "Specimen", "height"));
 }
 
 std::string contents_of_gradation(const Case &of)

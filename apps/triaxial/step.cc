@@ -165,14 +165,15 @@ void Triaxial::follow_probe()
 void Triaxial::gather(Window &window) const
 {
   const dem::Engine &stones = engine();
-  window.axial +=
-      stones.planes()[specimen.box[2][1]].force.z() + cell->rim_reaction();
+  window.axial += top_plane().force.z() + cell->rim_reaction();
   if (membrane())
     for (const dem::Vec3 &load : stones.surface().load)
       window.lateral += load.norm();
+  else if (specimen.walls.is_round)
+    window.lateral += stones.drum().thrust;
   else
     for (std::size_t d = 0; d < 2; ++d)
-      for (const std::size_t plane : specimen.box[d])
+      for (const std::size_t plane : specimen.walls.planes[d])
         window.lateral += stones.planes()[plane].force.norm();
 }
 

@@ -13,6 +13,13 @@ namespace spall
 {
 namespace
 {
+dem::ServoParameters servo_parameters(const Case &c)
+{
+  const dem::Vec3 size = nominal_size(c.specimen);
+  return {c.boundary.servo_response_time, c.preparation.wall_speed,
+          size / size.maxCoeff()};
+}
+
 double haversine(double phase)
 {
   return 0.5 * (1. - std::cos(2. * std::numbers::pi * phase));
@@ -21,8 +28,7 @@ double haversine(double phase)
 
 Triaxial::Triaxial(const Case &c)
     : parameters(c), specimen(make_specimen(c)),
-      servo(specimen.box,
-            {c.boundary.servo_response_time, c.preparation.wall_speed}),
+      servo(specimen.walls, servo_parameters(c)),
       setup(choose_step(c, *specimen.engine)),
       watch(
           c.time,
@@ -101,12 +107,11 @@ void Triaxial::enter(Stage next)
 
 void Triaxial::build_cell()
 {
-  const int n = parameters.boundary.elements_per_side;
   std::optional<fem::Membrane> membrane;
   if (parameters.boundary.lateral == Lateral::membrane)
   {
     membrane.emplace(coupling::tube_between_rims(
-        parameters.membrane, fem::box_sides(lower, upper, {n, n, n})));
+        parameters.membrane, lateral_mesh(parameters, lower, upper)));
     watch.forget_membrane();
   }
   const CouplingParameters &c = parameters.coupling;
@@ -119,8 +124,9 @@ void Triaxial::build_cell()
   watch.set_cap(setup.cap);
   joined = std::make_unique<coupling::Exchange>(
       c.exchange_rules(parameters.boundary.lateral));
-  std::unique_ptr<coupling::Seam> seam = coupling::seam_of(
-      *cell, specimen.box[2][1], parameters.membrane_contact, engine());
+  std::unique_ptr<coupling::Seam> seam =
+      coupling::seam_of(*cell, specimen.walls.planes[2][1],
+                        parameters.membrane_contact, engine());
   joined->add(std::move(body), std::move(seam), engine());
 }
 
@@ -159,18 +165,7 @@ void Triaxial::consolidate()
   if (cell->has_membrane())
   {
     pressure = share * to;
-    for (int d = 0; d < 2; ++d)
-    {
-      if (share < 1.)
-        servo.follow(d, (1. - share) * from);
-      else
-        servo.release(engine(), d);
-      if (share == 1.)
-        for (const std::size_t plane :
-             specimen.box[static_cast<std::size_t>(d)])
-          if (engine().planes()[plane].is_active)
-            engine().deactivate_plane(plane);
-    }
+    open_sides(share);
   }
   else
     for (int d = 0; d < 2; ++d)
@@ -182,11 +177,39 @@ void Triaxial::consolidate()
     start_height = cell->plate().height() - lower.z();
     start_volume = volume();
     engine().set_breaking(parameters.breakage.is_active);
+    servo.sum_errors();
     watch.report(engine(), surroundings());
     if (parameters.loading.form == LoadForm::compression)
       hold_plate();
     enter(Stage::loading);
   }
+}
+
+/// The rigid sides give way to the membrane, and are gone in the end.
+void Triaxial::open_sides(double share)
+{
+  for (int d = 0; d < 2; ++d)
+    if (share < 1.)
+      servo.follow(d, (1. - share) * parameters.preparation.pressure);
+    else
+      servo.release(engine(), d);
+  if (share < 1.)
+    return;
+  if (specimen.walls.is_round)
+    return put_side_away();
+  for (std::size_t d = 0; d < 2; ++d)
+    for (const std::size_t plane : specimen.walls.planes[d])
+      if (engine().planes()[plane].is_active)
+        engine().deactivate_plane(plane);
+}
+
+void Triaxial::put_side_away()
+{
+  dem::Drum side = engine().drum();
+  if (side.radius > upper.x() - lower.x())
+    return; // it is
+  side.radius *= 100.;
+  engine().set_drum(side);
 }
 
 /// A plate that is driven starts from rest.
@@ -243,9 +266,14 @@ void Triaxial::step_boundaries()
   ++in_stage;
 }
 
+const dem::Plane &Triaxial::top_plane() const
+{
+  return engine().planes()[specimen.walls.planes[2][1]];
+}
+
 double Triaxial::lateral_stress() const
 {
-  const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.box);
+  const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.walls);
   return 0.5 * (on_planes.x() + on_planes.y()) + (membrane() ? pressure : 0.);
 }
 
@@ -261,7 +289,7 @@ double Triaxial::section() const
 double Triaxial::volume() const
 {
   return membrane() ? membrane()->enclosed_volume()
-                    : dem::box_size(engine(), specimen.box).prod();
+                    : dem::box_volume(engine(), specimen.walls);
 }
 
 Sample Triaxial::sample(double roundness) const
@@ -273,10 +301,9 @@ Sample Triaxial::sample(double roundness) const
   s.time = engine().time();
   s.stage = std::min(2., static_cast<double>(now));
   s.cycle = cycle();
-  s.axial_stress =
-      now == Stage::preparation
-          ? dem::box_stress(engine(), specimen.box).z()
-          : engine().planes()[specimen.box[2][1]].force.z() / section();
+  s.axial_stress = now == Stage::preparation
+                       ? dem::box_stress(engine(), specimen.walls).z()
+                       : top_plane().force.z() / section();
   s.lateral_stress = lateral_stress();
   if (now >= Stage::loading)
   {
@@ -298,7 +325,7 @@ Sample Triaxial::sample(double roundness) const
 void Triaxial::add_energies(Sample &s) const
 {
   const dem::EngineEnergy energy = engine().energy();
-  s.external_work = energy.plane_work + energy.gravity_work;
+  s.external_work = energy.plane_work + energy.drum_work + energy.gravity_work;
   s.kinetic_energy = energy.kinetic;
   s.elastic_energy = energy.elastic;
   s.friction = energy.friction;
@@ -308,7 +335,7 @@ void Triaxial::add_energies(Sample &s) const
   s.shape_work = energy.shape_work;
   if (cell)
   {
-    const double top_work = engine().planes()[specimen.box[2][1]].work;
+    const double top_work = top_plane().work;
     const coupling::BodyEnergy closed = cell->energy();
     s.external_work += closed.external - (top_work - plane_work_gone);
     s.kinetic_energy += closed.kinetic;
@@ -332,6 +359,7 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, watch.state());
   dem::write_value(out, probe);
   dem::write_value(out, preparation);
+  dem::write_value(out, is_dense);
   dem::write_value(out, lower);
   dem::write_value(out, upper);
   for (const double value :
@@ -357,6 +385,7 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, record);
   dem::read_value(in, probe);
   dem::read_value(in, preparation);
+  dem::read_value(in, is_dense);
   dem::read_value(in, lower);
   dem::read_value(in, upper);
   for (double *value :

@@ -17,7 +17,7 @@ namespace spall
 {
 enum class Stage : std::int32_t
 {
-  preparation,   ///< six servo planes compact the cloud
+  preparation,   ///< servo walls compact the cloud
   consolidation, ///< lateral boundary and plate take over
   loading,       ///< haversine on the plate
   done
@@ -119,6 +119,10 @@ private:
   void load();
   void enter(Stage next);
   bool is_at_rest();
+  bool is_prepared();
+  void densify();
+  double porosity() const;
+  void finish_preparation();
   std::string unprepared_text() const;
   void hand_over();
   void place_boundaries();
@@ -140,6 +144,9 @@ private:
   void gather(Window &window) const;
   void close_window(Window &window) const;
   void add_energies(Sample &sample) const;
+  const dem::Plane &top_plane() const;
+  void open_sides(double share);
+  void put_side_away();
   double lateral_stress() const;
   double volume() const;
 
@@ -159,6 +166,7 @@ private:
   Stage now = Stage::preparation;
   std::int64_t in_stage = 0;
   Prepared preparation;
+  std::int64_t is_dense = 0; ///< the target porosity has been met
   std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;
   coupling::CellBody *cell = nullptr; ///< of `joined`
