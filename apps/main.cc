@@ -28,8 +28,8 @@ constexpr std::array<Command, 8> commands = {
       "validate; print particles, stable step, gain, memory, time",
       check_command, true},
      {"run",
-      "CASE.prm [--out DIR] [--threads N] [--resume] [--until CYCLES] "
-      "[--set Section/key=value ...]",
+      "CASE.prm [--out DIR] [--preparations DIR] [--threads N] [--resume] "
+      "[--until CYCLES] [--set Section/key=value ...]",
       "run the case", run_command, true},
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command, false},

@@ -58,10 +58,19 @@ enum class SurfaceFrames
   all   ///< with every frame
 };
 
+enum class SpecimenForm
+{
+  box,     ///< a cube
+  cylinder ///< upright
+};
+
 struct SpecimenParameters
 {
+  SpecimenForm form = SpecimenForm::box;
   double side = 0.1;           ///< of the cube after compaction, about [m]
-  double solid_fraction = 0.6; ///< with side: sets the volume of stones [-]
+  double diameter = 0.1;       ///< of the cylinder after compaction, about [m]
+  double height = 0.2;         ///< likewise [m]
+  double solid_fraction = 0.6; ///< with the size: volume of stones [-]
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/quick_7_22mm.csv";
   /// folder of shape files; empty: spheres
@@ -71,9 +80,17 @@ struct SpecimenParameters
   double initial_solid_fraction = 0.25; ///< of the random cloud [-]
 };
 
+enum class PreparationTarget
+{
+  pressure, ///< at rest at the pressure, with the porosity that friction gives
+  porosity  ///< friction is lowered until the porosity is met
+};
+
 struct PreparationParameters
 {
-  double pressure = 30e3;         ///< isotropic target [Pa]
+  PreparationTarget target = PreparationTarget::pressure;
+  double pressure = 30e3;         ///< isotropic [Pa]
+  double porosity = 0.4;          ///< of the target porosity [-]
   double friction = 0.2;          ///< stone on stone while compacting [-]
   double wall_speed = 0.5;        ///< largest speed of a servo wall [m/s]
   double local_damping = 0.5;     ///< D_a [-]
@@ -85,7 +102,8 @@ struct PreparationParameters
 struct BoundaryParameters
 {
   Lateral lateral = Lateral::membrane;
-  int elements_per_side = 12; ///< membrane quads along each edge [-]
+  int elements_per_side = 12; ///< of a box: membrane quads along each edge [-]
+  int elements_around = 36;   ///< of a cylinder: membrane quads round it [-]
   /// of the servo of rigid sides: an error falls to 1/e in it [s]
   double servo_response_time = 5e-4;
   double plate_mass = 5.; ///< top plate [kg]

@@ -59,11 +59,22 @@ void check_specimen(const Case &c, const Place &place)
                    "must name a CSV file diameter_m,passing_1"});
   const Gradation curve =
       read_gradation(find_path(c, "Specimen", "gradation", s.gradation));
-  if (const double largest = curve.diameter.back(); s.side < 2. * largest)
-    refuse(place, {"Specimen", "side", number_text(s.side),
-                   "must be at least twice the largest stone of the "
-                   "gradation, " +
-                       number_text(largest) + " m"});
+  const double largest = curve.diameter.back();
+  const auto check_size = [&](const std::string &key, double size)
+  {
+    if (size < 2. * largest)
+      refuse(place, {"Specimen", key, number_text(size),
+                     "must be at least twice the largest stone of the "
+                     "gradation, " +
+                         number_text(largest) + " m"});
+  };
+  if (s.form == SpecimenForm::box)
+    check_size("side", s.side);
+  else
+  {
+    check_size("diameter", s.diameter);
+    check_size("height", s.height);
+  }
   check_shapes(c, place, "Specimen", s.shapes);
 }
 

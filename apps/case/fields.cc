@@ -13,10 +13,16 @@ namespace
 void add_specimen(List &list, SpecimenParameters &s)
 {
   list.in("Specimen");
+  list.add({"form", "-", "box: a cube; cylinder: upright, diameter by height."},
+           s.form, {"box", "cylinder"});
   list.add({"side", "m", "Edge of the cube after compaction, about."}, s.side,
            between(1e-3, 100.));
+  list.add({"diameter", "m", "Of the cylinder after compaction, about."},
+           s.diameter, between(1e-3, 100.));
+  list.add({"height", "m", "Of the cylinder after compaction, about."},
+           s.height, between(1e-3, 100.));
   list.add({"solid_fraction", "-",
-            "With side: the volume of stones, solid_fraction side^3.",
+            "Volume of the stones over that of the cube or cylinder.",
             "random packings stay below 0.75"},
            s.solid_fraction, Range{0., 0.75, true, true});
   list.add({"gradation", "-",
@@ -36,8 +42,15 @@ void add_specimen(List &list, SpecimenParameters &s)
 void add_preparation(List &list, PreparationParameters &p)
 {
   list.in("Preparation");
-  list.add({"pressure", "Pa", "Isotropic target of the compaction."},
+  list.add({"target", "-",
+            "pressure: at rest at the pressure, as dense as friction makes it; "
+            "porosity: under the pressure friction is lowered until the "
+            "porosity is met, then set back."},
+           p.target, {"pressure", "porosity"});
+  list.add({"pressure", "Pa", "Isotropic, at the end of the compaction."},
            p.pressure, above(0., 1e8));
+  list.add({"porosity", "-", "Of target = porosity, met to 0.005."}, p.porosity,
+           between(0.2, 0.8));
   list.add({"friction", "-", "Stone on stone while compacting; low is dense."},
            p.friction, between(0., 10.));
   list.add({"wall_speed", "m/s", "Largest speed of a servo wall."},
@@ -249,10 +262,16 @@ void add_boundary(List &list, BoundaryParameters &b)
 {
   list.in("Boundary");
   list.add({"lateral", "-",
-            "membrane: deal.II membrane; rigid: four servo-controlled planes."},
+            "membrane: deal.II membrane; rigid: four planes, or the side of a "
+            "cylinder, under servo control."},
            b.lateral, {"membrane", "rigid"});
-  list.add({"elements_per_side", "-", "Membrane quads along each edge."},
-           b.elements_per_side, between(2, 200));
+  list.add(
+      {"elements_per_side", "-", "Of a box: membrane quads along each edge."},
+      b.elements_per_side, between(2, 200));
+  list.add({"elements_around", "-",
+            "Of a cylinder: membrane quads round it; along it they are about "
+            "as long."},
+           b.elements_around, between(6, 1000));
   list.add({"servo_response_time", "s",
             "Of servo planes: a stress error falls to 1/e in it."},
            b.servo_response_time, above(0., 1.));

@@ -36,19 +36,23 @@ double packed_step_cost(const Case &parameters)
                                   parameters.specimen.solid_fraction);
   for (dem::StoneState &stone : engine.particles().state)
     stone.position *= shrink;
-  for (const auto &[lower, upper] : specimen.box)
-    engine.planes()[upper].point *= shrink;
+  for (dem::Plane &plane : engine.planes())
+    plane.point *= shrink;
+  if (dem::Drum side = engine.drum(); side.is_there())
+  {
+    side.centre *= shrink;
+    side.radius *= shrink;
+    engine.set_drum(side);
+  }
   return still_step_cost(engine);
 }
 
 /// Wall-clock of one step of the membrane alone [s].
 double membrane_step_cost(const Case &parameters)
 {
-  const int n = parameters.boundary.elements_per_side;
-  fem::Membrane membrane(
-      parameters.membrane,
-      fem::box_sides(dem::Vec3::Zero(),
-                     dem::Vec3::Constant(parameters.specimen.side), {n, n, n}));
+  fem::Membrane membrane(parameters.membrane,
+                         lateral_mesh(parameters, dem::Vec3::Zero(),
+                                      nominal_size(parameters.specimen)));
   return still_step_cost(membrane);
 }
 

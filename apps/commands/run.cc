@@ -35,6 +35,8 @@ RunOptions parse_options(Words words)
     };
     if (word == "--out")
       options.out = value();
+    else if (word == "--preparations")
+      options.preparations = value();
     else if (word == "--threads")
       options.threads = positive(word, value());
     else if (word == "--until")
@@ -45,8 +47,8 @@ RunOptions parse_options(Words words)
       options.overrides.push_back(parse_override(value()));
     else if (word.starts_with("--"))
       throw InputError("run: " + word +
-                       ": no such option: must be --out, --threads, --resume, "
-                       "--until or --set");
+                       ": no such option: must be --out, --preparations, "
+                       "--threads, --resume, --until or --set");
     else if (options.case_file.empty())
       options.case_file = word;
     else

@@ -12,7 +12,7 @@ namespace spall
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x314c4c4150530a06; // names this layout
+constexpr std::uint64_t magic = state_layout;
 
 using dem::read_column;
 using dem::read_value;

@@ -40,6 +40,12 @@ StepWatch::StepWatch(const TimeParameters &time, double cap_of_step)
   record.longest = time.safety * cap;
 }
 
+void StepWatch::set_cap(double cap_of_step)
+{
+  cap = cap_of_step;
+  record.longest = std::min(record.longest, parameters.safety * cap);
+}
+
 bool StepWatch::is_due(std::int64_t n_steps) const
 {
   const bool is_fixed = parameters.step == StepRule::fixed;

@@ -53,6 +53,8 @@ public:
   void report(const dem::Engine &engine, const Surroundings &around);
   /// The membrane has come or gone: its frequency is asked again.
   void forget_membrane() { record.membrane_step = 0.; }
+  /// From now on another cap, as in the constructor [s].
+  void set_cap(double cap_of_step);
 
   void note_used(double step);
   /// A line for the log.

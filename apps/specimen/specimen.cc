@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 
 namespace spall
@@ -86,6 +87,56 @@ double solid_volume(const dem::Particles &particles)
   return sum;
 }
 
+dem::Vec3 nominal_size(const SpecimenParameters &s)
+{
+  return s.form == SpecimenForm::box
+             ? dem::Vec3::Constant(s.side)
+             : dem::Vec3(s.diameter, s.diameter, s.height);
+}
+
+fem::SurfaceMesh lateral_mesh(const Case &parameters, const dem::Vec3 &lower,
+                              const dem::Vec3 &upper)
+{
+  const BoundaryParameters &b = parameters.boundary;
+  const int n = b.elements_per_side;
+  if (parameters.specimen.form == SpecimenForm::box)
+    return fem::box_sides(lower, upper, {n, n, n});
+  const dem::Vec3 size = upper - lower;
+  const double edge = std::numbers::pi * size.x() / b.elements_around;
+  const int n_along =
+      std::max(2, static_cast<int>(std::lround(size.z() / edge)));
+  fem::SurfaceMesh mesh = fem::cylinder_side(
+      0.5 * size.x() / std::cos(std::numbers::pi / b.elements_around), size.z(),
+      b.elements_around, n_along);
+  const dem::Vec3 foot(0.5 * (lower.x() + upper.x()),
+                       0.5 * (lower.y() + upper.y()), lower.z());
+  for (dem::Vec3 &node : mesh.nodes)
+    node += foot;
+  return mesh;
+}
+
+namespace
+{
+/// Volume of the stones [m^3].
+double nominal_solid_volume(const SpecimenParameters &s)
+{
+  if (s.form == SpecimenForm::box)
+    return s.solid_fraction * s.side * s.side * s.side;
+  return s.solid_fraction * 0.25 * std::numbers::pi * s.diameter * s.diameter *
+         s.height;
+}
+
+/// Of the random cloud, formed like the specimen [m].
+dem::Vec3 cloud_size(const SpecimenParameters &s, double solid_volume)
+{
+  const dem::Vec3 size = nominal_size(s), form = size / size.x();
+  const double section =
+      s.form == SpecimenForm::box ? 1. : 0.25 * std::numbers::pi;
+  return form * std::cbrt(solid_volume / s.initial_solid_fraction /
+                          (section * form.prod()));
+}
+} // namespace
+
 Specimen make_specimen(const Case &parameters)
 {
   const SpecimenParameters &s = parameters.specimen;
@@ -94,27 +145,27 @@ Specimen make_specimen(const Case &parameters)
   Specimen specimen;
   specimen.shapes = load_shapes(parameters, "Specimen", s.shapes, s.order);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
-  const std::vector<dem::Body> stones = dem::draw_stones(
-      {gradation.diameter, gradation.passing},
-      s.solid_fraction * s.side * s.side * s.side, specimen.shapes, random);
+  const std::vector<dem::Body> stones =
+      dem::draw_stones({gradation.diameter, gradation.passing},
+                       nominal_solid_volume(s), specimen.shapes, random);
   if (stones.empty())
-    throw InputError(parameters.file +
-                     ": Specimen/side = " + std::to_string(s.side) +
-                     ": too small for a single stone of the gradation");
+    throw InputError(parameters.file + ": Specimen/solid_fraction = " +
+                     std::to_string(s.solid_fraction) +
+                     ": gives no room for a single stone of the gradation");
   double volume = 0., smallest = stones.front().inscribed_radius;
   for (const dem::Body &stone : stones)
   {
     volume += stone.volume;
     smallest = std::min(smallest, dem::mean_radius(stone));
   }
-  const dem::Vec3 lower = dem::Vec3::Zero(),
-                  upper = dem::Vec3::Constant(
-                      std::cbrt(volume / s.initial_solid_fraction));
+  const dem::Vec3 lower = dem::Vec3::Zero(), upper = cloud_size(s, volume);
+  const bool is_round = s.form == SpecimenForm::cylinder;
   const bool sees_surfaces = parameters.contact.follows_surfaces();
   std::vector<dem::Placement> places;
   try
   {
-    places = dem::insert_stones(stones, {lower, upper, sees_surfaces}, random);
+    places = dem::insert_stones(stones, {lower, upper, sees_surfaces, is_round},
+                                random);
   }
   catch (const std::runtime_error &error)
   {
@@ -126,7 +177,10 @@ Specimen make_specimen(const Case &parameters)
   for (std::size_t i = 0; i < stones.size(); ++i)
     specimen.engine->add_stone(stones[i], places[i].position,
                                places[i].orientation);
-  specimen.box = dem::add_box(*specimen.engine, lower, upper);
+  if (is_round)
+    specimen.walls = dem::add_cylinder(*specimen.engine, lower, upper);
+  else
+    specimen.walls = dem::add_box(*specimen.engine, lower, upper);
   return specimen;
 }
 
@@ -239,13 +293,10 @@ SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
 SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
 {
   std::optional<fem::Membrane> membrane;
-  const int n = parameters.boundary.elements_per_side;
   if (parameters.boundary.lateral == Lateral::membrane)
-    membrane.emplace(
-        parameters.membrane,
-        fem::box_sides(dem::Vec3::Zero(),
-                       dem::Vec3::Constant(parameters.specimen.side),
-                       {n, n, n}));
+    membrane.emplace(parameters.membrane,
+                     lateral_mesh(parameters, dem::Vec3::Zero(),
+                                  nominal_size(parameters.specimen)));
   return choose_step(
       parameters, dem::critical_step(engine.parameters(), engine.particles()),
       engine.particles().smallest_mass(), membrane ? &*membrane : nullptr);

@@ -5,6 +5,7 @@
 #include <coupling/gain.h>
 #include <dem/boundary/box_servo.h>
 #include <dem/engine.h>
+#include <fem/surface_mesh.h>
 
 #include <memory>
 #include <optional>
@@ -32,9 +33,17 @@ dem::Particles unplaced_stones(const Case &parameters,
 struct Specimen
 {
   ShapeLibrary shapes;                 ///< shared shapes, in order of file name
-  std::unique_ptr<dem::Engine> engine; ///< stones and six planes
-  dem::BoxPlanes box;
+  std::unique_ptr<dem::Engine> engine; ///< stones and walls
+  dem::SpecimenWalls walls;
 };
+
+/// Size of the box round the specimen after compaction, about [m].
+dem::Vec3 nominal_size(const SpecimenParameters &specimen);
+
+/// The lateral side of the specimen as a mesh for the membrane, between these
+/// corners. The flat sides of a round one touch the cylinder.
+fem::SurfaceMesh lateral_mesh(const Case &parameters, const dem::Vec3 &lower,
+                              const dem::Vec3 &upper);
 
 /// What the engine needs from the case, with the settings of preparation.
 dem::EngineParameters engine_parameters(const Case &parameters);
@@ -62,7 +71,7 @@ struct SetupStep
 SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
                       double lightest, const fem::Membrane *membrane);
 
-/// Of a triaxial test: its membrane on the cube of the nominal side.
+/// Of a triaxial test: its membrane on a specimen of the nominal size.
 SetupStep choose_step(const Case &parameters, const dem::Engine &engine);
 
 /// Total volume of the stones [m^3].

@@ -95,8 +95,10 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
   if (!is_done(point, run))
   {
     write_text(file, point.resolved);
+    const std::string shared = folder / "preparations";
     std::vector<std::string> words = {
-        "spall", "run", file.string(), "--out", run.string(), "--threads", "1"};
+        "spall",     "run", file.string(),    "--out", run.string(),
+        "--threads", "1",   "--preparations", shared};
     const bool is_same =
         fs::exists(run / "checkpoint" / "state.bin") &&
         body(text_of(run / "case.prm")) == body(point.resolved);

@@ -5,7 +5,6 @@
 #include <dem/measure/region_stress.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -36,6 +35,20 @@ std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
   return dem::corners_through(rim);
 }
 
+/// A polygon with the area of a circle.
+std::vector<Eigen::Vector2d> circle(const Eigen::Vector2d &centre,
+                                    double radius)
+{
+  constexpr int n = 72;
+  const double angle = 2. * std::numbers::pi / n;
+  const double reach = radius * std::sqrt(angle / std::sin(angle));
+  std::vector<Eigen::Vector2d> corners;
+  for (int k = 0; k < n; ++k)
+    corners.push_back(centre + reach * Eigen::Vector2d(std::cos(k * angle),
+                                                       std::sin(k * angle)));
+  return corners;
+}
+
 double mean_diameter(const dem::Particles &stones)
 {
   return std::cbrt(6. / std::numbers::pi * solid_volume(stones) /
@@ -53,15 +66,13 @@ dem::Outline outline_of(const Triaxial &test)
 
 dem::Prism space_of(const Triaxial &test)
 {
-  std::array<dem::Vec3, 2> ends;
-  for (std::size_t end = 0; end < 2; ++end)
-    for (int d = 0; d < 3; ++d)
-      ends[end][d] = test.engine()
-                         .planes()[test.box()[static_cast<std::size_t>(d)][end]]
-                         .point[d];
-  dem::Prism space = dem::prism_of(ends[0], ends[1]);
+  const auto [lower, upper] = dem::box_corners(test.engine(), test.walls());
+  dem::Prism space = dem::prism_of(lower, upper);
   if (test.membrane())
     space.corners = rim_of(*test.membrane());
+  else if (test.walls().is_round)
+    space.corners =
+        circle(0.5 * (lower + upper).head<2>(), 0.5 * (upper.x() - lower.x()));
   return space;
 }
 

@@ -4,9 +4,11 @@
 #include "run/progress.h"
 #include "run/thread_choice.h"
 #include "run/to_end.h"
+#include "triaxial/preparation_store.h"
 #include "triaxial/recorder.h"
 
 #include <cstdio>
+#include <optional>
 
 namespace spall
 {
@@ -56,6 +58,27 @@ void describe_preparation(Progress &progress, const Triaxial &test)
                 p.time, p.stress.x(), p.stress.y(), p.stress.z(),
                 p.unbalanced_ratio, p.porosity);
   progress.say(line);
+}
+
+/// Where there is a store, what is prepared goes there, and a new run begins
+/// with what is there.
+void use_store(const std::optional<PreparationStore> &store, Triaxial &test,
+               Progress &progress, Recorder *new_run)
+{
+  if (!store)
+    return;
+  test.when_prepared([&] { progress.say(store->keep(test)); });
+  std::string said;
+  if (!new_run)
+    return;
+  if (store->take(test, said))
+  {
+    progress.say("preparation taken from " + store->path().string());
+    describe_preparation(progress, test);
+    new_run->after_step(test);
+  }
+  else if (!said.empty())
+    progress.say(said);
 }
 
 void describe_end(Progress &progress, const Recorder &recorder)
@@ -116,6 +139,9 @@ void run_triaxial(const RunOptions &options, const Case &parameters)
   test.stop_after(cycles);
   if (options.is_resumed)
     require_checkpoint(folder / "checkpoint" / "state.bin");
+  std::optional<PreparationStore> store;
+  if (!options.preparations.empty())
+    store.emplace(options.preparations, parameters, test.shapes());
   prepare_run_folder(folder, options.is_resumed);
   Recorder recorder(parameters, folder);
   Progress progress((folder / "log.txt").string());
@@ -124,6 +150,7 @@ void run_triaxial(const RunOptions &options, const Case &parameters)
   else
     recorder.start();
   describe(progress, test);
+  use_store(store, test, progress, options.is_resumed ? nullptr : &recorder);
   run_to_end(test, recorder,
              [&]
              {

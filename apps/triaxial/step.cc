@@ -35,16 +35,21 @@ int Triaxial::steps_in_window() const
       .stone_steps;
 }
 
+/// Of the stones, in a step of the pace.
+int Triaxial::steps_in_pace() const
+{
+  return now == Stage::preparation ? 1 : steps_in_window();
+}
+
 double Triaxial::time_step() const
 {
-  return now == Stage::preparation ? pace.step()
-                                   : pace.step() / steps_in_window();
+  return pace.step() / steps_in_pace();
 }
 
 Surroundings Triaxial::surroundings() const
 {
   return {joined.get(), cell && cell->has_membrane() ? cell : nullptr,
-          setup.window, steps_in_window()};
+          setup.window, steps_in_pace()};
 }
 
 double Triaxial::exchange_gain() const
@@ -55,7 +60,7 @@ double Triaxial::exchange_gain() const
 /// Of the pace: of stones in the preparation, of windows from then on.
 double Triaxial::longest_step() const
 {
-  const int n = now == Stage::preparation ? 1 : steps_in_window();
+  const int n = steps_in_pace();
   if (is_fixed())
     return n * setup.step;
   const double allowed = n * watch.state().longest;
@@ -65,7 +70,7 @@ double Triaxial::longest_step() const
 /// What is due before a step: a look at the contacts, a probe.
 void Triaxial::settle_step()
 {
-  if (watch.is_due(engine().n_steps() / steps_in_window()))
+  if (watch.is_due(engine().n_steps() / steps_in_pace()))
   {
     watch.look(engine(), surroundings(), time_step());
     // The steps of a probe stay as they are: they are to meet.
@@ -160,14 +165,15 @@ void Triaxial::follow_probe()
 void Triaxial::gather(Window &window) const
 {
   const dem::Engine &stones = engine();
-  window.axial +=
-      stones.planes()[specimen.box[2][1]].force.z() + cell->rim_reaction();
+  window.axial += top_plane().force.z() + cell->rim_reaction();
   if (membrane())
     for (const dem::Vec3 &load : stones.surface().load)
       window.lateral += load.norm();
+  else if (specimen.walls.is_round)
+    window.lateral += stones.drum().thrust;
   else
     for (std::size_t d = 0; d < 2; ++d)
-      for (const std::size_t plane : specimen.box[d])
+      for (const std::size_t plane : specimen.walls.planes[d])
         window.lateral += stones.planes()[plane].force.norm();
 }
 

@@ -2,6 +2,7 @@
 
 #include "run/contact_places.h"
 #include "run/cost.h"
+#include "run/digest.h"
 #include "run/ledger_rows.h"
 
 #include <nlohmann/json.hpp>
@@ -119,7 +120,9 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
       {"stress_Pa",
        {prepared.stress.x(), prepared.stress.y(), prepared.stress.z()}},
       {"unbalanced_force_ratio_1", prepared.unbalanced_ratio},
-      {"time_s", prepared.time}};
+      {"time_s", prepared.time},
+      {"hash", hex_text(prepared.hash)},
+      {"is_taken", prepared.is_taken != 0}};
   add_cost(record.seconds, out);
   out["version"] = SPALL_VERSION;
   return out.dump(2) + "\n";

@@ -1,20 +1,24 @@
 #include "triaxial/triaxial.h"
 
-#include "errors.h"
+#include "run/digest.h"
+#include "triaxial/preparation.h"
 
 #include <dem/io/binary.h>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
 namespace spall
 {
 namespace
 {
-/// How often the preparation is asked whether it is at rest [steps].
-constexpr std::int64_t rest_interval = 200;
+dem::ServoParameters servo_parameters(const Case &c)
+{
+  const dem::Vec3 size = nominal_size(c.specimen);
+  return {c.boundary.servo_response_time, c.preparation.wall_speed,
+          size / size.maxCoeff()};
+}
 
 double haversine(double phase)
 {
@@ -24,14 +28,20 @@ double haversine(double phase)
 
 Triaxial::Triaxial(const Case &c)
     : parameters(c), specimen(make_specimen(c)),
-      servo(specimen.box,
-            {c.boundary.servo_response_time, c.preparation.wall_speed}),
-      setup(choose_step(c, *specimen.engine)), watch(c.time, setup.cap),
+      servo(specimen.walls, servo_parameters(c)),
+      setup(choose_step(c, *specimen.engine)),
+      watch(
+          c.time,
+          dem::critical_step(engine().parameters(), engine().particles()).step),
       cycle_ticks(is_fixed() ? std::llround(c.loading.period() /
                                             (setup.step * steps_in_window()))
                              : c.output.samples_per_cycle),
       n_cycles(c.loading.n_cycles())
 {
+  const std::string text = preparation_text(c, specimen.shapes);
+  Digest digest;
+  digest.add(text);
+  preparation.hash = digest.value();
   enter(Stage::preparation);
   engine().set_breaking(false);
   for (int d = 0; d < 3; ++d)
@@ -95,79 +105,13 @@ void Triaxial::enter(Stage next)
   pace.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
 }
 
-void Triaxial::prepare()
-{
-  servo.update(engine(), pace.step());
-  engine().advance(pace.step());
-  pace.count();
-  ++in_stage;
-  if (in_stage % rest_interval == 0 && is_at_rest())
-  {
-    preparation.time = engine().time();
-    preparation.porosity =
-        1. - solid_volume(engine().particles()) /
-                 dem::box_size(engine(), specimen.box).prod();
-    place_boundaries();
-    enter(Stage::consolidation);
-  }
-  else if (engine().time() > parameters.preparation.max_time)
-  {
-    std::ostringstream text;
-    text << "preparation is not at rest after "
-         << parameters.preparation.max_time << " s: stress "
-         << preparation.stress.transpose() << " Pa (target "
-         << parameters.preparation.pressure << "), unbalanced force ratio "
-         << preparation.unbalanced_ratio << " (limit "
-         << parameters.preparation.unbalanced_ratio
-         << "): see Preparation/max_time, friction, local_damping";
-    throw RunFailure(text.str());
-  }
-}
-
-bool Triaxial::is_at_rest()
-{
-  preparation.stress = dem::box_stress(engine(), specimen.box);
-  preparation.unbalanced_ratio =
-      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
-  const PreparationParameters &limits = parameters.preparation;
-  const double worst =
-      (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
-  return worst < limits.stress_tolerance &&
-         preparation.unbalanced_ratio < limits.unbalanced_ratio &&
-         dem::contact_network(engine().particles(), engine().pairs())
-                 .n_contacts > 0;
-}
-
-void Triaxial::place_boundaries()
-{
-  const auto &planes = engine().planes();
-  for (int d = 0; d < 3; ++d)
-  {
-    const auto &[low, high] = specimen.box[static_cast<std::size_t>(d)];
-    lower[d] = planes[low].point[d];
-    upper[d] = planes[high].point[d];
-  }
-  area = (upper - lower).head<2>().prod();
-  servo.release(engine(), 2);
-  // Stones that carry nothing would fly on for ever.
-  engine().come_to_rest();
-  engine().set_friction(parameters.stone.friction);
-  engine().set_local_damping(parameters.time.local_damping);
-  const dem::Plane &top = planes[specimen.box[2][1]];
-  plane_work_gone = top.work;
-  build_cell();
-  cell->set_plate({upper.z(), 0., -parameters.preparation.pressure * area,
-                   top.force.z(), 0.});
-}
-
 void Triaxial::build_cell()
 {
-  const int n = parameters.boundary.elements_per_side;
   std::optional<fem::Membrane> membrane;
   if (parameters.boundary.lateral == Lateral::membrane)
   {
     membrane.emplace(coupling::tube_between_rims(
-        parameters.membrane, fem::box_sides(lower, upper, {n, n, n})));
+        parameters.membrane, lateral_mesh(parameters, lower, upper)));
     watch.forget_membrane();
   }
   const CouplingParameters &c = parameters.coupling;
@@ -177,10 +121,12 @@ void Triaxial::build_cell()
   auto body = std::make_unique<coupling::CellBody>(
       parameters.boundary.plate_mass, upper.z(), std::move(membrane), steps);
   cell = body.get();
+  watch.set_cap(setup.cap);
   joined = std::make_unique<coupling::Exchange>(
       c.exchange_rules(parameters.boundary.lateral));
-  std::unique_ptr<coupling::Seam> seam = coupling::seam_of(
-      *cell, specimen.box[2][1], parameters.membrane_contact, engine());
+  std::unique_ptr<coupling::Seam> seam =
+      coupling::seam_of(*cell, specimen.walls.planes[2][1],
+                        parameters.membrane_contact, engine());
   joined->add(std::move(body), std::move(seam), engine());
 }
 
@@ -219,18 +165,7 @@ void Triaxial::consolidate()
   if (cell->has_membrane())
   {
     pressure = share * to;
-    for (int d = 0; d < 2; ++d)
-    {
-      if (share < 1.)
-        servo.follow(d, (1. - share) * from);
-      else
-        servo.release(engine(), d);
-      if (share == 1.)
-        for (const std::size_t plane :
-             specimen.box[static_cast<std::size_t>(d)])
-          if (engine().planes()[plane].is_active)
-            engine().deactivate_plane(plane);
-    }
+    open_sides(share);
   }
   else
     for (int d = 0; d < 2; ++d)
@@ -242,11 +177,39 @@ void Triaxial::consolidate()
     start_height = cell->plate().height() - lower.z();
     start_volume = volume();
     engine().set_breaking(parameters.breakage.is_active);
+    servo.sum_errors();
     watch.report(engine(), surroundings());
     if (parameters.loading.form == LoadForm::compression)
       hold_plate();
     enter(Stage::loading);
   }
+}
+
+/// The rigid sides give way to the membrane, and are gone in the end.
+void Triaxial::open_sides(double share)
+{
+  for (int d = 0; d < 2; ++d)
+    if (share < 1.)
+      servo.follow(d, (1. - share) * parameters.preparation.pressure);
+    else
+      servo.release(engine(), d);
+  if (share < 1.)
+    return;
+  if (specimen.walls.is_round)
+    return put_side_away();
+  for (std::size_t d = 0; d < 2; ++d)
+    for (const std::size_t plane : specimen.walls.planes[d])
+      if (engine().planes()[plane].is_active)
+        engine().deactivate_plane(plane);
+}
+
+void Triaxial::put_side_away()
+{
+  dem::Drum side = engine().drum();
+  if (side.radius > upper.x() - lower.x())
+    return; // it is
+  side.radius *= 100.;
+  engine().set_drum(side);
 }
 
 /// A plate that is driven starts from rest.
@@ -303,9 +266,14 @@ void Triaxial::step_boundaries()
   ++in_stage;
 }
 
+const dem::Plane &Triaxial::top_plane() const
+{
+  return engine().planes()[specimen.walls.planes[2][1]];
+}
+
 double Triaxial::lateral_stress() const
 {
-  const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.box);
+  const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.walls);
   return 0.5 * (on_planes.x() + on_planes.y()) + (membrane() ? pressure : 0.);
 }
 
@@ -321,7 +289,7 @@ double Triaxial::section() const
 double Triaxial::volume() const
 {
   return membrane() ? membrane()->enclosed_volume()
-                    : dem::box_size(engine(), specimen.box).prod();
+                    : dem::box_volume(engine(), specimen.walls);
 }
 
 Sample Triaxial::sample(double roundness) const
@@ -333,10 +301,9 @@ Sample Triaxial::sample(double roundness) const
   s.time = engine().time();
   s.stage = std::min(2., static_cast<double>(now));
   s.cycle = cycle();
-  s.axial_stress =
-      now == Stage::preparation
-          ? dem::box_stress(engine(), specimen.box).z()
-          : engine().planes()[specimen.box[2][1]].force.z() / section();
+  s.axial_stress = now == Stage::preparation
+                       ? dem::box_stress(engine(), specimen.walls).z()
+                       : top_plane().force.z() / section();
   s.lateral_stress = lateral_stress();
   if (now >= Stage::loading)
   {
@@ -358,7 +325,7 @@ Sample Triaxial::sample(double roundness) const
 void Triaxial::add_energies(Sample &s) const
 {
   const dem::EngineEnergy energy = engine().energy();
-  s.external_work = energy.plane_work + energy.gravity_work;
+  s.external_work = energy.plane_work + energy.drum_work + energy.gravity_work;
   s.kinetic_energy = energy.kinetic;
   s.elastic_energy = energy.elastic;
   s.friction = energy.friction;
@@ -368,7 +335,7 @@ void Triaxial::add_energies(Sample &s) const
   s.shape_work = energy.shape_work;
   if (cell)
   {
-    const double top_work = engine().planes()[specimen.box[2][1]].work;
+    const double top_work = top_plane().work;
     const coupling::BodyEnergy closed = cell->energy();
     s.external_work += closed.external - (top_work - plane_work_gone);
     s.kinetic_energy += closed.kinetic;
@@ -392,6 +359,7 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, watch.state());
   dem::write_value(out, probe);
   dem::write_value(out, preparation);
+  dem::write_value(out, is_dense);
   dem::write_value(out, lower);
   dem::write_value(out, upper);
   for (const double value :
@@ -417,6 +385,7 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, record);
   dem::read_value(in, probe);
   dem::read_value(in, preparation);
+  dem::read_value(in, is_dense);
   dem::read_value(in, lower);
   dem::read_value(in, upper);
   for (double *value :

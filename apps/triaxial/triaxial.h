@@ -9,6 +9,7 @@
 #include <coupling/cell_body.h>
 #include <coupling/exchange.h>
 
+#include <functional>
 #include <iosfwd>
 #include <optional>
 
@@ -16,7 +17,7 @@ namespace spall
 {
 enum class Stage : std::int32_t
 {
-  preparation,   ///< six servo planes compact the cloud
+  preparation,   ///< servo walls compact the cloud
   consolidation, ///< lateral boundary and plate take over
   loading,       ///< haversine on the plate
   done
@@ -55,7 +56,7 @@ public:
 
   const dem::Engine &engine() const { return *specimen.engine; }
   dem::Engine &engine() { return *specimen.engine; }
-  const dem::BoxPlanes &box() const { return specimen.box; }
+  const dem::SpecimenWalls &walls() const { return specimen.walls; }
   /// Null without one, and in the preparation.
   const fem::Membrane *membrane() const
   {
@@ -79,6 +80,8 @@ public:
     double unbalanced_ratio = 0.;         ///< [-]
     double time = 0.;                     ///< it took [s]
     double porosity = 0.;                 ///< then [-]
+    std::uint64_t hash = 0;               ///< of all that decides the specimen
+    std::int64_t is_taken = 0; ///< not made in this run, but taken from a file
   };
   const Prepared &prepared() const { return preparation; }
   /// What the steps were, and what they were chosen by.
@@ -93,6 +96,19 @@ public:
   std::vector<dem::BreakageEvent> take_events();
   double plate_work() const { return cell ? cell->plate().drive_work() : 0.; }
 
+  /// Is called once, when the preparation is at rest and nothing of what
+  /// follows has touched the specimen.
+  void when_prepared(std::function<void()> call)
+  {
+    call_prepared = std::move(call);
+  }
+  /// The specimen at that moment, bit for bit, and back from there into any
+  /// test of the same preparation_text(): the test goes on with the
+  /// consolidation as if it had prepared itself.
+  void save_prepared(std::ostream &out) const;
+  void take_prepared(std::istream &in); ///< throws std::runtime_error
+  const ShapeLibrary &shapes() const { return specimen.shapes; }
+
   void save(std::ostream &out) const; ///< full state, bit for bit
   /// Continues a saved test of the same case; throws std::runtime_error.
   void restore(std::istream &in);
@@ -104,10 +120,17 @@ private:
   void load();
   void enter(Stage next);
   bool is_at_rest();
+  bool is_prepared();
+  void densify();
+  double porosity() const;
+  void finish_preparation();
+  std::string unprepared_text() const;
+  void hand_over();
   void place_boundaries();
   void build_cell();
   coupling::Stones stones();
   int steps_in_window() const;
+  int steps_in_pace() const;
   Surroundings surroundings() const;
   void step_boundaries();
   void hold_plate();
@@ -122,6 +145,9 @@ private:
   void gather(Window &window) const;
   void close_window(Window &window) const;
   void add_energies(Sample &sample) const;
+  const dem::Plane &top_plane() const;
+  void open_sides(double share);
+  void put_side_away();
   double lateral_stress() const;
   double volume() const;
 
@@ -141,6 +167,8 @@ private:
   Stage now = Stage::preparation;
   std::int64_t in_stage = 0;
   Prepared preparation;
+  std::int64_t is_dense = 0; ///< the target porosity has been met
+  std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;
   coupling::CellBody *cell = nullptr; ///< of `joined`
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();

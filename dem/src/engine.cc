@@ -195,7 +195,8 @@ void Engine::move_planes(double time_step)
     plane.impulse += 0.5 * time_step * plane.force;
   }
   barrel.angle += time_step * barrel.spin;
-  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
+  barrel.radius += time_step * barrel.widening;
+  book_drum(time_step);
 }
 
 void Engine::keep_lists(const Speeds &fastest, double time_step)
@@ -207,10 +208,11 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   for (const SurfaceContacts &facets : facet_surfaces)
     for (const Vec3 &velocity : facets.surface.velocity)
       boundary = std::max(boundary, velocity.squaredNorm());
-  // Of a drum the shelf alone comes nearer to a stone.
+  // Of a drum that turns the shelf alone comes nearer to a stone.
   const double rim =
       barrel.shelf_height > 0. ? barrel.spin * barrel.radius : 0.;
-  boundary = std::sqrt(std::max(boundary, rim * rim));
+  boundary = std::sqrt(
+      std::max(boundary, rim * rim + barrel.widening * barrel.widening));
   walls_travelled += boundary * time_step;
   travelled += (fastest.moving + boundary) * time_step;
   margin.left -=

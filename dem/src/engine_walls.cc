@@ -146,7 +146,15 @@ void Engine::load_drum(double time_step)
   if (!barrel.is_there())
     return;
   barrel.torque = drum_torque(barrel, drum_batch, drum_walls);
-  barrel.work -= 0.5 * time_step * barrel.torque * barrel.spin;
+  barrel.thrust = drum_thrust(drum_batch, drum_walls);
+  book_drum(time_step);
 }
 
+/// Half a step with the forces as they are.
+void Engine::book_drum(double time_step)
+{
+  barrel.work -=
+      0.5 * time_step *
+      (barrel.torque * barrel.spin + barrel.thrust * barrel.widening);
+}
 } // namespace dem

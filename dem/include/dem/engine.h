@@ -158,6 +158,7 @@ private:
   double branch_steepness() const;
   void load_planes(double time_step);
   void load_drum(double time_step);
+  void book_drum(double time_step);
   ForceContext context(double time_step);
   /// Calls call(value) for every plain value that a checkpoint keeps.
   template <class Self, class Visit>

@@ -2,6 +2,7 @@
 #include <dem/io/binary.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace dem
 {
@@ -10,6 +11,12 @@ namespace
 double face_area(const Vec3 &size, int axis)
 {
   return size[(axis + 1) % 3] * size[(axis + 2) % 3];
+}
+
+/// Of a cylinder.
+double side_area(const Vec3 &size)
+{
+  return std::numbers::pi * size.x() * size.z();
 }
 } // namespace
 
@@ -23,34 +30,75 @@ BoxPlanes add_box(Engine &engine, const Vec3 &lower, const Vec3 &upper)
   return planes;
 }
 
-Vec3 box_size(const Engine &engine, const BoxPlanes &planes)
+SpecimenWalls add_cylinder(Engine &engine, const Vec3 &lower, const Vec3 &upper)
 {
-  Vec3 size;
-  for (int d = 0; d < 3; ++d)
-  {
-    const auto &[lower, upper] = planes[static_cast<std::size_t>(d)];
-    size[d] = engine.planes()[upper].point[d] - engine.planes()[lower].point[d];
-  }
-  return size;
+  BoxPlanes planes{};
+  planes[2] = {engine.add_plane(lower, Vec3::UnitZ()),
+               engine.add_plane(upper, -Vec3::UnitZ())};
+  const Vec3 size = upper - lower;
+  Drum side;
+  side.centre = 0.5 * (lower + upper);
+  side.axis = Vec3::UnitZ();
+  side.radius = 0.5 * size.x();
+  side.length = 1e3 * size.norm();
+  engine.set_drum(side);
+  return {planes, true};
 }
 
-Vec3 box_stress(const Engine &engine, const BoxPlanes &planes)
+std::pair<Vec3, Vec3> box_corners(const Engine &engine,
+                                  const SpecimenWalls &walls)
 {
-  const Vec3 size = box_size(engine, planes);
-  Vec3 stress;
-  for (int d = 0; d < 3; ++d)
+  const Drum &side = engine.drum();
+  Vec3 lower = side.centre - Vec3::Constant(side.radius),
+       upper = side.centre + Vec3::Constant(side.radius);
+  for (int d = walls.is_round ? 2 : 0; d < 3; ++d)
   {
-    const auto &[lower, upper] = planes[static_cast<std::size_t>(d)];
+    const auto &[low, high] = walls.planes[static_cast<std::size_t>(d)];
+    lower[d] = engine.planes()[low].point[d];
+    upper[d] = engine.planes()[high].point[d];
+  }
+  return {lower, upper};
+}
+
+Vec3 box_size(const Engine &engine, const SpecimenWalls &walls)
+{
+  const auto [lower, upper] = box_corners(engine, walls);
+  return upper - lower;
+}
+
+double box_section(const Engine &engine, const SpecimenWalls &walls)
+{
+  const Vec3 size = box_size(engine, walls);
+  return (walls.is_round ? 0.25 * std::numbers::pi : 1.) * size.x() * size.y();
+}
+
+double box_volume(const Engine &engine, const SpecimenWalls &walls)
+{
+  return box_section(engine, walls) * box_size(engine, walls).z();
+}
+
+Vec3 box_stress(const Engine &engine, const SpecimenWalls &walls)
+{
+  const Vec3 size = box_size(engine, walls);
+  Vec3 stress = Vec3::Zero();
+  if (walls.is_round)
+    stress.x() = stress.y() = engine.drum().thrust / side_area(size);
+  for (int d = walls.is_round ? 2 : 0; d < 3; ++d)
+  {
+    const auto &[lower, upper] = walls.planes[static_cast<std::size_t>(d)];
+    const double area =
+        d == 2 ? box_section(engine, walls) : face_area(size, d);
     stress[d] =
         0.5 *
         (engine.planes()[upper].force[d] - engine.planes()[lower].force[d]) /
-        face_area(size, d);
+        area;
   }
   return stress;
 }
 
-BoxServo::BoxServo(const BoxPlanes &box, const ServoParameters &servo)
-    : planes(box), parameters(servo)
+BoxServo::BoxServo(const SpecimenWalls &of_specimen,
+                   const ServoParameters &servo)
+    : walls(of_specimen), parameters(servo)
 {
 }
 
@@ -63,33 +111,56 @@ void BoxServo::follow(int d, double stress)
 void BoxServo::release(Engine &engine, int d)
 {
   is_on[static_cast<std::size_t>(d)] = false;
-  for (const std::size_t plane : planes[static_cast<std::size_t>(d)])
-    engine.planes()[plane].velocity = Vec3::Zero();
+  set_speed(engine, d, 0.);
+}
+
+void BoxServo::set_speed(Engine &engine, int d, double inward) const
+{
+  if (walls.is_round && d < 2)
+  {
+    if (d == 0)
+      engine.drum().widening = -inward;
+    return;
+  }
+  const auto &[lower, upper] = walls.planes[static_cast<std::size_t>(d)];
+  engine.planes()[lower].velocity = inward * Vec3::Unit(d);
+  engine.planes()[upper].velocity = -inward * Vec3::Unit(d);
+}
+
+BoxServo::Pair BoxServo::pair(const Engine &engine, int d) const
+{
+  const Vec3 size = box_size(engine, walls);
+  // With equal strains along x and y a contact gives at most twice the sum.
+  if (walls.is_round && d < 2)
+    return {side_area(size), 0.5 * size.x(), 1.,
+            2. * (stiffness.x() + stiffness.y())};
+  return {d == 2 ? box_section(engine, walls) : face_area(size, d), size[d], 2.,
+          stiffness[d]};
 }
 
 void BoxServo::update(Engine &engine, double time_step)
 {
   if (engine.n_steps() % 20 == 0)
     stiffness = affine_stiffness(engine.particles(), engine.pairs());
-  const Vec3 size = box_size(engine, planes);
   const double share = std::min(1., 5. * time_step / parameters.response_time);
-  average += share * (box_stress(engine, planes) - average);
+  average += share * (box_stress(engine, walls) - average);
   for (int d = 0; d < 3; ++d)
   {
     if (!is_on[static_cast<std::size_t>(d)])
       continue;
-    const double area = face_area(size, d);
+    const Pair moved = pair(engine, d);
     const double per_length =
-        std::max(stiffness[d] / (size[d] * size[d]),
-                 50. * std::abs(target[d]) * area / size[d]);
+        std::max(moved.stiffness / (moved.length * moved.length),
+                 50. * std::abs(target[d]) * moved.area / moved.length);
+    const double error = target[d] - average[d];
     const double wanted =
-        0.5 * (target[d] - average[d]) * area /
+        (error + summed[d]) * moved.area / moved.n_moving /
         std::max(per_length * parameters.response_time, 1e-12);
-    const double speed =
-        std::clamp(wanted, -parameters.max_speed, parameters.max_speed);
-    const auto &[lower, upper] = planes[static_cast<std::size_t>(d)];
-    engine.planes()[lower].velocity = speed * Vec3::Unit(d);
-    engine.planes()[upper].velocity = -speed * Vec3::Unit(d);
+    const double fastest = parameters.speed_share[d] * parameters.max_speed;
+    // A wall that is as fast as it may be would only sum up its delay.
+    if (sums_errors && std::abs(wanted) < fastest)
+      summed[d] += 0.5 * time_step / parameters.response_time * error;
+    set_speed(engine, d, std::clamp(wanted, -fastest, fastest));
   }
 }
 
@@ -99,6 +170,8 @@ void BoxServo::save(std::ostream &out) const
   write_value(out, target);
   write_value(out, average);
   write_value(out, stiffness);
+  write_value(out, sums_errors);
+  write_value(out, summed);
 }
 
 void BoxServo::restore(std::istream &in)
@@ -107,5 +180,7 @@ void BoxServo::restore(std::istream &in)
   read_value(in, target);
   read_value(in, average);
   read_value(in, stiffness);
+  read_value(in, sums_errors);
+  read_value(in, summed);
 }
 } // namespace dem

@@ -67,6 +67,18 @@ Vec3 shelf_direction(const Drum &drum)
   return std::cos(drum.angle) * up + std::sin(drum.angle) * drum.axis.cross(up);
 }
 
+Vec3 Drum::velocity_at(DrumPart part, const Vec3 &point) const
+{
+  const Vec3 arm = point - centre;
+  const Vec3 turning = spin * axis.cross(arm);
+  if (widening == 0. || part != DrumPart::cylinder)
+    return turning;
+  const Vec3 across = arm - arm.dot(axis) * axis;
+  const double distance = across.norm();
+  return distance > 0. ? Vec3(turning + (widening / distance) * across)
+                       : turning;
+}
+
 DrumPoint nearest_on_drum(const Drum &drum, DrumPart part, const Vec3 &x)
 {
   DEM_ASSERT(drum.is_there());

@@ -9,10 +9,10 @@ void find_drum(const Particles &particles, const Drum &drum,
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const auto i = static_cast<std::size_t>(batch.a[k]);
-    const DrumPoint at =
-        nearest_on_drum(drum, drum_part(batch, k), particles.position(i));
+    const DrumPart part = drum_part(batch, k);
+    const DrumPoint at = nearest_on_drum(drum, part, particles.position(i));
     WallRow &row = rows[static_cast<std::size_t>(batch.b[k])];
-    WallRow now{at.point,     at.normal, drum.velocity_at(at.point),
+    WallRow now{at.point,     at.normal, drum.velocity_at(part, at.point),
                 Vec3::Zero(), at.normal, 0.};
     now.velocity_before = now.velocity;
     if (batch.is_touching(k))
@@ -34,5 +34,15 @@ double drum_torque(const Drum &drum, const ContactBatch &batch,
     torque -= (point - drum.centre).cross(batch.load[k].force).dot(drum.axis);
   }
   return torque;
+}
+
+double drum_thrust(const ContactBatch &batch, const std::vector<WallRow> &rows)
+{
+  double thrust = 0.;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (drum_part(batch, k) == DrumPart::cylinder)
+      thrust -= batch.load[k].force.dot(
+          rows[static_cast<std::size_t>(batch.b[k])].normal);
+  return thrust;
 }
 } // namespace dem

@@ -140,7 +140,8 @@ void place_one(const ForceContext &context, const PlacedDrum &walls,
   WallRow now;
   now.point = place.point;
   now.normal = now.normal_before = place.normal;
-  now.velocity = now.velocity_before = walls.drum.velocity_at(place.point);
+  now.velocity = now.velocity_before =
+      walls.drum.velocity_at(part, place.point);
   if (batch.is_touching(k))
   {
     now.velocity_before = row.velocity;

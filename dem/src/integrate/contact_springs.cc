@@ -236,20 +236,20 @@ void add_drum(const Engine &engine, double horizon, SpringNetwork &network)
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const auto i = static_cast<std::size_t>(batch.a[k]);
-    DrumPoint at =
-        nearest_on_drum(engine.drum(), drum_part(batch, k), stones.position(i));
+    const DrumPart part = drum_part(batch, k);
+    DrumPoint at = nearest_on_drum(engine.drum(), part, stones.position(i));
     const Vec3 lever = wall_lever(engine, batch, k, at.normal);
     double reach = lever.dot(at.normal);
     if (batch.layout.has_spots)
     {
-      at = nearest_on_drum(engine.drum(), drum_part(batch, k),
-                           stones.position(i) + lever);
+      at = nearest_on_drum(engine.drum(), part, stones.position(i) + lever);
       reach = 0.;
     }
     const double overlap =
         reach - at.distance +
         horizon *
-            (engine.drum().velocity_at(at.point) - stones.velocity(i)).norm();
+            (engine.drum().velocity_at(part, at.point) - stones.velocity(i))
+                .norm();
     if (overlap <= 0.)
       continue;
     Contact c = wall_contact(parameters.wall, lever, at.normal);

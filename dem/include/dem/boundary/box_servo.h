@@ -3,6 +3,7 @@
 #include <dem/engine.h>
 
 #include <array>
+#include <utility>
 
 namespace dem
 {
@@ -12,17 +13,48 @@ using BoxPlanes = std::array<std::array<std::size_t, 2>, 3>;
 /// Adds six planes round the box, facing inward.
 BoxPlanes add_box(Engine &engine, const Vec3 &lower, const Vec3 &upper);
 
-/// Distance of the two planes of each axis [m].
-Vec3 box_size(const Engine &engine, const BoxPlanes &planes);
+/// Rigid walls all round a specimen: the planes of a box, or those of the last
+/// axis and the drum of the engine, an upright cylinder without ends in reach.
+struct SpecimenWalls
+{
+  SpecimenWalls(const BoxPlanes &of_box = {}, bool is_a_cylinder = false)
+      : planes(of_box), is_round(is_a_cylinder)
+  {
+  }
+
+  BoxPlanes planes; ///< of a cylinder the last pair alone
+  bool is_round = false;
+};
+
+/// Two planes and the cylinder between them, its axis in the middle of x and y.
+SpecimenWalls add_cylinder(Engine &engine, const Vec3 &lower,
+                           const Vec3 &upper);
+
+/// Distance of the two planes of each axis; of a cylinder diameter, diameter
+/// and height [m].
+Vec3 box_size(const Engine &engine, const SpecimenWalls &walls);
+
+/// The corners of the box of that size, lower and upper [m].
+std::pair<Vec3, Vec3> box_corners(const Engine &engine,
+                                  const SpecimenWalls &walls);
+
+/// Volume between the walls [m^3].
+double box_volume(const Engine &engine, const SpecimenWalls &walls);
+
+/// Section across z [m^2].
+double box_section(const Engine &engine, const SpecimenWalls &walls);
 
 /// Mean compressive stress on the two planes of each axis, over the present
-/// faces of the box [Pa].
-Vec3 box_stress(const Engine &engine, const BoxPlanes &planes);
+/// faces; on a cylinder, over its side, for x and y [Pa].
+Vec3 box_stress(const Engine &engine, const SpecimenWalls &walls);
 
 struct ServoParameters
 {
   double response_time = 5e-4; ///< in which an error is to fall to 1/e [s]
-  double max_speed = 0.5;      ///< of one plane [m/s]
+  double max_speed = 0.5;      ///< of one plane or the side, the fastest [m/s]
+  /// Share of `max_speed` that the planes of each axis may take: slender
+  /// specimens keep their form while they are loose [-].
+  Vec3 speed_share = Vec3::Ones();
 };
 
 /// Moves the planes of chosen axes so that their stress follows a target:
@@ -31,16 +63,19 @@ struct ServoParameters
 /// present contacts, an upper bound, so the servo does not overshoot (at least
 /// 50 times the target per strain, so that a loose packing is not rammed). The
 /// stress is averaged over a fifth of the response time: without it the stiff
-/// contacts at the wall would make the loop jump.
+/// contacts at the wall would make the loop jump. A cylinder goes with axis 0.
 class BoxServo
 {
 public:
-  BoxServo(const BoxPlanes &planes, const ServoParameters &parameters);
+  BoxServo(const SpecimenWalls &walls, const ServoParameters &parameters);
 
   /// Axis d follows this compressive stress [Pa].
   void follow(int d, double stress);
   /// Axis d is left alone from now on; its planes stop.
   void release(Engine &engine, int d);
+  /// From now on errors are summed, too, over twice the response time: what
+  /// moves the stress away for longer, a load that rises, is found out and met.
+  void sum_errors() { sums_errors = true; }
   /// Sets the speeds of the planes for the next step; the stiffness is taken
   /// anew every 20 steps.
   void update(Engine &engine, double time_step);
@@ -49,11 +84,24 @@ public:
   void restore(std::istream &in);     ///< throws std::runtime_error
 
 private:
-  BoxPlanes planes;
+  /// A pair of walls that moves as one.
+  struct Pair
+  {
+    double area = 0.;   ///< that the stress acts on [m^2]
+    double length = 0.; ///< that the speed shortens [m]
+    double n_moving = 2.;
+    double stiffness = 0.; ///< affine, for the strain of `length` [N m]
+  };
+  Pair pair(const Engine &engine, int d) const;
+  void set_speed(Engine &engine, int d, double inward) const;
+
+  SpecimenWalls walls;
   ServoParameters parameters;
   std::array<bool, 3> is_on = {false, false, false};
   Vec3 target = Vec3::Zero();    ///< [Pa]
   Vec3 average = Vec3::Zero();   ///< stress, running [Pa]
   Vec3 stiffness = Vec3::Zero(); ///< affine_stiffness, last taken [N m]
+  bool sums_errors = false;
+  Vec3 summed = Vec3::Zero(); ///< errors over the integral time [Pa]
 };
 } // namespace dem

@@ -6,31 +6,6 @@
 
 namespace dem
 {
-/// A drum that turns about its axis, with stones inside: a cylinder, two end
-/// plates, and a shelf along the whole length that stands into it. The shelf
-/// points up at angle zero, along x if the axis is vertical. Radius zero: there
-/// is no drum.
-struct Drum
-{
-  Vec3 centre = Vec3::Zero();  ///< middle of the axis [m]
-  Vec3 axis = Vec3::UnitY();   ///< unit [-]
-  double radius = 0.;          ///< inner [m]
-  double length = 0.;          ///< inner [m]
-  double shelf_height = 0.;    ///< from the cylinder inwards; 0: none [m]
-  double shelf_thickness = 0.; ///< [m]
-  double spin = 0.;            ///< about the axis [rad/s]
-  double angle = 0.;           ///< turned so far, out [rad]
-  double torque = 0.;          ///< of the stones about the axis, out [N m]
-  double work = 0.;            ///< done by the drum on the stones, out [J]
-
-  bool is_there() const { return radius > 0.; }
-  /// Of the drum at a point [m/s].
-  Vec3 velocity_at(const Vec3 &point) const
-  {
-    return spin * axis.cross(point - centre);
-  }
-};
-
 /// Smooth parts of a drum; a stone may touch each of them once.
 enum class DrumPart : std::int32_t
 {
@@ -40,6 +15,30 @@ enum class DrumPart : std::int32_t
   shelf
 };
 inline constexpr std::int32_t n_drum_parts = 4;
+
+/// A drum that turns about its axis, with stones inside: a cylinder, two end
+/// plates, and a shelf along the whole length that stands into it. The shelf
+/// points up at angle zero, along x if the axis is vertical. The cylinder may
+/// widen if it has no shelf. Radius zero: there is no drum.
+struct Drum
+{
+  Vec3 centre = Vec3::Zero();  ///< middle of the axis [m]
+  Vec3 axis = Vec3::UnitY();   ///< unit [-]
+  double radius = 0.;          ///< inner [m]
+  double length = 0.;          ///< inner [m]
+  double shelf_height = 0.;    ///< from the cylinder inwards; 0: none [m]
+  double shelf_thickness = 0.; ///< [m]
+  double spin = 0.;            ///< about the axis [rad/s]
+  double widening = 0.;        ///< of the radius [m/s]
+  double angle = 0.;           ///< turned so far, out [rad]
+  double torque = 0.;          ///< of the stones about the axis, out [N m]
+  double thrust = 0.;          ///< of the stones, outward on the side, out [N]
+  double work = 0.;            ///< done by the drum on the stones, out [J]
+
+  bool is_there() const { return radius > 0.; }
+  /// Of a part of the drum at a point [m/s].
+  Vec3 velocity_at(DrumPart part, const Vec3 &point) const;
+};
 
 /// Towards the root of the shelf as it stands, across the axis.
 Vec3 shelf_direction(const Drum &drum);

@@ -27,4 +27,8 @@ void find_drum(const Particles &particles, const Drum &drum,
 /// Moment of the contacts on the drum about its axis [N m].
 double drum_torque(const Drum &drum, const ContactBatch &batch,
                    const std::vector<WallRow> &rows);
+
+/// Sum of the forces of the contacts on the cylinder, each along its outward
+/// normal there [N].
+double drum_thrust(const ContactBatch &batch, const std::vector<WallRow> &rows);
 } // namespace dem

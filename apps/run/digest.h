@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace spall
+{
+/// Digest of bytes in the order they come (FNV-1a, 64 bits). It tells
+/// files and settings apart; it is no protection against intent.
+class Digest
+{
+public:
+  void add(std::string_view bytes)
+  {
+    for (const char c : bytes)
+    {
+      state ^= static_cast<unsigned char>(c);
+      state *= 1099511628211u;
+    }
+  }
+  void add(std::span<const double> numbers)
+  {
+    add({reinterpret_cast<const char *>(numbers.data()), numbers.size_bytes()});
+  }
+
+  std::uint64_t value() const { return state; }
+
+private:
+  std::uint64_t state = 14695981039346656037u;
+};
+
+/// Sixteen hexadecimal digits.
+inline std::string hex_text(std::uint64_t value)
+{
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4)
+    text += "0123456789abcdef"[(value >> shift) & 15u];
+  return text;
+}
+} // namespace spall

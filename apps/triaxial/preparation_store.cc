@@ -1,0 +1,113 @@
+#include "triaxial/preparation_store.h"
+
+#include "errors.h"
+#include "run/checkpoint.h"
+#include "run/digest.h"
+#include "triaxial/preparation.h"
+
+#include <dem/io/binary.h>
+
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace spall
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::uint64_t digest_of(const std::string &bytes)
+{
+  Digest digest;
+  digest.add(bytes);
+  return digest.value();
+}
+
+void write_string(std::ostream &out, const std::string &text)
+{
+  dem::write_value(out, static_cast<std::uint64_t>(text.size()));
+  out << text;
+}
+
+std::string read_string(std::istream &in, std::uint64_t at_most)
+{
+  std::uint64_t size = 0;
+  dem::read_value(in, size);
+  if (size > at_most)
+    throw std::runtime_error("is damaged");
+  std::string text(size, '\0');
+  if (!in.read(text.data(), static_cast<std::streamsize>(size)))
+    throw std::runtime_error("ends too early");
+  return text;
+}
+} // namespace
+
+PreparationStore::PreparationStore(fs::path folder, const Case &parameters,
+                                   const ShapeLibrary &shapes)
+    : text(preparation_text(parameters, shapes)),
+      file(folder / (hex_text(digest_of(text)) + ".bin"))
+{
+  std::error_code status;
+  fs::create_directories(folder, status);
+  if (!fs::is_directory(folder))
+    throw InputError("--preparations " + folder.string() +
+                     ": cannot be made: must be a folder that may be written");
+}
+
+std::string PreparationStore::checked_state() const
+{
+  std::ifstream in(file, std::ios::binary);
+  const std::uint64_t size = fs::file_size(file);
+  std::uint64_t mark = 0;
+  dem::read_value(in, mark);
+  if (mark != state_layout)
+    throw std::runtime_error("is no preparation of this version");
+  if (read_string(in, size) != text)
+    throw std::runtime_error("is of another preparation");
+  std::string state = read_string(in, size);
+  dem::read_value(in, mark);
+  if (mark != digest_of(state))
+    throw std::runtime_error("is damaged");
+  return state;
+}
+
+bool PreparationStore::take(Triaxial &test, std::string &said) const
+{
+  if (!fs::exists(file))
+    return false;
+  try
+  {
+    std::istringstream state(checked_state());
+    test.take_prepared(state);
+    return true;
+  }
+  catch (const std::runtime_error &fault)
+  {
+    said = file.string() + ": " + fault.what() + ": is made again";
+    return false;
+  }
+}
+
+std::string PreparationStore::keep(const Triaxial &test) const
+{
+  std::ostringstream state;
+  test.save_prepared(state);
+  const std::string bytes = state.str();
+  // Another program may write the same file now.
+  const fs::path draft = file.string() + "." + std::to_string(::getpid());
+  std::ofstream out(draft, std::ios::binary);
+  dem::write_value(out, state_layout);
+  write_string(out, text);
+  write_string(out, bytes);
+  dem::write_value(out, digest_of(bytes));
+  out.close();
+  std::error_code status;
+  if (out)
+    fs::rename(draft, file, status);
+  if (out && !status)
+    return "preparation kept as " + file.string();
+  fs::remove(draft, status);
+  return file.string() + ": the preparation cannot be kept (disk full?)";
+}
+} // namespace spall

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "triaxial/triaxial.h"
+
+#include <filesystem>
+#include <string>
+
+namespace spall
+{
+/// Finished preparations in a folder, one file each, by the hash of what
+/// decides them. Several programs may use one folder at a time: a file is there
+/// whole or not at all, and two that prepare the same write the same.
+class PreparationStore
+{
+public:
+  /// Of the preparation that this case asks for. Makes the folder; throws
+  /// InputError if it cannot.
+  PreparationStore(std::filesystem::path folder, const Case &parameters,
+                   const ShapeLibrary &shapes);
+
+  /// Puts the test where its preparation ended. False if there is no such
+  /// file, or none that is sound: `said` has a line for the log then.
+  bool take(Triaxial &test, std::string &said) const;
+
+  /// Writes the file. Returns a line for the log: a file that cannot be
+  /// written is no reason to stop a run.
+  std::string keep(const Triaxial &test) const;
+
+  const std::filesystem::path &path() const { return file; }
+
+private:
+  /// The state in the file; throws std::runtime_error.
+  std::string checked_state() const;
+
+  std::string text; ///< of the preparation
+  std::filesystem::path file;
+};
+} // namespace spall

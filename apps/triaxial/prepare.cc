@@ -1,0 +1,162 @@
+#include "case/parameter.h"
+#include "errors.h"
+#include "triaxial/triaxial.h"
+
+#include <dem/io/binary.h>
+
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+namespace spall
+{
+namespace
+{
+/// How often the preparation is asked whether it is at rest [steps].
+constexpr std::int64_t rest_interval = 200;
+
+/// To the target porosity friction goes down by this factor at a time, while
+/// the unbalanced force ratio is below so many times its limit.
+constexpr double lowering = 0.97, unrest = 10.;
+constexpr double least_friction = 1e-3, porosity_tolerance = 0.005; // [-]
+} // namespace
+
+void Triaxial::prepare()
+{
+  servo.update(engine(), pace.step());
+  engine().advance(pace.step());
+  pace.count();
+  ++in_stage;
+  if (in_stage % rest_interval == 0 && is_prepared())
+    finish_preparation();
+  else if (engine().time() > parameters.preparation.max_time)
+    throw RunFailure(unprepared_text());
+}
+
+bool Triaxial::is_prepared()
+{
+  const bool is_resting = is_at_rest();
+  if (parameters.preparation.target == PreparationTarget::pressure ||
+      is_dense != 0)
+    return is_resting;
+  densify();
+  return false;
+}
+
+/// Stones slip into a denser packing as their friction goes down; where the
+/// porosity is met, the friction comes back and holds it.
+void Triaxial::densify()
+{
+  const PreparationParameters &target = parameters.preparation;
+  if (porosity() <= target.porosity)
+  {
+    is_dense = 1;
+    return engine().set_friction(target.friction);
+  }
+  const double friction = engine().parameters().stone.friction;
+  if (friction < least_friction)
+    throw RunFailure("preparation: porosity " + number_text(porosity()) +
+                     " without friction, Preparation/porosity = " +
+                     number_text(target.porosity) +
+                     " cannot be met: must be higher, or the pressure");
+  const double worst =
+      (preparation.stress.array() / target.pressure - 1.).abs().maxCoeff();
+  if (worst < target.stress_tolerance &&
+      preparation.unbalanced_ratio < unrest * target.unbalanced_ratio)
+    engine().set_friction(lowering * friction);
+}
+
+/// Now [-].
+double Triaxial::porosity() const
+{
+  return 1. - solid_volume(engine().particles()) /
+                  dem::box_volume(engine(), specimen.walls);
+}
+
+void Triaxial::finish_preparation()
+{
+  preparation.time = engine().time();
+  preparation.porosity = porosity();
+  const PreparationParameters &target = parameters.preparation;
+  if (target.target == PreparationTarget::porosity &&
+      std::abs(preparation.porosity - target.porosity) > porosity_tolerance)
+    throw RunFailure(
+        "preparation: porosity " + number_text(preparation.porosity) +
+        ", Preparation/porosity = " + number_text(target.porosity) +
+        " is not met with Preparation/friction = " +
+        number_text(target.friction) + ": must be higher");
+  if (call_prepared)
+    call_prepared();
+  hand_over();
+}
+
+std::string Triaxial::unprepared_text() const
+{
+  std::ostringstream text;
+  text << "preparation is not at rest after " << parameters.preparation.max_time
+       << " s: stress " << preparation.stress.transpose() << " Pa (target "
+       << parameters.preparation.pressure << "), unbalanced force ratio "
+       << preparation.unbalanced_ratio << " (limit "
+       << parameters.preparation.unbalanced_ratio
+       << "): see Preparation/max_time, friction, local_damping";
+  return text.str();
+}
+
+bool Triaxial::is_at_rest()
+{
+  preparation.stress = dem::box_stress(engine(), specimen.walls);
+  preparation.unbalanced_ratio =
+      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
+  const PreparationParameters &limits = parameters.preparation;
+  const double worst =
+      (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
+  return worst < limits.stress_tolerance &&
+         preparation.unbalanced_ratio < limits.unbalanced_ratio &&
+         dem::contact_network(engine().particles(), engine().pairs())
+                 .n_contacts > 0;
+}
+
+void Triaxial::save_prepared(std::ostream &out) const
+{
+  dem::write_value(out, watch.state());
+  dem::write_value(out, preparation);
+  engine().save(out, specimen.shapes);
+  servo.save(out);
+}
+
+void Triaxial::take_prepared(std::istream &in)
+{
+  StepRecord record;
+  dem::read_value(in, record);
+  watch.set_state(record);
+  dem::read_value(in, preparation);
+  preparation.is_taken = 1;
+  engine().restore(in, specimen.shapes);
+  servo.restore(in);
+  hand_over();
+}
+
+/// From the walls to what closes the specimen from now on.
+void Triaxial::hand_over()
+{
+  place_boundaries();
+  enter(Stage::consolidation);
+}
+
+void Triaxial::place_boundaries()
+{
+  std::tie(lower, upper) = dem::box_corners(engine(), specimen.walls);
+  area = dem::box_section(engine(), specimen.walls);
+  servo.release(engine(), 2);
+  // Stones that carry nothing would fly on for ever.
+  engine().come_to_rest();
+  engine().set_friction(parameters.stone.friction);
+  engine().set_local_damping(parameters.time.local_damping);
+  plane_work_gone = top_plane().work;
+  build_cell();
+  if (specimen.walls.is_round && membrane())
+    area = volume() / (upper.z() - lower.z()); // many flat sides
+  cell->set_plate({upper.z(), 0., -parameters.preparation.pressure * area,
+                   top_plane().force.z(), 0.});
+}
+} // namespace spall

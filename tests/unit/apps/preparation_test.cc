@@ -1,0 +1,210 @@
+#include "case/fields.h"
+#include "triaxial/preparation.h"
+#include "triaxial/triaxial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace
+{
+using namespace spall;
+namespace fs = std::filesystem;
+
+std::string name_of(const Parameter &parameter)
+{
+  return parameter.section + "/" + parameter.key;
+}
+
+bool lists(std::span<const CaseKey> keys, const std::string &name)
+{
+  return std::ranges::any_of(
+      keys, [&name](const CaseKey &k)
+      { return std::string(k.section) + "/" + k.key == name; });
+}
+
+/// Another value that is allowed too.
+void change(const Parameter &parameter)
+{
+  if (auto *const *number = std::get_if<double *>(&parameter.value))
+    **number = **number == 0. ? 0.01 : 0.99 * **number;
+  else if (auto *const *count = std::get_if<int *>(&parameter.value))
+    ++**count;
+  else if (auto *const *flag = std::get_if<bool *>(&parameter.value))
+    **flag = !**flag;
+  else if (auto *const *text = std::get_if<std::string *>(&parameter.value))
+    **text += "x";
+  else if (const Choice *choice = std::get_if<Choice>(&parameter.value))
+    choice->set((choice->get() + 1) % choice->names.size());
+}
+
+/// Some twenty stones that are soon together.
+class Preparation : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    folder = fs::path(testing::TempDir()) /
+             testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::create_directories(folder);
+    std::ofstream(folder / "g.csv")
+        << "diameter_m,passing_1\n0.010,0\n0.012,1\n";
+    base.file = (folder / "case.prm").string();
+    base.specimen.side = 0.025;
+    base.specimen.gradation = "g.csv";
+    base.specimen.shapes = SPALL_SHAPES_DIR "/limestone_blocky";
+    base.specimen.initial_solid_fraction = 0.25;
+    base.preparation.wall_speed = 2.;
+    base.coupling.exchange = ExchangeChoice::every_step;
+    base.time.step = StepRule::stable;
+    base.wall.normal_stiffness = base.wall.shear_stiffness = 1e6;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string text_of(const Case &parameters) const
+  {
+    return preparation_text(
+        parameters,
+        load_shapes(parameters, "Specimen", parameters.specimen.shapes));
+  }
+
+  fs::path folder;
+  Case base;
+};
+
+/// Position and velocity of every stone after these steps, the energies
+/// besides.
+std::vector<double> after(const Case &parameters, int n_steps)
+{
+  Triaxial test(parameters);
+  for (int k = 0; k < n_steps; ++k)
+    test.advance();
+  EXPECT_EQ(test.stage(), Stage::preparation);
+  const dem::EngineEnergy energy = test.engine().energy();
+  std::vector<double> all = {energy.friction, energy.rolling, energy.damping,
+                             energy.elastic, energy.breakage};
+  const dem::Particles &stones = test.engine().particles();
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    for (int d = 0; d < 3; ++d)
+      for (const double value : {stones.position(i)[d], stones.velocity(i)[d]})
+        all.push_back(value);
+  return all;
+}
+} // namespace
+
+// A new key must be put into one of the lists, by whoever adds it.
+TEST_F(Preparation, KnowsEveryKeyOfTheTest)
+{
+  std::size_t n = 0;
+  for (const Section &section : sections())
+    if (section.is_of(CaseKind::dynamic_triaxial))
+      for (const Parameter &parameter : parameters_of(base))
+        if (parameter.section == section.name)
+        {
+          ++n;
+          const std::string name = name_of(parameter);
+          EXPECT_NE(lists(keys_of_preparation(), name),
+                    lists(keys_after_preparation(), name))
+              << name << " must be in one of the lists of preparation.cc";
+        }
+  EXPECT_EQ(keys_of_preparation().size() + keys_after_preparation().size(), n);
+}
+
+TEST_F(Preparation, TextFollowsTheKeysThatDecideAndNoOthers)
+{
+  base.breakage.inscribed = dem::InscribedSphereAt::free; // needs the rings
+  const std::string before = text_of(base);
+  for (std::size_t k = 0; k < parameters_of(base).size(); ++k)
+  {
+    Case other = base;
+    const Parameter parameter = parameters_of(other)[k];
+    const std::string name = name_of(parameter);
+    if (name == "Specimen/gradation" || name == "Specimen/shapes")
+      continue; // by their contents, see below
+    change(parameter);
+    // A step that is not fixed has no use for it.
+    EXPECT_EQ(text_of(other) != before,
+              lists(keys_of_preparation(), name) && name != "Time/fixed_step")
+        << name;
+  }
+}
+
+TEST_F(Preparation, TextFollowsTheContentsOfFilesNotTheirNames)
+{
+  const std::string before = text_of(base);
+  fs::copy(folder / "g.csv", folder / "same.csv");
+  Case other = base;
+  other.specimen.gradation = "same.csv";
+  EXPECT_EQ(text_of(other), before);
+  std::ofstream(folder / "g.csv") << "diameter_m,passing_1\n0.01,0\n0.0121,1\n";
+  EXPECT_NE(text_of(base), before);
+  other.specimen.shapes = SPALL_SHAPES_DIR "/rounded_cube";
+  EXPECT_NE(text_of(other), before);
+}
+
+// Contacts from early on: the stones meet after some hundred steps.
+TEST_F(Preparation, KeysOfLaterLeaveTheSpecimenAsItIs)
+{
+  constexpr int n_steps = 1500;
+  const std::vector<double> before = after(base, n_steps);
+  EXPECT_GT(before[2], 0.); // dashpots have worked
+  Case others = base;
+  for (const Parameter &parameter : parameters_of(others))
+    if (lists(keys_after_preparation(), name_of(parameter)) &&
+        name_of(parameter) != "Case/kind" &&
+        name_of(parameter) != "Boundary/lateral")
+      change(parameter);
+  others.membrane.poisson_ratio = 0.5; // of its other law
+  EXPECT_EQ(after(others, n_steps), before);
+  Case rigid = base;
+  rigid.boundary.lateral = Lateral::rigid;
+  EXPECT_EQ(after(rigid, n_steps), before);
+  Case heavier = base;
+  heavier.stone.density *= 1.001;
+  EXPECT_NE(after(heavier, n_steps), before);
+}
+
+// What is taken up goes on as what prepared itself.
+TEST_F(Preparation, IsTakenUpBitForBit)
+{
+  base.boundary.lateral = Lateral::rigid;
+  base.preparation.stress_tolerance = 0.3;
+  base.preparation.unbalanced_ratio = 0.1;
+  Triaxial first(base);
+  std::ostringstream kept;
+  int n_calls = 0;
+  first.when_prepared(
+      [&]
+      {
+        ++n_calls;
+        first.save_prepared(kept);
+      });
+  while (first.stage() == Stage::preparation)
+    first.advance();
+  EXPECT_EQ(n_calls, 1);
+  Case other = base;
+  other.stone.friction = 0.3;
+  for (const Case &parameters : {base, other})
+  {
+    Triaxial second(parameters);
+    std::istringstream in(kept.str());
+    second.take_prepared(in);
+    EXPECT_EQ(second.stage(), Stage::consolidation);
+    EXPECT_EQ(second.prepared().is_taken, 1);
+    EXPECT_EQ(second.prepared().hash, first.prepared().hash);
+    if (parameters.stone.friction != base.stone.friction)
+      continue;
+    for (int k = 0; k < 300; ++k)
+    {
+      first.advance();
+      second.advance();
+    }
+    const Sample a = first.sample(0.), b = second.sample(0.);
+    for (const SampleColumn &column : sample_columns)
+      EXPECT_EQ(a.*column.value, b.*column.value) << column.name;
+  }
+}
