@@ -14,10 +14,11 @@ namespace spall
 {
 namespace
 {
-/// Between two sections of a specimen: a hundredth of its height.
-constexpr int n_sections = 100;
 /// Layers of a profile in the diameter of the stone of mean volume.
 constexpr double layers_per_stone = 5.;
+/// Sections in a layer, and in all: points cost some microseconds.
+constexpr double sections_per_layer = 2., fewest_sections = 40.,
+                 most_sections = 120.;
 
 /// The section where the membrane was put.
 std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
@@ -36,18 +37,25 @@ std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
   return dem::corners_through(rim);
 }
 
-double mean_diameter(const dem::Particles &stones)
+/// Thickness of a layer of a profile, about [m].
+double layer_of(const dem::Particles &stones)
 {
   return std::cbrt(6. / std::numbers::pi * solid_volume(stones) /
-                   static_cast<double>(stones.size()));
+                   static_cast<double>(stones.size())) /
+         layers_per_stone;
 }
 
 dem::Outline outline_of(const Triaxial &test)
 {
   const dem::Prism space = space_of(test);
+  const double distance =
+      layer_of(test.engine().particles()) / sections_per_layer;
+  const auto n = static_cast<int>(
+      std::clamp(std::round((space.high - space.low) / distance),
+                 fewest_sections, most_sections));
   return test.membrane() ? dem::outline_of(test.engine().surface(), space.low,
-                                           space.high, n_sections)
-                         : dem::outline_of(space, n_sections);
+                                           space.high, n)
+                         : dem::outline_of(space, n);
 }
 } // namespace
 
@@ -108,9 +116,9 @@ NetworkState network_state(const Triaxial &test)
 dem::BoundaryProfile boundary_profile(const Triaxial &test)
 {
   const dem::Particles &stones = test.engine().particles();
-  return dem::boundary_profile(
-      stones, dem::contact_network_of(test.engine()), outline_of(test),
-      {mean_diameter(stones) / layers_per_stone, skin_of(test)});
+  return dem::boundary_profile(stones, dem::contact_network_of(test.engine()),
+                               outline_of(test),
+                               {layer_of(stones), skin_of(test)});
 }
 
 void write_profile(const std::filesystem::path &path,
