@@ -68,8 +68,12 @@ dem::Prism space_of(const Triaxial &test)
                          .planes()[test.box()[static_cast<std::size_t>(d)][end]]
                          .point[d];
   dem::Prism space = dem::prism_of(ends[0], ends[1]);
+  const dem::Drum &side = test.engine().drum();
   if (test.membrane())
     space.corners = rim_of(*test.membrane());
+  else if (side.is_there())
+    return dem::prism_of_cylinder(side.centre.head<2>(), side.radius, space.low,
+                                  space.high);
   return space;
 }
 
