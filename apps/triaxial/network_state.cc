@@ -13,10 +13,11 @@ namespace spall
 {
 namespace
 {
-/// Between two sections of a specimen: a hundredth of its height.
-constexpr int n_sections = 100;
 /// Layers of a profile in the diameter of the stone of mean volume.
 constexpr double layers_per_stone = 5.;
+/// Sections in a layer, and in all: points cost some microseconds.
+constexpr double sections_per_layer = 2., fewest_sections = 40.,
+                 most_sections = 120.;
 
 /// The section where the membrane was put.
 std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
@@ -35,44 +36,38 @@ std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
   return dem::corners_through(rim);
 }
 
-/// A polygon with the area of a circle.
-std::vector<Eigen::Vector2d> circle(const Eigen::Vector2d &centre,
-                                    double radius)
-{
-  constexpr int n = 72;
-  const double angle = 2. * std::numbers::pi / n;
-  const double reach = radius * std::sqrt(angle / std::sin(angle));
-  std::vector<Eigen::Vector2d> corners;
-  for (int k = 0; k < n; ++k)
-    corners.push_back(centre + reach * Eigen::Vector2d(std::cos(k * angle),
-                                                       std::sin(k * angle)));
-  return corners;
-}
-
-double mean_diameter(const dem::Particles &stones)
+/// Thickness of a layer of a profile, about [m].
+double layer_of(const dem::Particles &stones)
 {
   return std::cbrt(6. / std::numbers::pi * solid_volume(stones) /
-                   static_cast<double>(stones.size()));
+                   static_cast<double>(stones.size())) /
+         layers_per_stone;
 }
 
 dem::Outline outline_of(const Triaxial &test)
 {
   const dem::Prism space = space_of(test);
+  const double distance =
+      layer_of(test.engine().particles()) / sections_per_layer;
+  const auto n = static_cast<int>(
+      std::clamp(std::round((space.high - space.low) / distance),
+                 fewest_sections, most_sections));
   return test.membrane() ? dem::outline_of(test.engine().surface(), space.low,
-                                           space.high, n_sections)
-                         : dem::outline_of(space, n_sections);
+                                           space.high, n)
+                         : dem::outline_of(space, n);
 }
 } // namespace
 
 dem::Prism space_of(const Triaxial &test)
 {
   const auto [lower, upper] = dem::box_corners(test.engine(), test.walls());
+  if (test.walls().is_round && !test.membrane())
+    return dem::prism_of_cylinder(0.5 * (lower + upper).head<2>(),
+                                  0.5 * (upper.x() - lower.x()), lower.z(),
+                                  upper.z());
   dem::Prism space = dem::prism_of(lower, upper);
   if (test.membrane())
     space.corners = rim_of(*test.membrane());
-  else if (test.walls().is_round)
-    space.corners =
-        circle(0.5 * (lower + upper).head<2>(), 0.5 * (upper.x() - lower.x()));
   return space;
 }
 
@@ -119,9 +114,9 @@ NetworkState network_state(const Triaxial &test)
 dem::BoundaryProfile boundary_profile(const Triaxial &test)
 {
   const dem::Particles &stones = test.engine().particles();
-  return dem::boundary_profile(
-      stones, dem::contact_network_of(test.engine()), outline_of(test),
-      {mean_diameter(stones) / layers_per_stone, skin_of(test)});
+  return dem::boundary_profile(stones, dem::contact_network_of(test.engine()),
+                               outline_of(test),
+                               {layer_of(stones), skin_of(test)});
 }
 
 void write_profile(const std::filesystem::path &path,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace dem
@@ -51,6 +52,19 @@ Prism prism_of(const Vec3 &lower, const Vec3 &upper)
            {lower.x(), upper.y()}},
           lower.z(),
           upper.z()};
+}
+
+Prism prism_of_cylinder(const Vec2 &centre, double radius, double low,
+                        double high)
+{
+  constexpr int n = 72;
+  const double turn = 2. * std::numbers::pi / n;
+  const double reach = radius * std::sqrt(turn / std::sin(turn));
+  Prism prism{{}, low, high};
+  for (int k = 0; k < n; ++k)
+    prism.corners.push_back(
+        centre + reach * Vec2(std::cos(k * turn), std::sin(k * turn)));
+  return prism;
 }
 
 std::vector<Vec2> corners_through(std::vector<Vec2> points)

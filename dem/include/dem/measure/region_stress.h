@@ -19,6 +19,10 @@ struct Prism
 /// The prism of a box.
 Prism prism_of(const Vec3 &lower, const Vec3 &upper);
 
+/// An upright cylinder: the regular prism of 72 sides of its volume.
+Prism prism_of_cylinder(const Eigen::Vector2d &centre, double radius,
+                        double low, double high);
+
 /// Corners of the convex polygon through these points, in their right order;
 /// points on straight sides are left out [m].
 std::vector<Eigen::Vector2d>

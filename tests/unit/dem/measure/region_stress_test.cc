@@ -49,6 +49,19 @@ TEST(Prism, HasTheCornersOfARim)
   EXPECT_NEAR(prism.volume(), 6., 1e-14);
 }
 
+TEST(Prism, OfACylinderHasItsVolume)
+{
+  const dem::Prism round =
+      dem::prism_of_cylinder({0.3, -0.2}, 0.075, 0.01, 0.16);
+  const double volume = std::numbers::pi * 0.075 * 0.075 * 0.15;
+  EXPECT_NEAR(round.volume(), volume, 1e-14);
+  // A skin is taken off the sides, which are at cos(pi / 72) of the corners.
+  const double inner = std::numbers::pi * 0.055 * 0.055 * 0.11;
+  EXPECT_NEAR(dem::without_skin(round, 0.02).volume(), inner, 1e-3 * inner);
+  EXPECT_TRUE(dem::part_inside(round, {0.3, -0.126, 0.1}, {0.3, 0., 0.1}));
+  EXPECT_FALSE(dem::part_inside(round, {0.3, -0.124, 0.1}, {0.3, 0., 0.1}));
+}
+
 TEST(Prism, CutsALine)
 {
   const dem::Prism box = cube(0., 1.);
