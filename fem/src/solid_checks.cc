@@ -60,6 +60,9 @@ void check_solid(const SolidParameters &parameters, const SolidMesh &mesh)
               parameters.stiffness_damping >= 0.,
           "stiffness_damping", parameters.stiffness_damping,
           "must not be negative");
+  require(parameters.solver_tolerance > 0. && parameters.solver_tolerance < 1.,
+          "solver_tolerance", parameters.solver_tolerance,
+          "must be between 0 and 1");
   check_mesh(mesh, parameters.layers.size());
 }
 

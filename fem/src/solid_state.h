@@ -1,5 +1,6 @@
 #pragma once
 
+#include "multigrid.h"
 #include "solid_system.h"
 
 #include <fem/solid.h>
@@ -20,12 +21,13 @@ struct SolidMotion
   bool has_acceleration = false;
 };
 
-/// Factors of the last implicit or quasi-static matrix, and what it was.
-struct KeptFactor
+/// Solver of the last implicit or quasi-static matrix, and what it was.
+struct KeptSolver
 {
   SystemWeights weights;
   int version = -1; ///< of the supports and dashpots
   std::optional<SparseFactor> factor;
+  std::optional<MultigridSolver> multigrid;
 };
 
 /// One implicit step, as advance is asked for it.
@@ -49,7 +51,8 @@ struct Solid::State
                 std::span<Eigen::Vector3d> out) const;
   /// Dashpots and mass damping on the free components.
   void update_dashpots();
-  const SparseFactor &factor(const SystemWeights &weights);
+  /// Field of the free components that this matrix turns into the given one.
+  void solve(const SystemWeights &weights, NodeField &field);
 
   /// All but the dashpots and mass damping [N].
   Eigen::Vector3d force(std::size_t k) const
@@ -80,7 +83,7 @@ struct Solid::State
   std::vector<char> has_absorber;
   std::vector<Eigen::Matrix3d> bedding; ///< empty: none [N/m]
   SolidMotion now;
-  KeptFactor kept;
+  KeptSolver kept;
   int n_dashpot_changes = 0;
   mutable std::optional<std::uint64_t> identity;
 };

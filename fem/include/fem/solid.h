@@ -23,11 +23,20 @@ struct SolidLayer
 double pressure_wave_speed(const SolidLayer &layer);
 double shear_wave_speed(const SolidLayer &layer);
 
+/// Of the linear systems of implicit steps and of equilibrium.
+enum class SolidSolver
+{
+  direct, ///< factors, kept while the matrix stays
+  amg     ///< conjugate gradients with multigrid, kept likewise
+};
+
 struct SolidParameters
 {
   std::vector<SolidLayer> layers{SolidLayer{}}; ///< by number of the layer
   double mass_damping = 0.;      ///< Rayleigh alpha: force -alpha m v [1/s]
   double stiffness_damping = 0.; ///< Rayleigh beta: force -beta K v [s]
+  SolidSolver solver = SolidSolver::direct;
+  double solver_tolerance = 1e-10; ///< amg: residual over load [-]
 };
 
 /// Energies and dissipation since construction [J]. The balance strain +
@@ -101,14 +110,18 @@ public:
   /// starts with the acceleration that it makes.
   void set_load(std::span<const Eigen::Vector3d> load);
 
-  /// One implicit step to loads that hold at its end. The matrix is factored
-  /// again only when the step, the rule or the supports have changed.
+  /// One implicit step to loads that hold at its end. The matrix is factored,
+  /// or its multigrid made, again only when the step, the rule or the supports
+  /// have changed. Throws std::runtime_error if the solver fails.
   void advance(std::span<const Eigen::Vector3d> load, double time_step,
                const ImplicitRule &rule = average_acceleration());
 
   /// Equilibrium under these loads without inertia; velocities become zero.
   /// Throws std::runtime_error if the supports do not hold the body.
   void settle(std::span<const Eigen::Vector3d> load);
+
+  /// Conjugate gradient steps of the last linear system; 0 with factors.
+  int solver_iterations() const;
 
   const SolidMesh &mesh() const;
   std::span<const Eigen::Vector3d> displacements() const; ///< [m]
