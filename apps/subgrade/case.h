@@ -68,6 +68,12 @@ enum class GroundBody
   condensed ///< on the nodes of its top
 };
 
+enum class GroundSolver
+{
+  direct, ///< factors
+  amg     ///< conjugate gradients with multigrid
+};
+
 struct GroundParameters
 {
   double length = 2.; ///< along x [m]
@@ -81,7 +87,9 @@ struct GroundParameters
   double mass_damping = 0.;      ///< Rayleigh alpha [1/s]
   double stiffness_damping = 0.; ///< Rayleigh beta [s]
   GroundBody body = GroundBody::full;
-  int inner_modes = 60; ///< of a condensed body
+  int inner_modes = 60;                       ///< of a condensed body
+  GroundSolver solver = GroundSolver::direct; ///< of a full body
+  double solver_tolerance = 1e-10;            ///< amg: residual over load [-]
 };
 
 enum class PulseForm

@@ -104,6 +104,14 @@ void add_ground(List &list, GroundParameters &g)
            g.body, {"full", "condensed"});
   list.add({"inner_modes", "-", "Of a condensed body."}, g.inner_modes,
            between(0, 10000));
+  list.add({"solver", "-",
+            "Of a full body at rest and in implicit steps. direct: factors, "
+            "once; amg: conjugate gradients with multigrid, for more than "
+            "about 50000 unknowns, whose factors take minutes and gigabytes."},
+           g.solver, {"direct", "amg"});
+  list.add({"solver_tolerance", "-",
+            "amg: residual over right-hand side where it stops."},
+           g.solver_tolerance, Range{0., 1e-4, true, false});
 }
 
 void add_pulse(List &list, PulseParameters &p)

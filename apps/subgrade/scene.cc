@@ -166,6 +166,9 @@ fem::Solid make_ground(const Case &c)
   std::ranges::reverse(soil.layers); // tops ascend
   soil.mass_damping = g.mass_damping;
   soil.stiffness_damping = g.stiffness_damping;
+  soil.solver = g.solver == GroundSolver::amg ? fem::SolidSolver::amg
+                                              : fem::SolidSolver::direct;
+  soil.solver_tolerance = g.solver_tolerance;
   fem::Solid ground(soil, ground_mesh(c));
   const auto open = [&](std::int32_t side)
   {
