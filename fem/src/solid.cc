@@ -68,7 +68,8 @@ double shear_wave_speed(const SolidLayer &layer)
 
 Solid::State::State(const SolidParameters &p, const SolidMesh &m)
     : parameters(p), mesh(checked(p, m)), elastic(mesh, parameters.layers),
-      supports(mesh), mass(elastic.mass().begin(), elastic.mass().end()),
+      plastic(mesh, parameters.layers), supports(mesh),
+      mass(elastic.mass().begin(), elastic.mass().end()),
       absorber(mesh.nodes.size(), Matrix::Zero()),
       has_absorber(mesh.nodes.size(), 0)
 {
@@ -77,6 +78,7 @@ Solid::State::State(const SolidParameters &p, const SolidMesh &m)
   now.displacement = now.velocity = now.acceleration = now.moved = zeros;
   now.load = now.elastic = now.viscous = zeros;
   now.support_velocity = now.support_displacement = zeros;
+  now.plastic = plastic.start();
   update_dashpots();
 }
 
@@ -131,6 +133,14 @@ void Solid::State::multiply(std::span<const Vector> u,
 void Solid::State::update_forces()
 {
   multiply(now.displacement, now.elastic);
+  if (!plastic.empty())
+  {
+    PlasticState flown;
+    plastic.respond(now.displacement, now.plastic, flown);
+    now.done.plastic += plastic.dissipated(now.plastic, flown);
+    now.plastic = std::move(flown);
+    relieve(now.elastic);
+  }
   if (parameters.stiffness_damping == 0.)
     return;
   multiply(now.velocity, now.viscous);
@@ -161,7 +171,7 @@ void Solid::State::book_half_step()
 
 double Solid::State::strain_energy() const
 {
-  double sum = 0.;
+  double sum = plastic.stored_beyond(now.plastic);
   for (std::size_t k = 0; k < mass.size(); ++k)
     sum += 0.5 * now.displacement[k].dot(now.elastic[k]);
   return sum;
@@ -407,6 +417,8 @@ Vector Solid::reaction(std::int32_t node) const
 
 std::array<double, 6> Solid::stress(std::size_t cell) const
 {
+  if (const auto s = state->plastic.mean_stress(cell, state->now.plastic))
+    return {(*s)(0), (*s)(1), (*s)(2), (*s)(3), (*s)(4), (*s)(5)};
   CellCorners corners;
   std::array<Vector, 8> displacement;
   for (std::size_t v = 0; v < 8; ++v)

@@ -8,7 +8,7 @@ namespace fem
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x3130444c534c5053; // "SPLSLD01"
+constexpr std::uint64_t magic = 0x3230444c534c5053; // "SPLSLD02"
 
 /// The same list of fields for writing and reading.
 template <typename Motion, typename Field>
@@ -18,6 +18,8 @@ void for_each_field(Motion &now, const Field &field)
                       &now.moved, &now.load, &now.elastic, &now.viscous,
                       &now.support_velocity, &now.support_displacement})
     field(nodes->data(), nodes->size());
+  for (auto *points : {&now.plastic.strain, &now.plastic.stress})
+    field(points->data(), points->size());
   field(&now.done, std::size_t{1});
   field(&now.has_acceleration, std::size_t{1});
 }

@@ -25,6 +25,19 @@ void check_layer(const SolidLayer &layer)
           "must be above -1 and below 0.5");
   require(std::isfinite(layer.density) && layer.density > 0., "density",
           layer.density, "must be positive");
+  if (!layer.yields())
+    return;
+  require(layer.friction_angle >= 0. && layer.friction_angle < 0.5 * M_PI,
+          "friction_angle", layer.friction_angle,
+          "must be from 0 to below pi / 2");
+  require(layer.dilatancy_angle >= 0. &&
+              layer.dilatancy_angle <= layer.friction_angle,
+          "dilatancy_angle", layer.dilatancy_angle,
+          "must be from 0 to friction_angle");
+  require(layer.cohesion > 0. ||
+              (layer.cohesion == 0. && layer.friction_angle > 0.),
+          "cohesion", layer.cohesion,
+          "must be positive, or zero with a friction_angle above zero");
 }
 
 void check_mesh(const SolidMesh &mesh, std::size_t n_layers)

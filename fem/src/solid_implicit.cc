@@ -55,7 +55,7 @@ void Solid::State::start_accelerations()
 }
 
 /// K (end (u + beta v) + (1 - end) (u_0 + beta v_0)) [N]: elastic and viscous
-/// force at the time where the rule takes them.
+/// force at the time where the rule takes them, less what has flown until now.
 NodeField Solid::State::mixed_force(const NodeField &start,
                                     const NodeField &speed, double end) const
 {
@@ -66,6 +66,7 @@ NodeField Solid::State::mixed_force(const NodeField &start,
                (1. - end) * (start[k] + beta * speed[k]);
   supports.spread(mixed);
   multiply(mixed, result);
+  relieve(result);
   return result;
 }
 
@@ -94,6 +95,16 @@ void Solid::State::solve_accelerations(const ImplicitStep &step,
     for (int c = 0; c < 3; ++c)
       if (supports.unknown(k, c) >= 0)
         now.acceleration[k](c) = load[k](c);
+  if (plastic.empty())
+    return;
+  const double reach = step.rule.beta * step.time_step * step.time_step;
+  NodeField predicted = now.displacement;
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    predicted[k] += reach * now.acceleration[k];
+  supports.spread(predicted);
+  const NodeField change = flow_correction({&predicted, system, reach, end});
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    now.acceleration[k] += change[k];
 }
 
 void Solid::advance(std::span<const Vector> load, double time_step,
@@ -135,39 +146,57 @@ void Solid::advance(std::span<const Vector> load, double time_step,
   state->book_half_step();
 }
 
-void Solid::settle(std::span<const Vector> load)
+/// Displacements of equilibrium with the supports where they are put.
+NodeField Solid::State::equilibrium(std::span<const Vector> load)
 {
-  check_solid_loads(load.size(), state->mass.size());
-  SolidMotion &now = state->now;
-  const SolidSupports &supports = state->supports;
-  const std::size_t n = state->mass.size();
-  NodeField start = now.displacement, target = now.displacement, internal(n);
+  const std::size_t n = mass.size();
+  NodeField target = now.displacement, internal(n);
   for (std::size_t k = 0; k < n; ++k)
     for (int c = 0; c < 3; ++c)
       if (supports.is_fixed(k, c))
         target[k](c) = now.support_displacement[k](c);
   supports.spread(target);
-  state->multiply(target, internal);
+  multiply(target, internal);
+  relieve(internal);
   NodeField residual(load.begin(), load.end());
   supports.collect(residual);
   for (std::size_t k = 0; k < n; ++k)
     residual[k] -= internal[k];
-  state->solve({0., 0., 1.}, residual); // may throw: nothing has moved yet
+  solve({0., 0., 1.}, residual);
+  for (std::size_t k = 0; k < n; ++k)
+    for (int c = 0; c < 3; ++c)
+      if (supports.unknown(k, c) >= 0)
+        target[k](c) += residual[k](c);
+  supports.spread(target);
+  if (plastic.empty())
+    return target;
+  const NodeField change = flow_correction({&target, {0., 0., 1.}, 1., 1.});
+  for (std::size_t k = 0; k < n; ++k)
+    target[k] += change[k];
+  return target;
+}
 
+void Solid::settle(std::span<const Vector> load)
+{
+  check_solid_loads(load.size(), state->mass.size());
+  SolidMotion &now = state->now;
+  const NodeField end = state->equilibrium(load); // or throws: nothing moved
+  const std::size_t n = end.size();
   now.done.damping += energy().kinetic; // brought to rest
   now.velocity.assign(n, Vector::Zero());
   now.acceleration = now.viscous = now.velocity;
   now.has_acceleration = true;
   for (std::size_t k = 0; k < n; ++k)
-    for (int c = 0; c < 3; ++c)
-      now.moved[k](c) = target[k](c) - start[k](c) +
-                        (supports.unknown(k, c) < 0 ? 0. : residual[k](c));
-  supports.spread(now.moved);
+    now.moved[k] = end[k] - now.displacement[k];
   state->book_half_step();
-  for (std::size_t k = 0; k < n; ++k)
-    now.displacement[k] = start[k] + now.moved[k];
+  now.displacement = end;
   state->set_load(load);
   state->update_forces();
   state->book_half_step();
+}
+
+std::span<const double> Solid::newton_residuals() const
+{
+  return state->newton_residuals;
 }
 } // namespace fem

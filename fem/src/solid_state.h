@@ -1,6 +1,7 @@
 #pragma once
 
 #include "multigrid.h"
+#include "plastic_cells.h"
 #include "solid_system.h"
 
 #include <fem/solid.h>
@@ -17,7 +18,8 @@ struct SolidMotion
   NodeField moved;                                ///< in the present step [m]
   NodeField load, elastic, viscous;               ///< f, K u and beta K v [N]
   NodeField support_velocity, support_displacement;
-  SolidEnergy done; ///< works and dissipation so far [J]
+  PlasticState plastic; ///< empty without layers that yield
+  SolidEnergy done;     ///< works and dissipation so far [J]
   bool has_acceleration = false;
 };
 
@@ -36,6 +38,15 @@ struct ImplicitStep
   std::span<const Eigen::Vector3d> load; ///< at its end [N]
   double time_step = 0.;                 ///< [s]
   ImplicitRule rule;
+};
+
+/// A correction x of what was predicted without further flow: weights x =
+/// share * relief(predicted + reach * x), on the free components.
+struct FlowSystem
+{
+  const NodeField *predicted = nullptr; ///< displacements [m]
+  SystemWeights weights;
+  double reach = 1., share = 1.;
 };
 
 struct Solid::State
@@ -61,6 +72,7 @@ struct Solid::State
   }
   void put_supports_in_motion();
   void set_load(std::span<const Eigen::Vector3d> load);
+  /// Forces of the present motion; books the plastic flow on the way to it.
   void update_forces();
   /// Half the work of the present forces over now.moved.
   void book_half_step();
@@ -69,6 +81,15 @@ struct Solid::State
                         double end) const;
   void solve_accelerations(const ImplicitStep &step, const NodeField &start,
                            const NodeField &speed);
+  /// Takes from K u what has flown until now [N].
+  void relieve(std::span<Eigen::Vector3d> force) const;
+  NodeField relief(const NodeField &displacement) const;
+  Eigen::VectorXd imbalance(const FlowSystem &system,
+                            const NodeField &correction) const;
+  NodeField newton_step(const FlowSystem &system, const NodeField &correction,
+                        const Eigen::VectorXd &left) const;
+  NodeField flow_correction(const FlowSystem &system);
+  NodeField equilibrium(std::span<const Eigen::Vector3d> load);
   double strain_energy() const;
   double largest_frequency() const;
   std::uint64_t fingerprint() const; ///< asked often, made once
@@ -76,6 +97,7 @@ struct Solid::State
   const SolidParameters parameters;
   const SolidMesh mesh;
   const SolidOperator elastic;
+  const PlasticCells plastic;
   SolidSupports supports;
   std::vector<double> mass;              ///< with that of hanging nodes [kg]
   std::vector<Eigen::Matrix3d> absorber; ///< of absorbing boundaries [kg/s]
@@ -84,6 +106,7 @@ struct Solid::State
   std::vector<Eigen::Matrix3d> bedding; ///< empty: none [N/m]
   SolidMotion now;
   KeptSolver kept;
+  std::vector<double> newton_residuals; ///< of the last correction
   int n_dashpot_changes = 0;
   mutable std::optional<std::uint64_t> identity;
 };

@@ -3,7 +3,9 @@
 #include <fem/implicit_rule.h>
 #include <fem/solid_mesh.h>
 
+#include <cmath>
 #include <iosfwd>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,12 +13,21 @@
 
 namespace fem
 {
-/// Linear elastic, isotropic.
+/// Linear elastic, isotropic; with a finite cohesion perfectly plastic beyond
+/// the cone of Drucker and Prager (drucker_prager.h). Stress counts from zero
+/// in the mesh as it is given: the weight of the soil presses nothing together
+/// unless it is among the loads.
 struct SolidLayer
 {
   double youngs_modulus = 50e6; ///< E [Pa]
   double poisson_ratio = 0.3;   ///< nu [-], below 0.5
   double density = 1800.;       ///< [kg/m^3]
+  /// c [Pa]; infinite: never yields
+  double cohesion = std::numeric_limits<double>::infinity();
+  double friction_angle = 0.;  ///< phi [rad], from 0 to below pi/2
+  double dilatancy_angle = 0.; ///< psi [rad], from 0 to phi
+
+  bool yields() const { return std::isfinite(cohesion); }
 };
 
 /// Speeds of plane waves [m/s].
@@ -40,14 +51,15 @@ struct SolidParameters
 };
 
 /// Energies and dissipation since construction [J]. The balance strain +
-/// kinetic + damping + absorbed - load_work - support_work is constant: to
-/// round-off in quasi-static steps and with average acceleration, to second
-/// order in the time step in explicit ones.
+/// kinetic + damping + plastic + absorbed - load_work - support_work is
+/// constant: to round-off in quasi-static steps and with average acceleration,
+/// to second order in the time step in explicit ones.
 struct SolidEnergy
 {
   double strain = 0.;       ///< stored now
   double kinetic = 0.;      ///< now
   double damping = 0.;      ///< dissipated by Rayleigh damping
+  double plastic = 0.;      ///< dissipated by plastic flow
   double absorbed = 0.;     ///< carried away through absorbing boundaries
   double load_work = 0.;    ///< done by the loads
   double support_work = 0.; ///< done by whatever moves the supports
@@ -112,16 +124,22 @@ public:
 
   /// One implicit step to loads that hold at its end. The matrix is factored,
   /// or its multigrid made, again only when the step, the rule or the supports
-  /// have changed. Throws std::runtime_error if the solver fails.
+  /// have changed. Where a layer yields, Newton's method with the consistent
+  /// tangent. Throws std::runtime_error if a solver fails.
   void advance(std::span<const Eigen::Vector3d> load, double time_step,
                const ImplicitRule &rule = average_acceleration());
 
   /// Equilibrium under these loads without inertia; velocities become zero.
-  /// Throws std::runtime_error if the supports do not hold the body.
+  /// Throws std::runtime_error if the supports do not hold the body, or if its
+  /// layers that yield cannot bear the load; nothing has moved then.
   void settle(std::span<const Eigen::Vector3d> load);
 
   /// Conjugate gradient steps of the last linear system; 0 with factors.
   int solver_iterations() const;
+
+  /// Newton's method in the last implicit step or settle, where a layer
+  /// yields: imbalance over forces before each iteration and at the end [-].
+  std::span<const double> newton_residuals() const;
 
   const SolidMesh &mesh() const;
   std::span<const Eigen::Vector3d> displacements() const; ///< [m]
