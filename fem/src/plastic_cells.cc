@@ -50,6 +50,7 @@ PlasticCells::PlasticCells(const SolidMesh &mesh,
     entry[k] = static_cast<std::int32_t>(cells.size());
     cells.push_back({k, mesh.cells[k], shape->second, layer});
   }
+  initial.assign(8 * cells.size(), Voigt::Zero());
 }
 
 PlasticState PlasticCells::start() const
@@ -58,12 +59,25 @@ PlasticState PlasticCells::start() const
   return {zeros, zeros};
 }
 
-Voigt PlasticCells::elastic_trial(const Cell &cell, std::size_t point,
-                                  const CellVector &u,
-                                  const Voigt &plastic) const
+void PlasticCells::set_initial_stress(
+    const SolidMesh &mesh,
+    const std::function<Voigt(const Eigen::Vector3d &)> &stress)
 {
-  const Voigt strain = shapes[cell.points].strain[point] * u;
-  return elasticity(laws[cell.law]) * (strain - plastic);
+  initial.clear();
+  for (const Cell &cell : cells)
+    for (const Eigen::Vector3d &place :
+         point_places(corners_of(mesh, cell.number)))
+      initial.push_back(stress(place));
+}
+
+Voigt PlasticCells::elastic_trial(std::size_t cell, std::size_t point,
+                                  const CellVector &u,
+                                  const PlasticState &last) const
+{
+  const std::size_t at = 8 * cell + point;
+  const Voigt strain = shapes[cells[cell].points].strain[point] * u;
+  return initial[at] +
+         elasticity(laws[cells[cell].law]) * (strain - last.strain[at]);
 }
 
 void PlasticCells::respond(std::span<const Eigen::Vector3d> u,
@@ -78,9 +92,9 @@ void PlasticCells::respond(std::span<const Eigen::Vector3d> u,
     for (std::size_t q = 0; q < 8; ++q)
     {
       const std::size_t at = 8 * k + q;
-      const Voigt trial = elastic_trial(cells[k], q, motion, last.strain[at]);
+      const Voigt trial = elastic_trial(k, q, motion, last);
       const ReturnedStress result = return_stress(law, trial);
-      next.stress[at] = result.stress;
+      next.stress[at] = result.stress - initial[at];
       next.strain[at] = last.strain[at];
       if (result.place != YieldPlace::inside)
         next.strain[at] += elastic_strain(law, trial - result.stress);
@@ -95,7 +109,7 @@ void PlasticCells::relieve(const PlasticState &state,
   {
     const CellPoints &points = shapes[cells[k].points];
     const VoigtMatrix c = elasticity(laws[cells[k].law]);
-    CellVector less = CellVector::Zero();
+    CellVector more = CellVector::Zero();
     bool has_flown = false;
     for (std::size_t q = 0; q < 8; ++q)
     {
@@ -103,32 +117,30 @@ void PlasticCells::relieve(const PlasticState &state,
       if (plastic.isZero(0.))
         continue;
       has_flown = true;
-      less += points.volume[q] * points.strain[q].transpose() * (c * plastic);
+      more += points.volume[q] * points.strain[q].transpose() * (c * plastic);
     }
     if (!has_flown)
       continue;
     for (std::size_t v = 0; v < 8; ++v)
-      force[static_cast<std::size_t>(cells[k].nodes[v])] -=
-          less.segment<3>(3 * static_cast<Eigen::Index>(v));
+      force[static_cast<std::size_t>(cells[k].nodes[v])] +=
+          more.segment<3>(3 * static_cast<Eigen::Index>(v));
   }
 }
 
-std::vector<PlasticCells::Softening>
-PlasticCells::softening(std::span<const Eigen::Vector3d> u,
-                        const PlasticState &last) const
+void PlasticCells::soften(std::span<const Eigen::Vector3d> u,
+                          const PlasticState &last,
+                          std::vector<CellChange> &changes) const
 {
-  std::vector<Softening> result;
   for (std::size_t k = 0; k < cells.size(); ++k)
   {
     const CellPoints &points = shapes[cells[k].points];
     const CellVector motion = gather(u, cells[k].nodes);
     const DruckerPrager &law = laws[cells[k].law];
-    Softening soft{cells[k].number, CellMatrix::Zero()};
+    CellChange soft{cells[k].number, CellMatrix::Zero()};
     bool flows = false;
     for (std::size_t q = 0; q < 8; ++q)
     {
-      const Voigt trial =
-          elastic_trial(cells[k], q, motion, last.strain[8 * k + q]);
+      const Voigt trial = elastic_trial(k, q, motion, last);
       const ReturnedStress stress = return_stress(law, trial);
       if (stress.place == YieldPlace::inside)
         continue;
@@ -141,9 +153,8 @@ PlasticCells::softening(std::span<const Eigen::Vector3d> u,
                         change * points.strain[q];
     }
     if (flows)
-      result.push_back(soft);
+      changes.push_back(soft);
   }
-  return result;
 }
 
 double PlasticCells::stored_beyond(const PlasticState &state) const

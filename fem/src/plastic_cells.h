@@ -4,6 +4,7 @@
 
 #include <fem/drucker_prager.h>
 
+#include <functional>
 #include <optional>
 
 namespace fem
@@ -12,7 +13,7 @@ namespace fem
 struct PlasticState
 {
   std::vector<Voigt> strain; ///< plastic [-]
-  std::vector<Voigt> stress; ///< [Pa]
+  std::vector<Voigt> stress; ///< beyond the initial one [Pa]
 };
 
 /// What the cells of layers with a finite cohesion do beyond Hooke's law.
@@ -22,24 +23,24 @@ public:
   PlasticCells(const SolidMesh &mesh, std::span<const SolidLayer> layers);
   bool empty() const { return cells.empty(); }
   PlasticState start() const; ///< no strain, no stress
+  void set_initial_stress(
+      const SolidMesh &mesh,
+      const std::function<Voigt(const Eigen::Vector3d &)> &stress);
+  std::span<const Voigt> initial_stress() const { return initial; }
 
   /// Stress and plastic strain at these displacements, from those of the last
   /// step.
   void respond(std::span<const Eigen::Vector3d> u, const PlasticState &last,
                PlasticState &next) const;
-  /// Takes from K u what plastic strain takes from it [N].
+  /// Adds what plastic strain takes from K u [N].
   void relieve(const PlasticState &state,
                std::span<Eigen::Vector3d> force) const;
 
   /// Consistent tangent less the elastic one of every cell that flows on the
-  /// way from `last` to these displacements.
-  struct Softening
-  {
-    std::size_t cell = 0; ///< of the mesh
-    CellMatrix stiffness; ///< [N/m], not symmetric without associated flow
-  };
-  std::vector<Softening> softening(std::span<const Eigen::Vector3d> u,
-                                   const PlasticState &last) const;
+  /// way from `last` to these displacements; not symmetric without associated
+  /// flow.
+  void soften(std::span<const Eigen::Vector3d> u, const PlasticState &last,
+              std::vector<CellChange> &changes) const;
 
   /// Stored beyond 1/2 u . f with f the internal force [J].
   double stored_beyond(const PlasticState &state) const;
@@ -57,13 +58,15 @@ private:
     std::size_t points = 0; ///< entry in shapes
     std::size_t law = 0;
   };
-  Voigt elastic_trial(const Cell &cell, std::size_t point,
+  /// With the initial stress, at a point of a cell of this class.
+  Voigt elastic_trial(std::size_t cell, std::size_t point,
                       const Eigen::Matrix<double, 24, 1> &u,
-                      const Voigt &plastic) const;
+                      const PlasticState &last) const;
 
   std::vector<Cell> cells;
   std::vector<std::int32_t> entry; ///< of a cell of the mesh, -1: elastic
   std::vector<CellPoints> shapes;
   std::vector<DruckerPrager> laws; ///< by layer
+  std::vector<Voigt> initial;      ///< stress of the points [Pa]
 };
 } // namespace fem

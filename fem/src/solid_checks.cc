@@ -27,6 +27,8 @@ void check_layer(const SolidLayer &layer)
           layer.density, "must be positive");
   if (!layer.yields())
     return;
+  require(layer.law == SolidLaw::linear, "cohesion", layer.cohesion,
+          "must be infinite in a neo-Hookean layer");
   require(layer.friction_angle >= 0. && layer.friction_angle < 0.5 * M_PI,
           "friction_angle", layer.friction_angle,
           "must be from 0 to below pi / 2");

@@ -56,7 +56,7 @@ VoigtMatrix elasticity(const SolidLayer &layer)
 {
   const double nu = layer.poisson_ratio;
   return fem::elasticity(layer.youngs_modulus / (3. * (1. - 2. * nu)),
-                    layer.youngs_modulus / (2. * (1. + nu)));
+                         layer.youngs_modulus / (2. * (1. + nu)));
 }
 
 std::array<Vector, 8> gauss_points()
@@ -82,21 +82,49 @@ double checked_determinant(const Eigen::Matrix3d &j, const CellCorners &corners)
 }
 } // namespace
 
-CellPoints mean_dilatation_points(const CellCorners &corners)
+std::array<Vector, 8> point_places(const CellCorners &corners)
 {
-  CellPoints points;
-  Eigen::Matrix<double, 1, 24> mean = Eigen::Matrix<double, 1, 24>::Zero();
-  double volume = 0.;
+  const std::array<Vector, 8> points = gauss_points();
+  std::array<Vector, 8> places;
+  for (std::size_t q = 0; q < 8; ++q)
+  {
+    places[q] = Vector::Zero();
+    for (std::size_t v = 0; v < 8; ++v)
+      places[q] += 0.125 * (1. + sign(v, 0) * points[q].x()) *
+                   (1. + sign(v, 1) * points[q].y()) *
+                   (1. + sign(v, 2) * points[q].z()) * corners[v];
+  }
+  return places;
+}
+
+PointGradients point_gradients(const CellCorners &corners)
+{
+  PointGradients points;
   const std::array<Vector, 8> at = gauss_points();
   for (std::size_t q = 0; q < 8; ++q)
   {
     const Gradients gradients = unit_gradients(at[q]);
     const Eigen::Matrix3d j = jacobian(corners, gradients);
     points.volume[q] = checked_determinant(j, corners);
-    const Eigen::Matrix3d slope = j.inverse().transpose();
     for (std::size_t v = 0; v < 8; ++v)
-      points.strain[q].middleCols<3>(3 * static_cast<Eigen::Index>(v)) =
-          strains(slope * gradients[v]);
+      points.gradient[q].row(static_cast<Eigen::Index>(v)) =
+          j.inverse().transpose() * gradients[v];
+  }
+  return points;
+}
+
+CellPoints mean_dilatation_points(const CellCorners &corners)
+{
+  const PointGradients gradients = point_gradients(corners);
+  CellPoints points;
+  points.volume = gradients.volume;
+  Eigen::Matrix<double, 1, 24> mean = Eigen::Matrix<double, 1, 24>::Zero();
+  double volume = 0.;
+  for (std::size_t q = 0; q < 8; ++q)
+  {
+    for (Eigen::Index v = 0; v < 8; ++v)
+      points.strain[q].middleCols<3>(3 * v) =
+          strains(gradients.gradient[q].row(v));
     mean += points.volume[q] * points.strain[q].topRows<3>().colwise().sum();
     volume += points.volume[q];
   }
@@ -112,7 +140,8 @@ CellPoints mean_dilatation_points(const CellCorners &corners)
 
 namespace
 {
-CellMatrix soil_stiffness(const CellCorners &corners, const SolidLayer &layer)
+CellMatrix mean_dilatation_stiffness(const CellCorners &corners,
+                                     const SolidLayer &layer)
 {
   const CellPoints points = mean_dilatation_points(corners);
   CellMatrix sum = CellMatrix::Zero();
@@ -125,8 +154,8 @@ CellMatrix soil_stiffness(const CellCorners &corners, const SolidLayer &layer)
 
 CellMatrix cell_stiffness(const CellCorners &corners, const SolidLayer &layer)
 {
-  if (layer.yields())
-    return soil_stiffness(corners, layer);
+  if (!layer.is_linear())
+    return mean_dilatation_stiffness(corners, layer);
   const VoigtMatrix c = elasticity(layer);
   const Eigen::Matrix3d centre =
       jacobian(corners, unit_gradients(Vector::Zero()));

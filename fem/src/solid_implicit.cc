@@ -95,7 +95,7 @@ void Solid::State::solve_accelerations(const ImplicitStep &step,
     for (int c = 0; c < 3; ++c)
       if (supports.unknown(k, c) >= 0)
         now.acceleration[k](c) = load[k](c);
-  if (plastic.empty())
+  if (is_linear())
     return;
   const double reach = step.rule.beta * step.time_step * step.time_step;
   NodeField predicted = now.displacement;
@@ -168,7 +168,7 @@ NodeField Solid::State::equilibrium(std::span<const Vector> load)
       if (supports.unknown(k, c) >= 0)
         target[k](c) += residual[k](c);
   supports.spread(target);
-  if (plastic.empty())
+  if (is_linear())
     return target;
   const NodeField change = flow_correction({&target, {0., 0., 1.}, 1., 1.});
   for (std::size_t k = 0; k < n; ++k)

@@ -12,6 +12,13 @@ namespace fem
 {
 using NodeField = std::vector<Eigen::Vector3d>;
 
+/// Something added to the matrix of a cell of the mesh.
+struct CellChange
+{
+  std::size_t cell = 0;
+  CellMatrix stiffness; ///< [N/m]
+};
+
 CellCorners corners_of(const SolidMesh &mesh, std::size_t cell);
 
 /// Two cells share a matrix if this is equal: the layer and the edges from

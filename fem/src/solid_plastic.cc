@@ -31,29 +31,43 @@ NodeField moved(const SolidSupports &supports, const NodeField &start,
   supports.spread(result);
   return result;
 }
+
+void check_finite(const Eigen::VectorXd &left)
+{
+  if (!left.allFinite())
+    throw std::runtime_error("solid: cells turn inside out on the way to "
+                             "equilibrium: the load is too much at once");
+}
 } // namespace
 
-void Solid::State::relieve(std::span<Vector> force) const
+/// K u less the internal force, after this flow.
+NodeField Solid::State::total_relief(std::span<const Vector> displacement,
+                                     const PlasticState &flown) const
 {
-  if (plastic.empty())
-    return;
-  NodeField less(mass.size(), Vector::Zero());
-  plastic.relieve(now.plastic, less);
-  supports.collect(less);
-  for (std::size_t k = 0; k < less.size(); ++k)
-    force[k] += less[k];
+  NodeField force(mass.size(), Vector::Zero());
+  plastic.relieve(flown, force);
+  hyper.relieve(displacement, force);
+  supports.collect(force);
+  return force;
 }
 
-/// Force that plastic flow on the way to these displacements leaves over.
+/// Internal force from K u at the last displacements.
+void Solid::State::relieve(std::span<Vector> force) const
+{
+  if (is_linear())
+    return;
+  for (std::size_t k = 0; k < force.size(); ++k)
+    force[k] -= now.relief[k];
+}
+
+/// How that relief grows on the way to these displacements.
 NodeField Solid::State::relief(const NodeField &displacement) const
 {
   PlasticState flown;
   plastic.respond(displacement, now.plastic, flown);
-  for (std::size_t k = 0; k < flown.strain.size(); ++k)
-    flown.strain[k] = now.plastic.strain[k] - flown.strain[k];
-  NodeField force(mass.size(), Vector::Zero());
-  plastic.relieve(flown, force);
-  supports.collect(force);
+  NodeField force = total_relief(displacement, flown);
+  for (std::size_t k = 0; k < force.size(); ++k)
+    force[k] -= now.relief[k];
   return force;
 }
 
@@ -78,13 +92,14 @@ NodeField Solid::State::newton_step(const FlowSystem &system,
 {
   const SparseMatrix elastic_part =
       assemble(parts(), system.weights).selfadjointView<Eigen::Lower>();
+  const NodeField at =
+      moved(supports, *system.predicted, system.reach, correction);
+  std::vector<CellChange> changes;
+  plastic.soften(at, now.plastic, changes);
+  hyper.soften(at, changes);
   const SparseMatrix matrix =
       elastic_part +
-      assemble_cells(parts(),
-                     plastic.softening(moved(supports, *system.predicted,
-                                             system.reach, correction),
-                                       now.plastic),
-                     system.share * system.reach);
+      assemble_cells(parts(), changes, system.share * system.reach);
   NodeField step(mass.size(), Vector::Zero());
   from_unknowns(supports, solve_once(matrix, left), step);
   return step;
@@ -95,7 +110,10 @@ NodeField Solid::State::flow_correction(const FlowSystem &system)
 {
   NodeField correction(mass.size(), Vector::Zero());
   Eigen::VectorXd left = imbalance(system, correction);
-  const double scale = norm(now.elastic) + left.norm();
+  NodeField linear(mass.size()); // what the relief is taken from
+  multiply(*system.predicted, linear);
+  const double scale = norm(now.elastic) + norm(linear) + left.norm();
+  check_finite(left);
   newton_residuals.clear();
   if (left.norm() == 0.)
     return correction; // nothing flows
@@ -104,9 +122,8 @@ NodeField Solid::State::flow_correction(const FlowSystem &system)
   {
     if (newton_residuals.size() > max_iterations)
       throw std::runtime_error(
-          "solid: its layers that yield find no equilibrium in " +
-          std::to_string(max_iterations) +
-          " iterations: the load may be more than they bear");
+          "solid: no equilibrium in " + std::to_string(max_iterations) +
+          " iterations: the load may be more than its layers bear");
     const NodeField step = newton_step(system, correction, left);
     const NodeField start = correction;
     double share = 1.;
@@ -117,6 +134,7 @@ NodeField Solid::State::flow_correction(const FlowSystem &system)
       if (left.norm() < newton_residuals.back() * scale)
         break;
     }
+    check_finite(left);
     newton_residuals.push_back(left.norm() / scale);
   }
   return correction;

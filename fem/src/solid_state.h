@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hyper_cells.h"
 #include "multigrid.h"
 #include "plastic_cells.h"
 #include "solid_system.h"
@@ -16,7 +17,8 @@ struct SolidMotion
 {
   NodeField displacement, velocity, acceleration; ///< [m], [m/s], [m/s^2]
   NodeField moved;                                ///< in the present step [m]
-  NodeField load, elastic, viscous;               ///< f, K u and beta K v [N]
+  NodeField load, elastic, viscous; ///< f, internal and beta K v [N]
+  NodeField relief;                 ///< K u less the internal force [N]
   NodeField support_velocity, support_displacement;
   PlasticState plastic; ///< empty without layers that yield
   SolidEnergy done;     ///< works and dissipation so far [J]
@@ -81,7 +83,9 @@ struct Solid::State
                         double end) const;
   void solve_accelerations(const ImplicitStep &step, const NodeField &start,
                            const NodeField &speed);
-  /// Takes from K u what has flown until now [N].
+  bool is_linear() const { return plastic.empty() && hyper.empty(); }
+  NodeField total_relief(std::span<const Eigen::Vector3d> displacement,
+                         const PlasticState &flown) const;
   void relieve(std::span<Eigen::Vector3d> force) const;
   NodeField relief(const NodeField &displacement) const;
   Eigen::VectorXd imbalance(const FlowSystem &system,
@@ -97,7 +101,8 @@ struct Solid::State
   const SolidParameters parameters;
   const SolidMesh mesh;
   const SolidOperator elastic;
-  const PlasticCells plastic;
+  const HyperCells hyper;
+  PlasticCells plastic;
   SolidSupports supports;
   std::vector<double> mass;              ///< with that of hanging nodes [kg]
   std::vector<Eigen::Matrix3d> absorber; ///< of absorbing boundaries [kg/s]

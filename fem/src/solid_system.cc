@@ -89,8 +89,7 @@ SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights)
 }
 
 SparseMatrix assemble_cells(const SolidParts &parts,
-                            std::span<const PlasticCells::Softening> cells,
-                            double weight)
+                            std::span<const CellChange> cells, double weight)
 {
   Triplets entries;
   entries.reserve(600 * cells.size());

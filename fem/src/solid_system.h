@@ -1,6 +1,5 @@
 #pragma once
 
-#include "plastic_cells.h"
 #include "solid_operator.h"
 #include "solid_supports.h"
 
@@ -36,8 +35,7 @@ SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights);
 
 /// The same of given matrices of some cells, with all entries.
 SparseMatrix assemble_cells(const SolidParts &parts,
-                            std::span<const PlasticCells::Softening> cells,
-                            double weight);
+                            std::span<const CellChange> cells, double weight);
 
 /// Free components of a field in the order of the unknowns, and back; fixed
 /// and hanging ones are left as they are.

@@ -108,6 +108,33 @@ TEST(Soil, TriaxialStrengthAndDilatancy)
     }
 }
 
+// The pressure of the ground around, as an initial stress, strengthens as the
+// same pressure on the sides does; what is pressed counts from it.
+TEST(Soil, InitialStressCountsForTheStrength)
+{
+  const fem::SolidMesh mesh = support::box({1., 1., 1.}, {2, 2, 2});
+  fem::Solid solid = body(soil(0.2), mesh);
+  hold_corner(solid);
+  const double pressure = 50e3;
+  solid.set_initial_stress(
+      [&](const Vector &)
+      {
+        fem::Voigt stress = fem::Voigt::Zero();
+        stress.head<3>().setConstant(-pressure);
+        return stress;
+      });
+  for (int k = 1; k <= 12; ++k)
+  {
+    press(solid, 1e-3 * k);
+    solid.settle(support::no_loads(solid));
+  }
+  const double exact = triaxial_strength(pressure) - pressure;
+  EXPECT_NEAR(pressed(solid), exact, 1e-6 * exact);
+  EXPECT_NEAR(-solid.stress(3)[2], exact, 1e-6 * exact);
+  EXPECT_NEAR(support::balance(solid.energy()), 0.,
+              1e-9 * solid.energy().plastic);
+}
+
 // Work is stored or dissipated, to round-off, in steps of any size.
 TEST(Soil, EnergyOfEquilibriumBalances)
 {
