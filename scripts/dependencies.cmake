@@ -22,6 +22,11 @@ add_library(dep_cholmod INTERFACE)
 target_include_directories(dep_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(dep_cholmod INTERFACE Eigen3::Eigen ${CHOLMOD_LIBRARY})
 
+find_library(UMFPACK_LIBRARY umfpack REQUIRED)
+add_library(dep_umfpack INTERFACE)
+target_include_directories(dep_umfpack SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(dep_umfpack INTERFACE Eigen3::Eigen ${UMFPACK_LIBRARY})
+
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel
   IOXML IOXMLParser IOGeometry IOPLY IOImage IOExport

@@ -103,6 +103,24 @@ void check_ground(const Case &c, const Place &place)
                    "inside"});
 }
 
+void check_solver(const Case &c, const Place &place)
+{
+  const GroundParameters &g = c.subgrade.ground;
+  if (g.solver == GroundSolver::amg && g.body == GroundBody::condensed)
+    refuse(place, {"Subgrade", "solver", "amg",
+                   "must be direct with Subgrade/body = condensed, which is "
+                   "made of factors"});
+}
+
+void check_yielding(const Case &c, const Place &place)
+{
+  const GroundParameters &g = c.subgrade.ground;
+  if (g.body == GroundBody::condensed && yields(g))
+    refuse(place, {"Subgrade", "body", "condensed",
+                   "must be full with Subgrade/layers that yield: a condensed "
+                   "body is elastic"});
+}
+
 void check_pulse(const Case &c, const Place &place)
 {
   const PulseParameters &p = c.subgrade.pulse;
@@ -164,6 +182,8 @@ void check_subgrade(const Case &parameters, const Place &place)
   check_layer(parameters, place);
   check_plate(parameters, place);
   check_ground(parameters, place);
+  check_solver(parameters, place);
+  check_yielding(parameters, place);
   check_pulse(parameters, place);
   check_exchange(parameters, place);
   check_rows(parameters, place);

@@ -77,10 +77,13 @@ void add_ground(List &list, GroundParameters &g)
   list.add({"length", "m", "Of the block, along x."}, g.length,
            above(0., 1000.));
   list.add({"width", "m", "Of the block, along y."}, g.width, above(0., 1000.));
-  list.add({"layers", "-",
-            "From the top down, separated by commas, each: thickness (m), "
-            "Young's modulus (Pa), Poisson's ratio, density (kg/m^3)."},
-           g.layers);
+  list.add(
+      {"layers", "-",
+       "From the top down, separated by commas, each: thickness (m), "
+       "Young's modulus (Pa), Poisson's ratio, density (kg/m^3), and where "
+       "it yields: cohesion (Pa), friction angle, dilatancy angle "
+       "(degrees; Drucker-Prager)."},
+      g.layers);
   list.add({"cell_size", "m", "Of the elements under the plate."}, g.cell_size,
            above(0., 10.));
   list.add({"growth", "-",
@@ -104,6 +107,14 @@ void add_ground(List &list, GroundParameters &g)
            g.body, {"full", "condensed"});
   list.add({"inner_modes", "-", "Of a condensed body."}, g.inner_modes,
            between(0, 10000));
+  list.add({"solver", "-",
+            "Of a full body at rest and in implicit steps. direct: factors, "
+            "once; amg: conjugate gradients with multigrid, for more than "
+            "about 50000 unknowns, whose factors take minutes and gigabytes."},
+           g.solver, {"direct", "amg"});
+  list.add({"solver_tolerance", "-",
+            "amg: residual over right-hand side where it stops."},
+           g.solver_tolerance, Range{0., 1e-4, true, false});
 }
 
 void add_pulse(List &list, PulseParameters &p)

@@ -25,7 +25,8 @@ std::vector<double> surface_mass(const fem::Solid &body,
 
 BodyEnergy energy_of(const fem::SolidEnergy &energy)
 {
-  return {energy.strain, energy.kinetic, energy.damping + energy.absorbed,
+  return {energy.strain, energy.kinetic,
+          energy.damping + energy.plastic + energy.absorbed,
           energy.support_work, energy.load_work};
 }
 

@@ -18,8 +18,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void check(const Solid &body, const SolidSupports &supports,
-           const CondensedParameters &parameters)
+           const CondensedParameters &parameters, bool is_linear)
 {
+  if (!is_linear)
+    throw std::invalid_argument("condensed solid: a layer of its body yields "
+                                "or is neo-Hookean, all must be linear");
   if (parameters.interface.empty())
     throw std::invalid_argument("condensed solid: no nodes on its interface");
   for (const std::int32_t node : parameters.interface)
@@ -96,7 +99,7 @@ CondensedSolid::CondensedSolid(const Solid &body,
     : state(std::make_unique<State>())
 {
   const Solid::State &full = *body.state;
-  check(body, full.supports, parameters);
+  check(body, full.supports, parameters, full.is_linear());
   State &s = *state;
   s.rows = interface_rows(full.supports, parameters.interface);
   s.system = reduce(full.parts(), full.parameters.stiffness_damping, s.rows,

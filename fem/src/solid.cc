@@ -68,6 +68,7 @@ double shear_wave_speed(const SolidLayer &layer)
 
 Solid::State::State(const SolidParameters &p, const SolidMesh &m)
     : parameters(p), mesh(checked(p, m)), elastic(mesh, parameters.layers),
+      hyper(mesh, parameters.layers), plastic(mesh, parameters.layers),
       supports(mesh), mass(elastic.mass().begin(), elastic.mass().end()),
       absorber(mesh.nodes.size(), Matrix::Zero()),
       has_absorber(mesh.nodes.size(), 0)
@@ -77,6 +78,8 @@ Solid::State::State(const SolidParameters &p, const SolidMesh &m)
   now.displacement = now.velocity = now.acceleration = now.moved = zeros;
   now.load = now.elastic = now.viscous = zeros;
   now.support_velocity = now.support_displacement = zeros;
+  now.plastic = plastic.start();
+  now.relief = zeros;
   update_dashpots();
 }
 
@@ -131,6 +134,15 @@ void Solid::State::multiply(std::span<const Vector> u,
 void Solid::State::update_forces()
 {
   multiply(now.displacement, now.elastic);
+  if (!is_linear())
+  {
+    PlasticState flown;
+    plastic.respond(now.displacement, now.plastic, flown);
+    now.done.plastic += plastic.dissipated(now.plastic, flown);
+    now.plastic = std::move(flown);
+    now.relief = total_relief(now.displacement, now.plastic);
+    relieve(now.elastic);
+  }
   if (parameters.stiffness_damping == 0.)
     return;
   multiply(now.velocity, now.viscous);
@@ -161,7 +173,8 @@ void Solid::State::book_half_step()
 
 double Solid::State::strain_energy() const
 {
-  double sum = 0.;
+  double sum = plastic.stored_beyond(now.plastic) +
+               hyper.stored_beyond(now.displacement);
   for (std::size_t k = 0; k < mass.size(); ++k)
     sum += 0.5 * now.displacement[k].dot(now.elastic[k]);
   return sum;
@@ -260,6 +273,13 @@ void Solid::hold_far_field(std::int32_t boundary, const Vector &origin)
   for (std::size_t k = 0; k < springs.size(); ++k)
     state->bedding[k] += springs[k];
   state->update_dashpots(); // what was factored or hashed is stale
+}
+
+void Solid::set_initial_stress(
+    const std::function<Voigt(const Vector &)> &stress)
+{
+  state->plastic.set_initial_stress(state->mesh, stress);
+  state->identity.reset();
 }
 
 void Solid::set_load(std::span<const Vector> load)
@@ -407,6 +427,10 @@ Vector Solid::reaction(std::int32_t node) const
 
 std::array<double, 6> Solid::stress(std::size_t cell) const
 {
+  if (const auto s = state->plastic.mean_stress(cell, state->now.plastic))
+    return {(*s)(0), (*s)(1), (*s)(2), (*s)(3), (*s)(4), (*s)(5)};
+  if (const auto s = state->hyper.mean_stress(cell, state->now.displacement))
+    return {(*s)(0), (*s)(1), (*s)(2), (*s)(3), (*s)(4), (*s)(5)};
   CellCorners corners;
   std::array<Vector, 8> displacement;
   for (std::size_t v = 0; v < 8; ++v)

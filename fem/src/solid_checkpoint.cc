@@ -8,16 +8,19 @@ namespace fem
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x3130444c534c5053; // "SPLSLD01"
+constexpr std::uint64_t magic = 0x3230444c534c5053; // "SPLSLD02"
 
 /// The same list of fields for writing and reading.
 template <typename Motion, typename Field>
 void for_each_field(Motion &now, const Field &field)
 {
-  for (auto *nodes : {&now.displacement, &now.velocity, &now.acceleration,
-                      &now.moved, &now.load, &now.elastic, &now.viscous,
-                      &now.support_velocity, &now.support_displacement})
+  for (auto *nodes :
+       {&now.displacement, &now.velocity, &now.acceleration, &now.moved,
+        &now.load, &now.elastic, &now.viscous, &now.support_velocity,
+        &now.support_displacement, &now.relief})
     field(nodes->data(), nodes->size());
+  for (auto *points : {&now.plastic.strain, &now.plastic.stress})
+    field(points->data(), points->size());
   field(&now.done, std::size_t{1});
   field(&now.has_acceleration, std::size_t{1});
 }
@@ -45,6 +48,8 @@ std::uint64_t Solid::State::fingerprint() const
   seed = hash(seed, mesh.cells.data(), mesh.cells.size());
   seed = hash(seed, mesh.layer.data(), mesh.layer.size());
   seed = hash(seed, bedding.data(), bedding.size());
+  const std::span<const Voigt> initial = plastic.initial_stress();
+  seed = hash(seed, initial.data(), initial.size());
   identity = hash(seed, dashpot.data(), dashpot.size());
   return *identity;
 }

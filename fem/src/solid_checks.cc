@@ -25,6 +25,21 @@ void check_layer(const SolidLayer &layer)
           "must be above -1 and below 0.5");
   require(std::isfinite(layer.density) && layer.density > 0., "density",
           layer.density, "must be positive");
+  if (!layer.yields())
+    return;
+  require(layer.law == SolidLaw::linear, "cohesion", layer.cohesion,
+          "must be infinite in a neo-Hookean layer");
+  require(layer.friction_angle >= 0. && layer.friction_angle < 0.5 * M_PI,
+          "friction_angle", layer.friction_angle,
+          "must be from 0 to below pi / 2");
+  require(layer.dilatancy_angle >= 0. &&
+              layer.dilatancy_angle <= layer.friction_angle,
+          "dilatancy_angle", layer.dilatancy_angle,
+          "must be from 0 to friction_angle");
+  require(layer.cohesion > 0. ||
+              (layer.cohesion == 0. && layer.friction_angle > 0.),
+          "cohesion", layer.cohesion,
+          "must be positive, or zero with a friction_angle above zero");
 }
 
 void check_mesh(const SolidMesh &mesh, std::size_t n_layers)
@@ -60,6 +75,9 @@ void check_solid(const SolidParameters &parameters, const SolidMesh &mesh)
               parameters.stiffness_damping >= 0.,
           "stiffness_damping", parameters.stiffness_damping,
           "must not be negative");
+  require(parameters.solver_tolerance > 0. && parameters.solver_tolerance < 1.,
+          "solver_tolerance", parameters.solver_tolerance,
+          "must be between 0 and 1");
   check_mesh(mesh, parameters.layers.size());
 }
 

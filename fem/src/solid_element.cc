@@ -1,5 +1,7 @@
 #include "solid_element.h"
 
+#include <fem/drucker_prager.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -10,7 +12,6 @@ namespace
 {
 using Vector = Eigen::Vector3d;
 using Gradients = std::array<Vector, 8>;
-using Elasticity = Eigen::Matrix<double, 6, 6>;
 /// Strains xx, yy, zz and twice yz, zx, xy of three amplitudes of one mode.
 using Strains = Eigen::Matrix<double, 6, 3>;
 
@@ -51,16 +52,11 @@ Strains strains(const Vector &gradient)
   return b;
 }
 
-Elasticity elasticity(const SolidLayer &layer)
+VoigtMatrix elasticity(const SolidLayer &layer)
 {
-  const double shear = layer.youngs_modulus / (2. * (1. + layer.poisson_ratio));
-  const double lame =
-      2. * shear * layer.poisson_ratio / (1. - 2. * layer.poisson_ratio);
-  Elasticity c = Elasticity::Zero();
-  c.topLeftCorner<3, 3>().setConstant(lame);
-  c.diagonal().head<3>().array() += 2. * shear;
-  c.diagonal().tail<3>().setConstant(shear);
-  return c;
+  const double nu = layer.poisson_ratio;
+  return fem::elasticity(layer.youngs_modulus / (3. * (1. - 2. * nu)),
+                         layer.youngs_modulus / (2. * (1. + nu)));
 }
 
 std::array<Vector, 8> gauss_points()
@@ -86,9 +82,81 @@ double checked_determinant(const Eigen::Matrix3d &j, const CellCorners &corners)
 }
 } // namespace
 
+std::array<Vector, 8> point_places(const CellCorners &corners)
+{
+  const std::array<Vector, 8> points = gauss_points();
+  std::array<Vector, 8> places;
+  for (std::size_t q = 0; q < 8; ++q)
+  {
+    places[q] = Vector::Zero();
+    for (std::size_t v = 0; v < 8; ++v)
+      places[q] += 0.125 * (1. + sign(v, 0) * points[q].x()) *
+                   (1. + sign(v, 1) * points[q].y()) *
+                   (1. + sign(v, 2) * points[q].z()) * corners[v];
+  }
+  return places;
+}
+
+PointGradients point_gradients(const CellCorners &corners)
+{
+  PointGradients points;
+  const std::array<Vector, 8> at = gauss_points();
+  for (std::size_t q = 0; q < 8; ++q)
+  {
+    const Gradients gradients = unit_gradients(at[q]);
+    const Eigen::Matrix3d j = jacobian(corners, gradients);
+    points.volume[q] = checked_determinant(j, corners);
+    for (std::size_t v = 0; v < 8; ++v)
+      points.gradient[q].row(static_cast<Eigen::Index>(v)) =
+          j.inverse().transpose() * gradients[v];
+  }
+  return points;
+}
+
+CellPoints mean_dilatation_points(const CellCorners &corners)
+{
+  const PointGradients gradients = point_gradients(corners);
+  CellPoints points;
+  points.volume = gradients.volume;
+  Eigen::Matrix<double, 1, 24> mean = Eigen::Matrix<double, 1, 24>::Zero();
+  double volume = 0.;
+  for (std::size_t q = 0; q < 8; ++q)
+  {
+    for (Eigen::Index v = 0; v < 8; ++v)
+      points.strain[q].middleCols<3>(3 * v) =
+          strains(gradients.gradient[q].row(v));
+    mean += points.volume[q] * points.strain[q].topRows<3>().colwise().sum();
+    volume += points.volume[q];
+  }
+  mean /= volume;
+  for (auto &b : points.strain)
+  {
+    const Eigen::Matrix<double, 1, 24> change =
+        (mean - b.topRows<3>().colwise().sum()) / 3.;
+    b.topRows<3>().rowwise() += change;
+  }
+  return points;
+}
+
+namespace
+{
+CellMatrix mean_dilatation_stiffness(const CellCorners &corners,
+                                     const SolidLayer &layer)
+{
+  const CellPoints points = mean_dilatation_points(corners);
+  CellMatrix sum = CellMatrix::Zero();
+  for (std::size_t q = 0; q < 8; ++q)
+    sum += points.volume[q] * points.strain[q].transpose() * elasticity(layer) *
+           points.strain[q];
+  return 0.5 * (sum + sum.transpose());
+}
+} // namespace
+
 CellMatrix cell_stiffness(const CellCorners &corners, const SolidLayer &layer)
 {
-  const Elasticity c = elasticity(layer);
+  if (!layer.is_linear())
+    return mean_dilatation_stiffness(corners, layer);
+  const VoigtMatrix c = elasticity(layer);
   const Eigen::Matrix3d centre =
       jacobian(corners, unit_gradients(Vector::Zero()));
   const double centre_volume = checked_determinant(centre, corners);
@@ -133,14 +201,13 @@ std::array<double, 8> cell_mass(const CellCorners &corners, double density)
   return mass;
 }
 
-Eigen::Matrix<double, 6, 1>
-centre_stress(const CellCorners &corners, const SolidLayer &layer,
-              const std::array<Vector, 8> &displacement)
+Voigt centre_stress(const CellCorners &corners, const SolidLayer &layer,
+                    const std::array<Vector, 8> &displacement)
 {
   const Gradients gradients = unit_gradients(Vector::Zero());
   const Eigen::Matrix3d slope =
       jacobian(corners, gradients).inverse().transpose();
-  Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
+  Voigt strain = Voigt::Zero();
   for (std::size_t v = 0; v < 8; ++v)
     strain += strains(slope * gradients[v]) * displacement[v];
   return elasticity(layer) * strain;

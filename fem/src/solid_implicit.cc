@@ -13,17 +13,33 @@ bool operator==(const SystemWeights &a, const SystemWeights &b)
 }
 } // namespace
 
-const SparseFactor &Solid::State::factor(const SystemWeights &weights)
+void Solid::State::solve(const SystemWeights &weights, NodeField &field)
 {
   const int version = supports.version() + n_dashpot_changes;
-  if (!kept.factor || kept.version != version || !(kept.weights == weights))
+  if (kept.version != version || !(kept.weights == weights))
   {
     kept.factor.reset(); // its memory first
-    kept.factor.emplace(assemble(parts(), weights));
+    kept.multigrid.reset();
+    kept.version = -1;
+    const SparseMatrix matrix = assemble(parts(), weights);
+    if (parameters.solver == SolidSolver::direct)
+      kept.factor.emplace(matrix);
+    else
+      kept.multigrid.emplace(matrix, supports, mesh.nodes);
     kept.weights = weights;
     kept.version = version;
   }
-  return *kept.factor;
+  const Eigen::VectorXd right = to_unknowns(supports, field);
+  from_unknowns(supports,
+                kept.factor
+                    ? Eigen::VectorXd(kept.factor->solve(right))
+                    : kept.multigrid->solve(right, parameters.solver_tolerance),
+                field);
+}
+
+int Solid::solver_iterations() const
+{
+  return state->kept.multigrid ? state->kept.multigrid->n_iterations() : 0;
 }
 
 /// From the balance of forces now; fixed and hanging nodes have none.
@@ -39,7 +55,7 @@ void Solid::State::start_accelerations()
 }
 
 /// K (end (u + beta v) + (1 - end) (u_0 + beta v_0)) [N]: elastic and viscous
-/// force at the time where the rule takes them.
+/// force at the time where the rule takes them, less what has flown until now.
 NodeField Solid::State::mixed_force(const NodeField &start,
                                     const NodeField &speed, double end) const
 {
@@ -50,6 +66,7 @@ NodeField Solid::State::mixed_force(const NodeField &start,
                (1. - end) * (start[k] + beta * speed[k]);
   supports.spread(mixed);
   multiply(mixed, result);
+  relieve(result);
   return result;
 }
 
@@ -60,10 +77,10 @@ void Solid::State::solve_accelerations(const ImplicitStep &step,
 {
   const double end = 1. - step.rule.alpha_f;
   const double beta = parameters.stiffness_damping;
-  const SparseFactor &system =
-      factor({1. - step.rule.alpha_m, end * step.rule.gamma * step.time_step,
-              end * (step.rule.beta * step.time_step + beta * step.rule.gamma) *
-                  step.time_step});
+  const SystemWeights system{
+      1. - step.rule.alpha_m, end * step.rule.gamma * step.time_step,
+      end * (step.rule.beta * step.time_step + beta * step.rule.gamma) *
+          step.time_step};
   const NodeField internal = mixed_force(start, speed, end);
   NodeField load(step.load.begin(), step.load.end());
   supports.collect(load);
@@ -73,8 +90,21 @@ void Solid::State::solve_accelerations(const ImplicitStep &step,
         step.rule.alpha_m * mass[k] * now.acceleration[k] -
         dashpot[k] * (end * now.velocity[k] + step.rule.alpha_f * speed[k]) -
         internal[k];
-  from_unknowns(supports, system.solve(to_unknowns(supports, load)),
-                now.acceleration);
+  solve(system, load);
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    for (int c = 0; c < 3; ++c)
+      if (supports.unknown(k, c) >= 0)
+        now.acceleration[k](c) = load[k](c);
+  if (is_linear())
+    return;
+  const double reach = step.rule.beta * step.time_step * step.time_step;
+  NodeField predicted = now.displacement;
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    predicted[k] += reach * now.acceleration[k];
+  supports.spread(predicted);
+  const NodeField change = flow_correction({&predicted, system, reach, end});
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    now.acceleration[k] += change[k];
 }
 
 void Solid::advance(std::span<const Vector> load, double time_step,
@@ -116,40 +146,57 @@ void Solid::advance(std::span<const Vector> load, double time_step,
   state->book_half_step();
 }
 
-void Solid::settle(std::span<const Vector> load)
+/// Displacements of equilibrium with the supports where they are put.
+NodeField Solid::State::equilibrium(std::span<const Vector> load)
 {
-  check_solid_loads(load.size(), state->mass.size());
-  SolidMotion &now = state->now;
-  const SolidSupports &supports = state->supports;
-  const SparseFactor &factor = state->factor({0., 0., 1.});
-  now.done.damping += energy().kinetic; // brought to rest
-  const std::size_t n = state->mass.size();
-  now.velocity.assign(n, Vector::Zero());
-  now.acceleration = now.viscous = now.velocity;
-  now.has_acceleration = true;
-
-  NodeField start = now.displacement, target = now.displacement, internal(n);
+  const std::size_t n = mass.size();
+  NodeField target = now.displacement, internal(n);
   for (std::size_t k = 0; k < n; ++k)
     for (int c = 0; c < 3; ++c)
       if (supports.is_fixed(k, c))
         target[k](c) = now.support_displacement[k](c);
   supports.spread(target);
-  state->multiply(target, internal);
+  multiply(target, internal);
+  relieve(internal);
   NodeField residual(load.begin(), load.end());
   supports.collect(residual);
   for (std::size_t k = 0; k < n; ++k)
     residual[k] -= internal[k];
-  NodeField change(n, Vector::Zero());
-  from_unknowns(supports, factor.solve(to_unknowns(supports, residual)),
-                change);
+  solve({0., 0., 1.}, residual);
   for (std::size_t k = 0; k < n; ++k)
-    now.moved[k] = target[k] + change[k] - start[k];
-  supports.spread(now.moved);
+    for (int c = 0; c < 3; ++c)
+      if (supports.unknown(k, c) >= 0)
+        target[k](c) += residual[k](c);
+  supports.spread(target);
+  if (is_linear())
+    return target;
+  const NodeField change = flow_correction({&target, {0., 0., 1.}, 1., 1.});
+  for (std::size_t k = 0; k < n; ++k)
+    target[k] += change[k];
+  return target;
+}
+
+void Solid::settle(std::span<const Vector> load)
+{
+  check_solid_loads(load.size(), state->mass.size());
+  SolidMotion &now = state->now;
+  const NodeField end = state->equilibrium(load); // or throws: nothing moved
+  const std::size_t n = end.size();
+  now.done.damping += energy().kinetic; // brought to rest
+  now.velocity.assign(n, Vector::Zero());
+  now.acceleration = now.viscous = now.velocity;
+  now.has_acceleration = true;
+  for (std::size_t k = 0; k < n; ++k)
+    now.moved[k] = end[k] - now.displacement[k];
   state->book_half_step();
-  for (std::size_t k = 0; k < n; ++k)
-    now.displacement[k] = start[k] + now.moved[k];
+  now.displacement = end;
   state->set_load(load);
   state->update_forces();
   state->book_half_step();
+}
+
+std::span<const double> Solid::newton_residuals() const
+{
+  return state->newton_residuals;
 }
 } // namespace fem

@@ -7,12 +7,6 @@
 
 namespace fem
 {
-namespace
-{
-/// Two cells share a matrix if this is equal: the layer and the edges from
-/// the first corner in units of a billionth of the cell.
-using ShapeKey = std::array<std::int64_t, 23>;
-
 CellCorners corners_of(const SolidMesh &mesh, std::size_t cell)
 {
   CellCorners corners;
@@ -36,6 +30,8 @@ ShapeKey shape_key(const CellCorners &corners, std::int32_t layer)
   return key;
 }
 
+namespace
+{
 double largest_frequency(const CellMatrix &stiffness,
                          const std::array<double, 8> &mass)
 {

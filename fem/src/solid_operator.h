@@ -12,6 +12,20 @@ namespace fem
 {
 using NodeField = std::vector<Eigen::Vector3d>;
 
+/// Something added to the matrix of a cell of the mesh.
+struct CellChange
+{
+  std::size_t cell = 0;
+  CellMatrix stiffness; ///< [N/m]
+};
+
+CellCorners corners_of(const SolidMesh &mesh, std::size_t cell);
+
+/// Two cells share a matrix if this is equal: the layer and the edges from
+/// the first corner in units of a billionth of the cell.
+using ShapeKey = std::array<std::int64_t, 23>;
+ShapeKey shape_key(const CellCorners &corners, std::int32_t layer);
+
 /// Stiffness and lumped mass of a body, cell by cell. Cells of the same
 /// shape, size and layer share one matrix; nothing here knows of supports or
 /// hanging nodes.

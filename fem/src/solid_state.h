@@ -1,5 +1,8 @@
 #pragma once
 
+#include "hyper_cells.h"
+#include "multigrid.h"
+#include "plastic_cells.h"
 #include "solid_system.h"
 
 #include <fem/solid.h>
@@ -14,18 +17,21 @@ struct SolidMotion
 {
   NodeField displacement, velocity, acceleration; ///< [m], [m/s], [m/s^2]
   NodeField moved;                                ///< in the present step [m]
-  NodeField load, elastic, viscous;               ///< f, K u and beta K v [N]
+  NodeField load, elastic, viscous; ///< f, internal and beta K v [N]
+  NodeField relief;                 ///< K u less the internal force [N]
   NodeField support_velocity, support_displacement;
-  SolidEnergy done; ///< works and dissipation so far [J]
+  PlasticState plastic; ///< empty without layers that yield
+  SolidEnergy done;     ///< works and dissipation so far [J]
   bool has_acceleration = false;
 };
 
-/// Factors of the last implicit or quasi-static matrix, and what it was.
-struct KeptFactor
+/// Solver of the last implicit or quasi-static matrix, and what it was.
+struct KeptSolver
 {
   SystemWeights weights;
   int version = -1; ///< of the supports and dashpots
   std::optional<SparseFactor> factor;
+  std::optional<MultigridSolver> multigrid;
 };
 
 /// One implicit step, as advance is asked for it.
@@ -34,6 +40,15 @@ struct ImplicitStep
   std::span<const Eigen::Vector3d> load; ///< at its end [N]
   double time_step = 0.;                 ///< [s]
   ImplicitRule rule;
+};
+
+/// A correction x of what was predicted without further flow: weights x =
+/// share * relief(predicted + reach * x), on the free components.
+struct FlowSystem
+{
+  const NodeField *predicted = nullptr; ///< displacements [m]
+  SystemWeights weights;
+  double reach = 1., share = 1.;
 };
 
 struct Solid::State
@@ -49,7 +64,8 @@ struct Solid::State
                 std::span<Eigen::Vector3d> out) const;
   /// Dashpots and mass damping on the free components.
   void update_dashpots();
-  const SparseFactor &factor(const SystemWeights &weights);
+  /// Field of the free components that this matrix turns into the given one.
+  void solve(const SystemWeights &weights, NodeField &field);
 
   /// All but the dashpots and mass damping [N].
   Eigen::Vector3d force(std::size_t k) const
@@ -58,6 +74,7 @@ struct Solid::State
   }
   void put_supports_in_motion();
   void set_load(std::span<const Eigen::Vector3d> load);
+  /// Forces of the present motion; books the plastic flow on the way to it.
   void update_forces();
   /// Half the work of the present forces over now.moved.
   void book_half_step();
@@ -66,6 +83,17 @@ struct Solid::State
                         double end) const;
   void solve_accelerations(const ImplicitStep &step, const NodeField &start,
                            const NodeField &speed);
+  bool is_linear() const { return plastic.empty() && hyper.empty(); }
+  NodeField total_relief(std::span<const Eigen::Vector3d> displacement,
+                         const PlasticState &flown) const;
+  void relieve(std::span<Eigen::Vector3d> force) const;
+  NodeField relief(const NodeField &displacement) const;
+  Eigen::VectorXd imbalance(const FlowSystem &system,
+                            const NodeField &correction) const;
+  NodeField newton_step(const FlowSystem &system, const NodeField &correction,
+                        const Eigen::VectorXd &left) const;
+  NodeField flow_correction(const FlowSystem &system);
+  NodeField equilibrium(std::span<const Eigen::Vector3d> load);
   double strain_energy() const;
   double largest_frequency() const;
   std::uint64_t fingerprint() const; ///< asked often, made once
@@ -73,6 +101,8 @@ struct Solid::State
   const SolidParameters parameters;
   const SolidMesh mesh;
   const SolidOperator elastic;
+  const HyperCells hyper;
+  PlasticCells plastic;
   SolidSupports supports;
   std::vector<double> mass;              ///< with that of hanging nodes [kg]
   std::vector<Eigen::Matrix3d> absorber; ///< of absorbing boundaries [kg/s]
@@ -80,7 +110,8 @@ struct Solid::State
   std::vector<char> has_absorber;
   std::vector<Eigen::Matrix3d> bedding; ///< empty: none [N/m]
   SolidMotion now;
-  KeptFactor kept;
+  KeptSolver kept;
+  std::vector<double> newton_residuals; ///< of the last correction
   int n_dashpot_changes = 0;
   mutable std::optional<std::uint64_t> identity;
 };

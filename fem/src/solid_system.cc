@@ -1,6 +1,7 @@
 #include "solid_system.h"
 
 #include <Eigen/CholmodSupport>
+#include <Eigen/UmfPackSupport>
 
 #include <stdexcept>
 
@@ -21,15 +22,21 @@ void add_product(const Shares &rows, const Shares &columns, double value,
                              value * row.weight * column.weight);
 }
 
-void add_cell(const SolidParts &parts, std::size_t cell, double weight,
-              Triplets &entries)
+std::array<Shares, 24> cell_shares(const SolidParts &parts, std::size_t cell)
 {
-  const CellMatrix &stiffness = parts.elastic.stiffness(cell);
   std::array<Shares, 24> shares;
   for (std::size_t i = 0; i < 24; ++i)
     shares[i] = parts.supports.shares(
         static_cast<std::size_t>(parts.mesh.cells[cell][i / 3]),
         static_cast<int>(i % 3));
+  return shares;
+}
+
+void add_cell(const SolidParts &parts, std::size_t cell, double weight,
+              Triplets &entries)
+{
+  const CellMatrix &stiffness = parts.elastic.stiffness(cell);
+  const std::array<Shares, 24> shares = cell_shares(parts, cell);
   for (std::size_t i = 0; i < 24; ++i)
     for (std::size_t j = 0; j < 24; ++j)
       add_product(shares[i], shares[j],
@@ -79,6 +86,39 @@ SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights)
   SparseMatrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+SparseMatrix assemble_cells(const SolidParts &parts,
+                            std::span<const CellChange> cells, double weight)
+{
+  Triplets entries;
+  entries.reserve(600 * cells.size());
+  for (const auto &[cell, stiffness] : cells)
+  {
+    const std::array<Shares, 24> shares = cell_shares(parts, cell);
+    for (std::size_t i = 0; i < 24; ++i)
+      for (std::size_t j = 0; j < 24; ++j)
+        for (const auto &row : shares[i])
+          for (const auto &column : shares[j])
+            entries.emplace_back(row.unknown, column.unknown,
+                                 weight * row.weight * column.weight *
+                                     stiffness(static_cast<Eigen::Index>(i),
+                                               static_cast<Eigen::Index>(j)));
+  }
+  const auto n = static_cast<Eigen::Index>(parts.supports.n_unknowns());
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::VectorXd solve_once(const SparseMatrix &matrix,
+                           const Eigen::VectorXd &right_hand_side)
+{
+  const Eigen::UmfPackLU<SparseMatrix> factors(matrix);
+  if (factors.info() != Eigen::Success)
+    throw std::runtime_error("solid: the tangent of its layers that yield is "
+                             "singular: they bear no more load");
+  return factors.solve(right_hand_side);
 }
 
 Eigen::VectorXd to_unknowns(const SolidSupports &supports,

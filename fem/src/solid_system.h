@@ -33,12 +33,21 @@ struct SolidParts
 /// Lower triangle of the sum, on the unknowns of the supports.
 SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights);
 
+/// The same of given matrices of some cells, with all entries.
+SparseMatrix assemble_cells(const SolidParts &parts,
+                            std::span<const CellChange> cells, double weight);
+
 /// Free components of a field in the order of the unknowns, and back; fixed
 /// and hanging ones are left as they are.
 Eigen::VectorXd to_unknowns(const SolidSupports &supports,
                             std::span<const Eigen::Vector3d> field);
 void from_unknowns(const SolidSupports &supports, const Eigen::VectorXd &values,
                    std::span<Eigen::Vector3d> field);
+
+/// By LU factors (UMFPACK) that are not kept. Throws std::runtime_error on a
+/// singular matrix.
+Eigen::VectorXd solve_once(const SparseMatrix &matrix,
+                           const Eigen::VectorXd &right_hand_side);
 
 /// Cholesky factors of a symmetric, positive definite matrix (CHOLMOD,
 /// supernodal). Throws std::runtime_error if it is not definite.

@@ -37,8 +37,8 @@ inline std::int32_t node_at(const fem::SolidMesh &mesh,
 
 inline double balance(const fem::SolidEnergy &e)
 {
-  return e.strain + e.kinetic + e.damping + e.absorbed - e.load_work -
-         e.support_work;
+  return e.strain + e.kinetic + e.damping + e.plastic + e.absorbed -
+         e.load_work - e.support_work;
 }
 
 /// A field of displacements without body forces: point load P on the surface

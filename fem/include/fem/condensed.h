@@ -22,7 +22,8 @@ class CondensedSolid
 {
 public:
   /// Takes mesh, materials, supports, dashpots and damping of the body, not
-  /// its motion. Throws std::invalid_argument on nodes that hang, and
+  /// its motion. Throws std::invalid_argument on nodes that hang or layers that
+  /// are not linear, and
   /// std::runtime_error if the supports do not hold the body.
   CondensedSolid(const Solid &body, const CondensedParameters &parameters);
   ~CondensedSolid();

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <fem/drucker_prager.h>
 #include <fem/implicit_rule.h>
 #include <fem/solid_mesh.h>
 
+#include <cmath>
+#include <functional>
 #include <iosfwd>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,34 +15,62 @@
 
 namespace fem
 {
-/// Linear elastic, isotropic.
+/// Of the cells of a layer.
+enum class SolidLaw : std::int64_t // no gap in SolidLayer, which is hashed
+{
+  linear,   ///< small strains, Hooke
+  neo_hooke ///< finite strains (neo_hooke.h)
+};
+
+/// Linear elastic, isotropic; with a finite cohesion perfectly plastic beyond
+/// the cone of Drucker and Prager (drucker_prager.h).
 struct SolidLayer
 {
   double youngs_modulus = 50e6; ///< E [Pa]
   double poisson_ratio = 0.3;   ///< nu [-], below 0.5
   double density = 1800.;       ///< [kg/m^3]
+  /// c [Pa]; infinite: never yields
+  double cohesion = std::numeric_limits<double>::infinity();
+  double friction_angle = 0.;  ///< phi [rad], from 0 to below pi/2
+  double dilatancy_angle = 0.; ///< psi [rad], from 0 to phi
+
+  SolidLaw law = SolidLaw::linear; ///< linear where it may yield
+
+  bool yields() const { return std::isfinite(cohesion); }
+  bool is_linear() const { return law == SolidLaw::linear && !yields(); }
 };
 
 /// Speeds of plane waves [m/s].
 double pressure_wave_speed(const SolidLayer &layer);
 double shear_wave_speed(const SolidLayer &layer);
 
+/// Of the linear systems of implicit steps and of equilibrium.
+enum class SolidSolver
+{
+  direct, ///< factors, kept while the matrix stays
+  amg     ///< conjugate gradients with multigrid, kept likewise
+};
+
 struct SolidParameters
 {
   std::vector<SolidLayer> layers{SolidLayer{}}; ///< by number of the layer
   double mass_damping = 0.;      ///< Rayleigh alpha: force -alpha m v [1/s]
   double stiffness_damping = 0.; ///< Rayleigh beta: force -beta K v [s]
+  SolidSolver solver = SolidSolver::direct;
+  double solver_tolerance = 1e-10; ///< amg: residual over load [-]
 };
 
 /// Energies and dissipation since construction [J]. The balance strain +
-/// kinetic + damping + absorbed - load_work - support_work is constant: to
-/// round-off in quasi-static steps and with average acceleration, to second
-/// order in the time step in explicit ones.
+/// kinetic + damping + plastic + absorbed - load_work - support_work is
+/// constant: to round-off in quasi-static steps and with average acceleration,
+/// to second order in the time step in explicit ones.
 struct SolidEnergy
 {
-  double strain = 0.;       ///< stored now
-  double kinetic = 0.;      ///< now
-  double damping = 0.;      ///< dissipated by Rayleigh damping
+  double strain = 0.;  ///< stored now
+  double kinetic = 0.; ///< now
+  double damping = 0.; ///< dissipated by Rayleigh damping
+  /// dissipated by plastic flow, less what an initial stress does in it
+  double plastic = 0.;
   double absorbed = 0.;     ///< carried away through absorbing boundaries
   double load_work = 0.;    ///< done by the loads
   double support_work = 0.; ///< done by whatever moves the supports
@@ -54,10 +86,12 @@ struct StepLimit
   std::string reason; ///< the fastest cell, in words
 };
 
-/// Elastic body at small strains on eight-node cells with incompatible modes,
-/// lumped mass. Three ways to move it, which may follow one another: explicit
-/// (begin_step, end_step), implicit (advance), without inertia (settle).
-/// Displacements and loads are one vector per node of the mesh. Serial.
+/// Elastic body on eight-node cells, lumped mass: at small strains with
+/// incompatible modes; layers that yield or are neo-Hookean with the mean
+/// volume change of the cell, Newton's method in all implicit and static steps.
+/// Three ways to move it, which may follow one another: explicit (begin_step,
+/// end_step), implicit (advance), without inertia (settle). Displacements and
+/// loads are one vector per node of the mesh. Serial.
 class Solid
 {
 public:
@@ -89,6 +123,13 @@ public:
   /// std::invalid_argument where the boundary does not face away from there.
   void hold_far_field(std::int32_t boundary, const Eigen::Vector3d &origin);
 
+  /// Stress in which the mesh is given, at the points of the cells that may
+  /// yield [Pa]: it is in balance with loads that are not among those given,
+  /// the weight of the ground, and counts for the strength alone. Without it
+  /// the stress counts from zero. Before anything has moved.
+  void set_initial_stress(
+      const std::function<Voigt(const Eigen::Vector3d &)> &stress);
+
   /// Explicit, as Membrane does it: half kick and drift; then forces at the
   /// new positions with these loads [N], and the second half kick. Dashpots
   /// and mass damping are implicit in the second half; stiffness damping is
@@ -101,14 +142,24 @@ public:
   /// starts with the acceleration that it makes.
   void set_load(std::span<const Eigen::Vector3d> load);
 
-  /// One implicit step to loads that hold at its end. The matrix is factored
-  /// again only when the step, the rule or the supports have changed.
+  /// One implicit step to loads that hold at its end. The matrix is factored,
+  /// or its multigrid made, again only when the step, the rule or the supports
+  /// have changed. Where a layer is not linear, Newton's method with the
+  /// consistent tangent. Throws std::runtime_error if a solver fails.
   void advance(std::span<const Eigen::Vector3d> load, double time_step,
                const ImplicitRule &rule = average_acceleration());
 
   /// Equilibrium under these loads without inertia; velocities become zero.
-  /// Throws std::runtime_error if the supports do not hold the body.
+  /// Throws std::runtime_error if the supports do not hold the body, or if
+  /// layers that are not linear find no equilibrium; nothing has moved then.
   void settle(std::span<const Eigen::Vector3d> load);
+
+  /// Conjugate gradient steps of the last linear system; 0 with factors.
+  int solver_iterations() const;
+
+  /// Newton's method in the last implicit step or settle, where a layer is not
+  /// linear: imbalance over forces before each iteration and at the end [-].
+  std::span<const double> newton_residuals() const;
 
   const SolidMesh &mesh() const;
   std::span<const Eigen::Vector3d> displacements() const; ///< [m]
@@ -118,8 +169,8 @@ public:
   /// Force that a node puts on its support: elastic, viscous and load [N]; the
   /// inertia of the node is left out.
   Eigen::Vector3d reaction(std::int32_t node) const;
-  /// Stress in the middle of a cell, tension positive: xx, yy, zz, yz, zx, xy
-  /// [Pa].
+  /// Stress in the middle of a cell, beyond an initial one, tension positive:
+  /// xx, yy, zz, yz, zx, xy [Pa].
   std::array<double, 6> stress(std::size_t cell) const;
 
   /// Displacement, velocity and load of the nodes, stress of the cells.
