@@ -42,11 +42,29 @@ struct FillingParameters
   double max_time = 2.;           ///< of a layer to come to rest [s]
 };
 
+enum class PlateKind
+{
+  rigid,   ///< moves along z only
+  tilting, ///< rigid, moves along z and turns
+  elastic
+};
+
 struct PlateParameters
 {
+  PlateKind form = PlateKind::rigid;
   /// All that moves along z: plate, static load, exciter with its mass [kg].
   double mass = 600.;
-  double load = 0.;            ///< besides, without mass: a soft spring [N]
+  /// Tilting: of the solid cylinder, as wide as the container, that has the
+  /// mass [m].
+  double height = 0.1;
+  double thickness = 0.02;       ///< of an elastic plate [m]
+  double youngs_modulus = 210e9; ///< of an elastic plate [Pa]
+  double poisson_ratio = 0.3;    ///< of an elastic plate [-]
+  double density = 7850.;        ///< of an elastic plate [kg/m^3]
+  /// What an elastic plate carries rides within, and has no stiffness [m].
+  double load_radius = 0.04;
+  int elements = 4; ///< of an elastic plate, from its middle to its rim
+  double load = 0.; ///< besides, without mass: a soft spring [N]
   double seating_speed = 0.05; ///< largest, until the stones carry it [m/s]
   double seating_time = 0.1;   ///< of rest then, before the vibration [s]
 };

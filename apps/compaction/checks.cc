@@ -55,11 +55,27 @@ void check_size(const Case &c, const Place &place)
   if (box.height < 2. * largest)
     refuse(place, {"Container", "height", number_text(box.height), why});
 }
+
+void check_plate(const Case &c, const Place &place)
+{
+  if (c.plate.form != PlateKind::elastic)
+    return;
+  if (c.coupling.exchange == ExchangeChoice::none)
+    refuse(place, {"Coupling", "exchange", "none",
+                   "with Plate/form = elastic must be one of every_step, "
+                   "one_pass, iterated"});
+  check_every_step(c, place);
+  if (c.plate.load_radius > 0.5 * c.container.diameter)
+    refuse(place, {"Plate", "load_radius", number_text(c.plate.load_radius),
+                   "must be at most half of Container/diameter = " +
+                       number_text(c.container.diameter)});
+}
 } // namespace
 
 void check_compaction(const Case &c, const Place &place)
 {
   check_size(c, place);
+  check_plate(c, place);
   check_shapes(c, place, "Filling", c.filling.shapes);
   check_reports(c, place);
   if (c.filling.density > 0.75 * c.stone.density)
@@ -68,7 +84,9 @@ void check_compaction(const Case &c, const Place &place)
                        number_text(0.75 * c.stone.density) +
                        ": random packings stay below"});
   const double longest = 0.05 / c.vibration.frequency;
-  const int n = c.coupling.exchange_rules(c.lateral()).stone_steps;
+  const Lateral soft =
+      c.plate.form == PlateKind::elastic ? Lateral::membrane : c.lateral();
+  const int n = c.coupling.exchange_rules(soft).stone_steps;
   if (c.time.step == StepRule::fixed && n * c.time.fixed_step > longest)
     refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
                    "a window of " + std::to_string(n) +

@@ -37,11 +37,21 @@ const dem::Plane &Compaction::plate_plane() const
   return engine().planes()[pouring.tamper()];
 }
 
+bool Compaction::has_windows() const
+{
+  return parameters.lateral() == Lateral::membrane ||
+         parameters.plate.form == PlateKind::elastic;
+}
+
+coupling::ExchangeParameters Compaction::exchange_rules() const
+{
+  return has_windows() ? parameters.coupling.exchange_rules()
+                       : coupling::ExchangeParameters{};
+}
+
 int Compaction::steps_in_move() const
 {
-  return joined ? parameters.coupling.exchange_rules(parameters.lateral())
-                      .stone_steps
-                : 1;
+  return joined ? exchange_rules().stone_steps : 1;
 }
 
 void Compaction::move(double time_step)
@@ -66,9 +76,11 @@ void Compaction::fill(double time_step)
   const dem::Vec3 above =
       (pouring.layers().back().height + 1e-3 * scene.room.width_x) *
       dem::Vec3::UnitZ();
-  engine().place_plane(pouring.tamper(), above);
   engine().set_local_damping(parameters.time.local_damping);
   now.stage = Stage::seating;
+  if (parameters.plate.form != PlateKind::rigid)
+    return join(above.z());
+  engine().place_plane(pouring.tamper(), above);
 }
 
 /// Until the stones carry it. The last of its speed is too small to shake it.
@@ -77,7 +89,10 @@ void Compaction::lower_plate(double time_step)
   constexpr double slowest = 0.02; // [-]
   const double carried = plate_plane().force.z() / weight();
   if (carried >= 1.)
-    return join();
+  {
+    join(plate_plane().point.z());
+    return let_go();
+  }
   engine().planes()[pouring.tamper()].velocity =
       -parameters.plate.seating_speed * std::clamp(1. - carried, slowest, 1.) *
       dem::Vec3::UnitZ();
@@ -90,39 +105,36 @@ double Compaction::weight() const
          parameters.plate.mass * engine().parameters().gravity.z();
 }
 
-void Compaction::join()
+void Compaction::join(double plate_height)
 {
   now.join_time = engine().time();
-  now.join_height = plate_plane().point.z();
+  now.join_height = plate_height;
   now.plane_work_gone = plate_plane().work;
-  if (parameters.lateral() == Lateral::membrane)
-  {
-    // The mould is taken away.
-    dem::Drum mould = engine().drum();
-    mould.radius *= 100.;
-    engine().set_drum(mould);
-  }
-  build_joint();
+  build_plate();
 }
 
-void Compaction::build_joint()
+void Compaction::let_go()
 {
-  joined = std::make_unique<coupling::Exchange>(
-      parameters.coupling.exchange_rules(parameters.lateral()));
-  fem::PlateBodyParameters body;
-  body.mass = parameters.plate.mass;
-  body.centre = now.join_height * dem::Vec3::UnitZ();
-  body.moves = {false, false, true};
-  body.turns = {false, false, false};
-  auto lid = std::make_unique<coupling::RigidBody>(
-      body, coupling::Field{body.centre},
-      plate_drive(parameters.plate, parameters.vibration));
-  plate = lid.get();
-  joined->add(std::move(lid),
-              std::make_unique<coupling::PlaneSeam>(pouring.tamper()),
-              engine());
+  now.let_go_time = engine().time();
+  plate->let_go(now.let_go_time - now.join_time);
   if (parameters.lateral() == Lateral::rigid)
     return;
+  // The mould is taken away.
+  dem::Drum mould = engine().drum();
+  mould.radius *= 100.;
+  engine().set_drum(mould);
+  build_tube();
+}
+
+void Compaction::build_plate()
+{
+  joined = std::make_unique<coupling::Exchange>(exchange_rules());
+  plate = std::make_unique<CompactionPlate>(
+      parameters, now.join_height, pouring.tamper(), *joined, engine());
+}
+
+void Compaction::build_tube()
+{
   const CouplingParameters &c = parameters.coupling;
   auto sleeve = std::make_unique<coupling::MembraneBody>(
       make_tube(parameters),
@@ -139,11 +151,11 @@ void Compaction::step_joined(double time_step)
   if (tube)
     tube->membrane().set_pressure(
         parameters.container.pressure *
-        std::min(1., 2. * (engine().time() + window - now.join_time) /
+        std::min(1., 2. * (engine().time() + window - now.let_go_time) /
                          parameters.plate.seating_time));
   // With windows the impulse is set to zero when one begins.
   const double before = joined->rule() == coupling::ExchangeRule::every_step
-                            ? plate_plane().impulse.z()
+                            ? plate->impulse(engine())
                             : 0.;
   joined->advance({engine(),
                    [this](double duration_of_step)
@@ -152,8 +164,13 @@ void Compaction::step_joined(double time_step)
                    [this](std::istream &in) { engine().restore(in, shapes); }},
                   window);
   if (now.stage == Stage::vibration)
-    follow_vibration(window, plate_plane().impulse.z() - before);
-  else if (engine().time() >= now.join_time + parameters.plate.seating_time)
+    return follow_vibration(window, plate->impulse(engine()) - before);
+  if (now.let_go_time == 0.)
+  {
+    if (plate->is_carried(engine()))
+      let_go();
+  }
+  else if (engine().time() >= now.let_go_time + parameters.plate.seating_time)
   {
     now.stage = Stage::vibration;
     now.start_height = height();
@@ -181,16 +198,23 @@ double Compaction::progress_at(double time) const
 {
   return now.stage == Stage::vibration
              ? std::max(0.,
-                        time - now.join_time - parameters.plate.seating_time)
+                        time - now.let_go_time - parameters.plate.seating_time)
              : 0.;
 }
 
 /// Under the plate, or as it was last taken; 0 before.
 double Compaction::height() const
 {
+  if (plate && plate->is_disc())
+    return plate->height();
   if (now.stage != Stage::filling)
     return plate_plane().point.z();
   return pouring.layers().empty() ? 0. : pouring.layers().back().height;
+}
+
+double Compaction::plate_load() const
+{
+  return plate ? plate->load(engine()) : plate_plane().force.z();
 }
 
 double Compaction::volume() const
@@ -302,12 +326,19 @@ double Compaction::external_work() const
 
 Surroundings Compaction::surroundings() const
 {
-  return {joined.get(), tube, scene.setup.window, steps_in_move()};
+  const coupling::Body *stiff = tube;
+  if (plate && plate->elastic()) // faster than any membrane
+    stiff = plate->elastic();
+  return {joined.get(), stiff, scene.setup.window, steps_in_move()};
 }
 
 FrameParts Compaction::frame_parts() const
 {
-  return {tube ? &tube->membrane() : nullptr, true};
+  FrameParts parts{tube ? &tube->membrane() : nullptr, true};
+  if (plate && plate->elastic())
+    parts.bodies.push_back({"plate", [this](const std::string &path)
+                            { plate->elastic()->solid().write_vtu(path); }});
+  return parts;
 }
 
 void Compaction::save(std::ostream &out) const
@@ -326,7 +357,13 @@ void Compaction::restore(std::istream &in)
   dem::read_column(in, reports);
   pouring.restore(in);
   if (now.join_time > 0.)
-    build_joint();
+    build_plate();
+  if (now.let_go_time > 0.)
+  {
+    plate->let_go(now.let_go_time - now.join_time);
+    if (parameters.lateral() == Lateral::membrane)
+      build_tube();
+  }
   LabTest::restore(in);
   if (joined)
     joined->restore(in);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compaction/plate.h"
 #include "compaction/scene.h"
 #include "laboratory/test.h"
 
@@ -56,8 +57,9 @@ private:
     std::int32_t stage_before = 0; ///< at the last step
     std::int64_t n_layers_before = 0;
     double time_before = 0.;     ///< at the last step [s]
-    double join_time = 0.;       ///< the plate was let go; 0: not yet [s]
+    double join_time = 0.;       ///< the plate became a body; 0: not yet [s]
     double join_height = 0.;     ///< of the lower face of the plate then [m]
+    double let_go_time = 0.;     ///< the stones carried it; 0: not yet [s]
     double start_height = 0.;    ///< the same when the vibration begins [m]
     double plane_work_gone = 0.; ///< of its plane until it was joined [J]
     double impulse = 0.;         ///< of the stones on it, of vibration [N s]
@@ -74,8 +76,13 @@ private:
 
   void fill(double time_step);
   void lower_plate(double time_step);
-  void join();
-  void build_joint();
+  void join(double height);
+  void let_go();
+  void build_plate();
+  void build_tube();
+  bool has_windows() const; ///< Coupling says how stones and bodies meet
+  coupling::ExchangeParameters exchange_rules() const;
+  double plate_load() const; ///< of the stones, up [N]
   void step_joined(double time_step);
   void follow_vibration(double window, double impulse);
   void report(double due); ///< time of vibration [s]
@@ -89,10 +96,10 @@ private:
   CompactionScene scene;
   dem::Pouring pouring;
   std::unique_ptr<coupling::Exchange> joined;
-  const coupling::RigidBody *plate = nullptr; ///< of `joined`
-  coupling::MembraneBody *tube = nullptr;     ///< of `joined`, flexible only
-  double last_time = 0.;                      ///< of vibration, this run [s]
-  double filled_mass = 0.;                    ///< before breakage [kg]
+  std::unique_ptr<CompactionPlate> plate; ///< of `joined`
+  coupling::MembraneBody *tube = nullptr; ///< of `joined`, flexible only
+  double last_time = 0.;                  ///< of vibration, this run [s]
+  double filled_mass = 0.;                ///< before breakage [kg]
   State now;
   std::vector<Report> reports;
   std::vector<NamedText> files;

@@ -64,10 +64,34 @@ void add_filling(List &list, FillingParameters &f)
 void add_plate(List &list, PlateParameters &p)
 {
   list.in("Plate");
+  list.add({"form", "-",
+            "rigid: moves along z only; tilting: rigid, moves along z and "
+            "turns; elastic: bends, with Coupling for what the stones and it "
+            "tell each other."},
+           p.form, {"rigid", "tilting", "elastic"});
   list.add({"mass", "kg",
             "All that moves with the plate: static load and exciter with its "
-            "eccentric mass. It moves along z only."},
+            "eccentric mass."},
            p.mass, above(0., 1e7));
+  list.add({"height", "m",
+            "Tilting: of the solid cylinder, as wide as the container, that "
+            "has the mass."},
+           p.height, above(0., 100.));
+  list.add({"thickness", "m", "Elastic: of the plate, wide as the container."},
+           p.thickness, above(0., 10.));
+  list.add({"youngs_modulus", "Pa", "Elastic: E."}, p.youngs_modulus,
+           above(0., 1e15));
+  list.add({"poisson_ratio", "-", "Elastic: nu."}, p.poisson_ratio,
+           Range{0., 0.5, false, true});
+  list.add({"density", "kg/m^3", "Elastic: of the plate itself."}, p.density,
+           above(0., 3e4));
+  list.add({"load_radius", "m",
+            "Elastic: all but the plate's own mass, and the forces on it, are "
+            "within, spread evenly; they do not stiffen it."},
+           p.load_radius, above(0., 100.));
+  list.add({"elements", "-",
+            "Elastic: cells from the middle of the plate to its rim."},
+           p.elements, between(2, 40));
   list.add({"load", "N",
             "Presses on the plate besides its weight and has no mass: a soft "
             "spring."},

@@ -68,20 +68,26 @@ std::vector<Quantity> Compaction::measured() const
       dem::contact_network(engine().particles(), engine().pairs());
   const double dense = density();
   const bool is_vibrating = now.stage == Stage::vibration;
-  return {{"stage_1", static_cast<double>(now.stage)},
-          {"vibration_s", vibrated()},
-          {"settlement_m", is_vibrating ? now.start_height - height() : 0.},
-          {"density_kg_m3", dense},
-          {"porosity_1", 1. - dense / parameters.stone.density},
-          {"plate_height_m", height()},
-          {"plate_velocity_m_s", plate ? plate->plate().velocity().z() : 0.},
-          {"plate_load_N", plate_plane().force.z()},
-          {"plate_impulse_Ns", now.impulse},
-          {"lift_off_s", now.lift_off},
-          {"n_contacts_1", static_cast<double>(network.n_contacts)},
-          {"coordination_number_1", network.coordination_number},
-          {"mean_contact_force_N", network.mean_force},
-          {"roundness_1", dem::mean_roundness(engine().particles())}};
+  std::vector<Quantity> row = {
+      {"stage_1", static_cast<double>(now.stage)},
+      {"vibration_s", vibrated()},
+      {"settlement_m", is_vibrating ? now.start_height - height() : 0.},
+      {"density_kg_m3", dense},
+      {"porosity_1", 1. - dense / parameters.stone.density},
+      {"plate_height_m", height()},
+      {"plate_velocity_m_s", plate ? plate->velocity() : 0.},
+      {"plate_load_N", plate_load()},
+      {"plate_impulse_Ns", now.impulse},
+      {"lift_off_s", now.lift_off},
+      {"n_contacts_1", static_cast<double>(network.n_contacts)},
+      {"coordination_number_1", network.coordination_number},
+      {"mean_contact_force_N", network.mean_force},
+      {"roundness_1", dem::mean_roundness(engine().particles())}};
+  if (parameters.plate.form != PlateKind::rigid)
+    row.push_back({"plate_tilt_rad", plate ? plate->tilt() : 0.});
+  if (parameters.plate.form == PlateKind::elastic)
+    row.push_back({"plate_bending_m", plate ? plate->bending() : 0.});
+  return row;
 }
 
 void Compaction::summarise(nlohmann::ordered_json &summary) const

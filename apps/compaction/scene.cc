@@ -2,13 +2,14 @@
 
 #include "case/file.h"
 #include "case/parameter.h"
+#include "compaction/plate.h"
 #include "errors.h"
+#include "laboratory/test.h"
 #include "specimen/gradation.h"
 
 #include <coupling/cell_body.h>
 #include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
-#include <fem/drive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,26 @@ std::unique_ptr<dem::Engine> empty_container(dem::EngineParameters settings,
   return engine;
 }
 
+/// What the elastic plate stands.
+void mind_plate(const Case &c, CompactionScene &scene)
+{
+  const CouplingParameters &rules = c.coupling;
+  const fem::Solid plate = elastic_plate(c, 0.);
+  const int n = rules.exchange_rules().stone_steps;
+  const double own = plate.stable_time_step().guaranteed * rules.body_steps / n;
+  if (!rules.is_body_implicit && own < scene.limit.step)
+  {
+    scene.limit = {own, "explicit steps of the elastic plate"};
+    scene.setup.cap = own;
+    scene.setup.step = first_step(c, scene.limit);
+  }
+  scene.setup.membrane_step = plate.stable_time_step().guaranteed;
+  scene.setup.window = coupling::window_gain(
+      {c.wall.normal_stiffness, c.wall.normal_damping,
+       scene.all.smallest_mass()},
+      *std::ranges::min_element(plate.nodal_mass()), n * scene.setup.step);
+}
+
 void choose_first_step(const Case &parameters, CompactionScene &scene)
 {
   scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
@@ -90,6 +111,8 @@ void choose_first_step(const Case &parameters, CompactionScene &scene)
                             tube ? &*tube : nullptr);
   if (scene.setup.cap < scene.limit.step)
     scene.limit = {scene.setup.cap, "exchange with a node of the membrane"};
+  if (parameters.plate.form == PlateKind::elastic)
+    mind_plate(parameters, scene);
 }
 } // namespace
 
@@ -119,51 +142,6 @@ dem::PouringParameters pouring_parameters(const FillingParameters &f)
   p.unbalanced_ratio = f.unbalanced_ratio;
   p.max_time = f.max_time;
   return p;
-}
-
-namespace
-{
-/// A cloud of this solid fraction, as wide as the container and as dense as
-/// asked when it has shrunk.
-std::unique_ptr<dem::Engine> shrunk_cloud(const Case &parameters,
-                                          const CompactionScene &scene,
-                                          double solid_fraction)
-{
-  const double dense = parameters.filling.density / parameters.stone.density;
-  const double shrink = std::cbrt(solid_fraction / dense);
-  const double width = scene.room.width_x / shrink;
-  dem::InsertionBox cloud;
-  cloud.lower = {-0.5 * width, -0.5 * width, 0.};
-  cloud.upper = {0.5 * width, 0.5 * width,
-                 parameters.container.height / shrink};
-  cloud.is_round = true;
-  dem::Random random(1);
-  const std::vector<dem::Body> &stones = scene.all.body;
-  const auto places = dem::insert_stones(stones, cloud, random);
-  auto engine = empty_container(engine_settings(parameters), scene.all,
-                                0.5 * scene.room.width_x);
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    engine->add_stone(stones[i], shrink * places[i].position,
-                      places[i].orientation);
-  return engine;
-}
-} // namespace
-
-std::unique_ptr<dem::Engine> packed_engine(const Case &parameters,
-                                           const CompactionScene &scene)
-{
-  constexpr double thinner = 0.8, thinnest = 0.01; // solid fractions [-]
-  for (double fraction = parameters.filling.solid_fraction;;
-       fraction *= thinner)
-    try
-    {
-      return shrunk_cloud(parameters, scene, fraction);
-    }
-    catch (const std::runtime_error &)
-    {
-      if (fraction < thinnest)
-        throw;
-    }
 }
 
 fem::Membrane make_tube(const Case &parameters)
@@ -207,22 +185,5 @@ double volume_below(const fem::Membrane &tube, int elements_around,
     area_below = area;
   }
   return sum;
-}
-
-coupling::RigidDrive plate_drive(const PlateParameters &plate,
-                                 const VibrationParameters &v)
-{
-  const fem::Drive weight =
-      fem::Drive::constant(-plate.mass * gravity - plate.load);
-  const fem::Drive exciter = fem::Drive::eccentric_mass(
-      {v.eccentric_mass * v.eccentricity, v.frequency, 0., plate.seating_time});
-  coupling::RigidDrive drive;
-  drive.load = [weight, exciter](double time)
-  {
-    fem::PlateLoad load;
-    load.force.z() = weight(time) + exciter(time);
-    return load;
-  };
-  return drive;
 }
 } // namespace spall

@@ -2,7 +2,6 @@
 
 #include "specimen/specimen.h"
 
-#include <coupling/rigid_body.h>
 #include <dem/packing/pouring.h>
 #include <fem/surface_mesh.h>
 
@@ -27,20 +26,10 @@ CompactionScene make_compaction_scene(const Case &parameters);
 
 dem::PouringParameters pouring_parameters(const FillingParameters &filling);
 
-/// All stones in the container, at random and not free of overlap, about as
-/// dense as asked: to measure what a step costs. Throws std::runtime_error.
-std::unique_ptr<dem::Engine> packed_engine(const Case &parameters,
-                                           const CompactionScene &scene);
-
 /// The flexible tube as it is built. Its flat sides touch the cylinder.
 fem::Membrane make_tube(const Case &parameters);
 
 /// Volume of the tube from z = 0 up to a height [m^3].
 double volume_below(const fem::Membrane &tube, int elements_around,
                     double height);
-
-/// Weight and exciter of the plate, from the time it is let go; it vibrates
-/// after the seating time.
-coupling::RigidDrive plate_drive(const PlateParameters &plate,
-                                 const VibrationParameters &vibration);
 } // namespace spall

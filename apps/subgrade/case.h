@@ -97,8 +97,9 @@ enum class PulseForm
 {
   haversine,
   sine,
-  train, ///< axles of a train that pass
-  table  ///< a CSV file
+  train,         ///< axles of a train that pass
+  table,         ///< a CSV file
+  eccentric_mass ///< that turns on the plate
 };
 
 enum class AxleShareForm
@@ -111,8 +112,10 @@ struct PulseParameters
 {
   PulseForm form = PulseForm::haversine;
   double amplitude = 10e3; ///< of haversine and sine, peak [N]
-  double frequency = 20.;  ///< [Hz]
+  double frequency = 20.;  ///< of all but train and table [Hz]
   int cycles = 3;
+  double eccentric_mass = 2.4;   ///< that turns at the frequency [kg]
+  double eccentricity = 3.32e-3; ///< of it from its axis [m]
   std::string table;             ///< CSV: time_s, force_N
   double axle_load = 20e3;       ///< [N]
   double axle_spacing = 2.5;     ///< of a bogie [m]

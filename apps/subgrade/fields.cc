@@ -63,7 +63,8 @@ void add_plate(List &list, LoadPlateParameters &p)
   list.add({"length", "m", "Of a block, along x."}, p.length, above(0., 10.));
   list.add({"width", "m", "Of a block, along y."}, p.width, above(0., 10.));
   list.add({"height", "m", "Of its sides."}, p.height, above(0., 10.));
-  list.add({"mass", "kg", "Of the plate or sleeper."}, p.mass, above(0., 1e6));
+  list.add({"mass", "kg", "Of the plate or sleeper and all that moves along."},
+           p.mass, above(0., 1e6));
   list.add({"static_load", "N", "Down on it besides its weight, always."},
            p.static_load, between(0., 1e9));
   list.add({"motion", "-",
@@ -120,16 +121,23 @@ void add_ground(List &list, GroundParameters &g)
 void add_pulse(List &list, PulseParameters &p)
 {
   list.in("Pulse");
-  list.add({"form", "-",
-            "haversine, sine: cycles at a frequency; train: axles that pass; "
-            "table: force over time from a CSV file."},
-           p.form, {"haversine", "sine", "train", "table"});
+  list.add(
+      {"form", "-",
+       "haversine, sine: cycles at a frequency; train: axles that pass; "
+       "table: force over time from a CSV file; eccentric_mass: an exciter "
+       "on the plate, m e (2 pi f)^2 sin(2 pi f t)."},
+      p.form, {"haversine", "sine", "train", "table", "eccentric_mass"});
   list.add({"amplitude", "N", "Peak of a haversine or a sine, down."},
            p.amplitude, between(0., 1e9));
-  list.add({"frequency", "Hz", "Of a haversine or a sine."}, p.frequency,
-           above(0., 1e4));
-  list.add({"cycles", "-", "Of a haversine or a sine."}, p.cycles,
+  list.add({"frequency", "Hz", "Of a haversine, a sine or an exciter."},
+           p.frequency, above(0., 1e4));
+  list.add({"cycles", "-", "Of a haversine, a sine or an exciter."}, p.cycles,
            between(1, 1e7));
+  list.add({"eccentric_mass", "kg",
+            "m: turns on the plate, whose mass it is part of."},
+           p.eccentric_mass, between(0., 1e6));
+  list.add({"eccentricity", "m", "e: of the mass from its axis."},
+           p.eccentricity, between(0., 10.));
   list.add({"table", "-",
             "CSV file time_s,force_N of the form table: down is positive, "
             "straight lines between the rows, time 0 is the start of loading."},

@@ -57,6 +57,11 @@ SubgradeLoad::SubgradeLoad(const Case &c)
     total = is_sine ? 0. : 0.5 * p.amplitude * length;
     return;
   }
+  case PulseForm::eccentric_mass:
+    force = fem::Drive::eccentric_mass(
+        {p.eccentric_mass * p.eccentricity, p.frequency});
+    length = p.cycles / p.frequency; // whole turns: no impulse
+    return;
   case PulseForm::table:
   {
     const auto table =

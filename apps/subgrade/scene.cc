@@ -150,12 +150,9 @@ StoneBox make_stone_box(const Case &c)
       scene.engine->add_plane(sign * half, inward);
     }
   scene.engine->set_breaking(false);
-  scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
-  // The law of facet surfaces is that of the ground here.
-  const std::string membrane = "membrane (MembraneContact/";
-  if (const std::size_t at = scene.limit.reason.find(membrane);
-      at != std::string::npos)
-    scene.limit.reason.replace(at, membrane.size(), "subgrade (GroundContact/");
+  scene.limit =
+      dem::critical_step(scene.engine->parameters(), scene.all,
+                         "the subgrade (GroundContact/normal_stiffness)");
   return scene;
 }
 

@@ -2,6 +2,8 @@
 
 #include "errors.h"
 
+#include <fem/disc_mesh.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,27 +37,6 @@ double sum_down(coupling::FieldView loads)
   for (const dem::Vec3 &load : loads)
     sum -= load.z();
   return sum;
-}
-/// A quarter of each quad to each of its corners, over the whole.
-std::vector<double> area_shares(const fem::SurfaceMesh &mesh)
-{
-  std::vector<double> share(mesh.nodes.size(), 0.);
-  double whole = 0.;
-  for (const auto &quad : mesh.quads)
-  {
-    const auto at = [&](int corner) -> const dem::Vec3 &
-    {
-      return mesh.nodes[static_cast<std::size_t>(
-          quad[static_cast<std::size_t>(corner)])];
-    };
-    const double size = 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
-    whole += size;
-    for (const std::int32_t node : quad)
-      share[static_cast<std::size_t>(node)] += 0.25 * size;
-  }
-  for (double &one : share)
-    one /= whole;
-  return share;
 }
 } // namespace
 
@@ -122,7 +103,7 @@ void Subgrade::build_ground()
   }
   std::ranges::sort(cut, {}, [&](std::int32_t k) { return place(k).x(); });
   bowl.assign(cut.size(), 0.);
-  area = area_shares(top);
+  area = fem::area_shares(top);
   ground = &joined->add(std::move(body), top, "subgrade",
                         parameters.subgrade.contact,
                         coupling::StoneSide::outside, engine());

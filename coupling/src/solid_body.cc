@@ -1,4 +1,5 @@
 #include <coupling/solid_body.h>
+#include <dem/io/binary.h>
 
 #include <cmath>
 #include <limits>
@@ -52,6 +53,30 @@ void SolidBody::set_dead_load(Field load)
   body.set_load(dead_load);
 }
 
+void SolidBody::set_drive(SolidDrive its_drive)
+{
+  if (its_drive.share.size() != dead_load.size())
+    throw std::invalid_argument(
+        "solid body: drive on " + std::to_string(its_drive.share.size()) +
+        " nodes of " + std::to_string(dead_load.size()));
+  drive = std::move(its_drive);
+  body.set_load(on_body(Field(position.size(), Eigen::Vector3d::Zero())));
+}
+
+double SolidBody::driven_place() const
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < drive.share.size(); ++k)
+    sum += drive.share[k] * body.displacements()[k].z();
+  return sum;
+}
+
+/// Half of the work of the present force of the drive in this step.
+void SolidBody::book_drive()
+{
+  driven.work += 0.5 * driven.force * (driven_place() - driven.before);
+}
+
 void SolidBody::balance(FieldView load)
 {
   Field held(dead_load.size(), Eigen::Vector3d::Zero());
@@ -73,8 +98,8 @@ BodyEnergy SolidBody::energy() const
 {
   BodyEnergy energy = energy_of(body.energy());
   const double dead = dead_potential() - dead_start;
-  energy.load_work -= dead;
-  energy.external += dead;
+  energy.load_work -= dead + driven.work;
+  energy.external += dead + driven.work;
   return energy;
 }
 
@@ -86,6 +111,10 @@ std::vector<double> SolidBody::nodal_mass() const
 FieldView SolidBody::on_body(FieldView load)
 {
   body_load = dead_load;
+  if (drive.force)
+    driven.force = drive.force(driven.time);
+  for (std::size_t k = 0; k < drive.share.size(); ++k)
+    body_load[k].z() += drive.share[k] * driven.force;
   fem::add_loads(surface, load, body_load);
   return body_load;
 }
@@ -97,19 +126,30 @@ void SolidBody::read_motion()
 
 void SolidBody::begin_step(double time_step)
 {
+  driven.before = driven_place();
   body.begin_step(time_step);
+  book_drive();
+  driven.time += time_step;
   read_motion();
 }
 
 void SolidBody::end_step(FieldView load, double time_step)
 {
   body.end_step(on_body(load), time_step);
+  book_drive();
   read_motion();
+}
+
+void SolidBody::save(std::ostream &out) const
+{
+  body.save(out);
+  dem::write_value(out, driven);
 }
 
 void SolidBody::restore(std::istream &in)
 {
   body.load(in);
+  dem::read_value(in, driven);
   read_motion();
 }
 
@@ -120,7 +160,12 @@ void SolidBody::start(FieldView load)
 
 void SolidBody::implicit_step(FieldView load, double time_step)
 {
+  driven.before = driven_place();
+  const double at_start = driven.force;
+  driven.time += time_step;
   body.advance(on_body(load), time_step);
+  driven.work +=
+      0.5 * (at_start + driven.force) * (driven_place() - driven.before);
   read_motion();
 }
 

@@ -4,9 +4,18 @@
 #include <fem/condensed.h>
 #include <fem/solid_surface.h>
 
+#include <functional>
+
 namespace coupling
 {
 BodyEnergy energy_of(const fem::SolidEnergy &energy);
+
+/// What moves an elastic body besides the stones, over time [s].
+struct SolidDrive
+{
+  std::function<double(double)> force; ///< along z, in all [N]
+  std::vector<double> share;           ///< of it on each node of the body [-]
+};
 
 /// An elastic body touched on one part of its surface.
 class SolidBody : public Body
@@ -21,6 +30,8 @@ public:
   /// On all nodes of the body, besides the stones: weight, for one [N]. It
   /// acts from now on. Throws std::invalid_argument.
   void set_dead_load(Field load);
+  /// Acts from now on, time 0 of the body. Throws std::invalid_argument.
+  void set_drive(SolidDrive its_drive);
   /// These loads on the surface balance what the body has settled under before
   /// [N]: what exceeds them moves it. Displacements count from there.
   void balance(FieldView load);
@@ -35,14 +46,16 @@ public:
     return body.stable_time_step().guaranteed;
   }
   BodyEnergy energy() const override;
-  void save(std::ostream &out) const override { body.save(out); }
+  void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
 
 private:
   void start(FieldView load) override;
   void implicit_step(FieldView load, double time_step) override;
   double dead_potential() const;
+  double driven_place() const; ///< sum of share u_z: the force works on it [m]
   FieldView on_body(FieldView load);
+  void book_drive();
   void read_motion();
 
   fem::Solid body;
@@ -50,7 +63,15 @@ private:
   Field position, velocity; ///< of the surface
   Field dead_load;          ///< on the body [N]
   double dead_start = 0.;   ///< dead_potential() when it was set [J]
-  Field body_load;          ///< space to work in
+  SolidDrive drive;
+  struct
+  {
+    double time = 0.;   ///< of the body [s]
+    double force = 0.;  ///< of the drive, last [N]
+    double work = 0.;   ///< of the drive [J]
+    double before = 0.; ///< driven_place() when the step began [m]
+  } driven;
+  Field body_load; ///< space to work in
 };
 
 /// A linear body condensed on the nodes of one part of its surface.

@@ -52,7 +52,7 @@ double wall_step(const WallMaterial &wall, double mass)
 } // namespace
 
 StepLimit critical_step(const EngineParameters &parameters,
-                        const Particles &particles)
+                        const Particles &particles, const std::string &surface)
 {
   const double mass = particles.smallest_mass();
   const double radius = particles.smallest_radius();
@@ -65,8 +65,7 @@ StepLimit critical_step(const EngineParameters &parameters,
     limit = {step, "lightest stone on a wall (Wall/normal_stiffness)"};
   if (const double step = wall_step(parameters.surface, mass);
       step < limit.step)
-    limit = {step, "lightest stone on the membrane "
-                   "(MembraneContact/normal_stiffness)"};
+    limit = {step, "lightest stone on " + surface};
   return limit;
 }
 } // namespace dem

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <compaction/plate.h>
 #include <compaction/scene.h>
 #include <complex>
 

@@ -18,7 +18,10 @@ struct StepLimit
 /// 2 sqrt(m / k) (sqrt(1 + beta^2) - beta) over the linear walls with
 /// the lightest stone (lagged dashpot), across the wall and, with the turning
 /// of the ball and its rolling spring, along it; and the Rayleigh step
-/// pi r sqrt(rho / G) / (0.1631 nu + 0.8766) of the smallest stone.
-StepLimit critical_step(const EngineParameters &parameters,
-                        const Particles &particles);
+/// pi r sqrt(rho / G) / (0.1631 nu + 0.8766) of the smallest stone. `surface`
+/// says what the facet surface is, and where its stiffness comes from.
+StepLimit critical_step(
+    const EngineParameters &parameters, const Particles &particles,
+    const std::string &surface = "the membrane "
+                                 "(MembraneContact/normal_stiffness)");
 } // namespace dem
