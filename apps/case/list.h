@@ -58,6 +58,8 @@ void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
 void add_subgrade(List &list, SubgradeParameters &s);
 /// What differs from the defaults of a Case.
 void set_subgrade_defaults(Case &c);
+/// Particle, Press, Charge and Drum.
+void add_laboratory(List &list, Case &of);
 /// Container, Filling, Plate and Vibration.
 void add_compaction(List &list, Case &of);
 } // namespace spall
