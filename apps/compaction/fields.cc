@@ -66,7 +66,8 @@ void add_plate(List &list, PlateParameters &p)
   list.in("Plate");
   list.add({"form", "-",
             "rigid: moves along z only; tilting: rigid, moves along z and "
-            "turns; elastic: bends, with Coupling for what the stones and it "
+            "turns; elastic: bends about its axis, which is guided along z, "
+            "with Coupling for what the stones and it "
             "tell each other."},
            p.form, {"rigid", "tilting", "elastic"});
   list.add({"mass", "kg",

@@ -105,7 +105,11 @@ fem::Solid elastic_plate(const Case &c, double height)
   fem::SolidParameters body;
   body.layers = {steel, steel};
   body.layers[1].density += (p.mass - own) / loaded;
-  return {body, mesh};
+  fem::Solid plate(body, mesh);
+  for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
+    if (mesh.nodes[k].head<2>().norm() < 1e-9 * c.container.diameter)
+      plate.fix_node(static_cast<std::int32_t>(k), {true, true, false});
+  return plate;
 }
 
 CompactionPlate::CompactionPlate(const Case &c, double height,

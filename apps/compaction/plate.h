@@ -17,7 +17,8 @@ coupling::RigidDrive plate_drive(const PlateParameters &plate,
 
 /// The elastic plate, its lower face at this height [m]: layer 0 is the plate
 /// alone, layer 1, within the load radius, has the mass that it carries too.
-/// Throws InputError if the plate alone has more mass than Plate/mass.
+/// Its axis is guided along z. Throws InputError if the plate alone has more
+/// mass than Plate/mass.
 fem::Solid elastic_plate(const Case &parameters, double height);
 
 /// The plate once it is joined to the stones: a plane, or a disc with nodes. A

@@ -63,18 +63,27 @@ void SolidBody::set_drive(SolidDrive its_drive)
   body.set_load(on_body(Field(position.size(), Eigen::Vector3d::Zero())));
 }
 
-double SolidBody::driven_place() const
+void SolidBody::start_books()
 {
-  double sum = 0.;
-  for (std::size_t k = 0; k < drive.share.size(); ++k)
-    sum += drive.share[k] * body.displacements()[k].z();
-  return sum;
+  if (!drive.force)
+    return;
+  before.clear();
+  for (const std::int32_t node : surface.node)
+    before.push_back(body.displacements()[static_cast<std::size_t>(node)]);
 }
 
-/// Half of the work of the present force of the drive in this step.
-void SolidBody::book_drive()
+/// Half of the work of this load of the stones since start_books. That of the
+/// drive is what all loads do besides.
+void SolidBody::book(FieldView load)
 {
-  driven.work += 0.5 * driven.force * (driven_place() - driven.before);
+  if (!drive.force)
+    return;
+  for (std::size_t k = 0; k < load.size(); ++k)
+    driven.work +=
+        0.5 *
+        load[k].dot(
+            body.displacements()[static_cast<std::size_t>(surface.node[k])] -
+            before[k]);
 }
 
 void SolidBody::balance(FieldView load)
@@ -98,8 +107,9 @@ BodyEnergy SolidBody::energy() const
 {
   BodyEnergy energy = energy_of(body.energy());
   const double dead = dead_potential() - dead_start;
-  energy.load_work -= dead + driven.work;
-  energy.external += dead + driven.work;
+  const double others = drive.force ? energy.load_work - driven.work : dead;
+  energy.load_work -= others;
+  energy.external += others;
   return energy;
 }
 
@@ -112,9 +122,12 @@ FieldView SolidBody::on_body(FieldView load)
 {
   body_load = dead_load;
   if (drive.force)
-    driven.force = drive.force(driven.time);
-  for (std::size_t k = 0; k < drive.share.size(); ++k)
-    body_load[k].z() += drive.share[k] * driven.force;
+  {
+    const double force = drive.force(driven.time);
+    for (std::size_t k = 0; k < drive.share.size(); ++k)
+      body_load[k].z() += drive.share[k] * force;
+    touching.assign(load.begin(), load.end());
+  }
   fem::add_loads(surface, load, body_load);
   return body_load;
 }
@@ -126,9 +139,9 @@ void SolidBody::read_motion()
 
 void SolidBody::begin_step(double time_step)
 {
-  driven.before = driven_place();
+  start_books();
   body.begin_step(time_step);
-  book_drive();
+  book(touching);
   driven.time += time_step;
   read_motion();
 }
@@ -136,7 +149,7 @@ void SolidBody::begin_step(double time_step)
 void SolidBody::end_step(FieldView load, double time_step)
 {
   body.end_step(on_body(load), time_step);
-  book_drive();
+  book(load);
   read_motion();
 }
 
@@ -144,12 +157,14 @@ void SolidBody::save(std::ostream &out) const
 {
   body.save(out);
   dem::write_value(out, driven);
+  dem::write_column(out, touching);
 }
 
 void SolidBody::restore(std::istream &in)
 {
   body.load(in);
   dem::read_value(in, driven);
+  dem::read_column(in, touching);
   read_motion();
 }
 
@@ -160,12 +175,12 @@ void SolidBody::start(FieldView load)
 
 void SolidBody::implicit_step(FieldView load, double time_step)
 {
-  driven.before = driven_place();
-  const double at_start = driven.force;
+  start_books();
+  const Field at_start = touching;
   driven.time += time_step;
   body.advance(on_body(load), time_step);
-  driven.work +=
-      0.5 * (at_start + driven.force) * (driven_place() - driven.before);
+  book(at_start);
+  book(load);
   read_motion();
 }
 

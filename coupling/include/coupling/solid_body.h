@@ -53,9 +53,9 @@ private:
   void start(FieldView load) override;
   void implicit_step(FieldView load, double time_step) override;
   double dead_potential() const;
-  double driven_place() const; ///< sum of share u_z: the force works on it [m]
   FieldView on_body(FieldView load);
-  void book_drive();
+  void start_books();
+  void book(FieldView load);
   void read_motion();
 
   fem::Solid body;
@@ -64,13 +64,14 @@ private:
   Field dead_load;          ///< on the body [N]
   double dead_start = 0.;   ///< dead_potential() when it was set [J]
   SolidDrive drive;
+  /// What a drive needs to know of the stones.
   struct
   {
-    double time = 0.;   ///< of the body [s]
-    double force = 0.;  ///< of the drive, last [N]
-    double work = 0.;   ///< of the drive [J]
-    double before = 0.; ///< driven_place() when the step began [m]
+    double time = 0.; ///< of the body [s]
+    double work = 0.; ///< of the stones [J]
   } driven;
+  Field touching;  ///< load of the stones, last [N]
+  Field before;    ///< displacements of the surface when the step began [m]
   Field body_load; ///< space to work in
 };
 
