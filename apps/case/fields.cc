@@ -2,8 +2,6 @@
 
 #include "case/list.h"
 
-#include <dem/shape/spherical_harmonics.h>
-
 #include <algorithm>
 
 namespace spall
