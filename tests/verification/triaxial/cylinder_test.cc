@@ -110,8 +110,10 @@ TEST(Cylinder, VolumeOfTheMembraneIsThatOfThePrism)
 }
 
 // A soft membrane hands its pressure on, and the plate as well: means over the
-// end of the consolidation, in which plate and stones still swing. To 8 % only:
-// the folds of the membrane carry some, and the rims that of half an element.
+// end of the consolidation, in which plate and stones still swing. To 8 %
+// only, so this says that nothing is grossly wrong and no more: the tension of
+// a membrane that hangs between stones, and its stiffness along the axis, carry
+// a share that is not in these sums.
 TEST(Cylinder, PressureIsTheStressInside)
 {
   Triaxial test(cylinder_case(1e5));
