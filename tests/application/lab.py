@@ -12,7 +12,7 @@ import tempfile
 import time
 
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
-                           summary)
+                           summary, summary_faults)
 
 CUBE = {
     "Case": {"kind": "single_particle"},
@@ -62,10 +62,7 @@ def near(name, found, expected, tolerance):
 def resumed_faults(whole, resumed, names):
     faults = [f"{name} differs after a restart"
               for name in differing(resumed, whole, names)]
-    mine, other = summary(resumed), summary(whole)
-    return faults + [f"{key} is {mine.get(key)}, was {value}"
-                     for key, value in other.items()
-                     if key != "wall_clock_s" and mine.get(key) != value]
+    return faults + summary_faults(summary(resumed), summary(whole))
 
 
 def loss_faults(folder, found):

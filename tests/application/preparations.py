@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 from triaxial_runs import (CASE, DATA, QUICK, command, report_faults, run,
-                           summary)
+                           summary, summary_faults)
 
 OTHER = ("Loading/amplitude=60e3", "Stone/friction=0.7",
          "Breakage/is_active=false", "Loading/confining_pressure=20e3")
@@ -33,10 +33,8 @@ def equal_faults(name, folder, other):
     mine, its = summary(folder), summary(other)
     if mine["preparation"]["hash"] != its["preparation"]["hash"]:
         faults.append(f"{name}: another hash")
-    for key, value in its.items():
-        if key not in ("preparation", "wall_clock_s") and mine[key] != value:
-            faults.append(f"{name}: {key} is {mine[key]}, was {value}")
-    return faults
+    return faults + [f"{name}: {fault}"
+                     for fault in summary_faults(mine, its, {"preparation"})]
 
 
 def is_taken(folder):

@@ -11,7 +11,7 @@ import tempfile
 import time
 
 from triaxial_runs import (QUICK, command, differing, report_faults, run,
-                           summary)
+                           summary, summary_faults)
 
 TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
           "boundary_profile_start.csv", "boundary_profile_end.csv"]
@@ -48,10 +48,8 @@ def faults_of(name, folder, whole, frames_too=True):
                            for path in (of / "frames").iterdir()})]
     faults = [f"{name}: {path} differs"
               for path in differing(folder, whole, names)]
-    mine, other = summary(folder), summary(whole)
-    return faults + [f"{name}: {key} is {mine.get(key)}, was {value}"
-                     for key, value in other.items()
-                     if key != "wall_clock_s" and mine.get(key) != value]
+    return faults + [f"{name}: {fault}" for fault in summary_faults(
+        summary(folder), summary(whole))]
 
 
 def other_step_faults(spall, root, lateral, go):

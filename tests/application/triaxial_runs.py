@@ -37,6 +37,14 @@ def summary(folder):
     return json.loads((folder / "summary.json").read_text())
 
 
+def summary_faults(mine, other, left_out=()):
+    """Where two summaries differ, what a run has cost left out."""
+    costs = {"wall_clock_s", "processor_s", "peak_memory_B", *left_out}
+    return [f"{key} is {mine.get(key)}, was {value}"
+            for key, value in other.items()
+            if key not in costs and mine.get(key) != value]
+
+
 def rows(folder, name):
     """Header and rows (numbers by column name) of a CSV file of a run."""
     with open(folder / name, newline="") as stream:
