@@ -404,7 +404,7 @@ LABS = [
                            "  set Stone/density = 2000, heavy\nend\n",
           "Stone/density = heavy", "must be a number"),
     study("section", STUDY + SWEEP + "subsection Plot\n  set x = 1\nend\n",
-          "s.prm:9", "Plot", "Study, Sweep, Variants or Expect"),
+          "s.prm:9", "Plot", "Study, Base, Sweep, Variants or Expect"),
     study("expect", STUDY + SWEEP + "subsection Expect\n"
                                     "  set a = n_events grows\nend\n",
           "s.prm:9", "rises"),
