@@ -1,87 +1,121 @@
-// How long a vibratory compaction will take: a lower one is run and timed.
+// What a step of a vibratory compaction will cost, and how long it will be.
+#include "run/forecast.h"
+
 #include "compaction/compaction.h"
 
-#include <array>
+#include <dem/integrate/contact_springs.h>
+
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace spall
 {
 namespace
 {
-/// Of the vibration that is timed.
-constexpr double n_periods = 4.;
+using Clock = std::chrono::steady_clock;
 
-/// What a stage took, or will take.
-struct StageCost
+constexpr int n_between = 25; // steps between two looks at the contacts
+/// A forecast is to be short, if need be a worse one: of each of its parts.
+constexpr std::chrono::seconds patience{8};
+
+/// Runs as long as the contacts allow, at most `longest` at a step [s].
+void run_a_little(dem::Engine &engine, double longest)
 {
-  double time = 0.;  ///< simulated [s]
-  double steps = 0.; ///< [-]
-  double wall = 0.;  ///< wall-clock [s]
-
-  /// So much more time, each of it so much dearer.
-  StageCost scaled(double longer, double dearer) const
-  {
-    return {longer * time, longer * steps, longer * dearer * wall};
-  }
-};
-
-/// With half of the layers, and a few turns of the exciter.
-Case lower_case(Case c)
-{
-  const int n = c.filling.layers;
-  c.filling.layers = (n + 1) / 2;
-  c.container.height *= static_cast<double>(c.filling.layers) / n;
-  c.vibration.duration = n_periods / c.vibration.frequency;
-  c.vibration.reports.clear();
-  return c;
+  const dem::SpringNetwork network = dem::contact_springs(engine, 0.);
+  const double step =
+      std::min(longest, 0.5 * dem::guaranteed_step(network).step);
+  for (int k = 0; k < n_between; ++k)
+    engine.advance(step);
 }
 
-/// By stage.
-std::array<StageCost, 3> timed(LabTest &test, const auto &stage_now)
+/// Overlaps of a random packing go until hardly any are left.
+void relax(dem::Engine &engine, double longest)
 {
-  using Clock = std::chrono::steady_clock;
-  std::array<StageCost, 3> cost;
-  auto since = Clock::now();
-  double time = 0.;
-  std::int64_t steps = 0;
-  for (auto stage = stage_now(); stage < cost.size(); ++stage)
+  constexpr int n_rounds = 60;
+  const auto end = Clock::now() + patience;
+  for (int round = 0; round < n_rounds && Clock::now() < end; ++round)
   {
-    while (stage_now() == stage && test.share_done() < 1.)
-      test.advance();
-    const auto now = Clock::now();
-    cost[stage] = {test.engine().time() - time,
-                   static_cast<double>(test.engine().n_steps() - steps),
-                   std::chrono::duration<double>(now - since).count()};
-    since = now;
-    time = test.engine().time();
-    steps = test.engine().n_steps();
+    run_a_little(engine, longest);
+    engine.come_to_rest();
   }
-  return cost;
+}
+
+/// A plate comes down until the stones carry the load [N]; its plane.
+std::size_t press(dem::Engine &engine, double load, double longest)
+{
+  constexpr int n_rounds = 2000;
+  constexpr double speed = 0.1; // [m/s]
+  const std::size_t plate =
+      engine.add_plane(dem::top_of(engine.particles(), 0.) * dem::Vec3::UnitZ(),
+                       -dem::Vec3::UnitZ());
+  engine.planes()[plate].velocity = -speed * dem::Vec3::UnitZ();
+  const auto end = Clock::now() + patience;
+  for (int round = 0;
+       round < n_rounds && engine.planes()[plate].force.z() < load &&
+       Clock::now() < end;
+       ++round)
+    run_a_little(engine, longest);
+  engine.planes()[plate].velocity = dem::Vec3::Zero();
+  engine.come_to_rest();
+  return plate;
+}
+/// A step on average.
+struct MeanStep
+{
+  double length = 0.; ///< [s]
+  double cost = 0.;   ///< wall-clock [s]
+};
+
+/// The plate swings as it would on its own, steps are what a run would take.
+MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
+               const dem::StepLimit &limit, double first_step)
+{
+  constexpr int n_steps = 8000;
+  const VibrationParameters &v = parameters.vibration;
+  const double omega = 2. * std::numbers::pi * v.frequency;
+  const double speed =
+      v.eccentric_mass * v.eccentricity * omega / parameters.plate.mass;
+  const bool is_fixed = parameters.time.step == StepRule::fixed;
+  StepWatch watch(parameters.time, limit.step);
+  double step = first_step;
+  const double from = engine.time();
+  const auto start = Clock::now();
+  int k = 0;
+  for (; k < n_steps && (k == 0 || Clock::now() < start + patience); ++k)
+  {
+    if (watch.is_due(engine.n_steps()))
+    {
+      watch.look(engine, {}, step);
+      step = is_fixed ? step : watch.state().longest;
+    }
+    engine.planes()[plate].velocity.z() =
+        -speed * std::sin(omega * (engine.time() - from));
+    engine.advance(step);
+  }
+  return {(engine.time() - from) / k,
+          std::chrono::duration<double>(Clock::now() - start).count() / k};
 }
 } // namespace
 
-/// Layer k is poured on k - 1 others; the plate goes down by the same strain; a
-/// step costs as much as there are stones.
 void Compaction::print_forecast()
 {
-  Compaction lower(lower_case(parameters));
-  auto [filling, seating, vibration] = timed(
-      lower, [&lower] { return static_cast<std::size_t>(lower.now.stage); });
-  const double spent = filling.wall + seating.wall + vibration.wall;
-  const double n = parameters.filling.layers,
-               m = lower.parameters.filling.layers, more = n / m;
-  filling = filling.scaled(more, (n + 1.) / (m + 1.));
-  const double still = parameters.plate.seating_time / seating.time;
-  seating = seating.scaled(more * (1. - still) + still, more);
-  vibration =
-      vibration.scaled(parameters.vibration.duration / vibration.time, more);
-  std::printf("predicted time   %.3g s for %.4g steps: filling %.3g s, seating "
-              "of the plate %.3g s, vibration %.3g s (steps of %.3g s, %.3g ms "
-              "each); %.0f of %.0f layers took %.3g s\n",
-              filling.wall + seating.wall + vibration.wall,
-              filling.steps + seating.steps + vibration.steps, filling.wall,
-              seating.wall, vibration.wall, vibration.time / vibration.steps,
-              1e3 * vibration.wall / vibration.steps, m, n, spent);
+  const std::unique_ptr<dem::Engine> packed = packed_engine(parameters, scene);
+  relax(*packed, time_step());
+  const std::size_t plate_there = press(*packed, weight(), time_step());
+  packed->set_local_damping(parameters.time.local_damping);
+  MeanStep mean =
+      shake(*packed, plate_there, parameters, step_limit(), time_step());
+  if (parameters.lateral() == Lateral::membrane)
+  {
+    fem::Membrane sleeve = make_tube(parameters);
+    mean.cost += still_step_cost(sleeve);
+  }
+  const double n = duration() / mean.length;
+  std::printf("predicted time   %.3g s for %.4g steps of %.3g s after the "
+              "filling (%.3g ms each)\n",
+              mean.cost * n, n, mean.length, 1e3 * mean.cost);
 }
 } // namespace spall
