@@ -2,8 +2,6 @@
 
 #include "case/parameter.h"
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,9 +24,7 @@ std::vector<GroundLayer> parse_ground_layers(const std::string &text)
   const std::string allowed =
       "must be layers from the top down, separated by commas, each: thickness "
       "(m, above 0) Young's modulus (Pa, above 0) Poisson's ratio (0 to below "
-      "0.5) density (kg/m^3, above 0); where it yields also cohesion (Pa, from "
-      "0) friction angle (degrees, 0 to 60, not 0 without cohesion) dilatancy "
-      "angle (degrees, 0 to the friction angle)";
+      "0.5) density (kg/m^3, above 0)";
   std::vector<GroundLayer> layers;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');)
@@ -42,19 +38,10 @@ std::vector<GroundLayer> parse_ground_layers(const std::string &text)
     {
       throw std::invalid_argument(allowed);
     }
-    if ((n.size() != 4 && n.size() != 7) || !(n[0] > 0.) || !(n[1] > 0.) ||
-        !(n[2] >= 0.) || !(n[2] < 0.5) || !(n[3] > 0.))
+    if (n.size() != 4 || !(n[0] > 0.) || !(n[1] > 0.) || !(n[2] >= 0.) ||
+        !(n[2] < 0.5) || !(n[3] > 0.))
       throw std::invalid_argument(allowed);
-    GroundLayer &layer = layers.emplace_back();
-    layer = {n[0], n[1], n[2], n[3]};
-    if (n.size() == 4)
-      continue;
-    if (!(n[4] >= 0.) || !(n[5] >= 0.) || !(n[5] <= 60.) || !(n[6] >= 0.) ||
-        !(n[6] <= n[5]) || n[4] + n[5] == 0.)
-      throw std::invalid_argument(allowed);
-    layer.cohesion = n[4];
-    layer.friction_angle = n[5];
-    layer.dilatancy_angle = n[6];
+    layers.push_back({n[0], n[1], n[2], n[3]});
   }
   if (layers.empty())
     throw std::invalid_argument(allowed);
@@ -82,13 +69,6 @@ std::vector<double> parse_depths(const std::string &text)
     above = depth;
   }
   return depths;
-}
-
-bool yields(const GroundParameters &ground)
-{
-  return std::ranges::any_of(parse_ground_layers(ground.layers),
-                             [](const GroundLayer &layer)
-                             { return std::isfinite(layer.cohesion); });
 }
 
 double depth_of(const GroundParameters &ground)

@@ -78,13 +78,10 @@ void add_ground(List &list, GroundParameters &g)
   list.add({"length", "m", "Of the block, along x."}, g.length,
            above(0., 1000.));
   list.add({"width", "m", "Of the block, along y."}, g.width, above(0., 1000.));
-  list.add(
-      {"layers", "-",
-       "From the top down, separated by commas, each: thickness (m), "
-       "Young's modulus (Pa), Poisson's ratio, density (kg/m^3), and where "
-       "it yields: cohesion (Pa), friction angle, dilatancy angle "
-       "(degrees; Drucker-Prager)."},
-      g.layers);
+  list.add({"layers", "-",
+            "From the top down, separated by commas, each: thickness (m), "
+            "Young's modulus (Pa), Poisson's ratio, density (kg/m^3)."},
+           g.layers);
   list.add({"cell_size", "m", "Of the elements under the plate."}, g.cell_size,
            above(0., 10.));
   list.add({"growth", "-",

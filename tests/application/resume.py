@@ -52,7 +52,7 @@ def faults_of(name, folder, whole, frames_too=True):
         summary(folder), summary(whole))]
 
 
-def other_step_faults(spall, root, lateral, go):
+def other_step_faults(spall, root, lateral, extra, go):
     """Where a cycle ends a run goes on with another step, elsewhere not."""
     go("other", "--until", "1")
     go("other", "--resume", settings=("Time/step=stable",))
@@ -69,10 +69,11 @@ def other_step_faults(spall, root, lateral, go):
         return written != before and time.time_ns() - written > 2 * 10**7
 
     faults += stop_when(is_within, spall, root / "within", lateral, "--resume",
-                        settings=("Loading/cycles=50",))
+                        settings=(*extra, "Loading/cycles=50"))
     ended = subprocess.run(
         command(spall, root / "within", lateral, "--resume",
-                settings=(*QUICK, "Loading/cycles=50", "Time/step=stable")),
+                settings=(*QUICK, *extra, "Loading/cycles=50",
+                          "Time/step=stable")),
         capture_output=True, text=True, check=False)
     if ended.returncode != 1 or "end of a load cycle" not in ended.stderr:
         faults.append(f"other step within a cycle: status {ended.returncode}, "
@@ -115,7 +116,7 @@ def main():
         go("stopped", "--resume")
         faults += faults_of("SIGTERM", stopped, root / "whole")
         if lateral == "rigid":
-            faults += other_step_faults(spall, root, lateral, go)
+            faults += other_step_faults(spall, root, lateral, extra, go)
     return report_faults(faults)
 
 
