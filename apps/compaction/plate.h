@@ -27,8 +27,8 @@ fem::Solid elastic_plate(const Case &parameters, double height);
 class CompactionPlate
 {
 public:
-  CompactionPlate(const CompactionPlate &) =
-      delete; ///< bodies know where it is
+  // Bodies know where it is.
+  CompactionPlate(const CompactionPlate &) = delete;
   CompactionPlate &operator=(const CompactionPlate &) = delete;
   /// Adds it to `joined`, its lower face at this height [m]; a rigid one is the
   /// plane of that number and let go, the others are guided.
