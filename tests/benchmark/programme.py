@@ -26,7 +26,7 @@ SWEEP_CASES = 105  # of data/studies/single_particle_sensitivity.prm
 
 def predicted_seconds(spall, case, settings=()):
     words = [spall, "check", str(ROOT / "data" / "cases" / f"{case}.prm"),
-             "--threads", "1"]
+             "--set", "Run/threads=1"]
     for setting in settings:
         words += ["--set", setting]
     said = subprocess.run(words, capture_output=True, text=True, check=True)
