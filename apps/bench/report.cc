@@ -1,5 +1,7 @@
 #include "bench/report.h"
 
+#include "run/digest.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -36,13 +38,6 @@ double per_stone(const BenchResult &result, double bytes)
   if (result.closed)
     return std::numeric_limits<double>::quiet_NaN();
   return (bytes - result.before.now) / static_cast<double>(result.n_stones);
-}
-
-std::string hexadecimal(std::uint64_t value)
-{
-  std::array<char, 20> text{};
-  std::snprintf(text.data(), text.size(), "%016" PRIx64, value);
-  return text.data();
 }
 
 /// Change of the energy residual over the timed steps [J].
@@ -149,7 +144,7 @@ Json sample_json(const BenchSample &s)
             {"motion", s.phases.motion}}},
           {"energy_before", energy_json(s.energy_before)},
           {"energy_after", energy_json(s.energy_after)},
-          {"checksum", hexadecimal(s.checksum)}};
+          {"checksum", hex_text(s.checksum)}};
 }
 } // namespace
 
@@ -190,7 +185,7 @@ std::string bench_text(const BenchResult &r)
                    : line("per stone", "%.0f bytes built, %.0f run, %.0f peak",
                           per_stone(r, r.built.now), per_stone(r, r.run.now),
                           per_stone(r, r.run.peak))) +
-         line("checksum", "%s", hexadecimal(s.checksum).c_str());
+         line("checksum", "%s", hex_text(s.checksum).c_str());
 }
 
 std::string bench_json(const BenchResult &r)

@@ -1,7 +1,8 @@
 #include "bench/state.h"
 
+#include "run/digest.h"
+
 #include <algorithm>
-#include <cstddef>
 #include <span>
 
 namespace spall
@@ -51,11 +52,9 @@ void take_places(const dem::Engine &engine, Packing &packing)
 
 std::uint64_t position_checksum(const dem::Engine &engine)
 {
-  std::uint64_t hash = 14695981039346656037u;
+  Digest digest;
   for (const dem::StoneState &stone : engine.particles().state)
-    for (const std::byte byte :
-         std::as_bytes(std::span(stone.position.data(), 3)))
-      hash = (hash ^ static_cast<std::uint64_t>(byte)) * 1099511628211u;
-  return hash;
+    digest.add(std::span<const double>(stone.position.data(), 3));
+  return digest.value();
 }
 } // namespace spall

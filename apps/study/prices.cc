@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace spall
@@ -61,6 +62,15 @@ std::vector<double> in_pairs(const BySeed &values, const BySeed &reference,
   return pairs;
 }
 
+/// An error over the spread; infinite where no case gave one: that must not
+/// pass for none [-].
+double share_of(double error, double spread)
+{
+  if (!std::isfinite(error))
+    return std::numeric_limits<double>::infinity();
+  return error == 0. ? 0. : std::abs(error) / spread;
+}
+
 PricedLevel price_level(const StudyData &data, std::size_t key,
                         const std::string &value,
                         const std::vector<double> &spread)
@@ -78,10 +88,9 @@ PricedLevel price_level(const StudyData &data, std::size_t key,
     level.errors.push_back(
         estimate_of(in_pairs(of_level(data, o, level), of_reference(data, o),
                              [](double a, double b) { return a - b; })));
-    // A NaN, where a case failed, must not pass for no error.
-    const double share = std::abs(level.errors.back().mean) / spread[o];
-    if (o != cost && !(share <= level.worst) && level.errors.back().mean != 0.)
-      level.worst = share;
+    if (o != cost)
+      level.worst =
+          std::max(level.worst, share_of(level.errors.back().mean, spread[o]));
   }
   return level;
 }

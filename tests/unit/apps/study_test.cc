@@ -285,4 +285,28 @@ TEST_F(StudyFile, PricesAreAgainstTheReference)
       std::string::npos)
       << study_markdown(data);
 }
+
+// A value that gave no force is no choice, however near its other outcomes.
+TEST_F(StudyFile, MissingOutcomesAreNoSmallErrors)
+{
+  const Study map = read_study(
+      write("n.prm", "subsection Study\n  set case = c.prm\n"
+                     "  set outcomes = peak_force_N, n_events, processor_s\n"
+                     "  set seeds = 1, 2\n  set cost = processor_s\nend\n"
+                     "subsection Sweep\n  set Stone/density = 2000\nend\n"));
+  const std::vector<StudyPoint> points = points_of(map);
+  std::vector<PointResult> results;
+  for (const StudyPoint &point : points)
+  {
+    const double seed = std::stod(point.seed);
+    results.push_back(
+        {true,
+         "",
+         {point.is_base ? seed : std::nan(""), seed, point.is_base ? 2. : 1.}});
+  }
+  const std::vector<PricedLevel> levels = price_levels({map, points, results});
+  ASSERT_EQ(levels.size(), 1u);
+  EXPECT_TRUE(std::isinf(levels[0].worst));
+  EXPECT_FALSE(levels[0].is_on_front || levels[0].is_cheapest_fine);
+}
 } // namespace
