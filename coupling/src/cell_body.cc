@@ -83,6 +83,16 @@ void CellBody::set_pressure(double pressure)
   tube.value().set_pressure(pressure);
 }
 
+void CellBody::displace(FieldView shift)
+{
+  if (tube)
+    tube->displace(shift.first(shift.size() - 1));
+  fem::RigidPlate::State state = lid.state();
+  state.z += shift.back().z();
+  lid.set_state(state);
+  read_motion();
+}
+
 double CellBody::rim_reaction() const
 {
   double sum = 0.;

@@ -156,6 +156,13 @@ void Engine::set_breaking(bool is_on)
   settings.breakage.is_active = is_on;
 }
 
+void Engine::set_repetitions(double repetitions)
+{
+  lists_are_stale |=
+      (repetitions > 1.) != (settings.breakage.repetitions > 1.);
+  settings.breakage.repetitions = repetitions;
+}
+
 void Engine::advance(double time_step)
 {
   move_planes(time_step);

@@ -186,6 +186,16 @@ void Membrane::set_positions(std::span<const Vector> positions)
   state->start_from(positions);
 }
 
+void Membrane::displace(std::span<const Vector> shift)
+{
+  check_membrane_size("shifts", shift.size(), n_nodes());
+  MembraneMotion &now = state->now;
+  for (std::size_t k = 0; k < n_nodes(); ++k)
+    now.position[k] += shift[k];
+  now.has_acceleration = 0;
+  evaluate_forces(state->batched, now.position, now.forces);
+}
+
 void Membrane::set_load(std::span<const Vector> load)
 {
   check_membrane_size("loads", load.size(), n_nodes());

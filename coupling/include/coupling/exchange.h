@@ -103,6 +103,12 @@ public:
   /// let a stone out.
   void advance(const Stones &stones, double window);
 
+  /// One step in which the stones meet a body that has been put where it is
+  /// now, and came there with these velocities [m/s]; what they do to it does
+  /// not move it. In no ledger. Throws std::invalid_argument as hold.
+  void follow(const Body &body, FieldView velocity, const Stones &stones,
+              double time_step);
+
   /// k dt^2 / (4 m) of the present contacts, at most: of every node with all
   /// that press on it (docs/theory/interface.md) [-].
   double gain(const dem::Engine &engine, double window) const;

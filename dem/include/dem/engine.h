@@ -73,6 +73,8 @@ public:
   void come_to_rest();
   /// Whether stones break from now on; off: no damage grows either.
   void set_breaking(bool is_on);
+  /// Of the rises of energy, as BreakageParameters::repetitions [-].
+  void set_repetitions(double repetitions);
 
   const Particles &particles() const { return stones; }
   Particles &particles() { return stones; }
@@ -107,6 +109,7 @@ public:
   }
 
   double time() const { return now; } ///< [s]
+  void set_time(double time) { now = time; }
   std::int64_t n_steps() const { return step_count; }
   std::int64_t n_rebuilds() const { return rebuild_count; }
   /// Of contacts that follow the true surfaces, since construction.

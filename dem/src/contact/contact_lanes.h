@@ -156,10 +156,10 @@ void damage_side(const Task &task, std::int64_t k, const Loading &loading,
       select(is_at_risk, task.fracture_energy * slope * loading.overlap,
              Lanes(1.)));
   const LaneMask is_kept = is_touching || LaneMask(task.keeps_factors);
-  store(select(is_at_risk, step.factor, select(is_kept, old, Lanes(0.))),
+  const LaneMask grows = is_at_risk && LaneMask(task.repetitions > 0.);
+  store(select(grows, step.factor, select(is_kept, old, Lanes(0.))),
         factor + k);
-  const LaneMask breaks =
-      is_at_risk && (step.factor > 1. || step.energy_ratio > 1.);
+  const LaneMask breaks = grows && (step.factor > 1. || step.energy_ratio > 1.);
   if (!any(breaks))
     return;
   sum.wants_breakage = true;
@@ -191,6 +191,19 @@ Loading counted_loading(const Task &task, std::int64_t k,
   return counted;
 }
 
+/// The same with rises beyond the peak that count many times.
+Loading repeated_loading(const Task &task, std::int64_t k,
+                         const Loading &loading)
+{
+  const Lanes peak = load(task.contacts.peak + k);
+  const Lanes reached = max(peak, loading.energy);
+  const Lanes fresh = loading.energy - max(peak, loading.energy_before);
+  Loading repeated = loading;
+  repeated.energy_before -= (task.repetitions - 1.) * max(Lanes(0.), fresh);
+  store(reached, task.contacts.peak + k);
+  return repeated;
+}
+
 /// Marks the contacts that begin or end.
 void mark_switched(const Task &task, std::int64_t k, const Loading &last,
                    RangeSum &sum)
@@ -214,7 +227,9 @@ void find_damage(const Task &task, std::int64_t k, const Loading &last,
   const Contacts &contacts = task.contacts;
   if (task.keeps_factors)
     mark_switched(task, k, last, sum);
-  const Loading loading = contacts.turn ? counted_loading(task, k, last) : last;
+  Loading loading = contacts.turn ? counted_loading(task, k, last) : last;
+  if (contacts.peak)
+    loading = repeated_loading(task, k, loading);
   damage_side(task, k, loading, contacts.corner_a, contacts.factor_a, 1u, sum);
   if (contacts.corner_b)
     damage_side(task, k, loading, contacts.corner_b, contacts.factor_b, 2u,

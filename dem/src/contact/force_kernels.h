@@ -57,6 +57,7 @@ struct Contacts
   double *factor_a, *factor_b;
   const float *corner_a, *corner_b;
   double *turn;
+  double *peak;
   std::uint8_t *event;
 };
 
@@ -100,6 +101,7 @@ struct Task
   bool is_radial;           ///< overlap from the sides, not from the balls
   bool has_damage;
   double fracture_energy; ///< G_c [J/m^2]
+  double repetitions;     ///< BreakageParameters::repetitions [-]
   double hysteresis;      ///< of the counted energy [-]
   bool counts_shear;    ///< the energy of the criterion is that of both springs
   bool keeps_factors;   ///< patches take the factors of contacts that end

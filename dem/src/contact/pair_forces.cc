@@ -43,6 +43,7 @@ BatchLayout pair_layout(const EngineParameters &parameters,
       particles.has_shapes &&
       may_break(parameters.breakage, parameters.geometry.geometry);
   layout.has_turn = layout.has_damage && parameters.breakage.needs_turn();
+  layout.has_peak = layout.has_damage && parameters.breakage.repetitions > 1.;
   return layout;
 }
 

@@ -91,6 +91,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.corner_a.data(),
           batch.corner_b.data(),
           batch.turn.data(),
+          batch.peak.data(),
           batch.event.data()};
 }
 
@@ -120,6 +121,7 @@ kernel::Task make_task(SurfaceOwner &owner,
   // A still contact takes no damage.
   task.has_damage = owner.batch.layout.has_damage && context.time_step > 0.;
   task.fracture_energy = context.parameters.breakage.fracture_energy;
+  task.repetitions = context.parameters.breakage.repetitions;
   task.hysteresis = context.parameters.breakage.hysteresis;
   task.counts_shear =
       context.parameters.breakage.energy == CriterionEnergy::with_shear;

@@ -46,6 +46,7 @@ BatchLayout wall_layout(const EngineParameters &parameters,
   layout.has_damage =
       particles.has_shapes && may_break(parameters.breakage, geometry);
   layout.has_turn = layout.has_damage && parameters.breakage.needs_turn();
+  layout.has_peak = layout.has_damage && parameters.breakage.repetitions > 1.;
   layout.has_sides = layout.has_damage ||
                      (particles.has_shapes &&
                       (geometry != ContactGeometry::ball || layout.is_hertz)) ||

@@ -69,6 +69,11 @@ public:
   /// loads; works and dissipation start at zero again.
   void set_positions(std::span<const Eigen::Vector3d> positions);
 
+  /// Shifts all nodes at once, one vector each [m]; what the change of the
+  /// strain energy takes is in no account of energy(). Throws
+  /// std::invalid_argument on another number of vectors.
+  void displace(std::span<const Eigen::Vector3d> shift);
+
   /// Half kick with the forces of the last end_step (at first: of the start
   /// positions), then drift by dt [s]. Tied nodes drift with their velocity.
   void begin_step(double time_step);

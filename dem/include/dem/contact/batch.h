@@ -43,6 +43,7 @@ struct BatchLayout
   bool has_partners = false;    ///< B is a stone
   bool has_damage = false;      ///< cumulative factors and events
   bool has_turn = false;        ///< where the counted energy turned last
+  bool has_peak = false;        ///< the highest counted energy
   bool has_spots = false;       ///< contacts follow their surfaces
 };
 
@@ -118,6 +119,7 @@ struct ContactBatch
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<float> corner_a, corner_b;
   std::vector<double> turn; ///< CountedEnergy::turn [J]
+  std::vector<double> peak; ///< of the counted energy, since there is one [J]
   /// Bit 0: side A breaks, bit 1: side B, bit 2: the contact began or ended.
   std::vector<std::uint8_t> event;
 
@@ -180,6 +182,7 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has.has_damage, batches.corner_a...);
   call(has.has_damage && has.has_partners, batches.corner_b...);
   call(has.has_turn, batches.turn...);
+  call(has.has_peak, batches.peak...);
   call(has.has_damage, batches.event...);
 }
 } // namespace dem
