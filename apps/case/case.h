@@ -151,6 +151,17 @@ struct LoadingParameters
   int n_cycles() const { return form == LoadForm::haversine ? cycles : 1; }
 };
 
+/// Jumps over load cycles (triaxial/cycle_jump.h).
+struct CycleJumpParameters
+{
+  double tolerance = 0.; ///< of a jump; 0: every cycle is simulated [-]
+  int first = 5;         ///< cycles before the first observation
+  int observed = 4;      ///< cycles in an observation
+  int longest = 200;     ///< cycles that a jump skips at most
+
+  bool is_on() const { return tolerance > 0.; }
+};
+
 struct TimeParameters
 {
   StepRule step = StepRule::fixed;
@@ -249,6 +260,7 @@ struct Case
   CouplingParameters coupling;
   SubgradeParameters subgrade;
   LoadingParameters loading;
+  CycleJumpParameters cycle_jump;
   TimeParameters time;
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now

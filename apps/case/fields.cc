@@ -171,6 +171,23 @@ void add_loading(List &list, LoadingParameters &l)
       l.consolidation_time, between(0., 1e3));
 }
 
+void add_cycle_jump(List &list, CycleJumpParameters &j)
+{
+  list.in("CycleJump");
+  list.add({"tolerance", "-",
+            "Jumps over load cycles as long as each brings permanent strain "
+            "and abrasion within this share of what there is; 0: every cycle "
+            "is simulated."},
+           j.tolerance, below(0., 1.));
+  list.add({"first", "-", "Cycles that are simulated before any is observed."},
+           j.first, between(0, 1e6));
+  list.add({"observed", "-",
+            "Cycles before and after a jump whose growth is compared."},
+           j.observed, between(2, 1e4));
+  list.add({"longest", "-", "Cycles that a jump skips at most."}, j.longest,
+           between(2, 1e6));
+}
+
 void add_time(List &list, TimeParameters &t)
 {
   list.in("Time");
@@ -282,6 +299,7 @@ const std::vector<Section> &sections()
       {"Loading",
        "Confinement, and what the top plate does.",
        {dynamic_triaxial}},
+      {"CycleJump", "Many cycles without simulating each.", {dynamic_triaxial}},
       {"Time", "Time integration."},
       {"Output", "What is written, and how often.", {dynamic_triaxial}},
       {"Run", "The machine."}};
@@ -323,6 +341,7 @@ std::vector<Parameter> parameters_of(Case &of)
   add_boundary(list, of.boundary);
   add_coupling(list, of.coupling);
   add_loading(list, of.loading);
+  add_cycle_jump(list, of.cycle_jump);
   add_time(list, of.time);
   add_output(list, of.output);
   list.in("Run");

@@ -52,6 +52,7 @@ void CsvFile::open(const fs::path &path, const std::string &header)
 void CsvFile::resume(const fs::path &path, std::uint64_t size)
 {
   name = path;
+  stream.close(); // what it still holds goes into the file now, not later
   std::error_code status;
   if (fs::file_size(path, status) < size || status)
     throw RunFailure(path.string() +

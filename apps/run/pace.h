@@ -18,6 +18,8 @@ public:
   void replan(double longest_step);
   /// The step was done.
   void count();
+  /// So many ticks are taken as done.
+  void skip(std::int64_t ticks) { n_ticks += ticks; }
 
   double step() const { return length_of_step; } ///< the next one [s]
   std::int64_t ticks() const { return n_ticks; } ///< done in this stage

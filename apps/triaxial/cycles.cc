@@ -20,6 +20,7 @@ struct CycleColumn
 /// Before those of the contacts.
 const std::vector<CycleColumn> cycle_columns = {
     {"cycle_1", [](const CycleRow &row) { return row.end.cycle; }},
+    {"stands_for_1", [](const CycleRow &row) { return row.stands_for; }},
     {"time_s", [](const CycleRow &row) { return row.end.time; }},
     {"permanent_axial_strain_1",
      [](const CycleRow &row) { return row.end.axial_strain; }},
@@ -104,9 +105,13 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
 {
   CycleRow &last = state.last;
   last.end = row;
+  last.stands_for = std::round(row.cycle - state.begun.cycle);
   last.resilient_strain = state.loop.resilient_strain();
   last.resilient_modulus = state.loop.resilient_modulus();
   last.damping_ratio = state.loop.damping_ratio();
+  if (last.stands_for > 1.) // the loop is open: a jump is in it
+    last.resilient_strain = last.resilient_modulus = last.damping_ratio =
+        std::numeric_limits<double>::quiet_NaN();
   last.n_events = row.n_events - state.begun.n_events;
   last.friction = row.friction - state.begun.friction;
   last.rolling = row.rolling - state.begun.rolling;

@@ -13,7 +13,8 @@ namespace spall
 /// What a load cycle has left; a row of cycles.csv. Plain data.
 struct CycleRow
 {
-  Sample end; ///< strains, abrasion, roundness at its end
+  Sample end;             ///< strains, abrasion, roundness at its end
+  double stands_for = 1.; ///< cycles: itself and those skipped before it [-]
   double resilient_strain = 0., resilient_modulus = 0., damping_ratio = 0.;
   double n_events = 0.; ///< in the cycle [-]
   /// Lost in the cycle [J].

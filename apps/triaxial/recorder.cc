@@ -2,13 +2,13 @@
 
 #include "case/file.h"
 #include "errors.h"
-#include "run/checkpoint.h"
 #include "run/event_rows.h"
 #include "run/frames.h"
 #include "run/ledger_rows.h"
 #include "triaxial/summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <omp.h>
 
 namespace spall
@@ -54,18 +54,18 @@ void Recorder::start()
   cycles.start();
 }
 
-void Recorder::resume(Triaxial &test)
+/// State of the test and of the files as a checkpoint has them.
+Progressed Recorder::bring_back(Triaxial &test, const std::string &name)
 {
   Progressed done;
   read_checkpoint(
-      folder / "checkpoint" / "state.bin", parameters,
+      folder / "checkpoint" / name, parameters,
       [&](std::istream &in)
       {
         test.restore(in);
         cycles.restore(in);
       },
       done);
-  write_text(folder / "case.prm", resolved_case(parameters));
   history.resume(folder / "history.csv", done.history_size);
   events.resume(folder / "events.csv", done.events_size);
   if (test.membrane())
@@ -79,8 +79,27 @@ void Recorder::resume(Triaxial &test)
   last = done.last;
   worst_gain = done.worst_gain;
   peak_axial_stress = done.peak_axial_stress;
-  spent_before = done.spent;
+  checkpoint_cycle = std::llround(test.cycle());
+  return done;
+}
+
+void Recorder::resume(Triaxial &test)
+{
+  spent_before = bring_back(test, "state.bin").spent;
+  write_text(folder / "case.prm", resolved_case(parameters));
   stage_before = std::min(test.stage(), Stage::loading);
+}
+
+void Recorder::follow_jumps(Triaxial &test)
+{
+  constexpr const char *kept = "before_jump.bin";
+  if (test.jumps().due() == JumpStep::keep)
+    write_checkpoint(test, kept);
+  if (test.jumps().due() != JumpStep::go_back)
+    return;
+  const JumpPlan refused = test.jumps();
+  bring_back(test, kept);
+  test.shorten_jump(refused);
 }
 
 void Recorder::after_step(Triaxial &test)
@@ -111,11 +130,20 @@ void Recorder::after_step(Triaxial &test)
     if (step == 0 || is_due(parameters.output.frames_per_cycle))
       write_frame(test, step == 0 ||
                             parameters.output.surfaces == SurfaceFrames::all);
-    const int every = parameters.output.checkpoint_every;
-    if (step % n == 0 && every > 0 && (step / n) % every == 0)
-      write_checkpoint(test);
+    if (step % n == 0)
+      write_due_checkpoint(test, step / n);
   }
   output_seconds += elapsed() - begun;
+}
+
+/// Jumps may pass the cycle that one is due at.
+void Recorder::write_due_checkpoint(Triaxial &test, std::int64_t cycle)
+{
+  const int every = parameters.output.checkpoint_every;
+  if (every == 0 || cycle / every == checkpoint_cycle / every)
+    return;
+  checkpoint_cycle = cycle;
+  write_checkpoint(test);
 }
 
 void Recorder::note_stage(Triaxial &test)

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "run/checkpoint.h"
 #include "triaxial/cycles.h"
-
-#include <dem/io/vtk_output.h>
 
 #include <chrono>
 #include <filesystem>
@@ -25,6 +24,8 @@ public:
 
   /// Writes what is due after a step.
   void after_step(Triaxial &test);
+  /// Keeps or brings back test and files as a jump over cycles asks for.
+  void follow_jumps(Triaxial &test);
   /// Writes what a finished or stopped run leaves.
   void finish(Triaxial &test);
 
@@ -44,7 +45,8 @@ private:
   void write_ledger(Triaxial &test, const Sample &sample);
   void write_frame(Triaxial &test, bool with_surfaces);
   void write_checkpoint(Triaxial &test, const std::string &name = "state.bin");
-  void write_summary(const Triaxial &test);
+  void write_due_checkpoint(Triaxial &test, std::int64_t cycle);
+  Progressed bring_back(Triaxial &test, const std::string &name);
   void note_stage(Triaxial &test);
   double elapsed() const;
 
@@ -54,6 +56,7 @@ private:
   CycleRecorder cycles;
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
+  std::int64_t checkpoint_cycle = 0; ///< of the last one that was due
   Stage stage_before = Stage::preparation;
   double roundness = 0.;
   Sample loading_start, last;

@@ -112,6 +112,7 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
     threads.before_step();
     test.advance();
     recorder.after_step(test);
+    recorder.follow_jumps(test);
     for (const std::string &note : test.take_notes())
       progress.say(note);
     if (was_preparing && test.stage() != Stage::preparation)

@@ -44,6 +44,19 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
   return seconds;
 }
 
+namespace
+{
+/// Errors are what all jumps together have brought too much, as judged.
+void add_jumps(const JumpAccount &jumps, nlohmann::ordered_json &out)
+{
+  out["skipped_cycles_1"] = jumps.n_skipped;
+  out["n_jumps"] = jumps.n_jumps;
+  out["n_refused_jumps"] = jumps.n_refused;
+  out["jump_strain_error_1"] = jumps.strain_error;
+  out["jump_laa_error_percent"] = jumps.abrasion_error;
+}
+} // namespace
+
 std::string summary_text(const Case &parameters, const Triaxial &test,
                          const RunRecord &record, const CycleRecorder &cycles)
 {
@@ -94,6 +107,8 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["roundness_end_1"] = record.end.roundness;
   out["roundness_change_1"] = record.end.roundness - record.start.roundness;
   cycles.add_to(out);
+  if (parameters.cycle_jump.is_on())
+    add_jumps(test.jumps().account(), out);
   out["n_events"] = engine.n_events();
   out["n_refused_events"] = engine.n_refused_events();
   out["external_work_J"] = work;

@@ -36,7 +36,7 @@ Triaxial::Triaxial(const Case &c)
       cycle_ticks(is_fixed() ? std::llround(c.loading.period() /
                                             (setup.step * steps_in_window()))
                              : c.output.samples_per_cycle),
-      n_cycles(c.loading.n_cycles())
+      n_cycles(c.loading.n_cycles()), plan(c.cycle_jump, n_cycles)
 {
   const std::string text = preparation_text(c, specimen.shapes);
   Digest digest;
@@ -67,8 +67,13 @@ void Triaxial::advance()
 {
   if (now == Stage::done)
     return;
+  if (plan.due() == JumpStep::keep)
+    begin_jump();
   settle_step();
+  const bool is_loading = now == Stage::loading;
   step_stage();
+  if (is_loading && pace.is_on_tick())
+    after_tick();
   if (!stopped_by.empty())
     throw coupling::GuardStop(std::exchange(stopped_by, {}));
 }
@@ -252,18 +257,23 @@ double Triaxial::plate_acceleration() const
 
 void Triaxial::step_boundaries()
 {
+  exchange_window(pace.step());
+  pace.count();
+  ++in_stage;
+}
+
+void Triaxial::exchange_window(double window)
+{
   if (cell->has_membrane())
     cell->set_pressure(pressure);
   try
   {
-    joined->advance(stones(), pace.step());
+    joined->advance(stones(), window);
   }
   catch (const coupling::GuardStop &stop)
   {
     stopped_by = stop.what(); // once the step has been counted
   }
-  pace.count();
-  ++in_stage;
 }
 
 const dem::Plane &Triaxial::top_plane() const
@@ -342,6 +352,7 @@ void Triaxial::add_energies(Sample &s) const
     s.damping += closed.lost;
     s.membrane_strain_energy = closed.stored;
   }
+  s.external_work += jump_work;
   s.energy_residual =
       s.external_work -
       (s.kinetic_energy + s.elastic_energy + s.friction + s.rolling +
@@ -363,8 +374,11 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, lower);
   dem::write_value(out, upper);
   for (const double value :
-       {area, pressure, plane_work_gone, start_height, start_volume})
+       {area, pressure, plane_work_gone, start_height, start_volume, jump_work})
     dem::write_value(out, value);
+  dem::write_value(out, plan);
+  spall::save(out, observed_from);
+  spall::save(out, drift);
   engine().save(out, specimen.shapes);
   servo.save(out);
   if (joined)
@@ -388,9 +402,13 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, is_dense);
   dem::read_value(in, lower);
   dem::read_value(in, upper);
-  for (double *value :
-       {&area, &pressure, &plane_work_gone, &start_height, &start_volume})
+  for (double *value : {&area, &pressure, &plane_work_gone, &start_height,
+                        &start_volume, &jump_work})
     dem::read_value(in, *value);
+  dem::read_value(in, plan);
+  plan.set_end(parameters.loading.n_cycles());
+  spall::restore(in, observed_from);
+  spall::restore(in, drift);
   const bool has_boundaries = now > Stage::preparation;
   if (has_boundaries && !joined) // a probe goes back with the one it has
     build_cell();

@@ -5,6 +5,8 @@
 #include "run/step_probe.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
+#include "triaxial/cycle_jump.h"
+#include "triaxial/drift.h"
 
 #include <coupling/cell_body.h>
 #include <coupling/exchange.h>
@@ -48,6 +50,11 @@ public:
   std::int64_t stage_steps() const { return in_stage; }
   /// Fractional load cycle; 0 before loading.
   double cycle() const;
+  /// The jumps over load cycles: whoever steps the test keeps its state where
+  /// one is due, and brings it back where one was too far.
+  const JumpPlan &jumps() const { return plan; }
+  /// Back at the state that was kept: not that far.
+  void shorten_jump(const JumpPlan &refused);
   /// End of this many load cycles, whatever the case says.
   void stop_after(int cycles) { n_cycles = cycles; }
 
@@ -118,6 +125,13 @@ private:
   void prepare();
   void consolidate();
   void load();
+  void begin_jump();
+  void after_tick();
+  void end_cycle();
+  void land();
+  int drift_on(double strain);
+  void hold_load(double length);
+  SlowState slow_state() const;
   void enter(Stage next);
   bool is_at_rest();
   bool is_prepared();
@@ -133,6 +147,7 @@ private:
   int steps_in_pace() const;
   Surroundings surroundings() const;
   void step_boundaries();
+  void exchange_window(double window);
   void hold_plate();
   double plate_acceleration() const;
   double section() const;
@@ -177,5 +192,10 @@ private:
   double plane_work_gone = 0.; ///< of the top plane before the plate [J]
   double start_height = 0.;    ///< of the specimen, loading [m]
   double start_volume = 0.;    ///< [m^3]
+
+  JumpPlan plan;
+  Pose observed_from;    ///< where the observation of the motion began
+  Drift drift;           ///< of the observation before the jump
+  double jump_work = 0.; ///< that takes the energies over the jumps [J]
 };
 } // namespace spall

@@ -216,3 +216,25 @@ TEST(EngineBreakage, PatchKeepsTheFactor)
     EXPECT_LT(press.engine.time(), 0.02);
   }
 }
+
+// A rise that counts five times: the first event at a fifth of the force; one
+// that counts for nothing: none.
+TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
+{
+  constexpr double share = 0.15;
+  Press once(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  EXPECT_TRUE(once.load_to(share * first_event()).empty());
+  Press often(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  often.engine.set_repetitions(5.);
+  EXPECT_TRUE(often.load_to(share * first_event()).empty());
+  EXPECT_NEAR(factor(often), 5. * factor(once), 1e-12);
+  const auto events = often.load_to(first_event());
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_NEAR(events[0].force_before, 0.2 * first_event(),
+              0.03 * 0.2 * first_event());
+
+  Press never(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  never.engine.set_repetitions(0.);
+  EXPECT_TRUE(never.load_to(2. * first_event()).empty());
+  EXPECT_EQ(factor(never), 0.);
+}

@@ -1,0 +1,115 @@
+#include "triaxial/triaxial.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace spall
+{
+namespace
+{
+/// Of a shift by one cycle of the drift.
+constexpr int steps_of_shift = 100;
+constexpr double rest_of_shift = 1e-3; // [s]
+/// Less than this of a cycle is not worth a shift.
+constexpr double least_shift = 0.25;
+} // namespace
+
+void Triaxial::shorten_jump(const JumpPlan &refused)
+{
+  plan.shorten(refused);
+  if (plan.observed() == 0)
+    observed_from = pose_of(engine(), *cell);
+  std::ostringstream text;
+  text << "cycle " << cycle() << ": a jump over " << refused.length()
+       << " cycles was too far";
+  watch.say(text.str());
+}
+
+SlowState Triaxial::slow_state() const
+{
+  return {cycle(), 1. - (cell->plate().height() - lower.z()) / start_height,
+          100. * dem::abrasion(engine().particles())};
+}
+
+/// The cycle to come stands for those that are skipped and for itself.
+void Triaxial::begin_jump()
+{
+  plan.begin();
+  drift = drift_between(observed_from, pose_of(engine(), *cell),
+                        static_cast<double>(parameters.cycle_jump.observed));
+  calm_rattlers(engine(), drift);
+  pace.skip(plan.length() * cycle_ticks);
+  engine().set_time(engine().time() + plan.length() * period());
+  engine().set_repetitions(plan.repetitions());
+}
+
+void Triaxial::after_tick()
+{
+  const std::int64_t tick = pace.ticks() % cycle_ticks;
+  if (tick == 0)
+    end_cycle();
+  else if (tick == cycle_ticks / 2 && plan.is_landing())
+    land();
+}
+
+void Triaxial::end_cycle()
+{
+  engine().set_repetitions(1.);
+  plan.take(slow_state());
+  if (plan.observed() == 0)
+    observed_from = pose_of(engine(), *cell);
+}
+
+/// At the peak of the load, brings the strain that the skipped cycles would
+/// have brought, and takes time and energies over.
+void Triaxial::land()
+{
+  Sample before, after;
+  add_energies(before);
+  const double time = engine().time(), strain = slow_state().strain;
+  engine().set_repetitions(0.);
+  engine().set_local_damping(parameters.preparation.local_damping);
+  const int n = drift_on(strain + plan.missing_strain());
+  engine().set_local_damping(parameters.time.local_damping);
+  engine().set_repetitions(1.);
+  engine().set_time(time);
+  add_energies(after);
+  jump_work -= after.energy_residual - before.energy_residual;
+  std::ostringstream text;
+  text.precision(3);
+  text << "cycle " << cycle() << ": jumped over " << plan.length()
+       << " cycles, strain moved on by " << slow_state().strain - strain
+       << " of " << plan.missing_strain() << " in " << n << " shifts";
+  watch.say(text.str());
+}
+
+/// A cycle of the drift at a time, each with a rest in which stones that have
+/// been led into each other part. Returns how many.
+int Triaxial::drift_on(double strain)
+{
+  const int most = 2 * (plan.length() + 1);
+  int n = 0;
+  for (; n < most && stopped_by.empty(); ++n)
+  {
+    const double cycles = (strain - slow_state().strain) / plan.strain_rate();
+    if (!(cycles > least_shift))
+      break;
+    move_along(drift, {std::min(1., cycles), steps_of_shift, time_step()},
+               *joined, *cell, engine());
+    hold_load(rest_of_shift);
+  }
+  return n;
+}
+
+/// For so long [s].
+void Triaxial::hold_load(double length)
+{
+  const double window = longest_step(),
+               drive = cell->plate().state().last_drive;
+  for (double time = 0.; time < length && stopped_by.empty(); time += window)
+  {
+    cell->set_drive(drive);
+    exchange_window(window);
+  }
+}
+} // namespace spall

@@ -1,0 +1,153 @@
+#include "triaxial/cycle_jump.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+// Jumps over load cycles, with formulas in place of a specimen.
+namespace
+{
+using spall::JumpPlan;
+using spall::JumpStep;
+using spall::PowerLaw;
+using spall::SlowState;
+
+TEST(PowerLaw, IntegratesPowers)
+{
+  for (const double power : {-1.5, -1., -0.4, 0., 0.3})
+  {
+    const auto rate = [power](double x) { return 3. * std::pow(x, power); };
+    const auto integral = [power](double x)
+    {
+      return power == -1. ? 3. * std::log(x)
+                          : 3. / (power + 1.) * std::pow(x, power + 1.);
+    };
+    const PowerLaw law{12., rate(12.), 70., rate(70.)};
+    const double exact = integral(60.) - integral(15.);
+    EXPECT_NEAR(law.gain(15., 60.), exact, 1e-9 * exact) << power;
+  }
+}
+
+TEST(PowerLaw, IsAStraightLineThroughARateThatIsNotPositive)
+{
+  const PowerLaw law{10., 2., 30., -2.};
+  EXPECT_NEAR(law.gain(10., 20.), 10., 1e-12); // from 2 to 0
+  EXPECT_NEAR(law.gain(10., 30.), 0., 1e-12);
+}
+
+/// A specimen whose slow variables follow formulas of the cycle.
+struct Specimen
+{
+  std::function<double(double)> strain, abrasion;
+  double strain_now = 0., abrasion_now = 0.;
+
+  double growth(const std::function<double(double)> &law, double cycle) const
+  {
+    return law(cycle) - law(cycle - 1.);
+  }
+  void simulate(double cycle, double repetitions)
+  {
+    strain_now += growth(strain, cycle);
+    abrasion_now += repetitions * growth(abrasion, cycle);
+  }
+};
+
+struct Outcome
+{
+  Specimen specimen;
+  JumpPlan plan;
+  int n_simulated = 0;
+};
+
+/// As Triaxial and its recorder do it.
+Outcome run(const spall::CycleJumpParameters &parameters, Specimen specimen,
+            int n_cycles)
+{
+  JumpPlan plan(parameters, n_cycles);
+  std::optional<std::pair<JumpPlan, Specimen>> kept;
+  double kept_cycle = 0., cycle = 0.;
+  int n_simulated = 0;
+  while (cycle < n_cycles || plan.due() == JumpStep::go_back)
+  {
+    if (plan.due() == JumpStep::go_back)
+    {
+      const JumpPlan refused = plan;
+      std::tie(plan, specimen) = *kept;
+      cycle = kept_cycle;
+      plan.shorten(refused);
+    }
+    if (plan.due() == JumpStep::keep)
+    {
+      kept = {plan, specimen};
+      kept_cycle = cycle;
+      plan.begin();
+      cycle += plan.length();
+    }
+    if (plan.is_landing())
+      specimen.strain_now += plan.missing_strain();
+    specimen.simulate(++cycle, plan.repetitions());
+    ++n_simulated;
+    plan.take({cycle, specimen.strain_now, specimen.abrasion_now});
+  }
+  EXPECT_EQ(cycle, n_cycles);
+  return {specimen, plan, n_simulated};
+}
+
+spall::CycleJumpParameters tolerance(double value)
+{
+  spall::CycleJumpParameters parameters;
+  parameters.tolerance = value;
+  return parameters;
+}
+
+Specimen shakedown()
+{
+  return {[](double cycle) { return 0.01 * std::pow(cycle, 0.3); },
+          [](double cycle) { return 0.02 * std::pow(cycle, 0.7); }};
+}
+
+TEST(CycleJump, IsOffByDefault)
+{
+  const Outcome end = run({}, shakedown(), 50);
+  EXPECT_EQ(end.n_simulated, 50);
+  EXPECT_EQ(end.plan.account().n_jumps, 0);
+}
+
+TEST(CycleJump, ThousandCyclesWithinTheTolerance)
+{
+  const Outcome end = run(tolerance(0.05), shakedown(), 1000);
+  const double strain = 0.01 * std::pow(1000., 0.3),
+               abrasion = 0.02 * std::pow(1000., 0.7);
+  EXPECT_NEAR(end.specimen.strain_now, strain, 0.05 * strain);
+  EXPECT_NEAR(end.specimen.abrasion_now, abrasion, 0.05 * abrasion);
+  EXPECT_LT(end.n_simulated, 100);
+  EXPECT_EQ(end.plan.account().n_skipped + end.n_simulated, 1000);
+}
+
+// Growth that sets in again after 300 cycles: seen by the cycles after a jump.
+TEST(CycleJump, GoesBackWhereTheGrowthHasChanged)
+{
+  const auto strain = [](double cycle)
+  { return 0.01 * std::log1p(cycle) + 2e-4 * std::max(0., cycle - 300.); };
+  const Outcome end =
+      run(tolerance(0.02), {strain, [](double cycle) { return 1e-3 * cycle; }},
+          600);
+  EXPECT_GT(end.plan.account().n_refused, 0);
+  EXPECT_NEAR(end.specimen.strain_now, strain(600.), 0.03 * strain(600.));
+  EXPECT_LT(end.n_simulated, 400);
+}
+
+// Every second cycle grows, the other shrinks: no two rates agree.
+TEST(CycleJump, SimulatesWhatCannotBePredicted)
+{
+  spall::CycleJumpParameters parameters = tolerance(1e-3);
+  parameters.observed = 3;
+  const auto strain = [](double cycle)
+  { return 0.01 + 5e-4 * std::fmod(cycle * cycle, 7.); };
+  const Outcome end = run(parameters, {strain, [](double) { return 0.; }}, 100);
+  EXPECT_GT(end.plan.account().n_refused, 0);
+  EXPECT_GT(end.n_simulated, 80);
+}
+} // namespace
