@@ -44,7 +44,7 @@ double PowerLaw::gain(double from, double to) const
 
 JumpPlan::JumpPlan(const CycleJumpParameters &p, int cycles)
     : tolerance(p.tolerance), n_cycles(cycles), n_window(p.observed),
-      longest(p.longest), n_waiting(p.first), reach(2. * p.observed)
+      longest(p.longest), n_waiting(p.first), reach(p.observed)
 {
 }
 
@@ -115,8 +115,9 @@ void JumpPlan::judge()
   books.abrasion_error += abrasion_error;
   ++books.n_jumps;
   books.n_skipped += n_skipped;
-  reach =
-      n_skipped * std::clamp(std::sqrt(aim / std::max(used, 1e-9)), 0.5, 2.);
+  const double longer =
+      std::clamp(std::sqrt(aim / std::max(used, 1e-9)), 0.5, 2.);
+  reach = std::max<double>(shortest, n_skipped * longer);
 }
 
 /// The cycles after a jump are simulated before the loading ends, so that every
@@ -175,12 +176,12 @@ void JumpPlan::shorten(const JumpPlan &refused)
   books.n_refused = refused.books.n_refused + 1;
   weight = refused.weight;
   n_skipped = refused.n_skipped / 2;
-  reach = n_skipped;
   step = n_skipped >= shortest ? JumpStep::keep : JumpStep::none;
-  if (step == JumpStep::none)
-  {
-    reach = shortest;
-    observe_from_now();
-  }
+  reach = n_skipped;
+  if (step == JumpStep::keep)
+    return;
+  // Too early: some more cycles, then as at first.
+  reach = n_window;
+  observe_from_now();
 }
 } // namespace spall

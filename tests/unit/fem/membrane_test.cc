@@ -85,6 +85,34 @@ TEST(Membrane, PressurePushesInwards)
   EXPECT_LT(membrane.enclosed_volume(), 0.1 * 0.08 * 0.12);
 }
 
+// Shifted to where another one was put: the same forces; the works stay.
+TEST(Membrane, DisplacedIsAsIfPutThere)
+{
+  fem::Membrane put(fem::MembraneParameters(), small_box());
+  fem::Membrane moved(fem::MembraneParameters(), small_box());
+  const auto rim = fem::nodes_at_height(put.mesh(), 0., 1e-9);
+  const Field load = support::random_vectors(moved.n_nodes(), 1., 4);
+  for (fem::Membrane *membrane : {&put, &moved})
+    membrane->tie(rim);
+  moved.begin_step(2e-5);
+  moved.end_step(load, 2e-5);
+  const double work = moved.energy().contact_work;
+  const Field there = support::shaken(put.mesh().nodes, 0.003, 2);
+  Field shift(there.size());
+  for (std::size_t k = 0; k < shift.size(); ++k)
+    shift[k] = there[k] - moved.positions()[k];
+  put.set_positions(there);
+  put.set_load(load);
+  moved.displace(shift);
+  EXPECT_NEAR(moved.energy().strain, put.energy().strain,
+              1e-10 * put.energy().strain);
+  EXPECT_LT((moved.reaction(1) - put.reaction(1)).norm(),
+            1e-10 * put.reaction(1).norm());
+  EXPECT_EQ(moved.energy().contact_work, work);
+  shift.pop_back();
+  EXPECT_THROW(moved.displace(shift), std::invalid_argument);
+}
+
 // Newton's third law and the symmetry of the stress, through velocity Verlet.
 TEST(Membrane, FreeFlightKeepsMomentum)
 {

@@ -229,7 +229,7 @@ TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
   EXPECT_TRUE(often.load_to(share * first_event()).empty());
   EXPECT_NEAR(factor(often), 5. * factor(once), 1e-12);
   const auto events = often.load_to(first_event());
-  ASSERT_EQ(events.size(), 1u);
+  ASSERT_FALSE(events.empty());
   EXPECT_NEAR(events[0].force_before, 0.2 * first_event(),
               0.03 * 0.2 * first_event());
 
