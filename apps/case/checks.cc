@@ -100,6 +100,15 @@ void check_geometry(const Case &c, const Place &place)
                    "too (stones turn with their inertia tensors then)"});
 }
 
+void check_cycle_jump(const Case &c, const Place &place)
+{
+  if (c.cycle_jump.is_on() && c.loading.form == LoadForm::compression)
+    refuse(place,
+           {"CycleJump", "tolerance", number_text(c.cycle_jump.tolerance),
+            "must be 0 with Loading/form = compression, which has no "
+            "cycles"});
+}
+
 void check_time(const Case &c, const Place &place)
 {
   const double sample = c.loading.period() / c.output.samples_per_cycle;
@@ -203,6 +212,7 @@ void check_case(const Case &parameters, const Place &place)
   case CaseKind::dynamic_triaxial:
     check_specimen(parameters, place);
     check_coupling(parameters, place);
+    check_cycle_jump(parameters, place);
     return check_time(parameters, place);
   case CaseKind::single_particle:
     check_particle(parameters, place);

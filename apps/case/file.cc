@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace spall
@@ -110,17 +111,64 @@ void take_file(dealii::ParameterHandler &handler, const std::string &file,
     parse_prm(handler, file);
 }
 
-void take_overrides(dealii::ParameterHandler &handler,
+std::vector<fs::path> search_folders(const Case &parameters)
+{
+  std::vector<fs::path> folders = {fs::path(parameters.file).parent_path()};
+  if (const char *folder = std::getenv("SPALL_DATA_DIR"))
+    folders.emplace_back(folder);
+  folders.emplace_back(SPALL_DATA_DIR);
+  return folders;
+}
+void take(dealii::ParameterHandler &handler, const Assignment &a,
+          const std::vector<Parameter> &list, Places &places)
+{
+  check_known(a, list);
+  places[a.section + "/" + a.key] = a.place;
+  set(handler, a);
+}
+
+bool is_preset(const Override &o)
+{
+  return o.section.empty();
+}
+
+/// Of a kind of case. Throws InputError that names those that there are.
+std::string preset_file(const Case &parameters, const std::string &name)
+{
+  const std::string kind =
+      kind_names[static_cast<std::size_t>(parameters.kind)];
+  std::set<std::string> known;
+  for (const fs::path &data : search_folders(parameters))
+  {
+    std::error_code status;
+    for (const auto &entry :
+         fs::directory_iterator(data / "presets" / kind, status))
+    {
+      if (entry.path().filename() == name + ".prm")
+        return entry.path().string();
+      known.insert(entry.path().stem().string());
+    }
+  }
+  std::string names;
+  for (const std::string &one : known)
+    names += (names.empty() ? ": must be one of " : ", ") + one;
+  throw InputError(
+      "--set preset=" + name +
+      (known.empty() ? ": a case of kind " + kind + " has none" : names));
+}
+
+void take_overrides(dealii::ParameterHandler &handler, const Case &parameters,
                     std::span<const Override> overrides,
                     const std::vector<Parameter> &list, Places &places)
 {
   for (const Override &o : overrides)
-  {
-    const Assignment a{o.section, o.key, o.value, "--set"};
-    check_known(a, list);
-    places[o.section + "/" + o.key] = a.place;
-    set(handler, a);
-  }
+    if (is_preset(o))
+      for (const Assignment &a :
+           read_assignments(preset_file(parameters, o.value)))
+        take(handler, a, list, places);
+  for (const Override &o : overrides)
+    if (!is_preset(o))
+      take(handler, {o.section, o.key, o.value, "--set"}, list, places);
 }
 
 /// The parameters that a material file may set.
@@ -163,23 +211,19 @@ void assign_all(dealii::ParameterHandler &handler,
   }
 }
 
-std::vector<fs::path> search_folders(const Case &parameters)
-{
-  std::vector<fs::path> folders = {fs::path(parameters.file).parent_path()};
-  if (const char *folder = std::getenv("SPALL_DATA_DIR"))
-    folders.emplace_back(folder);
-  folders.emplace_back(SPALL_DATA_DIR);
-  return folders;
-}
 } // namespace
 
 Override parse_override(const std::string &text)
 {
+  constexpr std::string_view preset = "preset=";
+  if (text.starts_with(preset))
+    return {"", "preset", text.substr(preset.size())};
   const std::size_t slash = text.find('/');
   const std::size_t equal = text.find('=');
   if (slash == std::string::npos || equal == std::string::npos || slash == 0 ||
       equal <= slash + 1)
-    throw InputError("--set " + text + ": must be Section/key=value");
+    throw InputError("--set " + text +
+                     ": must be Section/key=value or preset=NAME");
   return {text.substr(0, slash), text.substr(slash + 1, equal - slash - 1),
           text.substr(equal + 1)};
 }
@@ -226,7 +270,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   dealii::ParameterHandler handler;
   declare(handler, list);
   take_file(handler, file, list, places);
-  take_overrides(handler, overrides, list, places);
+  take_overrides(handler, result, overrides, list, places);
 
   check_sections(result, places);
   const std::string named = get(handler, "Material", "file");
@@ -237,7 +281,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
     places.clear();
     take_file(handler, material, allowed, places);
     take_file(handler, file, list, places); // the case wins
-    take_overrides(handler, overrides, list, places);
+    take_overrides(handler, result, overrides, list, places);
   }
   assign_all(handler, list, places);
 

@@ -7,17 +7,19 @@
 
 namespace spall
 {
-/// Section/Key=value from the command line.
+/// Section/Key=value from the command line; of a preset, a file of settings in
+/// data/presets, without section: "preset" = its name.
 struct Override
 {
   std::string section, key, value;
 };
 
-/// "Section/Key=value", what follows --set. Throws InputError.
+/// "Section/Key=value" or "preset=NAME", what follows --set. Throws InputError.
 Override parse_override(const std::string &text);
 
 /// Reads and validates a .prm (or .json) case: defaults, then the material
-/// file, then the case, then the overrides. Throws InputError.
+/// file, then the case, then presets, then the other overrides. Throws
+/// InputError.
 Case read_case(const std::string &file, std::span<const Override> overrides);
 
 /// Every parameter with its value, unit and sentence (paths made absolute).

@@ -127,6 +127,8 @@ void print_cost(const Case &parameters, const Triaxial &test)
   std::printf("predicted time   %.3g s for %.4g steps after the preparation "
               "(%.3g ms each)\n",
               cost * steps, steps, 1e3 * cost);
+  if (parameters.cycle_jump.is_on())
+    std::printf("                 less what CycleJump skips\n");
 }
 
 void check_triaxial(const Case &parameters)

@@ -103,8 +103,8 @@ void take_sweep(const Assignment &a, Study &study)
 
 void take_base(const Assignment &a, Study &study)
 {
-  if (a.key.find('/') == std::string::npos)
-    refuse(a, "must be Section/key = value");
+  if (a.key != "preset" && a.key.find('/') == std::string::npos)
+    refuse(a, "must be Section/key = value or preset = NAME");
   study.base.push_back(parse_override(a.key + "=" + a.value));
 }
 
@@ -115,9 +115,11 @@ void take_variant(const Assignment &a, Study &study)
   for (const std::string &setting : words_of(a.value, ';'))
   {
     const std::size_t slash = setting.find('/'), equals = setting.find('=');
-    if (slash == std::string::npos || equals == std::string::npos ||
-        slash > equals)
-      refuse(a, "must be Section/key=value with semicolons between them");
+    const bool is_preset = setting.starts_with("preset=");
+    if (!is_preset && (slash == std::string::npos ||
+                       equals == std::string::npos || slash > equals))
+      refuse(a, "must be Section/key=value or preset=NAME with semicolons "
+                "between them");
     variant.settings.push_back(parse_override(setting));
   }
   if (study.variants.empty())

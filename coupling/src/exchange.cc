@@ -166,16 +166,6 @@ void Exchange::advance(const Stones &stones, double window)
   check_surfaces(stones.engine);
 }
 
-void Exchange::follow(const Body &body, FieldView velocity,
-                      const Stones &stones, double time_step)
-{
-  Joint &joint = joints[joint_of(body)];
-  joint.at = joint.target = copy_of(body.motion().position);
-  joint.seam->place({joint.at, velocity}, stones.engine);
-  stones.advance(time_step);
-  joint.seam->collect(stones.engine, Collected::load, joint.load);
-}
-
 void Exchange::step_together(const Stones &stones, double time_step)
 {
   timed(spent.bodies,

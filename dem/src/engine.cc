@@ -158,8 +158,7 @@ void Engine::set_breaking(bool is_on)
 
 void Engine::set_repetitions(double repetitions)
 {
-  lists_are_stale |=
-      (repetitions > 1.) != (settings.breakage.repetitions > 1.);
+  lists_are_stale |= (repetitions > 1.) != (settings.breakage.repetitions > 1.);
   settings.breakage.repetitions = repetitions;
 }
 

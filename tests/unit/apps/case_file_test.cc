@@ -234,6 +234,31 @@ TEST_F(CaseFile, PathsAreSoughtBesideTheCaseFirst)
   EXPECT_THROW(find_path(c, "Specimen", "gradation", "none.csv"), InputError);
 }
 
+// Over the case and below what the command line says itself.
+TEST_F(CaseFile, PresetsAreOverTheCase)
+{
+  const std::string file = write_case(
+      "subsection Time\n  set step = fixed\n  set safety = 0.5\nend\n");
+  const std::vector<Override> fast = {parse_override("preset=fast")};
+  const Case c = read_case(file, fast);
+  EXPECT_EQ(c.time.step, StepRule::stable);
+  EXPECT_EQ(c.contact.geometry, dem::ContactGeometry::ball);
+  const std::vector<Override> both = {parse_override("Time/safety=0.3"),
+                                      parse_override("preset=fast")};
+  EXPECT_EQ(read_case(file, both).time.safety, 0.3);
+  const std::vector<Override> none = {parse_override("preset=slow")};
+  try
+  {
+    read_case(file, none);
+    FAIL();
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_STREQ(error.what(), "--set preset=slow: must be one of fast, "
+                               "reference, standard");
+  }
+}
+
 TEST(ParseOverride, SplitsAtTheFirstSigns)
 {
   const Override o = parse_override("Specimen/gradation=a/b=c.csv");

@@ -70,7 +70,7 @@ enum class InscribedSphereAt
 /// Parameters of the energy criterion (article, Table 2) and its choices.
 struct BreakageParameters
 {
-  bool is_active = true;             ///< stones may break at all
+  bool is_active = true; ///< stones may break at all
   /// A rise of the energy above what it has been since counts so many times, as
   /// if the load came back as often; one that makes up for a fall counts once.
   /// 0: factors stay as they are and nothing breaks [-]
