@@ -282,6 +282,16 @@ Vector Membrane::reaction(std::int32_t node) const
   return state->force(state->tied_node(node));
 }
 
+Vector Membrane::force(std::int32_t node) const
+{
+  return state->force(state->checked_node(node));
+}
+
+Eigen::Matrix3d Membrane::stress_integral() const
+{
+  return fem::stress_integral(state->sheet, state->now.position);
+}
+
 double Membrane::unbalanced_force_ratio() const
 {
   double largest = 0.;

@@ -314,4 +314,22 @@ SheetState element_state(const Sheet &sheet, std::size_t element,
   return {present / reference, present > 0. ? 0.5 * trace / present : 0.,
           energy / reference};
 }
+
+Eigen::Matrix3d stress_integral(const Sheet &sheet,
+                                std::span<const Vector> positions)
+{
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const SheetElement &element : sheet.elements)
+  {
+    const std::array<Vector, 4> x = gather(element, positions);
+    for (const SheetPoint &point : element.point)
+    {
+      const Tangents f = tangents(point, x);
+      const Tangents p = flux(stress(sheet.material, strain(f)), f);
+      sum += point.weight *
+             (p.first * f.first.transpose() + p.second * f.second.transpose());
+    }
+  }
+  return sum;
+}
 } // namespace fem

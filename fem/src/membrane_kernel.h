@@ -114,4 +114,9 @@ struct SheetState
 };
 SheetState element_state(const Sheet &sheet, std::size_t element,
                          std::span<const Eigen::Vector3d> positions);
+
+/// int h S_ab F_a (x) F_b dA: Cauchy stress over the volume of the sheet,
+/// tension positive [J].
+Eigen::Matrix3d stress_integral(const Sheet &sheet,
+                                std::span<const Eigen::Vector3d> positions);
 } // namespace fem

@@ -107,6 +107,14 @@ public:
   /// it adds its nodal_mass to the own mass.
   Eigen::Vector3d reaction(std::int32_t node) const;
 
+  /// On a node: internal, pressure and contact load [N]. At a tied node that is
+  /// its reaction, at a free one what accelerates it but for mass damping.
+  Eigen::Vector3d force(std::int32_t node) const;
+
+  /// Cauchy stress times the volume of the sheet, int h S_ab F_a (x) F_b dA,
+  /// tension positive [J]: minus sum f (x) x over its internal nodal forces.
+  Eigen::Matrix3d stress_integral() const;
+
   /// Largest |force| on a free node, damping left out, over the mean force of
   /// an element on one of its nodes [-].
   double unbalanced_force_ratio() const;
