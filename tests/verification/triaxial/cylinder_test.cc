@@ -14,9 +14,11 @@ using namespace spall;
 
 constexpr double pressure = 30e3; // [Pa]
 
-Case cylinder_case(double membrane_modulus)
+Case cylinder_case(double membrane_modulus,
+                   const char *lateral_side = "membrane")
 {
   const std::vector<Override> overrides = {
+      {"Boundary", "lateral", lateral_side},
       {"Specimen", "form", "cylinder"},
       {"Specimen", "diameter", "0.05"},
       {"Specimen", "height", "0.08"},
@@ -141,5 +143,22 @@ TEST(Cylinder, StonesAndMembraneBearTheBoundary)
     EXPECT_LT(means.residual, 1e-9 * pressure);
     // The plate carries the confining pressure but for its swing.
     EXPECT_NEAR(axial(stress.boundary), pressure, 0.01 * pressure);
+  }
+}
+
+// The same between rigid sides, round and flat, which count as plates; the
+// friction of the stones has just come back, so they move.
+TEST(Cylinder, StonesBearTheRigidSides)
+{
+  for (const char *form : {"cylinder", "box"})
+  {
+    Case parameters = cylinder_case(1.4e6, "rigid");
+    if (std::string(form) == "box")
+      parameters.specimen.form = SpecimenForm::box;
+    Triaxial test(parameters);
+    run_to(test, Stage::consolidation);
+    for (int step = 0; step < 200; ++step)
+      test.advance();
+    EXPECT_LT(residual(test.stress_balance()), 1e-9 * pressure) << form;
   }
 }
