@@ -153,6 +153,11 @@ void check_coupling(const Case &c, const Place &place)
            {"Membrane", "poisson_ratio", number_text(c.membrane.poisson_ratio),
             "must be 0.5 with Membrane/law = neo_hooke, which is "
             "incompressible"});
+  if (c.membrane.wrinkling == fem::MembraneWrinkling::none &&
+      c.membrane.residual_stiffness > 0.)
+    refuse(place, {"Membrane", "residual_stiffness",
+                   number_text(c.membrane.residual_stiffness),
+                   "must be 0 unless Membrane/wrinkling = tension_field"});
 }
 
 void check_particle(const Case &c, const Place &place)

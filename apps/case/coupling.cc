@@ -15,6 +15,14 @@ void add_membrane(List &list, fem::MembraneParameters &m)
   list.add({"tension", "N/m",
             "In the surface as it is built, the same in all directions."},
            m.tension, between(0., 1e7));
+  list.add({"wrinkling", "-",
+            "none: it bears compression as it bears tension; tension_field: it "
+            "wrinkles instead."},
+           m.wrinkling, {"none", "tension_field"});
+  list.add({"residual_stiffness", "-",
+            "tension_field: share of the compression of the law that is borne "
+            "all the same."},
+           m.residual_stiffness, below(0., 1.));
   list.add({"density", "kg/m^3", "Undeformed."}, m.density, above(0., 3e4));
   list.add({"mass_damping", "1/s", "alpha: force -alpha m v on each node."},
            m.mass_damping, between(0., 1e5));

@@ -108,6 +108,11 @@ NetworkState network_state(const Triaxial &test)
   state.wall_axial_stress = sample.axial_stress;
   state.inside_lateral_stress = 0.5 * (inside(0, 0) + inside(1, 1));
   state.wall_lateral_stress = sample.lateral_stress;
+  const dem::Mat3 in_stones = test.stress_balance().stones;
+  state.specimen_axial_stress = axial(in_stones);
+  state.specimen_lateral_stress = lateral(in_stones);
+  state.membrane_axial_stress = sample.membrane_axial_stress;
+  state.membrane_lateral_stress = sample.membrane_lateral_stress;
   return state;
 }
 

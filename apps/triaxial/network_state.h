@@ -20,6 +20,8 @@ struct NetworkState
   double fabric_anisotropy = 0., sliding_fraction = 0.;    ///< [-]
   double inside_axial_stress = 0., wall_axial_stress = 0.; ///< [Pa]
   double inside_lateral_stress = 0., wall_lateral_stress = 0.;
+  double specimen_axial_stress = 0., specimen_lateral_stress = 0.;
+  double membrane_axial_stress = 0., membrane_lateral_stress = 0.;
 };
 
 /// A column or key of NetworkState: name, `when`, unit.
@@ -34,7 +36,7 @@ struct NetworkColumn
   }
 };
 
-inline constexpr std::array<NetworkColumn, 12> network_columns = {
+inline constexpr std::array<NetworkColumn, 16> network_columns = {
     {{"coordination_number", "1", &NetworkState::coordination_number},
      {"mean_contact_force", "N", &NetworkState::mean_contact_force},
      {"strong_contact_share", "1", &NetworkState::strong_share},
@@ -46,7 +48,12 @@ inline constexpr std::array<NetworkColumn, 12> network_columns = {
      {"inside_axial_stress", "Pa", &NetworkState::inside_axial_stress},
      {"wall_axial_stress", "Pa", &NetworkState::wall_axial_stress},
      {"inside_lateral_stress", "Pa", &NetworkState::inside_lateral_stress},
-     {"wall_lateral_stress", "Pa", &NetworkState::wall_lateral_stress}}};
+     {"wall_lateral_stress", "Pa", &NetworkState::wall_lateral_stress},
+     {"specimen_axial_stress", "Pa", &NetworkState::specimen_axial_stress},
+     {"specimen_lateral_stress", "Pa", &NetworkState::specimen_lateral_stress},
+     {"membrane_axial_stress", "Pa", &NetworkState::membrane_axial_stress},
+     {"membrane_lateral_stress", "Pa",
+      &NetworkState::membrane_lateral_stress}}};
 
 /// While loading. Stress inside is that without a skin of skin_of().
 NetworkState network_state(const Triaxial &test);

@@ -92,6 +92,8 @@ constexpr CaseKey later[] = {
     {"Membrane", "poisson_ratio"},
     {"Membrane", "thickness"},
     {"Membrane", "tension"},
+    {"Membrane", "wrinkling"},
+    {"Membrane", "residual_stiffness"},
     {"Membrane", "density"},
     {"Membrane", "mass_damping"},
     {"Boundary", "lateral"},

@@ -315,6 +315,9 @@ Sample Triaxial::sample(double roundness) const
                        ? dem::box_stress(engine(), specimen.walls).z()
                        : top_plane().force.z() / section();
   s.lateral_stress = lateral_stress();
+  const dem::Mat3 in_membrane = membrane_stress();
+  s.membrane_axial_stress = axial(in_membrane);
+  s.membrane_lateral_stress = lateral(in_membrane);
   if (now >= Stage::loading)
   {
     s.axial_strain = 1. - (cell->plate().height() - lower.z()) / start_height;

@@ -7,6 +7,7 @@
 #include "specimen/specimen.h"
 #include "triaxial/cycle_jump.h"
 #include "triaxial/drift.h"
+#include "triaxial/stress_balance.h"
 
 #include <coupling/cell_body.h>
 #include <coupling/exchange.h>
@@ -60,6 +61,9 @@ public:
 
   /// The row of history.csv now; `roundness` is the caller's last value.
   Sample sample(double roundness) const;
+
+  /// Once the preparation is over: what bears the boundary's load.
+  StressBalance stress_balance() const;
 
   const dem::Engine &engine() const { return *specimen.engine; }
   dem::Engine &engine() { return *specimen.engine; }
@@ -165,6 +169,8 @@ private:
   void put_side_away();
   double lateral_stress() const;
   double volume() const;
+  dem::Mat3 membrane_stress() const;
+  void add_membrane_forces(StressBalance &sums, const dem::Vec3 &from) const;
 
   Case parameters;
   Specimen specimen;

@@ -38,6 +38,9 @@ void check_parameters(const MembraneParameters &p)
           "must be 0.5 with the neo-Hookean law, which is incompressible");
   require(std::isfinite(p.tension) && p.tension >= 0., "tension", p.tension,
           "must not be negative");
+  require(p.residual_stiffness >= 0. && p.residual_stiffness < 1.,
+          "residual_stiffness", p.residual_stiffness,
+          "must be 0 or above and below 1");
   require(std::isfinite(p.mass_damping) && p.mass_damping >= 0., "mass_damping",
           p.mass_damping, "must not be negative");
 }
@@ -59,6 +62,8 @@ Sheet make_sheet(const MembraneParameters &p, const MembraneSpace &space)
   if (p.law == MembraneLaw::neo_hooke)
     sheet.material.shear = p.youngs_modulus * p.thickness / 3.;
   sheet.material.tension = p.tension;
+  sheet.material.has_wrinkles = p.wrinkling == MembraneWrinkling::tension_field;
+  sheet.material.residual = p.residual_stiffness;
   return sheet;
 }
 
@@ -250,8 +255,10 @@ void Membrane::end_step(std::span<const Vector> load, double time_step)
 
 double Membrane::stable_time_step() const
 {
+  Sheet taut = state->sheet;
+  taut.material.has_wrinkles = false;
   const double frequency =
-      largest_frequency(state->sheet, {state->mass, state->now.is_tied},
+      largest_frequency(taut, {state->mass, state->now.is_tied},
                         state->now.position, state->now.pressure);
   return frequency > 0. ? 2. / frequency
                         : std::numeric_limits<double>::infinity();
@@ -290,6 +297,21 @@ const SurfaceMesh &Membrane::mesh() const
 Vector Membrane::reaction(std::int32_t node) const
 {
   return state->force(state->tied_node(node));
+}
+
+Vector Membrane::force(std::int32_t node) const
+{
+  return state->force(state->checked_node(node));
+}
+
+Eigen::Matrix3d Membrane::stress_integral() const
+{
+  return fem::stress_integral(state->sheet, state->now.position);
+}
+
+double Membrane::wrinkled_share() const
+{
+  return fem::wrinkled_share(state->sheet, state->now.position);
 }
 
 double Membrane::unbalanced_force_ratio() const

@@ -106,16 +106,46 @@ void Membrane::State::correct(const MembraneStep &step,
                              "be factored; a shorter step may help");
   const Eigen::VectorXd change = factors.solve(right);
   for (std::size_t k = 0; k < mass.size(); ++k)
+    if (number[k] >= 0)
+      now.position[k] += change.segment<3>(number[k]);
+  follow_positions(step);
+}
+
+void Membrane::State::follow_positions(const MembraneStep &step)
+{
+  const double dt = step.time_step;
+  for (std::size_t k = 0; k < mass.size(); ++k)
   {
-    if (number[k] < 0)
+    if (now.is_tied[k])
       continue;
-    now.position[k] += change.segment<3>(number[k]);
     now.acceleration[k] =
         (now.position[k] - step.predicted[k]) / (step.rule.beta * dt * dt);
     now.velocity[k] =
         step.velocity[k] + dt * ((1. - step.rule.gamma) * step.acceleration[k] +
                                  step.rule.gamma * now.acceleration[k]);
   }
+}
+
+std::vector<Vector> Membrane::State::residual_here(const MembraneStep &step)
+{
+  evaluate_forces(batched, now.position, now.forces);
+  return residual(step);
+}
+
+std::vector<Vector> Membrane::State::better_residual(
+    const MembraneStep &step, const std::vector<Vector> &from, double size_from)
+{
+  std::vector<Vector> result = residual_here(step);
+  for (int halvings = 0; sheet.material.has_wrinkles && halvings < 6 &&
+                         !(size(result) < size_from);
+       ++halvings)
+  {
+    for (std::size_t k = 0; k < mass.size(); ++k)
+      now.position[k] = 0.5 * (from[k] + now.position[k]);
+    follow_positions(step);
+    result = residual_here(step);
+  }
+  return result;
 }
 
 /// Size of a residual that counts as none: of the forces, and of the positions
@@ -177,10 +207,9 @@ void Membrane::advance(std::span<const Vector> load, double time_step,
                                     rule.gamma * now.acceleration[k]);
   }
   std::copy(load.begin(), load.end(), now.load.begin());
+  std::vector<Vector> residual = state->residual_here(step);
   for (int round = 0; round <= 30; ++round)
   {
-    evaluate_forces(state->batched, now.position, now.forces);
-    const std::vector<Vector> residual = state->residual(step);
     if (size(residual) <= state->round_off(step))
     {
       state->book_step_from(before);
@@ -188,7 +217,9 @@ void Membrane::advance(std::span<const Vector> load, double time_step,
     }
     if (!std::isfinite(size(residual)))
       break;
+    const std::vector<Vector> from = now.position;
     state->correct(step, residual);
+    residual = state->better_residual(step, from, size(residual));
   }
   now = before;
   throw std::runtime_error("membrane: no equilibrium of an implicit step of " +

@@ -14,12 +14,6 @@ struct Tangents
   Vector first, second;
 };
 
-/// Components 11, 22 and 12 of a symmetric surface tensor.
-struct Symmetric
-{
-  double xx, yy, xy;
-};
-
 std::array<Vector, 4> gather(const SheetElement &element,
                              std::span<const Vector> field)
 {
@@ -44,65 +38,6 @@ Symmetric strain(const Tangents &f)
 {
   return {0.5 * (f.first.squaredNorm() - 1.),
           0.5 * (f.second.squaredNorm() - 1.), 0.5 * f.first.dot(f.second)};
-}
-
-Symmetric right_cauchy_green(const Symmetric &e)
-{
-  return {1. + 2. * e.xx, 1. + 2. * e.yy, 2. * e.xy};
-}
-
-double determinant(const Symmetric &c)
-{
-  return c.xx * c.yy - c.xy * c.xy;
-}
-
-Symmetric kirchhoff_stress(const SheetMaterial &m, const Symmetric &e)
-{
-  return {m.stiffness * (e.xx + m.poisson_ratio * e.yy),
-          m.stiffness * (e.yy + m.poisson_ratio * e.xx),
-          m.stiffness * (1. - m.poisson_ratio) * e.xy};
-}
-
-Symmetric stress(const SheetMaterial &m, const Symmetric &e)
-{
-  Symmetric s = kirchhoff_stress(m, e);
-  if (m.shear > 0.)
-  {
-    const Symmetric c = right_cauchy_green(e);
-    const double squared = 1. / (determinant(c) * determinant(c));
-    s = {m.shear * (1. - c.yy * squared), m.shear * (1. - c.xx * squared),
-         m.shear * c.xy * squared};
-  }
-  return {s.xx + m.tension, s.yy + m.tension, s.xy};
-}
-
-/// Change of the stress with a change `de` of the strain.
-Symmetric stress_change(const SheetMaterial &m, const Symmetric &e,
-                        const Symmetric &de)
-{
-  if (!(m.shear > 0.))
-    return kirchhoff_stress(m, de);
-  const Symmetric c = right_cauchy_green(e);
-  const double det = determinant(c), squared = 1. / (det * det);
-  const double growth =
-      2. * (c.yy * de.xx + c.xx * de.yy - 2. * c.xy * de.xy) / det;
-  const double factor = 2. * m.shear * squared;
-  return {factor * (c.yy * growth - de.yy), factor * (c.xx * growth - de.xx),
-          factor * (de.xy - c.xy * growth)};
-}
-
-double contract(const Symmetric &a, const Symmetric &b)
-{
-  return a.xx * b.xx + a.yy * b.yy + 2. * a.xy * b.xy;
-}
-
-double energy_density(const SheetMaterial &m, const Symmetric &e)
-{
-  const double start = m.tension * (e.xx + e.yy);
-  if (!(m.shear > 0.))
-    return start + 0.5 * contract(kirchhoff_stress(m, e), e);
-  const Symmetric c = right_cauchy_green(e);
-  return start + 0.5 * m.shear * (c.xx + c.yy + 1. / determinant(c) - 3.);
 }
 
 /// S_ab F_a for b = 1, 2.
@@ -180,6 +115,9 @@ BatchedSheet::BatchedSheet(const Sheet &sheet, BatchKernel chosen)
   law.is_neo_hookean = sheet.material.shear > 0.;
   law.shear = sheet.material.shear;
   law.tension = sheet.material.tension;
+  law.has_wrinkles = sheet.material.has_wrinkles;
+  law.residual = sheet.material.residual;
+  law.line = tension_line(sheet.material);
   for (std::size_t q = 0; q < 4; ++q)
     std::copy(sheet.value[q].begin(), sheet.value[q].end(), law.value[q]);
   for (const SheetElement &element : sheet.elements)
@@ -298,7 +236,7 @@ SheetState element_state(const Sheet &sheet, std::size_t element,
 {
   const SheetElement &quad = sheet.elements[element];
   const std::array<Vector, 4> x = gather(quad, positions);
-  double reference = 0., present = 0., trace = 0., energy = 0.;
+  double reference = 0., present = 0., trace = 0., energy = 0., wrinkled = 0.;
   for (const SheetPoint &point : quad.point)
   {
     const Tangents f = tangents(point, x);
@@ -309,9 +247,44 @@ SheetState element_state(const Sheet &sheet, std::size_t element,
     present += point.weight * f.first.cross(f.second).norm();
     trace += point.weight * contract(s, c);
     energy += point.weight * energy_density(sheet.material, e);
+    wrinkled += is_wrinkled(sheet.material, e) ? point.weight : 0.;
   }
   // tr(sigma) h da = S:C dA; a collapsed quad carries no tension.
   return {present / reference, present > 0. ? 0.5 * trace / present : 0.,
-          energy / reference};
+          energy / reference, wrinkled / reference};
+}
+
+double wrinkled_share(const Sheet &sheet, std::span<const Vector> positions)
+{
+  double wrinkled = 0., whole = 0.;
+  for (const SheetElement &element : sheet.elements)
+  {
+    const std::array<Vector, 4> x = gather(element, positions);
+    for (const SheetPoint &point : element.point)
+    {
+      whole += point.weight;
+      if (is_wrinkled(sheet.material, strain(tangents(point, x))))
+        wrinkled += point.weight;
+    }
+  }
+  return wrinkled / whole;
+}
+
+Eigen::Matrix3d stress_integral(const Sheet &sheet,
+                                std::span<const Vector> positions)
+{
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const SheetElement &element : sheet.elements)
+  {
+    const std::array<Vector, 4> x = gather(element, positions);
+    for (const SheetPoint &point : element.point)
+    {
+      const Tangents f = tangents(point, x);
+      const Tangents p = flux(stress(sheet.material, strain(f)), f);
+      sum += point.weight *
+             (p.first * f.first.transpose() + p.second * f.second.transpose());
+    }
+  }
+  return sum;
 }
 } // namespace fem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sheet_batches.h"
+#include "sheet_material.h"
 
 #include <Eigen/Dense>
 
@@ -11,20 +12,6 @@
 
 namespace fem
 {
-/// Per unit of reference area, with a tension T that is there at the start
-/// and stays: S = S_law + T I, W = W_law + T tr(E).
-/// St Venant-Kirchhoff in plane stress:
-/// S_law = c ((1 - nu) E + nu tr(E) I) with c = E h / (1 - nu^2).
-/// Incompressible neo-Hooke, C = 1 + 2 E: W_law = mu h / 2 (tr C + 1 / det C
-/// - 3), S_law = mu h (I - adj(C) / det(C)^2).
-struct SheetMaterial
-{
-  double stiffness = 0.;     ///< c [N/m], of St Venant-Kirchhoff
-  double poisson_ratio = 0.; ///< nu [-], of St Venant-Kirchhoff
-  double shear = 0.;         ///< mu h [N/m]; above 0 for neo-Hooke
-  double tension = 0.;       ///< T [N/m]
-};
-
 /// What one quadrature point needs of the reference surface.
 struct SheetPoint
 {
@@ -111,7 +98,17 @@ struct SheetState
   double area_ratio = 1.; ///< present over reference area [-]
   double tension = 0.;    ///< mean of the two Cauchy stresses, times h [N/m]
   double energy_density = 0.; ///< per reference area [J/m^2]
+  double wrinkled = 0.;       ///< share of it where is_wrinkled() [-]
 };
 SheetState element_state(const Sheet &sheet, std::size_t element,
                          std::span<const Eigen::Vector3d> positions);
+
+/// Share of the reference area where is_wrinkled() [-].
+double wrinkled_share(const Sheet &sheet,
+                      std::span<const Eigen::Vector3d> positions);
+
+/// int h S_ab F_a (x) F_b dA: Cauchy stress over the volume of the sheet,
+/// tension positive [J].
+Eigen::Matrix3d stress_integral(const Sheet &sheet,
+                                std::span<const Eigen::Vector3d> positions);
 } // namespace fem

@@ -89,20 +89,21 @@ tangent_frame(const dealii::DerivativeForm<1, 2, 3> &jacobian,
 /// A file per frame is read by people: averages per quad as cell data.
 struct CellFields
 {
-  dealii::Vector<double> area_ratio, tension, energy_density;
+  dealii::Vector<double> area_ratio, tension, energy_density, wrinkled;
 };
 
 CellFields cell_fields(const Sheet &sheet, Nodes positions)
 {
   const auto n = static_cast<unsigned int>(sheet.elements.size());
   CellFields fields{dealii::Vector<double>(n), dealii::Vector<double>(n),
-                    dealii::Vector<double>(n)};
+                    dealii::Vector<double>(n), dealii::Vector<double>(n)};
   for (unsigned int k = 0; k < n; ++k)
   {
     const SheetState state = element_state(sheet, k, positions);
     fields.area_ratio(k) = state.area_ratio;
     fields.tension(k) = state.tension;
     fields.energy_density(k) = state.energy_density;
+    fields.wrinkled(k) = state.wrinkled;
   }
   return fields;
 }
@@ -245,6 +246,7 @@ void MembraneSpace::write_vtu(const std::string &path, const Sheet &sheet,
   output.add_data_vector(cells.area_ratio, "area_ratio_1");
   output.add_data_vector(cells.tension, "tension_N_per_m");
   output.add_data_vector(cells.energy_density, "energy_density_J_per_m2");
+  output.add_data_vector(cells.wrinkled, "wrinkled_1");
   const dealii::MappingQ1Eulerian<2, dealii::Vector<double>, 3> deformed(
       parts->dof_handler, displacement);
   output.build_patches(deformed);

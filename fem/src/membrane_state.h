@@ -36,6 +36,15 @@ struct Membrane::State
   void start_accelerations();
   /// Inertia and damping less the forces of the step, free nodes only [N].
   std::vector<Eigen::Vector3d> residual(const MembraneStep &step) const;
+  /// The same after the forces at the present positions.
+  std::vector<Eigen::Vector3d> residual_here(const MembraneStep &step);
+  /// The same; where a wrinkle that comes or goes has made it larger than it
+  /// was, the positions go back half of the way, and again.
+  std::vector<Eigen::Vector3d>
+  better_residual(const MembraneStep &step,
+                  const std::vector<Eigen::Vector3d> &from, double size_from);
+  /// Velocities and accelerations that the positions stand for.
+  void follow_positions(const MembraneStep &step);
   /// One correction of the positions by the consistent tangent.
   void correct(const MembraneStep &step,
                const std::vector<Eigen::Vector3d> &residual);

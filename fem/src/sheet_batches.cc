@@ -94,6 +94,57 @@ FEM_INLINE void neo_hooke(const BatchLaw &law, const Lanes &cxx,
   s.energy = 0.5 * law.shear * ((cxx + cyy) + (thinning - 3.));
 }
 
+template <typename Lanes>
+FEM_INLINE void root(Lanes &to, const Lanes &from)
+{
+  for (std::size_t k = 0; k < sizeof(Lanes) / sizeof(double); ++k)
+    to[k] = __builtin_sqrt(from[k]);
+}
+
+/// Stress and energy along the wrinkles at C1, see TensionLine.
+template <typename Lanes>
+FEM_INLINE void along_wrinkles(const TensionLine &line, const Lanes &major,
+                               Lanes &stress, Lanes &energy)
+{
+  const Lanes c = major > line.slack ? major : major * 0. + line.slack;
+  if (line.is_neo_hookean)
+  {
+    Lanes ratio;
+    root(ratio, line.start / c);
+    stress = line.modulus * (line.start - ratio / c);
+    energy = 0.5 * line.modulus * ((line.start * c + 2. * ratio) - 3.);
+  }
+  else
+  {
+    const Lanes e = 0.5 * (c - 1.);
+    stress = line.modulus * e + line.start;
+    energy = (0.5 * line.modulus * e + line.start) * e;
+  }
+  energy += line.energy;
+}
+
+/// No compression: S_r and W_r in place of those of the law.
+template <typename Lanes>
+FEM_INLINE void relax(const BatchLaw &law, const Lanes &cxx, const Lanes &cyy,
+                      const Lanes &cxy, Stress<Lanes> &s)
+{
+  const Lanes half = 0.5 * (cxx - cyy), apart = 0.5 * (s.xx - s.yy);
+  Lanes radius, spread, stress, energy;
+  root(radius, half * half + cxy * cxy);
+  root(spread, apart * apart + s.xy * s.xy);
+  along_wrinkles(law.line, 0.5 * (cxx + cyy) + radius, stress, energy);
+  // Where both are zero the stress is, too.
+  radius = radius > 1e-300 ? radius : radius * 0. + 1e-300;
+  const auto is_taut = 0.5 * (s.xx + s.yy) - spread > 0.;
+  const double r = law.residual;
+  const Lanes share = (0.5 * (1. - r)) * stress;
+  const Lanes cosine = half / radius, sine = cxy / radius;
+  s.xx = is_taut ? s.xx : share * (1. + cosine) + r * s.xx;
+  s.yy = is_taut ? s.yy : share * (1. - cosine) + r * s.yy;
+  s.xy = is_taut ? s.xy : share * sine + r * s.xy;
+  s.energy = is_taut ? s.energy : (1. - r) * energy + r * s.energy;
+}
+
 /// flux[b] = w S_ab F_a; returns the energy in `energy`.
 template <typename Lanes>
 FEM_INLINE void fluxes(const BatchLaw &law, const Lanes &weight,
@@ -110,7 +161,10 @@ FEM_INLINE void fluxes(const BatchLaw &law, const Lanes &weight,
     kirchhoff(law, cxx, cyy, cxy, s);
   s.xx += law.tension;
   s.yy += law.tension;
-  energy = weight * (s.energy + 0.5 * law.tension * ((cxx + cyy) - 2.));
+  s.energy += 0.5 * law.tension * ((cxx + cyy) - 2.);
+  if (law.has_wrinkles)
+    relax(law, cxx, cyy, cxy, s);
+  energy = weight * s.energy;
   for (int i = 0; i < 3; ++i)
   {
     flux[0][i] = weight * (s.xx * f[0][i] + s.xy * f[1][i]);

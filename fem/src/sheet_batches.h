@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sheet_material.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -28,7 +30,10 @@ struct BatchLaw
   double poisson_ratio = 0.; ///< nu [-]
   double shear = 0.;         ///< mu h [N/m]
   double tension = 0.;       ///< T [N/m]
-  double value[4][4] = {};   ///< of the shape functions, [point][node] [-]
+  bool has_wrinkles = false;
+  double residual = 0.; ///< r [-]
+  TensionLine line;
+  double value[4][4] = {}; ///< of the shape functions, [point][node] [-]
 };
 
 /// Per element: what evaluate_forces adds up.

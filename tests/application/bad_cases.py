@@ -67,6 +67,7 @@ VALUES = [
     value("Stone", "friction", "-0.1", "at least 0"),
     value("Membrane", "youngs_modulus", "-1.4e6", "above 0"),
     value("Membrane", "thickness", "0", "above 0"),
+    value("Membrane", "residual_stiffness", "0.1", "must be 0 unless"),
     value("MembraneContact", "rolling_friction", "0.1", "no rotational"),
     value("Boundary", "lateral", "balloon", "one of membrane, rigid"),
     value("Contact", "geometry", "surface_of_doom",

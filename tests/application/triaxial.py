@@ -43,7 +43,9 @@ NETWORK = [
     ("n_force_chains", "1"), ("force_chain_length", "1"),
     ("fabric_anisotropy", "1"), ("sliding_fraction", "1"),
     ("inside_axial_stress", "Pa"), ("wall_axial_stress", "Pa"),
-    ("inside_lateral_stress", "Pa"), ("wall_lateral_stress", "Pa")]
+    ("inside_lateral_stress", "Pa"), ("wall_lateral_stress", "Pa"),
+    ("specimen_axial_stress", "Pa"), ("specimen_lateral_stress", "Pa"),
+    ("membrane_axial_stress", "Pa"), ("membrane_lateral_stress", "Pa")]
 HEADERS = {
     "history.csv":
         "time_s,stage_1,cycle_1,axial_stress_Pa,lateral_stress_Pa,"
@@ -52,7 +54,8 @@ HEADERS = {
         "n_events_1,unbalanced_force_ratio_1,external_work_J,kinetic_energy_J,"
         "elastic_energy_J,friction_dissipation_J,rolling_dissipation_J,"
         "damping_dissipation_J,breakage_energy_J,shape_work_J,"
-        "membrane_strain_energy_J,energy_residual_J",
+        "membrane_strain_energy_J,energy_residual_J,"
+        "membrane_axial_stress_Pa,membrane_lateral_stress_Pa",
     "events.csv":
         "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
         "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"

@@ -92,13 +92,13 @@ bool join_places(const Engine &engine, std::size_t k, std::size_t end,
   return true;
 }
 
-void add_walls(const Engine &engine, const ContactBatch &batch,
+void add_walls(const Engine &engine, const ContactBatch &batch, bool is_facets,
                std::vector<WallContact> &walls)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.is_touching(k))
       walls.push_back({batch.a[k], wall_contact_point(engine, batch, k),
-                       batch.load[k].force});
+                       batch.load[k].force, is_facets});
 }
 } // namespace
 
@@ -131,10 +131,10 @@ Network contact_network_of(const Engine &engine)
     if (join_places(engine, k, end, contact))
       network.pairs.push_back(contact);
   }
-  add_walls(engine, engine.on_planes(), network.walls);
-  add_walls(engine, engine.on_drum(), network.walls);
+  add_walls(engine, engine.on_planes(), false, network.walls);
+  add_walls(engine, engine.on_drum(), false, network.walls);
   for (const SurfaceContacts &facets : engine.surfaces())
-    add_walls(engine, facets.batch, network.walls);
+    add_walls(engine, facets.batch, true, network.walls);
   return network;
 }
 } // namespace dem

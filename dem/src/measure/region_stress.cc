@@ -136,6 +136,18 @@ part_inside(const Prism &prism, const Vec3 &from, const Vec3 &to)
   return std::pair(first, last);
 }
 
+Mat3 contact_virial(const Particles &stones, const Network &network)
+{
+  Mat3 sum = Mat3::Zero();
+  const auto at = [&](std::int32_t stone) -> const Vec3 &
+  { return stones.position(static_cast<std::size_t>(stone)); };
+  for (const PairContact &contact : network.pairs)
+    sum -= contact.force * (at(contact.b) - at(contact.a)).transpose();
+  for (const WallContact &contact : network.walls)
+    sum -= contact.force * (contact.point - at(contact.stone)).transpose();
+  return sum;
+}
+
 Mat3 mean_stress(const Prism &prism, const Particles &stones,
                  const Network &network)
 {

@@ -17,6 +17,13 @@ enum class MembraneLaw : std::int64_t
   neo_hooke            ///< incompressible, mu = E / 3; poisson_ratio is 0.5
 };
 
+/// What a sheet without bending stiffness does in compression.
+enum class MembraneWrinkling : std::int64_t
+{
+  none,         ///< it bears compression as it bears tension
+  tension_field ///< it shortens freely: relaxed energy, never in compression
+};
+
 struct MembraneParameters
 {
   double youngs_modulus = 1.4e6; ///< E [Pa]
@@ -28,6 +35,10 @@ struct MembraneParameters
   /// Tension in the reference surface, the same in all directions, that is
   /// there before any stretch [N/m]; its energy counts from there.
   double tension = 0.;
+  MembraneWrinkling wrinkling = MembraneWrinkling::none;
+  /// Of the stress of the law, where a tension field is wrinkled or slack: this
+  /// share of the compression is borne [-].
+  double residual_stiffness = 0.;
 };
 
 /// Energies and dissipation since construction or set_positions [J]. The
@@ -97,7 +108,8 @@ public:
 
   /// Longest stable step of the membrane alone, 2 / omega_max by Lanczos
   /// iteration with the exact tangent (material, tension and pressure) of the
-  /// free nodes at the present state [s]; infinite if none is free.
+  /// free nodes at the present state [s]; infinite if none is free. A tension
+  /// field counts as if it were taut everywhere: it may be in the next step.
   double stable_time_step() const;
 
   std::size_t n_nodes() const;
@@ -111,6 +123,18 @@ public:
   /// and contact load [N]. The inertia of the node is left out: whoever holds
   /// it adds its nodal_mass to the own mass.
   Eigen::Vector3d reaction(std::int32_t node) const;
+
+  /// On a node: internal, pressure and contact load [N]. At a tied node that is
+  /// its reaction, at a free one what accelerates it but for mass damping.
+  Eigen::Vector3d force(std::int32_t node) const;
+
+  /// Cauchy stress times the volume of the sheet, int h S_ab F_a (x) F_b dA,
+  /// tension positive [J]: minus sum f (x) x over its internal nodal forces.
+  Eigen::Matrix3d stress_integral() const;
+
+  /// Share of the surface where the law is in compression along an axis, or
+  /// would be without wrinkles [-].
+  double wrinkled_share() const;
 
   /// Largest |force| on a free node, damping left out, over the mean force of
   /// an element on one of its nodes [-].

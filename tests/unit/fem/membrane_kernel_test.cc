@@ -162,7 +162,13 @@ INSTANTIATE_TEST_SUITE_P(
         fem::SheetMaterial{plane, poisson, 0., 0.},
         fem::SheetMaterial{plane, poisson, 0., 300.},
         fem::SheetMaterial{plane, poisson, modulus *thickness / 3., 0.},
-        fem::SheetMaterial{plane, poisson, modulus *thickness / 3., 300.}));
+        fem::SheetMaterial{plane, poisson, modulus *thickness / 3., 300.},
+        fem::SheetMaterial{plane, poisson, 0., 0., true, 0.},
+        fem::SheetMaterial{plane, poisson, 0., 300., true, 0.1},
+        fem::SheetMaterial{plane, poisson, modulus *thickness / 3., 0., true,
+                           0.1},
+        fem::SheetMaterial{plane, poisson, modulus *thickness / 3., 300., true,
+                           0.}));
 
 // Uniform stretches l1, l2: Cauchy stress mu (l1^2 - 1 / (l1 l2)^2) over the
 // thickness h / (l1 l2), and T l1 / l2 of the tension.
@@ -198,6 +204,139 @@ TEST(MembraneKernel, NeoHookePatchTest)
   const fem::SheetState state = fem::element_state(sheet, 0, x);
   EXPECT_NEAR(state.energy_density, energy, 1e-12 * energy);
   EXPECT_NEAR(state.tension, 0.5 * (first + second), 1e-12 * shear);
+}
+
+/// A patch stretched by l1 and l2 along axes turned in the plane by `angle`.
+fem::SheetForces stretched(const fem::SheetMaterial &material, double l1,
+                           double l2, double angle = 0.)
+{
+  static const Patch patch;
+  static fem::Sheet sheet = make_sheet(patch.mesh);
+  sheet.material = material;
+  const Eigen::Rotation2Dd turn(angle);
+  const Eigen::Matrix2d stretch =
+      turn * Eigen::Vector2d(l1, l2).asDiagonal() * turn.inverse();
+  Field x;
+  for (const Vector &node : patch.mesh.nodes)
+  {
+    const Eigen::Vector2d flat = stretch * node.head<2>();
+    x.push_back(some_rotation() * Vector(flat.x(), flat.y(), 0.));
+  }
+  return forces(sheet, x);
+}
+
+/// Pull of the edge x = 1 along x, its size; the edge is 1 m long [N/m].
+double edge_pull(const fem::SheetForces &f)
+{
+  Vector pull = Vector::Zero();
+  for (std::size_t k = 0; k < f.internal.size(); ++k)
+    if (k % (Patch::n + 1) == Patch::n)
+      pull += f.internal[k];
+  return pull.norm();
+}
+
+fem::SheetMaterial wrinkling(double shear, double tension = 0.)
+{
+  return {plane, poisson, shear, tension, true, 0.};
+}
+
+// Stress is E times strain along the wrinkles, nothing across, however far the
+// strip is shortened there.
+TEST(TensionField, WrinkledStripIsUniaxial)
+{
+  const double e1 = 0.5 * (1.3 * 1.3 - 1.), line = modulus * thickness * e1;
+  for (const double l2 : {0.8, 0.5})
+  {
+    const fem::SheetForces f = stretched(wrinkling(0.), 1.3, l2);
+    EXPECT_NEAR(edge_pull(f), 1.3 * line, 1e-12 * line);
+    EXPECT_NEAR(f.strain_energy, 0.5 * line * e1, 1e-12 * line);
+    EXPECT_LT(edge_pull(stretched(wrinkling(0.), l2, 1.3)), 1e-12 * line);
+    // W = mu h / 2 (l^2 + 2 / l - 3), P = mu h (l - 1 / l^2).
+    const double shear = 500., l = 1.3;
+    const fem::SheetForces g = stretched(wrinkling(shear), l, l2);
+    EXPECT_NEAR(edge_pull(g), shear * (l - 1. / (l * l)), 1e-12 * shear);
+    EXPECT_NEAR(g.strain_energy, 0.5 * shear * (l * l + 2. / l - 3.),
+                1e-12 * shear);
+  }
+}
+
+// Natural width of the strip, nu strains of the length: taut beyond it.
+TEST(TensionField, TautSheetIsThatOfTheLaw)
+{
+  for (const double shear : {0., 500.})
+  {
+    fem::SheetMaterial law = wrinkling(shear);
+    const fem::SheetForces relaxed = stretched(law, 1.1, 0.98, 0.3);
+    law.has_wrinkles = false;
+    const fem::SheetForces plain = stretched(law, 1.1, 0.98, 0.3);
+    EXPECT_EQ(relaxed.internal, plain.internal);
+    EXPECT_EQ(relaxed.strain_energy, plain.strain_energy);
+  }
+}
+
+TEST(TensionField, SlackSheetBearsNothing)
+{
+  for (const double shear : {0., 500.})
+    for (const double l2 : {0.9, 0.6})
+    {
+      const fem::SheetForces f = stretched(wrinkling(shear), 0.9, l2, 0.4);
+      EXPECT_LT(edge_pull(f), 1e-12 * plane);
+      EXPECT_NEAR(f.strain_energy, 0., 1e-12 * plane);
+    }
+}
+
+// From taut through wrinkled to slack and along turned axes: the energy has no
+// jump, and is the work of the pull. Trapezoidal rule over a kinked curve.
+TEST(TensionField, EnergyIsTheWorkOnTheWay)
+{
+  for (const double shear : {0., 500.})
+    for (const double tension : {0., 60.})
+    {
+      const fem::SheetMaterial law = wrinkling(shear, tension);
+      const int n = 2000;
+      double work = 0., before = 0., energy = 0., start = 0.;
+      for (int k = 0; k <= n; ++k)
+      {
+        const double l1 = 1.2 - 0.5 * k / n;
+        const fem::SheetForces f = stretched(law, l1, 1.02 - 0.3 * k / n);
+        // Across it is the same with the axes exchanged.
+        const double across = edge_pull(stretched(law, 1.02 - 0.3 * k / n, l1));
+        const double rate = 0.5 * edge_pull(f) + 0.3 * across;
+        if (k == 0)
+          start = f.strain_energy;
+        else
+          work += 0.5 * (rate + before) / n;
+        before = rate;
+        energy = f.strain_energy;
+      }
+      EXPECT_GT(start - energy, 1.);
+      EXPECT_NEAR(work, start - energy, 1e-6 * (start - energy));
+    }
+}
+
+// Pure shear by g at small strains: principal strains +-g/2, energy E h g^2 / 8
+// against E h g^2 / (4 (1 + nu)) of the sheet that bears compression.
+TEST(TensionField, ShearedSheetBearsItByTensionAlone)
+{
+  const double g = 1e-4, y = modulus * thickness;
+  const double quarter = 0.25 * M_PI;
+  EXPECT_NEAR(stretched(wrinkling(0.), 1. + 0.5 * g, 1. - 0.5 * g, quarter)
+                  .strain_energy,
+              y * g * g / 8., 2e-4 * y * g * g / 8.);
+  fem::SheetMaterial law = wrinkling(0.);
+  law.has_wrinkles = false;
+  EXPECT_NEAR(stretched(law, 1. + 0.5 * g, 1. - 0.5 * g, quarter).strain_energy,
+              y * g * g / (4. * (1. + poisson)), 2e-4 * y * g * g / 4.);
+}
+
+TEST_P(DeformedTube, StressIntegralIsTheVirialOfTheForces)
+{
+  Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
+  const fem::SheetForces f = forces(sheet, x);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    virial -= f.internal[k] * x[k].transpose();
+  const Eigen::Matrix3d stress = fem::stress_integral(sheet, x);
+  EXPECT_LT((stress - virial).norm(), 1e-12 * stress.norm());
 }
 
 TEST_P(DeformedTube, ForceIsDerivativeOfEnergy)

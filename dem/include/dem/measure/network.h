@@ -25,6 +25,7 @@ struct WallContact
   std::int32_t stone = 0;
   Vec3 point = Vec3::Zero(); ///< [m]
   Vec3 force = Vec3::Zero(); ///< on the stone [N]
+  bool is_on_facets = false; ///< of a facet surface
 };
 
 struct Network

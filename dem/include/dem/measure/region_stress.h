@@ -37,6 +37,11 @@ Prism without_skin(const Prism &prism, double skin);
 std::optional<std::pair<double, double>>
 part_inside(const Prism &prism, const Vec3 &from, const Vec3 &to);
 
+/// -sum F (x) d over all contacts, d from the centre of A to that of B, or to
+/// the point on a wall: volume times mean stress of all stones, compression
+/// positive (Love 1927, Weber 1966) [J].
+Mat3 contact_virial(const Particles &stones, const Network &network);
+
 /// Mean stress in the prism, -1/V sum sym(F (x) d) over the contacts, d being
 /// the part inside of the line from the centre of A to that of B, or to the
 /// point on a wall: a contact hands its force over along this line (Goldhirsch

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <dem/vector.h>
+
+namespace spall
+{
+/// Mean stresses of a specimen over the volume that its membrane or its rigid
+/// sides enclose, [force direction][position], compression positive [Pa]:
+///   stones + membrane = boundary + unrest
+/// at any instant, to the digits of the dashpots (docs/theory/network.md).
+struct StressBalance
+{
+  dem::Mat3 stones = dem::Mat3::Zero();   ///< contacts of the stones, virial
+  dem::Mat3 membrane = dem::Mat3::Zero(); ///< of the sheet itself
+  dem::Mat3 boundary = dem::Mat3::Zero(); ///< pressure, plates, sides, rims
+  dem::Mat3 unrest = dem::Mat3::Zero();   ///< forces that accelerate masses
+};
+
+/// Of a tensor: along the axis, and the mean across.
+inline double axial(const dem::Mat3 &stress)
+{
+  return stress(2, 2);
+}
+inline double lateral(const dem::Mat3 &stress)
+{
+  return 0.5 * (stress(0, 0) + stress(1, 1));
+}
+} // namespace spall
