@@ -259,10 +259,11 @@ catch (const std::runtime_error &error)
   double largest = 0.;
   for (const dem::Vec3 &load : rest_load)
     largest = std::max(largest, load.norm());
-  throw RunFailure(
-      "the ground does not bear plate and stones at rest, " +
-      number_text(now.dead_load) + " N, of which " + number_text(largest) +
-      " N on one node: see Subgrade/layers, cell_size (" + error.what() + ")");
+  throw RunFailure("the ground does not bear plate and stones at rest, " +
+                   number_text(std::round(now.dead_load)) + " N, of which " +
+                   number_text(std::round(largest)) +
+                   " N on one node: see Subgrade/layers, cell_size (" +
+                   error.what() + ")");
 }
 
 /// Of the full ground at rest; it stays as it is [Pa].
