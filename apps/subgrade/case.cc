@@ -2,6 +2,8 @@
 
 #include "case/parameter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -24,7 +26,9 @@ std::vector<GroundLayer> parse_ground_layers(const std::string &text)
   const std::string allowed =
       "must be layers from the top down, separated by commas, each: thickness "
       "(m, above 0) Young's modulus (Pa, above 0) Poisson's ratio (0 to below "
-      "0.5) density (kg/m^3, above 0)";
+      "0.5) density (kg/m^3, above 0); where it yields also cohesion (Pa, from "
+      "0) friction angle (degrees, 0 to 60, not 0 without cohesion) and, 0 if "
+      "left out, dilation angle (degrees, 0 to the friction angle)";
   std::vector<GroundLayer> layers;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');)
@@ -38,10 +42,20 @@ std::vector<GroundLayer> parse_ground_layers(const std::string &text)
     {
       throw std::invalid_argument(allowed);
     }
-    if (n.size() != 4 || !(n[0] > 0.) || !(n[1] > 0.) || !(n[2] >= 0.) ||
-        !(n[2] < 0.5) || !(n[3] > 0.))
+    if ((n.size() != 4 && n.size() != 6 && n.size() != 7) || !(n[0] > 0.) ||
+        !(n[1] > 0.) || !(n[2] >= 0.) || !(n[2] < 0.5) || !(n[3] > 0.))
       throw std::invalid_argument(allowed);
-    layers.push_back({n[0], n[1], n[2], n[3]});
+    GroundLayer &layer = layers.emplace_back();
+    layer = {n[0], n[1], n[2], n[3]};
+    if (n.size() == 4)
+      continue;
+    n.resize(7);
+    if (!(n[4] >= 0.) || !(n[5] >= 0.) || !(n[5] <= 60.) || !(n[6] >= 0.) ||
+        !(n[6] <= n[5]) || n[4] + n[5] == 0.)
+      throw std::invalid_argument(allowed);
+    layer.cohesion = n[4];
+    layer.friction_angle = n[5];
+    layer.dilatancy_angle = n[6];
   }
   if (layers.empty())
     throw std::invalid_argument(allowed);
@@ -69,6 +83,13 @@ std::vector<double> parse_depths(const std::string &text)
     above = depth;
   }
   return depths;
+}
+
+bool yields(const GroundParameters &ground)
+{
+  return std::ranges::any_of(parse_ground_layers(ground.layers),
+                             [](const GroundLayer &layer)
+                             { return std::isfinite(layer.cohesion); });
 }
 
 double depth_of(const GroundParameters &ground)

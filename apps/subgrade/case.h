@@ -2,6 +2,7 @@
 
 #include <dem/contact/material.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -79,7 +80,7 @@ struct GroundParameters
   double length = 2.; ///< along x [m]
   double width = 2.;  ///< along y [m]
   /// thickness [m], E [Pa], nu [-], rho [kg/m^3] of each layer from the top
-  /// down
+  /// down; where it yields c [Pa], phi and psi [degrees] too
   std::string layers = "0.4 80e6 0.3 1900, 1 50e6 0.35 1850";
   double cell_size = 0.05; ///< under the plate [m]
   double growth = 1.3;     ///< of the cells away from it, from one to the next
@@ -163,7 +164,12 @@ struct GroundLayer
   double youngs_modulus = 0.; ///< [Pa]
   double poisson_ratio = 0.;  ///< [-]
   double density = 0.;        ///< [kg/m^3]
+  /// c [Pa]; infinite: elastic
+  double cohesion = std::numeric_limits<double>::infinity();
+  double friction_angle = 0.;  ///< phi [degrees]
+  double dilatancy_angle = 0.; ///< psi [degrees]
 };
+bool yields(const GroundParameters &ground);
 
 /// Throws std::invalid_argument that says what is allowed.
 std::vector<GroundLayer> parse_ground_layers(const std::string &text);

@@ -112,6 +112,15 @@ void check_solver(const Case &c, const Place &place)
                    "made of factors"});
 }
 
+void check_yielding(const Case &c, const Place &place)
+{
+  const GroundParameters &g = c.subgrade.ground;
+  if (g.body == GroundBody::condensed && yields(g))
+    refuse(place, {"Subgrade", "body", "condensed",
+                   "must be full with Subgrade/layers that yield: a condensed "
+                   "body is elastic"});
+}
+
 void check_pulse(const Case &c, const Place &place)
 {
   const PulseParameters &p = c.subgrade.pulse;
@@ -174,6 +183,7 @@ void check_subgrade(const Case &parameters, const Place &place)
   check_plate(parameters, place);
   check_ground(parameters, place);
   check_solver(parameters, place);
+  check_yielding(parameters, place);
   check_pulse(parameters, place);
   check_exchange(parameters, place);
   check_rows(parameters, place);

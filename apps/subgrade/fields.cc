@@ -78,10 +78,13 @@ void add_ground(List &list, GroundParameters &g)
   list.add({"length", "m", "Of the block, along x."}, g.length,
            above(0., 1000.));
   list.add({"width", "m", "Of the block, along y."}, g.width, above(0., 1000.));
-  list.add({"layers", "-",
-            "From the top down, separated by commas, each: thickness (m), "
-            "Young's modulus (Pa), Poisson's ratio, density (kg/m^3)."},
-           g.layers);
+  list.add(
+      {"layers", "-",
+       "From the top down, separated by commas, each: thickness (m), "
+       "Young's modulus (Pa), Poisson's ratio, density (kg/m^3), and where "
+       "it yields: cohesion (Pa), friction angle, dilation angle (degrees; 0 "
+       "if left out), as Drucker and Prager say."},
+      g.layers);
   list.add({"cell_size", "m", "Of the elements under the plate."}, g.cell_size,
            above(0., 10.));
   list.add({"growth", "-",

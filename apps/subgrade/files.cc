@@ -45,6 +45,11 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   summary["stone_velocity_peak_m_per_s"] = now.fastest;
   summary["pulse_impulse_Ns"] = pulses.impulse();
   summary["pulse_impulse_of_rows_Ns"] = record.impulse();
+  if (solid && yields(parameters.subgrade.ground))
+  {
+    summary["subgrade_plastic_dissipation_J"] = solid->solid().energy().plastic;
+    summary["subgrade_yielded_share_1"] = solid->solid().yielded_share();
+  }
   if (!pulses.passes().empty())
     summary["axle_times_s"] = pulses.passes();
   add_stresses(stress_names, dead_stress, peak_stress, summary);

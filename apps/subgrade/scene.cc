@@ -100,6 +100,25 @@ fem::SolidMesh ground_mesh(const Case &c)
   return mesh;
 }
 
+/// Of level ground at rest under its own weight; lateral share 1 - sin phi
+/// (Jaky 1944) [Pa].
+fem::Voigt weight_stress(const GroundParameters &g, double depth)
+{
+  double vertical = 0., share = 1., top = 0.;
+  for (const GroundLayer &layer : parse_ground_layers(g.layers))
+  {
+    if (depth <= top)
+      break;
+    vertical -=
+        gravity * layer.density * std::min(depth - top, layer.thickness);
+    share = 1. - std::sin(layer.friction_angle * M_PI / 180.);
+    top += layer.thickness;
+  }
+  fem::Voigt stress = fem::Voigt::Zero();
+  stress.head<3>() << share * vertical, share * vertical, vertical;
+  return stress;
+}
+
 std::string in_four_digits(double value)
 {
   std::ostringstream text;
@@ -158,8 +177,10 @@ fem::Solid make_ground(const Case &c)
   fem::SolidParameters soil;
   soil.layers.clear();
   for (const GroundLayer &layer : parse_ground_layers(g.layers))
-    soil.layers.push_back(
-        {layer.youngs_modulus, layer.poisson_ratio, layer.density});
+    soil.layers.push_back({layer.youngs_modulus, layer.poisson_ratio,
+                           layer.density, layer.cohesion,
+                           layer.friction_angle * M_PI / 180.,
+                           layer.dilatancy_angle * M_PI / 180.});
   std::ranges::reverse(soil.layers); // tops ascend
   soil.mass_damping = g.mass_damping;
   soil.stiffness_damping = g.stiffness_damping;
@@ -167,6 +188,8 @@ fem::Solid make_ground(const Case &c)
                                               : fem::SolidSolver::direct;
   soil.solver_tolerance = g.solver_tolerance;
   fem::Solid ground(soil, ground_mesh(c));
+  ground.set_initial_stress([&](const Eigen::Vector3d &place)
+                            { return weight_stress(g, -place.z()); });
   const auto open = [&](std::int32_t side)
   {
     ground.absorb(side);

@@ -1,5 +1,6 @@
 #include "subgrade/subgrade.h"
 
+#include "case/parameter.h"
 #include "errors.h"
 
 #include <fem/disc_mesh.h>
@@ -232,9 +233,7 @@ void Subgrade::start_loading()
   const coupling::FieldView loads = joined->load_on(*ground);
   rest_load.assign(loads.begin(), loads.end());
   now.dead_load = sum_down(rest_load);
-  if (solid)
-    dead_stress = stresses_under(rest_load);
-  balance_ground();
+  lay_on_ground();
   engine().set_local_damping(parameters.time.local_damping);
   engine().set_breaking(parameters.breakage.is_active);
   now.stage = Stage::loading;
@@ -245,6 +244,26 @@ void Subgrade::start_loading()
       now.residual = one.value;
     else if (name == "external_work_J")
       now.work = one.value;
+}
+
+/// Ground that yields need not bear what lies on it.
+void Subgrade::lay_on_ground()
+try
+{
+  if (solid)
+    dead_stress = stresses_under(rest_load);
+  balance_ground();
+}
+catch (const std::runtime_error &error)
+{
+  double largest = 0.;
+  for (const dem::Vec3 &load : rest_load)
+    largest = std::max(largest, load.norm());
+  throw RunFailure("the ground does not bear plate and stones at rest, " +
+                   number_text(std::round(now.dead_load)) + " N, of which " +
+                   number_text(std::round(largest)) +
+                   " N on one node: see Subgrade/layers, cell_size (" +
+                   error.what() + ")");
 }
 
 /// Of the full ground at rest; it stays as it is [Pa].
@@ -446,6 +465,9 @@ std::vector<Quantity> Subgrade::measured() const
   const std::vector<double> stress = stresses();
   for (std::size_t k = 0; k < stress.size(); ++k)
     row.push_back({stress_names[k].c_str(), stress[k]});
+  if (solid && yields(parameters.subgrade.ground))
+    row.push_back(
+        {"subgrade_plastic_dissipation_J", solid->solid().energy().plastic});
   row.push_back({"bodies_stored_energy_J", body_energy().stored});
   return row;
 }

@@ -78,6 +78,7 @@ private:
   void place(double time_step);
   void load_plate(double time_step);
   void start_loading();
+  void lay_on_ground();
   void balance_ground();
   std::vector<double> stresses_under(coupling::FieldView load);
   std::vector<double> stresses() const;

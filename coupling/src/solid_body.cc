@@ -90,6 +90,7 @@ void SolidBody::balance(FieldView load)
 {
   Field held(dead_load.size(), Eigen::Vector3d::Zero());
   fem::add_loads(surface, load, held);
+  body.start_under(held);
   for (Eigen::Vector3d &force : held)
     force = -force;
   set_dead_load(std::move(held));

@@ -20,6 +20,10 @@ double shear_of(const Voigt &deviator)
                    deviator.tail<3>().squaredNorm());
 }
 
+/// What lies on the cone to round-off does not flow: ground that has just
+/// flown stays at rest [-].
+constexpr double round_off = 1e-12;
+
 double cone_slope(double angle)
 {
   return 6. * std::sin(angle) / (std::sqrt(3.) * (3. - std::sin(angle)));
@@ -63,7 +67,8 @@ ReturnedStress return_stress(const DruckerPrager &law, const Voigt &trial)
   const Voigt deviator = trial - mean * unit;
   const double shear = shear_of(deviator);
   const double excess = shear + law.friction * mean - law.strength;
-  if (excess <= 0.)
+  if (excess <=
+      round_off * (shear + law.friction * std::abs(mean) + law.strength))
     return {trial, YieldPlace::inside, 0.};
   const double multiplier =
       excess /

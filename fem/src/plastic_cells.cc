@@ -70,6 +70,12 @@ void PlasticCells::set_initial_stress(
       initial.push_back(stress(place));
 }
 
+void PlasticCells::add_initial_stress(std::span<const Voigt> stress)
+{
+  for (std::size_t at = 0; at < initial.size(); ++at)
+    initial[at] += stress[at];
+}
+
 Voigt PlasticCells::elastic_trial(std::size_t cell, std::size_t point,
                                   const CellVector &u,
                                   const PlasticState &last) const
@@ -162,8 +168,11 @@ double PlasticCells::stored_beyond(const PlasticState &state) const
   double sum = 0.;
   for (std::size_t k = 0; k < cells.size(); ++k)
     for (std::size_t q = 0; q < 8; ++q)
-      sum -= 0.5 * shapes[cells[k].points].volume[q] *
-             state.stress[8 * k + q].dot(state.strain[8 * k + q]);
+    {
+      const std::size_t at = 8 * k + q;
+      sum -= shapes[cells[k].points].volume[q] *
+             (initial[at] + 0.5 * state.stress[at]).dot(state.strain[at]);
+    }
   return sum;
 }
 
@@ -175,11 +184,25 @@ double PlasticCells::dissipated(const PlasticState &last,
     for (std::size_t q = 0; q < 8; ++q)
     {
       const std::size_t at = 8 * k + q;
-      sum += 0.5 * shapes[cells[k].points].volume[q] *
-             (last.stress[at] + next.stress[at])
+      sum += shapes[cells[k].points].volume[q] *
+             (initial[at] + 0.5 * (last.stress[at] + next.stress[at]))
                  .dot(next.strain[at] - last.strain[at]);
     }
   return sum;
+}
+
+double PlasticCells::yielded_share(const PlasticState &state) const
+{
+  double yielded = 0., whole = 0.;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    for (std::size_t q = 0; q < 8; ++q)
+    {
+      const double volume = shapes[cells[k].points].volume[q];
+      whole += volume;
+      if (!state.strain[8 * k + q].isZero(0.))
+        yielded += volume;
+    }
+  return whole > 0. ? yielded / whole : 0.;
 }
 
 std::optional<Voigt> PlasticCells::mean_stress(std::size_t cell,

@@ -26,7 +26,8 @@ public:
   void set_initial_stress(
       const SolidMesh &mesh,
       const std::function<Voigt(const Eigen::Vector3d &)> &stress);
-  std::span<const Voigt> initial_stress() const { return initial; }
+  void add_initial_stress(std::span<const Voigt> stress); ///< of the points
+  std::span<Voigt> initial_stress() { return initial; }
 
   /// Stress and plastic strain at these displacements, from those of the last
   /// step.
@@ -42,10 +43,12 @@ public:
   void soften(std::span<const Eigen::Vector3d> u, const PlasticState &last,
               std::vector<CellChange> &changes) const;
 
-  /// Stored beyond 1/2 u . f with f the internal force [J].
+  /// Stored beyond 1/2 u . f with f the internal force; of the initial stress
+  /// what it has not done in plastic flow [J].
   double stored_beyond(const PlasticState &state) const;
-  /// Mean stress times plastic strain of a step [J].
+  /// Mean stress, with the initial one, times plastic strain of a step [J].
   double dissipated(const PlasticState &last, const PlasticState &next) const;
+  double yielded_share(const PlasticState &state) const; ///< of the volume [-]
   /// Mean over a cell of the mesh [Pa]; no value if it cannot yield.
   std::optional<Voigt> mean_stress(std::size_t cell,
                                    const PlasticState &state) const;

@@ -279,7 +279,6 @@ void Solid::set_initial_stress(
     const std::function<Voigt(const Vector &)> &stress)
 {
   state->plastic.set_initial_stress(state->mesh, stress);
-  state->identity.reset();
 }
 
 void Solid::set_load(std::span<const Vector> load)
@@ -445,6 +444,11 @@ std::array<double, 6> Solid::stress(std::size_t cell) const
           .layers[static_cast<std::size_t>(state->mesh.layer[cell])],
       displacement);
   return {s(0), s(1), s(2), s(3), s(4), s(5)};
+}
+
+double Solid::yielded_share() const
+{
+  return state->plastic.yielded_share(state->now.plastic);
 }
 
 void Solid::write_vtu(const std::string &path) const

@@ -1,5 +1,6 @@
 #include "solid_state.h"
 
+#include <algorithm>
 #include <istream>
 #include <ostream>
 #include <stdexcept>
@@ -48,8 +49,6 @@ std::uint64_t Solid::State::fingerprint() const
   seed = hash(seed, mesh.cells.data(), mesh.cells.size());
   seed = hash(seed, mesh.layer.data(), mesh.layer.size());
   seed = hash(seed, bedding.data(), bedding.size());
-  const std::span<const Voigt> initial = plastic.initial_stress();
-  seed = hash(seed, initial.data(), initial.size());
   identity = hash(seed, dashpot.data(), dashpot.size());
   return *identity;
 }
@@ -65,6 +64,8 @@ void Solid::save(std::ostream &out) const
   write(&magic, 1);
   write(&identity, 1);
   for_each_field(state->now, write);
+  const std::span<const Voigt> initial = state->plastic.initial_stress();
+  write(initial.data(), initial.size());
   if (!out)
     throw std::runtime_error("solid checkpoint: cannot write");
 }
@@ -87,6 +88,9 @@ void Solid::load(std::istream &in)
                              "another mesh, supports or parameters");
   SolidMotion motion = state->now;
   for_each_field(motion, read);
+  std::vector<Voigt> initial(state->plastic.initial_stress().size());
+  read(initial.data(), initial.size());
+  std::ranges::copy(initial, state->plastic.initial_stress().begin());
   state->now = std::move(motion);
 }
 } // namespace fem

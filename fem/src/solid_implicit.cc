@@ -1,5 +1,7 @@
 #include "solid_state.h"
 
+#include <stdexcept>
+
 namespace fem
 {
 namespace
@@ -176,23 +178,64 @@ NodeField Solid::State::equilibrium(std::span<const Vector> load)
   return target;
 }
 
-void Solid::settle(std::span<const Vector> load)
+void Solid::State::settle(std::span<const Vector> load)
 {
-  check_solid_loads(load.size(), state->mass.size());
-  SolidMotion &now = state->now;
-  const NodeField end = state->equilibrium(load); // or throws: nothing moved
+  const NodeField end = equilibrium(load);
   const std::size_t n = end.size();
-  now.done.damping += energy().kinetic; // brought to rest
+  for (std::size_t k = 0; k < n; ++k) // brought to rest
+    now.done.damping += 0.5 * mass[k] * now.velocity[k].squaredNorm();
   now.velocity.assign(n, Vector::Zero());
   now.acceleration = now.viscous = now.velocity;
   now.has_acceleration = true;
   for (std::size_t k = 0; k < n; ++k)
     now.moved[k] = end[k] - now.displacement[k];
-  state->book_half_step();
+  book_half_step();
   now.displacement = end;
-  state->set_load(load);
-  state->update_forces();
-  state->book_half_step();
+  set_load(load);
+  update_forces();
+  book_half_step();
+}
+
+/// Where Newton's method does not get there at once, in parts of the load.
+void Solid::settle(std::span<const Vector> load)
+{
+  check_solid_loads(load.size(), state->mass.size());
+  constexpr int most_parts = 16;
+  const SolidMotion before = state->now;
+  NodeField part(load.size());
+  for (int n = 1;; n *= 4)
+    try
+    {
+      for (int step = 1; step <= n; ++step)
+      {
+        const double share = static_cast<double>(step) / n;
+        for (std::size_t k = 0; k < part.size(); ++k)
+          part[k] = (1. - share) * before.load[k] + share * load[k];
+        state->settle(part);
+      }
+      return;
+    }
+    catch (const std::runtime_error &)
+    {
+      state->now = before;
+      if (state->is_linear() || n == most_parts)
+        throw;
+    }
+}
+
+void Solid::start_under(std::span<const Vector> load)
+{
+  check_solid_loads(load.size(), state->mass.size());
+  if (!state->hyper.empty())
+    throw std::invalid_argument("solid: layers at finite strains cannot start "
+                                "under a load");
+  if (state->plastic.empty())
+    return;
+  const SolidMotion before = state->now;
+  settle(load);
+  const std::vector<Voigt> carried = state->now.plastic.stress;
+  state->now = before;
+  state->plastic.add_initial_stress(carried);
 }
 
 std::span<const double> Solid::newton_residuals() const

@@ -94,6 +94,7 @@ struct Solid::State
                         const Eigen::VectorXd &left) const;
   NodeField flow_correction(const FlowSystem &system);
   NodeField equilibrium(std::span<const Eigen::Vector3d> load);
+  void settle(std::span<const Eigen::Vector3d> load);
   double strain_energy() const;
   double largest_frequency() const;
   std::uint64_t fingerprint() const; ///< asked often, made once

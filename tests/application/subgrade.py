@@ -279,10 +279,51 @@ def static(spall, root):
     return faults
 
 
+def yielding(spall, root):
+    """Ground that yields settles with the pulses, ever less; it goes on bit
+    for bit. Ground that cannot carry the stones at rest is refused."""
+    soft = changed(Subgrade={"layers": "0.1 40e6 0.3 1900 20e3 35, "
+                                       "0.4 20e6 0.3 1800"},
+                   Pulse={"frequency": 10, "cycles": 3, "rest": 0.02})
+    case = write_prm(root / "soft.prm", soft)
+    words = [spall, "run", case, "--threads", 1, "--out"]
+    go([*words, root / "soft"])
+    found, loading = summary(root / "soft"), loading_rows(root / "soft")
+    faults = []
+    ends = [0.] + [min((row for row in loading),
+                       key=lambda row, at=at: abs(row["loading_time_s"] - at))
+                   ["subgrade_settlement_m"] for at in (0.1, 0.2, 0.3)]
+    steps = [b - a for a, b in zip(ends, ends[1:])]
+    print(f"settlement of the cycles: {steps}")
+    # An elastic ground is back within 0.1 mm: plate and stones swing.
+    if not steps[0] > 1e-3 or not steps[0] > steps[1] > steps[2] > 0.:
+        faults.append(f"settlement of the cycles: {steps}")
+    lost = [row["subgrade_plastic_dissipation_J"] for row in loading]
+    if lost[0] != 0. or any(b < a for a, b in zip(lost, lost[1:])):
+        faults.append("plastic dissipation falls")
+    # Most of the work of the pulses went there.
+    if not 0.5 < lost[-1] / found["loading_work_J"] < 1.:
+        faults.append(f"plastic dissipation {lost[-1]} J of "
+                      f"{found['loading_work_J']} J")
+    if not 0.001 < found["subgrade_yielded_share_1"] < 0.2:
+        faults.append(f"yielded: {found['subgrade_yielded_share_1']}")
+    faults += energy_faults(root / "soft")
+    faults += stop_faults([*words, root / "cut"], root / "cut", "2")
+    go([*words, root / "cut", "--resume"])
+    faults += resumed_faults(root / "soft", root / "cut",
+                             [*TABLES, "transfer.csv", "bowl.csv"])
+    soft["Subgrade"]["layers"] = "0.1 40e6 0.3 1900 3e3 30, 0.4 20e6 0.3 1800"
+    case = write_prm(root / "weak.prm", soft)
+    ended = go([spall, "run", case, "--threads", 1, "--out", root / "weak"], 2)
+    if "does not bear plate and stones" not in ended.stderr:
+        faults.append(f"weak ground: {ended.stderr}")
+    return faults
+
+
 def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
     test = {"quick": quick, "condensed": condensed, "train": train,
-            "static": static}[sys.argv[2]]
+            "static": static, "yielding": yielding}[sys.argv[2]]
     with tempfile.TemporaryDirectory() as name:
         return report_faults(test(spall, pathlib.Path(name)))
 

@@ -66,12 +66,13 @@ struct SolidParameters
 /// to second order in the time step in explicit ones.
 struct SolidEnergy
 {
-  double strain = 0.;  ///< stored now
-  double kinetic = 0.; ///< now
-  double damping = 0.; ///< dissipated by Rayleigh damping
-  /// dissipated by plastic flow, less what an initial stress does in it
-  double plastic = 0.;
-  double absorbed = 0.;     ///< carried away through absorbing boundaries
+  /// stored now, in strain and, where an initial stress does work in plastic
+  /// flow, in the place of the weight that it balances
+  double strain = 0.;
+  double kinetic = 0.;  ///< now
+  double damping = 0.;  ///< dissipated by Rayleigh damping
+  double plastic = 0.;  ///< dissipated by plastic flow, initial stress included
+  double absorbed = 0.; ///< carried away through absorbing boundaries
   double load_work = 0.;    ///< done by the loads
   double support_work = 0.; ///< done by whatever moves the supports
 };
@@ -130,6 +131,14 @@ public:
   void set_initial_stress(
       const std::function<Voigt(const Eigen::Vector3d &)> &stress);
 
+  /// Adds to the initial stress what the cells that may yield carry at rest
+  /// under these loads [N], flow on the way there included. Displacements,
+  /// plastic strain and energies count from there; what is loaded later comes
+  /// on top of these loads, as linear layers have it anyway. Throws
+  /// std::runtime_error as settle, std::invalid_argument with layers at finite
+  /// strains. Before anything has moved.
+  void start_under(std::span<const Eigen::Vector3d> load);
+
   /// Explicit, as Membrane does it: half kick and drift; then forces at the
   /// new positions with these loads [N], and the second half kick. Dashpots
   /// and mass damping are implicit in the second half; stiffness damping is
@@ -172,6 +181,9 @@ public:
   /// Stress in the middle of a cell, beyond an initial one, tension positive:
   /// xx, yy, zz, yz, zx, xy [Pa].
   std::array<double, 6> stress(std::size_t cell) const;
+  /// Share of the volume of the layers that may yield that has flown [-]; 0
+  /// without such layers.
+  double yielded_share() const;
 
   /// Displacement, velocity and load of the nodes, stress of the cells.
   void write_vtu(const std::string &path) const;

@@ -293,8 +293,9 @@ TEST(Soil, WrongLayersAreRefused)
 }
 
 /// Smooth strip footing of half width 1 on a plane-strain block 5 wide and 3
-/// deep, one half of it; mean pressure under it over k when it has sunk in.
-double strip_pressure(int n)
+/// deep, one half of it, under an initial pressure all over; mean pressure
+/// under it beyond that when it has sunk in [Pa].
+double strip_pressure(int n, const fem::SolidLayer &layer, double surcharge)
 {
   fem::BoxMesh box;
   box.lower = {0., 0., -3.};
@@ -306,9 +307,14 @@ double strip_pressure(int n)
   const auto down = fem::graded_widths(1. / n, 1.1, 3.);
   box.widths[2].assign(down.rbegin(), down.rend());
   const fem::SolidMesh mesh = fem::box_mesh(box);
-  fem::SolidLayer clay = soil();
-  clay.friction_angle = clay.dilatancy_angle = 0.;
-  fem::Solid solid = body(clay, mesh);
+  fem::Solid solid = body(layer, mesh);
+  solid.set_initial_stress(
+      [&](const Vector &)
+      {
+        fem::Voigt stress = fem::Voigt::Zero();
+        stress.head<3>().setConstant(-surcharge);
+        return stress;
+      });
   solid.fix(fem::x_lower, {true, false, false});
   solid.fix(fem::x_upper, {true, false, false});
   solid.fix(fem::y_lower, {false, true, false});
@@ -321,7 +327,6 @@ double strip_pressure(int n)
       under.push_back(node);
       solid.fix_node(node, {false, false, true});
     }
-  const double k = 2. * c / std::sqrt(3.); // plane strain: sqrt(J2) = k
   double pressure = 0.;
   for (const double sunk : {2e-3, 4e-3, 8e-3, 14e-3, 20e-3})
   {
@@ -332,22 +337,65 @@ double strip_pressure(int n)
     for (const std::int32_t node : under)
       pressure += solid.reaction(node).z();
     pressure *= n; // the block is 1 / n thick
-    std::printf("n %d, sunk %.3f: %.4f k, %zu iterations\n", n, sunk,
-                pressure / k, solid.newton_residuals().size());
+    std::printf("n %d, sunk %.3f: %.4f c, %zu iterations\n", n, sunk,
+                pressure / c, solid.newton_residuals().size());
   }
-  return pressure / k;
+  return pressure;
 }
 
 // Prandtl (1920): 2 + pi on clay without weight. Cells at the edge of the
 // footing smear the fan over their width: from above, in first order.
 TEST(Soil, StripFootingBearsWhatPrandtlSays)
 {
-  const double exact = 2. + std::numbers::pi;
-  const double coarse = strip_pressure(4) / exact;
-  const double fine = strip_pressure(8) / exact;
+  fem::SolidLayer clay = soil();
+  clay.friction_angle = clay.dilatancy_angle = 0.;
+  const double k = 2. * c / std::sqrt(3.); // plane strain: sqrt(J2) = k
+  const double exact = (2. + std::numbers::pi) * k;
+  const double coarse = strip_pressure(4, clay, 0.) / exact;
+  const double fine = strip_pressure(8, clay, 0.) / exact;
   EXPECT_LT(fine - 1., 0.08);
   EXPECT_GT(fine, 1.);
   EXPECT_LT(fine, coarse);
   EXPECT_NEAR(2. * fine - coarse, 1., 0.03);
+}
+
+/// The layer whose cone is Mohr and Coulomb's of c and this angle in plane
+/// strain with associated flow: eta = 3 tan / sqrt(9 + 12 tan^2), k = 3 c /
+/// sqrt(9 + 12 tan^2) (Drucker and Prager 1952).
+fem::SolidLayer plane_strain_soil(double angle)
+{
+  const double root = std::sqrt(9. + 12. * std::pow(std::tan(angle), 2));
+  const double eta = 3. * std::tan(angle) / root;
+  const double sine =
+      3. * std::sqrt(3.) * eta / (6. + std::sqrt(3.) * eta); // in compression
+  fem::SolidLayer layer = soil();
+  layer.friction_angle = layer.dilatancy_angle = std::asin(sine);
+  layer.cohesion = 3. * c / root * std::sqrt(3.) * (3. - sine) /
+                   (6. * std::cos(layer.friction_angle));
+  return layer;
+}
+
+// With friction, Prandtl (1920) and Reissner (1924): without weight it bears c
+// Nc + q Nq, Nq = tan^2(pi / 4 + phi / 2) e^(pi tan phi), Nc = (Nq - 1) cot
+// phi. The surcharge q is an initial stress.
+TEST(Soil, StripFootingOnFrictionAndSurcharge)
+{
+  const double angle = 10. * std::numbers::pi / 180.;
+  const double tan = std::tan(angle);
+  const double n_q =
+      std::pow(std::tan(0.25 * std::numbers::pi + 0.5 * angle), 2) *
+      std::exp(std::numbers::pi * tan);
+  const fem::SolidLayer layer = plane_strain_soil(angle);
+  for (const double surcharge : {0., 20e3})
+  {
+    const double exact = c * (n_q - 1.) / tan + surcharge * n_q - surcharge;
+    const double coarse = strip_pressure(4, layer, surcharge) / exact;
+    const double fine = strip_pressure(8, layer, surcharge) / exact;
+    std::printf("q %g: of exact %.4f %.4f, to the limit %.4f\n", surcharge,
+                coarse, fine, 2. * fine - coarse);
+    EXPECT_GT(fine, 1.);
+    EXPECT_LT(fine, coarse);
+    EXPECT_NEAR(2. * fine - coarse, 1., 0.03);
+  }
 }
 } // namespace
