@@ -88,6 +88,7 @@ void Recorder::resume(Triaxial &test)
   spent_before = bring_back(test, "state.bin").spent;
   write_text(folder / "case.prm", resolved_case(parameters));
   stage_before = std::min(test.stage(), Stage::loading);
+  follow_jumps(test); // the run may have ended before it had
 }
 
 void Recorder::follow_jumps(Triaxial &test)
@@ -100,6 +101,8 @@ void Recorder::follow_jumps(Triaxial &test)
   const JumpPlan refused = test.jumps();
   bring_back(test, kept);
   test.shorten_jump(refused);
+  if (!last_checkpoint().empty()) // of cycles that have not been
+    write_checkpoint(test);
 }
 
 void Recorder::after_step(Triaxial &test)
