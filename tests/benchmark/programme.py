@@ -21,6 +21,7 @@ MARKS = ("<!-- table of programme.py -->", "<!-- end of the table -->")
 CORES = (1, 2, 16)
 FREQUENCIES = (10, 15, 20, 25, 30)  # Hz, at 120 kPa
 AMPLITUDES = (80, 100, 140, 160)  # kPa, at 20 Hz
+PRESETS = ("reference", "standard", "fast")  # of the triaxial case
 SWEEP_CASES = 105  # of data/studies/single_particle_sensitivity.prm
 
 
@@ -73,6 +74,14 @@ def table(rows):
     return "\n".join(lines) + "\n"
 
 
+def preset_lines(spall):
+    """The triaxial runs again, every cycle simulated, without preparation."""
+    return "".join(
+        line(f"triaxial, preset `{name}`", triaxial_runs(
+            spall, (f"preset={name}", "CycleJump/tolerance=0"))) + "\n"
+        for name in PRESETS)
+
+
 def line(name, runs):
     hours = [f"{makespan(runs, n) / 3600.:.3g}" for n in CORES]
     return f"| {name} | {len(runs)} | " + " | ".join(hours) + " |"
@@ -83,7 +92,7 @@ def main():
     words.add_argument("spall")
     words.add_argument("--page", type=pathlib.Path)
     options = words.parse_args()
-    text = table(list(parts(options.spall)))
+    text = table(list(parts(options.spall))) + preset_lines(options.spall)
     print(text)
     if options.page:
         before, rest = options.page.read_text().split(MARKS[0])
