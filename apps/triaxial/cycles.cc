@@ -20,7 +20,6 @@ struct CycleColumn
 /// Before those of the contacts.
 const std::vector<CycleColumn> cycle_columns = {
     {"cycle_1", [](const CycleRow &row) { return row.end.cycle; }},
-    {"stands_for_1", [](const CycleRow &row) { return row.stands_for; }},
     {"time_s", [](const CycleRow &row) { return row.end.time; }},
     {"permanent_axial_strain_1",
      [](const CycleRow &row) { return row.end.axial_strain; }},
@@ -38,7 +37,8 @@ const std::vector<CycleColumn> cycle_columns = {
      [](const CycleRow &row) { return row.friction; }},
     {"rolling_dissipation_J", [](const CycleRow &row) { return row.rolling; }},
     {"damping_dissipation_J", [](const CycleRow &row) { return row.damping; }},
-    {"breakage_energy_J", [](const CycleRow &row) { return row.breakage; }}};
+    {"breakage_energy_J", [](const CycleRow &row) { return row.breakage; }},
+    {"stands_for_1", [](const CycleRow &row) { return row.stands_for; }}};
 
 std::string cycles_header()
 {

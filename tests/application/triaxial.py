@@ -73,7 +73,7 @@ HEADERS = {
          "resilient_modulus_Pa", "damping_ratio_1", "laa_percent",
          "roundness_1", "n_events_1", "friction_dissipation_J",
          "rolling_dissipation_J", "damping_dissipation_J",
-         "breakage_energy_J",
+         "breakage_energy_J", "stands_for_1",
          *(f"{name}{when}_{unit}" for when in ("", "_peak")
            for name, unit in NETWORK)]),
     "boundary_profile_end.csv":
