@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 namespace spall
@@ -111,7 +112,7 @@ fem::Voigt weight_stress(const GroundParameters &g, double depth)
       break;
     vertical -=
         gravity * layer.density * std::min(depth - top, layer.thickness);
-    share = 1. - std::sin(layer.friction_angle * M_PI / 180.);
+    share = 1. - std::sin(layer.friction_angle * std::numbers::pi / 180.);
     top += layer.thickness;
   }
   fem::Voigt stress = fem::Voigt::Zero();
@@ -179,8 +180,8 @@ fem::Solid make_ground(const Case &c)
   for (const GroundLayer &layer : parse_ground_layers(g.layers))
     soil.layers.push_back({layer.youngs_modulus, layer.poisson_ratio,
                            layer.density, layer.cohesion,
-                           layer.friction_angle * M_PI / 180.,
-                           layer.dilatancy_angle * M_PI / 180.});
+                           layer.friction_angle * std::numbers::pi / 180.,
+                           layer.dilatancy_angle * std::numbers::pi / 180.});
   std::ranges::reverse(soil.layers); // tops ascend
   soil.mass_damping = g.mass_damping;
   soil.stiffness_damping = g.stiffness_damping;

@@ -68,14 +68,6 @@ Eigen::Matrix<double, 3, 4> affine_drift(const dem::Particles &stones,
   return right * square.completeOrthogonalDecomposition().pseudoInverse();
 }
 
-/// What a step along the drift needs: all velocities in it.
-struct Guide
-{
-  std::vector<Vec3> nodes; ///< [m/s]
-  std::vector<Vec3> shift; ///< of the nodes in a step [m]
-  double rate = 0.;        ///< cycles of the drift in a second [1/s]
-};
-
 /// No load is left to kick a stone that is led.
 void lead_stones(const Drift &drift, double rate, dem::Particles &stones)
 {
