@@ -119,6 +119,7 @@ std::vector<fs::path> search_folders(const Case &parameters)
   folders.emplace_back(SPALL_DATA_DIR);
   return folders;
 }
+
 void take(dealii::ParameterHandler &handler, const Assignment &a,
           const std::vector<Parameter> &list, Places &places)
 {
@@ -210,7 +211,6 @@ void assign_all(dealii::ParameterHandler &handler,
     }
   }
 }
-
 } // namespace
 
 Override parse_override(const std::string &text)

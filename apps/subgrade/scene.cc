@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <sstream>
 
 namespace spall
@@ -103,10 +104,10 @@ fem::SolidMesh ground_mesh(const Case &c)
 
 /// Of level ground at rest under its own weight; lateral share 1 - sin phi
 /// (Jaky 1944) [Pa].
-fem::Voigt weight_stress(const GroundParameters &g, double depth)
+fem::Voigt weight_stress(std::span<const GroundLayer> layers, double depth)
 {
   double vertical = 0., share = 1., top = 0.;
-  for (const GroundLayer &layer : parse_ground_layers(g.layers))
+  for (const GroundLayer &layer : layers)
   {
     if (depth <= top)
       break;
@@ -177,7 +178,8 @@ fem::Solid make_ground(const Case &c)
   const GroundParameters &g = c.subgrade.ground;
   fem::SolidParameters soil;
   soil.layers.clear();
-  for (const GroundLayer &layer : parse_ground_layers(g.layers))
+  const std::vector<GroundLayer> layers = parse_ground_layers(g.layers);
+  for (const GroundLayer &layer : layers)
     soil.layers.push_back({layer.youngs_modulus, layer.poisson_ratio,
                            layer.density, layer.cohesion,
                            layer.friction_angle * std::numbers::pi / 180.,
@@ -190,7 +192,7 @@ fem::Solid make_ground(const Case &c)
   soil.solver_tolerance = g.solver_tolerance;
   fem::Solid ground(soil, ground_mesh(c));
   ground.set_initial_stress([&](const Eigen::Vector3d &place)
-                            { return weight_stress(g, -place.z()); });
+                            { return weight_stress(layers, -place.z()); });
   const auto open = [&](std::int32_t side)
   {
     ground.absorb(side);

@@ -51,11 +51,10 @@ struct JumpAccount
 };
 
 /// When to jump over how many load cycles, and whether that was too far. A jump
-/// over n cycles is one cycle that wears the stones n + 1 times, a shift of all
-/// that moves by what the skipped cycles would have brought, one cycle to
-/// settle, and some to observe. The rates before and after it, with a power law
-/// between them, say what it should have brought (docs/theory/cycle_jump.md).
-/// Plain data for the checkpoint.
+/// over n cycles is one cycle that wears the stones n + 1 times, one that
+/// brings the strain that is missing then, and some to observe. The rates
+/// before and after it, with a power law between them, say what it should have
+/// brought (docs/theory/cycle_jump.md). Plain data for the checkpoint.
 class JumpPlan
 {
 public:
@@ -70,10 +69,9 @@ public:
 
   /// The jump that is due begins with the coming cycle.
   void begin();
-  bool is_wearing() const { return phase == Phase::wear; }
   /// How often the coming cycle wears the stones.
   double repetitions() const;
-  /// The coming cycle, the one after that, is to bring the missing strain.
+  /// The coming cycle, the one after the wear, brings the missing strain.
   bool is_landing() const { return phase == Phase::land; }
   double missing_strain() const;                     ///< [-]
   double strain_rate() const { return last.strain; } ///< observed, a cycle [-]

@@ -66,10 +66,11 @@ void Triaxial::land()
 {
   Sample before, after;
   add_energies(before);
-  const double time = engine().time(), strain = slow_state().strain;
+  const double time = engine().time(), strain = slow_state().strain,
+               missing = plan.missing_strain();
   engine().set_repetitions(0.);
   engine().set_local_damping(parameters.preparation.local_damping);
-  const int n = drift_on(strain + plan.missing_strain());
+  const int n = drift_on(strain + missing);
   engine().set_local_damping(parameters.time.local_damping);
   engine().set_repetitions(1.);
   engine().set_time(time);
@@ -79,7 +80,7 @@ void Triaxial::land()
   text.precision(3);
   text << "cycle " << cycle() << ": jumped over " << plan.length()
        << " cycles, strain moved on by " << slow_state().strain - strain
-       << " of " << plan.missing_strain() << " in " << n << " shifts";
+       << " of " << missing << " in " << n << " shifts";
   watch.say(text.str());
 }
 

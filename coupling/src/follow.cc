@@ -12,5 +12,4 @@ void Exchange::follow(const Body &body, FieldView velocity,
   stones.advance(time_step);
   joint.seam->collect(stones.engine, Collected::load, joint.load);
 }
-
 } // namespace coupling

@@ -28,6 +28,22 @@ inline fem::SurfaceMesh square_at(double side, double z, int n = 1)
   return mesh;
 }
 
+/// A pressure on the top of a block of 0.4 by 0.4 m from the origin, 2 by 2
+/// cells, as loads of its nodes [N].
+inline coupling::Field pressed(const coupling::Body &body, double pressure)
+{
+  coupling::Field load;
+  for (const dem::Vec3 &at : body.motion().position)
+  {
+    double area = 0.2 * 0.2;
+    for (int c = 0; c < 2; ++c)
+      if (std::abs(at[c] - 0.2) > 0.1) // a rim
+        area *= 0.5;
+    load.emplace_back(0., 0., -pressure * area);
+  }
+  return load;
+}
+
 /// A plate that moves along z only.
 inline fem::PlateBodyParameters upright(double mass)
 {

@@ -25,6 +25,16 @@ inline fem::SolidMesh box(const Eigen::Vector3d &size,
   return fem::box_mesh(box);
 }
 
+/// Held below, and across on all four sides.
+inline void stand_between_smooth_sides(fem::Solid &solid)
+{
+  solid.fix(fem::z_lower, {true, true, true});
+  for (const auto side : {fem::x_lower, fem::x_upper})
+    solid.fix(side, {true, false, false});
+  for (const auto side : {fem::y_lower, fem::y_upper})
+    solid.fix(side, {false, true, false});
+}
+
 /// The node at this place; -1 if there is none.
 inline std::int32_t node_at(const fem::SolidMesh &mesh,
                             const Eigen::Vector3d &place)

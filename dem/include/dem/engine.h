@@ -108,8 +108,8 @@ public:
     return facet_surfaces.at(number).candidates;
   }
 
-  double time() const { return now; } ///< [s]
-  void set_time(double time) { now = time; }
+  double time() const { return now; }        ///< [s]
+  void set_time(double time) { now = time; } ///< of the clock alone [s]
   std::int64_t n_steps() const { return step_count; }
   std::int64_t n_rebuilds() const { return rebuild_count; }
   /// Of contacts that follow the true surfaces, since construction.

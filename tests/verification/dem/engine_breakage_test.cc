@@ -238,3 +238,20 @@ TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
   EXPECT_TRUE(never.load_to(2. * first_event()).empty());
   EXPECT_EQ(factor(never), 0.);
 }
+
+// Pressed to a tenth of the force of an event, half let go, and pressed again:
+// five times what is new, once what makes up for the fall.
+TEST(EngineBreakage, WhatMakesUpForAFallCountsOnce)
+{
+  Press press(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  press.engine.set_repetitions(5.);
+  EXPECT_TRUE(press.load_to(0.1 * first_event()).empty());
+  const double before = factor(press);
+  while (press.force() > 0.05 * first_event())
+    drive(press, -slow, 1);
+  drive(press, slow, 0);
+  EXPECT_TRUE(press.load_to(0.1 * first_event()).empty());
+  EXPECT_NEAR(factor(press) - before, 0.05, 0.005);
+  EXPECT_TRUE(press.load_to(0.12 * first_event()).empty());
+  EXPECT_NEAR(factor(press) - before, 0.05 + 5. * 0.02, 0.01);
+}

@@ -19,27 +19,8 @@ fem::Solid block()
   p.layers = {soil};
   p.mass_damping = 400.; // to rest
   fem::Solid solid(p, support::box({0.4, 0.4, 0.2}, {2, 2, 2}));
-  solid.fix(fem::z_lower, {true, true, true});
-  for (const auto side : {fem::x_lower, fem::x_upper})
-    solid.fix(side, {true, false, false});
-  for (const auto side : {fem::y_lower, fem::y_upper})
-    solid.fix(side, {false, true, false});
+  support::stand_between_smooth_sides(solid);
   return solid;
-}
-
-/// A pressure on the top, as loads of its nodes [N].
-coupling::Field pressed(const coupling::Body &body, double pressure)
-{
-  coupling::Field load;
-  for (const dem::Vec3 &at : body.motion().position)
-  {
-    double area = 0.2 * 0.2;
-    for (int c = 0; c < 2; ++c)
-      if (std::abs(at[c] - 0.2) > 0.1) // a rim
-        area *= 0.5;
-    load.emplace_back(0., 0., -pressure * area);
-  }
-  return load;
 }
 
 double settlement(const coupling::Body &body)
@@ -53,7 +34,8 @@ double settlement(const coupling::Body &body)
 template <class Ground>
 void starts_in_balance(Ground &body)
 {
-  const auto rest = pressed(body, 30e3), more = pressed(body, 40e3);
+  const auto rest = support::pressed(body, 30e3),
+             more = support::pressed(body, 40e3);
   body.balance(rest);
   for (int k = 0; k < 10; ++k)
     body.advance(rest, window);

@@ -45,21 +45,6 @@ void put_under_weight(fem::Solid &solid)
       });
 }
 
-/// A pressure on the top, as loads of its nodes [N].
-Field pressed(const coupling::Body &body, double pressure)
-{
-  Field load;
-  for (const dem::Vec3 &at : body.motion().position)
-  {
-    double area = 0.2 * 0.2;
-    for (int c = 0; c < 2; ++c)
-      if (std::abs(at[c] - 0.2) > 0.1) // a rim
-        area *= 0.5;
-    load.emplace_back(0., 0., -pressure * area);
-  }
-  return load;
-}
-
 double largest_motion(const coupling::SolidBody &body)
 {
   double largest = 0.;
@@ -85,7 +70,7 @@ TEST(Ground, StaysAtRest)
       put_under_weight(solid);
       coupling::SolidBody body(std::move(solid), fem::z_upper,
                                {is_implicit, is_implicit ? 1 : 20});
-      Field rest = pressed(body, pressure);
+      Field rest = support::pressed(body, pressure);
       for (std::size_t k = 0; k < rest.size(); ++k) // and it rubs
         rest[k].x() = k % 2 == 0 ? 0.3 * rest[k].z() : 0.;
       body.balance(rest);
@@ -95,7 +80,7 @@ TEST(Ground, StaysAtRest)
       EXPECT_EQ(body.solid().yielded_share(), 0.);
       // More of the same: it has flown when it comes to rest, and goes on.
       for (int k = 0; k < 50; ++k)
-        body.advance(pressed(body, 1.5 * pressure), 2e-4);
+        body.advance(support::pressed(body, 1.5 * pressure), 2e-4);
       EXPECT_EQ(body.solid().yielded_share() > 0., pressure > 0.);
     }
 }
@@ -110,11 +95,7 @@ struct Column
   static fem::Solid made()
   {
     fem::Solid solid = block(soil(0.2), 4000.);
-    solid.fix(fem::z_lower, {true, true, true});
-    for (const auto side : {fem::x_lower, fem::x_upper})
-      solid.fix(side, {true, false, false});
-    for (const auto side : {fem::y_lower, fem::y_upper})
-      solid.fix(side, {false, true, false});
+    support::stand_between_smooth_sides(solid);
     return solid;
   }
 
@@ -122,7 +103,7 @@ struct Column
   double under(double pressure)
   {
     for (int k = 0; k < 400; ++k)
-      body.advance(pressed(body, pressure), 2e-3);
+      body.advance(support::pressed(body, pressure), 2e-3);
     double sum = 0.;
     for (const dem::Vec3 &at : body.motion().position)
       sum += (height - at.z()) / 9.;
@@ -147,7 +128,7 @@ TEST(Ground, ColumnSettlesFromTheBalanceAndUnloadsElastically)
   for (const double rest : {0.5 * first, 1.5 * first})
   {
     Column column;
-    column.body.balance(pressed(column.body, rest));
+    column.body.balance(support::pressed(column.body, rest));
     const auto beyond = [&](double pressure)
     {
       return pressure < first ? pressure / elastic
@@ -192,11 +173,7 @@ struct Footing
           stress(2) = vertical;
           return stress;
         });
-    solid.fix(fem::z_lower, {true, true, true});
-    for (const auto edge : {fem::x_lower, fem::x_upper})
-      solid.fix(edge, {true, false, false});
-    for (const auto edge : {fem::y_lower, fem::y_upper})
-      solid.fix(edge, {false, true, false});
+    support::stand_between_smooth_sides(solid);
     return solid;
   }
 
