@@ -1,7 +1,7 @@
 #pragma once
 
 #include "force_kernels.h"
-#include "lanes.h"
+#include "lane_rows.h"
 
 #include <dem/breakage/criterion.h>
 
@@ -36,15 +36,12 @@ void refresh_side(const Task &task, const Side &side, std::int64_t k, int which,
       dot(away, away) > task.refresh_tolerance * task.refresh_tolerance;
   if (!any(is_stale))
     return;
-  LaneTable<3> table;
-  table.set(0, direction);
+  LaneTable<4> table;
+  table.set(0, {direction});
   for (int lane = 0; lane < n_lanes; ++lane)
     if (is_stale[static_cast<std::size_t>(lane)])
-    {
-      const double body_direction[3] = {
-          table.value[0][lane], table.value[1][lane], table.value[2][lane]};
-      task.surfaces.renew(task.surfaces.owner, k + lane, which, body_direction);
-    }
+      task.surfaces.renew(task.surfaces.owner, k + lane, which,
+                          table.value[lane]);
 }
 
 /// r at `direction` from the expansions: r + g.w + w.H.w / 2.
@@ -125,13 +122,11 @@ double *partner_load(const Task &task, std::int32_t target)
                   : task.stones.halo + load_row * (-1 - row);
 }
 
-/// Adds six numbers of a lane to a row.
-template <int n_values>
-void add_load(const LaneTable<n_values> &table, int first_value, int lane,
-              double *row)
+/// Adds force and moment to a row.
+void add_load(const double *load, double *row)
 {
-  for (int c = 0; c < 6; ++c)
-    row[c] += table.value[first_value + c][lane];
+  store_pack(load_pack<4>(row) + load_pack<4>(load), row);
+  store_pack(load_pack<2>(row + 4) + load_pack<2>(load + 4), row + 4);
 }
 
 /// Overlap and elastic energy of a set of lanes, now and in the last step.

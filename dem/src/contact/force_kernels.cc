@@ -18,16 +18,14 @@ void sum_losses(const BlockLosses &lost, Dissipation &sum)
   for (int part = 0; part < n_parts; ++part)
   {
     LaneTable<4> table;
-    table.set(0, lost[part].friction);
-    table.set(1, lost[part].rolling);
-    table.set(2, lost[part].damping);
-    table.set(3, lost[part].shape_work);
+    table.set(0, {{lost[part].friction, lost[part].rolling, lost[part].damping},
+                  lost[part].shape_work});
     for (int lane = 0; lane < n_lanes; ++lane)
     {
-      sum.friction += table.value[0][lane];
-      sum.rolling += table.value[1][lane];
-      sum.damping += table.value[2][lane];
-      sum.shape_work += table.value[3][lane];
+      sum.friction += table.value[lane][0];
+      sum.rolling += table.value[lane][1];
+      sum.damping += table.value[lane][2];
+      sum.shape_work += table.value[lane][3];
     }
   }
 }

@@ -69,15 +69,11 @@ void refresh_prefactors(const Task &task, std::int64_t k,
   const LaneMask is_old = is_touching && twist > task.refresh_tolerance;
   if (!any(is_old))
     return;
-  LaneTable<3> table;
-  table.set(0, pair.normal);
+  LaneTable<4> table;
+  table.set(0, {pair.normal});
   for (int lane = 0; lane < n_lanes; ++lane)
     if (is_old[static_cast<std::size_t>(lane)])
-    {
-      const double normal[3] = {table.value[0][lane], table.value[1][lane],
-                                table.value[2][lane]};
-      task.surfaces.mix(task.surfaces.owner, k + lane, normal);
-    }
+      task.surfaces.mix(task.surfaces.owner, k + lane, table.value[lane]);
 }
 
 /// Loads on stones A and B: forces, then moments.
@@ -90,14 +86,15 @@ void scatter_pairs(const Task &task, std::int64_t k, int n_valid,
                    const PairLoad &load, const Target &target)
 {
   LaneTable<12> table;
-  table.set(0, load.force_a);
-  table.set(3, load.moment_a);
-  table.set(6, load.force_b);
-  table.set(9, load.moment_b);
+  table.set(0, {load.force_a, load.moment_a.x});
+  table.set(
+      4, {{load.moment_a.y, load.moment_a.z, load.force_b.x}, load.force_b.y});
+  table.set(
+      8, {{load.force_b.z, load.moment_b.x, load.moment_b.y}, load.moment_b.z});
   for (int lane = 0; lane < n_valid; ++lane)
   {
-    add_load(table, 0, lane, target.row(task, task.contacts.a[k + lane]));
-    add_load(table, 6, lane,
+    add_load(table.value[lane], target.row(task, task.contacts.a[k + lane]));
+    add_load(table.value[lane] + 6,
              partner_load(task, task.contacts.target[k + lane]));
   }
 }

@@ -29,15 +29,12 @@ void follow_side(const Task &task, const Side &side, std::int64_t k, int which,
       dot(kept, kept) > task.refresh_tolerance * task.refresh_tolerance;
   if (!any(is_stale))
     return;
-  LaneTable<3> table;
-  table.set(0, u + kept);
+  LaneTable<4> table;
+  table.set(0, {u + kept});
   for (int lane = 0; lane < n_lanes; ++lane)
     if (is_stale[static_cast<std::size_t>(lane)])
-    {
-      const double direction[3] = {table.value[0][lane], table.value[1][lane],
-                                   table.value[2][lane]};
-      task.surfaces.renew(task.surfaces.owner, k + lane, which, direction);
-    }
+      task.surfaces.renew(task.surfaces.owner, k + lane, which,
+                          table.value[lane]);
 }
 
 LaneVector planar_in_body(const LaneBend &bend, const LanePlanar &v)
@@ -271,10 +268,10 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
   const LaneVector normal = wall.vector(at_normal);
   const LaneMask is_open = load(task.contacts.slack + k) >= closed_slack;
   SurfaceAtWall at = approach_wall(task, k, a, wall);
-  const Lanes distance =
-      dot(wall.vector(at_point) - a.vector(at_position), normal);
+  const LaneQuad ball = a.quad(at_position);
+  const Lanes distance = dot(wall.vector(at_point) - ball.vector, normal);
   const LaneMask is_near =
-      is_valid && !is_open && distance < far_wall * a.number(at_radius);
+      is_valid && !is_open && distance < far_wall * ball.number;
   const LaneMask is_lost = is_near && !at.is_sound;
   if (any(is_lost))
   {
@@ -306,12 +303,12 @@ ContactMotion<Lanes> support_motion(const StoneLanes &a, const WallLanes &wall,
   const LaneVector own = moving.vector + cross(spin, geometry.arm);
   ContactMotion<Lanes> motion;
   motion.normal = wall.vector(at_normal);
-  motion.normal_before = wall.vector(at_normal_before);
+  const LaneQuad before = wall.quad(at_normal_before);
+  motion.normal_before = before.vector;
   motion.velocity = wall.vector(at_wall_velocity) - own;
   motion.velocity_before = wall.vector(at_velocity_before) - own;
   motion.spin = -spin;
-  motion.reduced_mass =
-      moving.number / (1. + moving.number * wall.number(at_inverse_mass));
+  motion.reduced_mass = moving.number / (1. + moving.number * before.number);
   motion.rolling_radius = stdx::sqrt(dot(geometry.arm, geometry.arm));
   return motion;
 }

@@ -9,10 +9,9 @@ namespace
 {
 using WallLanes = LaneRows<wall_row>;
 
-/// Where the fields of WallRow are.
+/// Where the fields of WallRow are; the inverse mass follows the last.
 constexpr int at_point = 0, at_normal = 3, at_wall_velocity = 6,
-              at_velocity_before = 9, at_normal_before = 12,
-              at_inverse_mass = 15;
+              at_velocity_before = 9, at_normal_before = 12;
 
 /// Contacts of one set of lanes as they lie.
 struct WallGeometry
@@ -28,9 +27,9 @@ WallGeometry locate_walls(const Task &task, std::int64_t k, const StoneLanes &a,
 {
   WallGeometry geometry;
   geometry.normal = wall.vector(at_normal);
-  geometry.distance =
-      dot(wall.vector(at_point) - a.vector(at_position), geometry.normal);
-  geometry.reach = a.number(at_radius);
+  const LaneQuad ball = a.quad(at_position);
+  geometry.distance = dot(wall.vector(at_point) - ball.vector, geometry.normal);
+  geometry.reach = ball.number;
   if (task.reads_surface)
   {
     const LaneMask is_near =
@@ -54,7 +53,8 @@ ContactMotion<Lanes> wall_motion(const StoneLanes &a, const WallLanes &wall,
   const LaneQuad moving = a.quad(at_velocity);
   ContactMotion<Lanes> motion;
   motion.normal = geometry.normal;
-  motion.normal_before = wall.vector(at_normal_before);
+  const LaneQuad before = wall.quad(at_normal_before);
+  motion.normal_before = before.vector;
   motion.velocity = wall.vector(at_wall_velocity) - moving.vector -
                     cross(spin, geometry.distance * geometry.normal);
   // An open contact was where the stone would touch.
@@ -63,8 +63,7 @@ ContactMotion<Lanes> wall_motion(const StoneLanes &a, const WallLanes &wall,
       cross(spin, stdx::min(geometry.distance, geometry.reach) *
                       motion.normal_before);
   motion.spin = -spin;
-  motion.reduced_mass =
-      moving.number / (1. + moving.number * wall.number(at_inverse_mass));
+  motion.reduced_mass = moving.number / (1. + moving.number * before.number);
   motion.rolling_radius = geometry.reach;
   return motion;
 }
@@ -73,15 +72,16 @@ void scatter_walls(const Task &task, std::int64_t k, int n_valid,
                    const LaneVector &force, const LaneVector &moment,
                    const Target &target)
 {
-  LaneTable<6> table;
-  table.set(0, force);
-  table.set(3, moment);
+  LaneTable<8> table;
+  table.set(0, {force, moment.x});
+  table.set(4, {{moment.y, moment.z, Lanes(0.)}});
   for (int lane = 0; lane < n_valid; ++lane)
   {
-    double *row = task.contacts.load + load_row * (k + lane);
-    for (int c = 0; c < 6; ++c)
-      row[c] = table.value[c][lane];
-    add_load(table, 0, lane, target.row(task, task.contacts.a[k + lane]));
+    const double *load = table.value[lane];
+    double *kept = task.contacts.load + load_row * (k + lane);
+    store_pack(load_pack<4>(load), kept);
+    store_pack(load_pack<2>(load + 4), kept + 4);
+    add_load(load, target.row(task, task.contacts.a[k + lane]));
   }
 }
 

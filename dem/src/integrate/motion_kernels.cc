@@ -1,7 +1,7 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
 #include "motion_kernels.h"
 
-#include "../contact/lanes.h"
+#include "../contact/lane_rows.h"
 
 #include <dem/integrate/rotation.h>
 
@@ -14,26 +14,23 @@ using FrameLanes = LaneRows<frame_row>;
 /// Stones in a row; the last stands again in lanes that are past the end.
 struct Places
 {
-  std::int32_t index[n_lanes];
-  int n_valid;
+  std::int64_t first, last;
 
-  Places(std::int64_t first, std::int64_t last)
-      : n_valid(
-            static_cast<int>(last - first < n_lanes ? last - first : n_lanes))
+  bool are_all_there() const { return last - first >= n_lanes; }
+  std::int64_t operator[](int lane) const
   {
-    for (int lane = 0; lane < n_lanes; ++lane)
-      index[lane] = static_cast<std::int32_t>(
-          first + (lane < n_valid ? lane : n_valid - 1));
+    return first + lane < last ? first + lane : last - 1;
   }
 };
 
-/// Some stones with all that moves them.
+/// Some stones with all that moves them. Lanes past the end work on the last
+/// stone too, with the same result.
 struct Movers
 {
-  LaneRows<stone_row> state;
-  LaneRows<load_row> load;
+  LaneRows<stone_row, double> state;
+  LaneRows<load_row, double> load;
   LaneVector velocity, spin;
-  Lanes mass;
+  Lanes mass, inertia;
   Turn<Lanes> orientation;
   // With shapes.
   LaneVector moments;
@@ -41,16 +38,21 @@ struct Movers
   Turn<Lanes> principal;
 
   Movers(const Motion &motion, const Places &places)
-      : state(motion.state, places.index), load(motion.load, places.index),
-        velocity(state.vector(at_velocity)), spin(state.vector(at_spin)),
-        mass(state.number(at_mass))
+      : state(motion.state, places), load(motion.load, places)
   {
+    const LaneQuad moving = state.quad(at_velocity),
+                   turning = state.quad(at_spin);
+    velocity = moving.vector;
+    mass = moving.number;
+    spin = turning.vector;
+    inertia = turning.number;
     if (!motion.frame)
       return;
     orientation = turn(state.quad(at_orientation));
-    const FrameLanes frame(motion.frame, places.index);
-    moments = frame.vector(at_moments);
-    reach = frame.number(at_reach);
+    const FrameLanes frame(motion.frame, places);
+    const LaneQuad size = frame.quad(at_moments);
+    moments = size.vector;
+    reach = size.number;
     principal = turn(frame.quad(at_principal));
   }
 
@@ -79,7 +81,7 @@ LaneVector over_inertia(const Motion &motion, const Movers &stones,
                         const LaneVector &moment)
 {
   if (!motion.travelled)
-    return 1. / stones.state.number(at_inertia) * moment;
+    return 1. / stones.inertia * moment;
   const Turn<Lanes> to_world = stones.orientation * stones.principal;
   const LaneVector inner = inverse(to_world) * moment;
   const LaneVector &of = stones.moments;
@@ -89,10 +91,12 @@ LaneVector over_inertia(const Motion &motion, const Movers &stones,
 /// Adds `value` of the first lanes to a column.
 void add_to(double *column, const Places &places, const Lanes &value)
 {
-  LaneTable<1> table;
-  table.set(0, value);
-  for (int lane = 0; lane < places.n_valid; ++lane)
-    column[places.index[lane]] += table.value[0][lane];
+  double *first = column + places.first;
+  if (places.are_all_there())
+    store(load(first) + value, first);
+  else
+    for (std::int64_t lane = 0; lane < places.last - places.first; ++lane)
+      first[lane] += value[static_cast<std::size_t>(lane)];
 }
 
 /// v += F/m dt, omega += I^-1 M dt with what local damping leaves of F and M;
@@ -104,8 +108,9 @@ void kick(const Motion &motion, const Places &places, Movers &stones)
   const LaneVector weight{stones.mass * motion.gravity[0],
                           stones.mass * motion.gravity[1],
                           stones.mass * motion.gravity[2]};
-  const LaneVector force = stones.load.vector(0) + weight,
-                   moment = stones.load.vector(at_moment);
+  const LaneQuad first = stones.load.quad(0), rest = stones.load.quad(4);
+  const LaneVector force = first.vector + weight,
+                   moment{first.number, rest.vector.x, rest.vector.y};
   LaneVector kept_force = force, kept_moment = moment;
   if (motion.damped)
   {
@@ -163,44 +168,17 @@ Fastest note_speeds(const Motion &motion, const Places &places,
   return speeds;
 }
 
-/// Velocity and spin of every stone.
-void store_rates(const Motion &motion, const Places &places,
-                 const Movers &stones)
+void store_places(const Motion &motion, const Movers &stones)
 {
-  LaneTable<6> table;
-  table.set(0, stones.velocity);
-  table.set(3, stones.spin);
-  for (int lane = 0; lane < places.n_valid; ++lane)
-  {
-    double *row = motion.state + std::int64_t{stone_row} * places.index[lane];
-    for (int c = 0; c < 3; ++c)
-    {
-      row[at_velocity + c] = table.value[c][lane];
-      row[at_spin + c] = table.value[3 + c][lane];
-    }
-  }
-}
-
-void store_places(const Motion &motion, const Places &places,
-                  const Movers &stones)
-{
-  LaneTable<7> table;
-  table.set(0, stones.state.vector(at_position) +
-                   Lanes(motion.drift) * stones.velocity);
-  table.set(3, stones.orientation.vector);
-  table.set(6, stones.orientation.number);
-  for (int lane = 0; lane < places.n_valid; ++lane)
-  {
-    double *row = motion.state + std::int64_t{stone_row} * places.index[lane];
-    for (int c = 0; c < 3; ++c)
-      row[at_position + c] = table.value[c][lane];
-    if (motion.frame)
-      for (int c = 0; c < 4; ++c)
-        row[at_orientation + c] = table.value[3 + c][lane];
-    double *load = motion.load + std::int64_t{load_row} * places.index[lane];
-    for (int c = 0; c < load_row; ++c)
-      load[c] = 0.;
-  }
+  const LaneQuad ball = stones.state.quad(at_position);
+  stones.state.set(
+      at_position,
+      {ball.vector + Lanes(motion.drift) * stones.velocity, ball.number});
+  if (motion.frame)
+    stones.state.set(at_orientation,
+                     {stones.orientation.vector, stones.orientation.number});
+  stones.load.set(0, {});
+  stones.load.set(4, {});
 }
 
 [[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places)
@@ -212,9 +190,10 @@ void store_places(const Motion &motion, const Places &places,
   {
     turn(motion, stones);
     speeds = note_speeds(motion, places, stones);
-    store_places(motion, places, stones);
+    store_places(motion, stones);
   }
-  store_rates(motion, places, stones);
+  stones.state.set(at_velocity, {stones.velocity, stones.mass});
+  stones.state.set(at_spin, {stones.spin, stones.inertia});
   return speeds;
 }
 
