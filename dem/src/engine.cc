@@ -50,8 +50,7 @@ std::int64_t count_touching(const ContactBatch &batch)
 constexpr std::size_t sorted_from = 2048;
 
 /// Steps that a rebuild of the lists is worth.
-constexpr double rebuild_of_balls = 8., rebuild_of_shapes = 30.,
-                 rebuild_of_surfaces = 50.;
+constexpr double rebuild_of_centres = 8., rebuild_of_surfaces = 50.;
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -238,8 +237,7 @@ SearchMargin::Lists Engine::list_counts() const
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
           count_touching(pair_batch),
           pair_geometry() == ContactGeometry::surface ? rebuild_of_surfaces
-          : stones.has_shapes                         ? rebuild_of_shapes
-                                                      : rebuild_of_balls};
+                                                      : rebuild_of_centres};
 }
 
 void Engine::rebuild_lists()

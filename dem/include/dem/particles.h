@@ -58,9 +58,10 @@ struct Particles
   bool has_shapes = false;         ///< some stone is not a sphere
   bool has_materials = false;      ///< some stone is not of material 0
   /// Stones meet with their true surfaces: they turn with the inertia tensors
-  /// of their bodies, not of balls, and `travelled` is kept.
+  /// of their bodies, not of balls.
   bool follows_surfaces = false;
-  /// How far any point of the stone may have come since construction [m].
+  /// How far any point of the stone, or its radius towards another stone, may
+  /// have come since construction; kept in scenes with shapes [m].
   std::vector<double> travelled;
 
   std::size_t size() const { return id.size(); }

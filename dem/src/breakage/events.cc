@@ -139,10 +139,12 @@ std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t stone)
     if (batch.is_touching(k))
       found.push_back({number, k});
   };
-  for (std::size_t k = 0; k < contacts.pairs.size(); ++k)
-    if (contacts.pairs.b[k] == stone)
-      forget(0, k, false);
-  for (int number = 0; number < n_batches(contacts); ++number)
+  // Pairs are not sorted.
+  for (const bool is_a : {false, true})
+    for (std::size_t k = 0; k < contacts.pairs.size(); ++k)
+      if ((is_a ? contacts.pairs.a : contacts.pairs.b)[k] == stone)
+        forget(0, k, is_a);
+  for (int number = 1; number < n_batches(contacts); ++number)
   {
     const ContactBatch &batch = batch_of(contacts, number);
     const auto begin = batch.a.begin(),

@@ -80,7 +80,7 @@ LaneVector brake(const LaneVector &load, double damping, const LaneVector &rate)
 LaneVector over_inertia(const Motion &motion, const Movers &stones,
                         const LaneVector &moment)
 {
-  if (!motion.travelled)
+  if (!motion.has_tensors)
     return 1. / stones.inertia * moment;
   const Turn<Lanes> to_world = stones.orientation * stones.principal;
   const LaneVector inner = inverse(to_world) * moment;
@@ -133,7 +133,7 @@ void turn(const Motion &motion, Movers &stones)
 {
   if (!motion.frame)
     return;
-  if (!motion.travelled)
+  if (!motion.has_tensors)
   {
     stones.orientation = normalised(
         exponential(Lanes(motion.drift) * stones.spin) * stones.orientation);

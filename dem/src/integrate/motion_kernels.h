@@ -15,7 +15,8 @@ struct Motion
 {
   double *state, *load; ///< StoneState, StoneLoad
   const double *frame;  ///< TurningFrame; null: spheres
-  double *travelled;    ///< null unless stones turn with their whole tensors
+  double *travelled;    ///< Particles::travelled, null: spheres
+  bool has_tensors;     ///< stones turn with their whole tensors
   double *damped;       ///< WorkColumns, null without local damping
   double *lifted;       ///< null without gravity
   double gravity[3];    ///< [m/s^2]

@@ -3,7 +3,6 @@
 
 #include <dem/boundary/drum_contacts.h>
 #include <dem/search/candidates.h>
-#include <dem/search/near_pairs.h>
 
 #include <algorithm>
 #include <map>
@@ -12,8 +11,6 @@ namespace dem
 {
 namespace
 {
-using Key = PairKey;
-
 double largest_reach(const Particles &particles)
 {
   double largest = 0.;
@@ -22,37 +19,16 @@ double largest_reach(const Particles &particles)
   return largest;
 }
 
-/// Calls retire(old) for every entry of `old_keys` that `keys` lacks; returns
-/// where each of `keys` was, or -1. Both are sorted.
-template <class Retire>
-std::vector<std::int32_t> match(const std::vector<Key> &old_keys,
-                                const std::vector<Key> &keys,
-                                const Retire &retire)
+std::vector<PairKey> keys_of(const ContactBatch &batch)
 {
-  std::vector<std::int32_t> source(keys.size(), -1);
-  std::size_t old = 0;
-  for (std::size_t k = 0; k < keys.size(); ++k)
-  {
-    for (; old < old_keys.size() && old_keys[old] < keys[k]; ++old)
-      retire(old);
-    if (old < old_keys.size() && old_keys[old] == keys[k])
-      source[k] = static_cast<std::int32_t>(old++);
-  }
-  for (; old < old_keys.size(); ++old)
-    retire(old);
-  return source;
-}
-
-std::vector<Key> keys_of(const ContactBatch &batch)
-{
-  std::vector<Key> keys(batch.size());
+  std::vector<PairKey> keys(batch.size());
   for (std::size_t k = 0; k < batch.size(); ++k)
     keys[k] = {batch.a[k], batch.b[k]};
   return keys;
 }
 
 /// Puts the batch in the order of `keys` (sorted, as the old one is).
-void carry_over(const Particles &particles, const std::vector<Key> &keys,
+void carry_over(const Particles &particles, const std::vector<PairKey> &keys,
                 const BatchLayout &layout, ContactBatch &batch,
                 Dissipation &retired)
 {
@@ -138,7 +114,7 @@ void carry_over_slots(const FacetCandidates &before, const BatchLayout &layout,
   constexpr auto n_slots = static_cast<std::size_t>(slots_per_stone);
   const auto keys = [](const FacetCandidates &candidates)
   {
-    std::vector<Key> of_slots;
+    std::vector<PairKey> of_slots;
     for (const std::int32_t stone : candidates.stone)
       for (std::int32_t s = 0; s < slots_per_stone; ++s)
         of_slots.emplace_back(stone, s);
@@ -185,18 +161,11 @@ void note_corners(const Particles &particles, ContactBatch &batch)
   }
 }
 
-void rebuild_pairs(const Particles &particles, const BatchLayout &layout,
-                   const std::vector<PairKey> &near, ContactBatch &batch,
-                   Dissipation &retired)
-{
-  carry_over(particles, near, layout, batch, retired);
-}
-
 void rebuild_planes(const Particles &particles,
                     const std::vector<Plane> &planes, const WallSearch &search,
                     ContactBatch &batch, Dissipation &retired)
 {
-  std::vector<Key> keys;
+  std::vector<PairKey> keys;
   for (std::size_t i = 0; i < particles.size(); ++i)
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (planes[p].is_active &&
@@ -211,7 +180,7 @@ void rebuild_drum(const Particles &particles, const Drum &drum,
                   const WallSearch &search, ContactBatch &batch,
                   Dissipation &retired)
 {
-  std::vector<Key> keys;
+  std::vector<PairKey> keys;
   for (std::size_t i = 0; i < particles.size(); ++i)
     for (std::int32_t part = 0; part < n_drum_parts; ++part)
       if (nearest_on_drum(drum, static_cast<DrumPart>(part),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dem
 {
@@ -51,8 +52,10 @@ std::vector<int> classify(const std::vector<double> &reach)
 
 /// Gap between the balls, or between the radii along the branch [m].
 double gap_between(const Particles &particles, ContactGeometry geometry,
-                   std::size_t i, std::size_t j)
+                   const PairKey &pair)
 {
+  const auto i = static_cast<std::size_t>(pair.first),
+             j = static_cast<std::size_t>(pair.second);
   const Vec3 branch = particles.position(j) - particles.position(i);
   const double distance = branch.norm();
   const double balls = distance - particles.radius(i) - particles.radius(j);
@@ -61,6 +64,16 @@ double gap_between(const Particles &particles, ContactGeometry geometry,
   const Vec3 normal = branch / distance;
   return distance - local_radius(particles, i, normal) -
          local_radius(particles, j, -normal);
+}
+
+/// How far two stones may have come nearer each other in all [m].
+double travelled(const Particles &particles, const PairKey &pair,
+                 const Travel &travel)
+{
+  return particles.has_shapes
+             ? particles.travelled[static_cast<std::size_t>(pair.first)] +
+                   particles.travelled[static_cast<std::size_t>(pair.second)]
+             : travel.gaps;
 }
 
 /// All pairs whose bounding spheres come within a margin. Stones are filed by
@@ -170,7 +183,7 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
                                       const Travel &travel)
 {
   // Wide enough for some rebuilds, narrow enough to be short.
-  constexpr double widening = 3.;
+  constexpr double widening = 8.;
   if (particles.size() == 0)
     return {};
   if (reach < travel.centres + margin)
@@ -184,14 +197,17 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
          c < std::min(candidates.size(), (p + 1) * part_size); ++c)
     {
       Candidate &one = candidates[c];
-      if (one.clear_until - travel.gaps >= margin)
+      const double now = travelled(particles, one.stones, travel);
+      const double since = now - one.travelled;
+      if (one.least - since >= margin)
         continue;
-      const double gap =
-          gap_between(particles, geometry, static_cast<std::size_t>(one.a),
-                      static_cast<std::size_t>(one.b));
-      one.clear_until = travel.gaps + gap;
-      if (gap < margin)
-        parts[p].emplace_back(one.a, one.b);
+      if (!(one.most + since < margin))
+      {
+        one.least = one.most = gap_between(particles, geometry, one.stones);
+        one.travelled = now;
+      }
+      if (one.most + (now - one.travelled) < margin)
+        parts[p].push_back(one.stones);
     }
   std::vector<PairKey> pairs;
   for (const auto &part : parts)
@@ -199,12 +215,35 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
   return pairs;
 }
 
+PairFinder::Candidate PairFinder::between_spheres(const Particles &particles,
+                                                  const PairKey &pair,
+                                                  double travelled)
+{
+  const auto i = static_cast<std::size_t>(pair.first),
+             j = static_cast<std::size_t>(pair.second);
+  const Body &a = particles.body[i], &b = particles.body[j];
+  const double distance =
+      (particles.position(j) - particles.position(i)).norm();
+  return {pair, distance - a.circumscribed_radius - b.circumscribed_radius,
+          distance - a.inscribed_radius - b.inscribed_radius, travelled};
+}
+
 void PairFinder::search(const Particles &particles, ContactGeometry geometry,
                         double range, const Travel &travel)
 {
-  candidates.clear();
+  // What is known of a pair still holds.
+  const std::vector<Candidate> before = std::exchange(candidates, {});
+  auto known = before.begin();
   for (const PairKey &pair : within(particles, geometry, range))
-    candidates.push_back({pair.first, pair.second, travel.gaps});
+  {
+    while (known != before.end() && known->stones < pair)
+      ++known;
+    candidates.push_back(
+        known != before.end() && known->stones == pair
+            ? *known
+            : between_spheres(particles, pair,
+                              travelled(particles, pair, travel)));
+  }
   reach = travel.centres + range;
 }
 

@@ -8,9 +8,10 @@
 
 namespace dem
 {
-/// Makes the batch hold these pairs of stones (PairFinder), in their order;
-/// known contacts keep all they carry. What the springs of dropped contacts
-/// held is added to `retired`.
+/// Makes the batch hold these pairs of stones (PairFinder), nearly in their
+/// order: of contacts near each other, those that touch come first. Known
+/// contacts keep all they carry. What the springs of dropped contacts held is
+/// added to `retired`.
 void rebuild_pairs(const Particles &particles, const BatchLayout &layout,
                    const std::vector<PairKey> &near, ContactBatch &batch,
                    Dissipation &retired);

@@ -16,7 +16,8 @@ using PairKey = std::pair<std::int32_t, std::int32_t>;
 struct Travel
 {
   double centres = 0.; ///< their centres, and so all that is round them
-  double gaps = 0.;    ///< what the contact geometry compares, at most
+  double gaps = 0.;    ///< what the contact geometry compares, at most; where
+                    ///< there are shapes Particles::travelled says it by stone
 };
 
 /// All pairs of stones whose circumscribed spheres come within a margin [m],
@@ -24,9 +25,9 @@ struct Travel
 std::vector<PairKey> near_spheres(const Particles &particles, double margin);
 
 /// Finds the pairs of stones with a gap below a margin: between the balls, or
-/// between the radii along the branch. Keeps a wider list of
-/// candidates, each with the travel until which its gap is known to be wide
-/// enough, so that most rebuilds need neither a grid nor a shape. What it finds
+/// between the radii along the branch. Keeps a wider list of candidates, each
+/// with bounds of the gap that it had and how far its stones had travelled
+/// then, so that most rebuilds need neither a grid nor a shape. What it finds
 /// does not depend on what it keeps.
 class PairFinder
 {
@@ -37,14 +38,22 @@ public:
                             const Travel &travel);
 
   /// The stones have got other numbers or were added to.
-  void forget() { reach = -1.; }
+  void forget()
+  {
+    candidates.clear();
+    reach = -1.;
+  }
 
 private:
   struct Candidate
   {
-    std::int32_t a = 0, b = 0;
-    double clear_until = 0.; ///< Travel::gaps where the gap may be closed [m]
+    PairKey stones;
+    /// The gap when it was looked at, at least and at most [m].
+    double least = 0., most = 0.;
+    double travelled = 0.; ///< by then [m]
   };
+  static Candidate between_spheres(const Particles &particles,
+                                   const PairKey &pair, double travelled);
 
   void search(const Particles &particles, ContactGeometry geometry,
               double range, const Travel &travel);

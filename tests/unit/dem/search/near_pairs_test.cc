@@ -1,9 +1,11 @@
 #include <dem/packing/insertion.h>
+#include <dem/search/candidates.h>
 #include <dem/search/near_pairs.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <shape/test_shapes.h>
 
 namespace
 {
@@ -58,6 +60,42 @@ TEST(NearPairs, AreThoseOfBruteForceForSizesNineToOne)
     travel.centres += 2. * 5e-4;
     travel.gaps += 2. * 5e-4;
   }
+}
+
+TEST(NearPairs, AreThoseOfBruteForceForStonesThatMoveAtTheirOwnPace)
+{
+  const auto series =
+      std::make_shared<const dem::Coefficients>(dem::test::random_stone(8, 8));
+  dem::Random random(5);
+  dem::Particles stones;
+  for (int k = 0; k < 150; ++k)
+    stones.add(
+        dem::make_body(series, 4e-3 + 4e-3 * random.uniform()),
+        0.07 * dem::Vec3(random.uniform(), random.uniform(), random.uniform()),
+        random.rotation(), 2700.);
+  const double slope = 1. + dem::steepness(stones);
+  dem::PairFinder kept;
+  dem::Travel travel;
+  std::size_t n_found = 0;
+  for (int call = 0; call < 12; ++call)
+  {
+    dem::PairFinder knows_nothing;
+    const auto found =
+        kept.find(stones, dem::ContactGeometry::radial, 5e-4, travel);
+    EXPECT_EQ(found, knows_nothing.find(stones, dem::ContactGeometry::radial,
+                                        5e-4, travel))
+        << "call " << call;
+    n_found += found.size();
+    // Every tenth stone is quick, the others creep.
+    for (std::size_t k = 0; k < stones.size(); ++k)
+    {
+      const double pace = k % 10 == 0 ? 4e-4 : 1e-5;
+      stones.position(k) += pace * (random.rotation() * dem::Vec3::UnitX());
+      stones.travelled[k] += slope * pace;
+    }
+    travel.centres += 2. * 4e-4;
+  }
+  EXPECT_GT(n_found, 1000u);
 }
 
 TEST(NearPairs, NoStonesNoPairs)
