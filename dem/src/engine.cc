@@ -46,6 +46,27 @@ std::int64_t count_touching(const ContactBatch &batch)
   return n;
 }
 
+/// The fastest point of planes and drum towards a stone [m/s].
+double fastest_wall(const std::vector<Plane> &planes, const Drum &drum)
+{
+  double square = 0.;
+  for (const Plane &plane : planes)
+    if (plane.is_active)
+      square = std::max(square, plane.velocity.squaredNorm());
+  // Of a drum that turns the shelf alone comes nearer to a stone.
+  const double rim = drum.shelf_height > 0. ? drum.spin * drum.radius : 0.;
+  return std::sqrt(std::max(square, rim * rim + drum.widening * drum.widening));
+}
+
+double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
+{
+  double square = 0.;
+  for (const SurfaceContacts &facets : surfaces)
+    for (const Vec3 &velocity : facets.surface.velocity)
+      square = std::max(square, velocity.squaredNorm());
+  return std::sqrt(square);
+}
+
 /// Fewer stones lie in the cache in any order.
 constexpr std::size_t sorted_from = 2048;
 
@@ -206,22 +227,17 @@ void Engine::move_planes(double time_step)
 
 void Engine::keep_lists(const Speeds &fastest, double time_step)
 {
-  double boundary = 0.;
-  for (const Plane &plane : walls)
-    if (plane.is_active)
-      boundary = std::max(boundary, plane.velocity.squaredNorm());
-  for (const SurfaceContacts &facets : facet_surfaces)
-    for (const Vec3 &velocity : facets.surface.velocity)
-      boundary = std::max(boundary, velocity.squaredNorm());
-  // Of a drum that turns the shelf alone comes nearer to a stone.
-  const double rim =
-      barrel.shelf_height > 0. ? barrel.spin * barrel.radius : 0.;
-  boundary = std::sqrt(
-      std::max(boundary, rim * rim + barrel.widening * barrel.widening));
-  walls_travelled += boundary * time_step;
+  const double rigid = fastest_wall(walls, barrel),
+               sheet = fastest_vertex(facet_surfaces),
+               boundary = std::max(rigid, sheet);
+  walls_travelled += rigid * time_step;
+  sheets_travelled += sheet * time_step;
   travelled += (fastest.moving + boundary) * time_step;
+  // Stones that follow facets have lists of their own for them.
+  const double watched = follows_walls() ? rigid : boundary;
   margin.left -=
-      (fastest.closing + std::max(fastest.closing, boundary)) * time_step;
+      (fastest.closing + std::max(fastest.closing, watched)) * time_step;
+  facets_left -= (fastest.closing + sheet) * time_step;
   travel.centres += 2. * fastest.moving * time_step;
   travel.gaps += 2. * fastest.closing * time_step;
   // Seldom, since it counts the contacts.
@@ -230,6 +246,9 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   if (lists_are_stale || margin.left < 0. ||
       (is_checked && margin.is_too_wide(list_counts())))
     rebuild_lists();
+  else if (follows_walls() && !facet_surfaces.empty() &&
+           (facets_are_stale || facets_left < 0.))
+    look_at_facets();
 }
 
 SearchMargin::Lists Engine::list_counts() const
@@ -255,9 +274,20 @@ void Engine::rebuild_lists()
     rebuild_drum_list();
   for (SurfaceContacts &facets : facet_surfaces)
     rebuild_facet_list(facets);
+  facets_are_stale = false;
   pair_loads.prepare(pair_batch);
   steepest = branch_steepness();
   lists_are_stale = false;
+  ++rebuild_count;
+}
+
+/// The lists of places on facets alone.
+void Engine::look_at_facets()
+{
+  const Timer timer(spent.search);
+  for (SurfaceContacts &facets : facet_surfaces)
+    rebuild_facet_list(facets);
+  facets_are_stale = false;
   ++rebuild_count;
 }
 
@@ -315,6 +345,7 @@ void Engine::sort_in_space()
     {
       renumber_facet_places(place, facets.candidates, facets.batch);
       renumber_watched(place, facets.watched);
+      facets.watch = {}; // rows take other numbers
     }
     return;
   }

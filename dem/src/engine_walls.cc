@@ -2,10 +2,20 @@
 // loads and work.
 #include <dem/engine.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace dem
 {
+namespace
+{
+/// Margin of searches on facets over the radius of the smallest stone.
+constexpr double facet_margin = 0.04;
+/// Part of it that may be used up until the next look: looks cost little,
+/// searches much.
+constexpr double facet_notice = 0.5;
+} // namespace
+
 bool Engine::follows_walls() const
 {
   return stones.has_shapes &&
@@ -44,24 +54,35 @@ void Engine::rebuild_drum_list()
                    lost);
 }
 
+void Engine::gather_facets(const WallSearch &search, SurfaceContacts &facets)
+{
+  FacetCandidates near = near_facets(stones, facets.surface, search);
+  near.spot = std::move(facets.candidates.spot);
+  near.wake = std::move(facets.candidates.wake);
+  facets.candidates = std::move(near);
+  facets.watch.start(stones, facets.surface, facets.candidates, search);
+}
+
 void Engine::rebuild_facet_list(SurfaceContacts &facets)
 {
-  const WallSearch search{wall_layout(settings, facets.material, stones),
-                          settings.geometry.wall_geometry, margin.width};
+  WallSearch search{wall_layout(settings, facets.material, stones),
+                    settings.geometry.wall_geometry, margin.width};
   if (!follows_walls())
   {
     rebuild_facets(stones, facets.surface, search, facets.candidates,
                    facets.batch, lost);
     return;
   }
-  FacetCandidates near = near_facets(stones, facets.surface, search);
-  near.spot = std::move(facets.candidates.spot);
-  near.wake = std::move(facets.candidates.wake);
-  facets.candidates = std::move(near);
   const ForceContext still = context(0.);
+  SpotSearchInput input = spot_search(still, search.layout);
+  input.margin = facet_margin * stones.smallest_radius();
+  input.notice = facet_notice * input.margin;
+  facets_left = input.notice;
+  search.margin = input.margin;
+  if (!facets.watch.covers(stones, facets.surface, input.margin))
+    gather_facets(search, facets);
   spots.renew_facets(
-      spot_search(still, search.layout),
-      {facets.mesh(), walls_travelled, facets.candidates, facets.watched},
+      input, {facets.mesh(), facets.candidates, facets.watched, facets.watch},
       facets.batch, lost);
 }
 
@@ -72,7 +93,7 @@ PlacedDrum Engine::placed_drum()
 
 PlacedFacets Engine::placed_facets(SurfaceContacts &facets)
 {
-  return {facets.mesh(), facets.candidates, walls_travelled, facets.rows,
+  return {facets.mesh(), facets.candidates, sheets_travelled, facets.rows,
           facets.overlap};
 }
 
@@ -89,7 +110,12 @@ void Engine::meet_walls(double time_step)
   }
   for (SurfaceContacts &facets : facet_surfaces)
     if (follows_walls())
-      count_places(place_on_facets(moved, placed_facets(facets), facets.batch));
+    {
+      ForceSum sum =
+          place_on_facets(moved, placed_facets(facets), facets.batch);
+      facets_are_stale |= std::exchange(sum.has_strayed, false);
+      count_places(sum);
+    }
     else
       find_facets(moved, facets.surface, facets.topology, facets.batch,
                   facets.candidates, facets.rows);

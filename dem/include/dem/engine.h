@@ -141,6 +141,8 @@ private:
   void rebuild_plane_list();
   void rebuild_drum_list();
   void rebuild_facet_list(SurfaceContacts &facets);
+  void look_at_facets();
+  void gather_facets(const WallSearch &search, SurfaceContacts &facets);
   bool follows_walls() const; ///< stones, with their surfaces
   ContactGeometry pair_geometry() const;
   SpotSearchInput spot_search(const ForceContext &still,
@@ -179,6 +181,7 @@ private:
   PatchFactors patches; ///< empty unless patches keep factors
 
   bool lists_are_stale = true;
+  bool facets_are_stale = false; ///< those alone, where stones follow them
   SearchMargin margin;
   PairFinder pair_finder;
   StoneMaps maps; ///< of true surfaces
@@ -186,7 +189,9 @@ private:
   Travel travel;
   double steepest = 0.;         ///< c of closing_speed [-]
   double travelled = 0.;        ///< ForceContext::travelled [m]
-  double walls_travelled = 0.;  ///< the fastest at each step [m]
+  double walls_travelled = 0.;  ///< planes and drum, the fastest [m]
+  double sheets_travelled = 0.; ///< facets, the fastest vertex [m]
+  double facets_left = 0.;      ///< of it and stones, to the next look [m]
   double travelled_sorted = 0.; ///< when the stones were last sorted [m]
   double now = 0.;
   std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;

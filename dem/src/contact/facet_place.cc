@@ -282,15 +282,37 @@ WallPlace climbed(StoneView &stone, const FacetMesh &mesh,
   return {};
 }
 
+/// Where a climb may lead, and how deep it must; else it is given up.
+struct Goal
+{
+  Vec3 centre = Vec3::Zero();
+  double radius = std::numeric_limits<double>::infinity();
+  double depth = -std::numeric_limits<double>::infinity();
+
+  bool is_out_of_reach(const WallPlace &place) const
+  {
+    return (place.point - centre).squaredNorm() > radius * radius;
+  }
+  /// From the centre: no depth grows faster than the way, grad D = -n.
+  bool is_too_deep(const WallPlace &place) const
+  {
+    return place.overlap + radius < depth;
+  }
+};
+
 /// Up to the deepest point without a step down.
-WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start)
+WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start,
+                const Goal &goal = {})
 {
   Weights first = start.weight;
   snap(first);
   WallPlace place =
       place_at(stone, mesh, start.triangle, first, start.on_stone);
+  place.is_found = place.is_found && !goal.is_too_deep(place);
   for (int step = 0; step < most_steps && place.is_found; ++step)
   {
+    if (goal.is_out_of_reach(place))
+      break;
     const DepthModel model(stone, place);
     const Ascent ascent =
         best_on_triangle(model, corners_of(mesh.surface, place.triangle));
@@ -353,29 +375,33 @@ WallPlace deeper_beside(StoneView &stone, const FacetMesh &mesh,
   const double gain = 1e-10 * stone.size();
   const DepthModel model(stone, place);
   WallPlace best;
-  for_beside(
-      mesh, place.triangle,
-      [&](std::int32_t other)
-      {
-        const Corners corner = corners_of(mesh.surface, other);
-        if (!may_be_deeper(model, corner, gain))
-          return;
-        const Ascent ascent = best_on_triangle(model, corner);
-        if (ascent.gain < gain)
-          return;
-        WallPlace start = place;
-        start.triangle = other;
-        start.weight = ascent.weight;
-        start.on_stone =
-            stone.towards(model.on_stone + model.follow * ascent.step);
-        const WallPlace found = climb(stone, mesh, start);
-        const double error = (found.point - model.point - ascent.step).norm();
-        if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
-            (!best.is_found || found.overlap > best.overlap) &&
-            is_one_patch(found.normal, place.normal) &&
-            error < 0.5 * ascent.step.norm())
-          best = found;
-      });
+  for_beside(mesh, place.triangle,
+             [&](std::int32_t other)
+             {
+               const Corners corner = corners_of(mesh.surface, other);
+               if (!may_be_deeper(model, corner, gain))
+                 return;
+               const Ascent ascent = best_on_triangle(model, corner);
+               if (ascent.gain < gain)
+                 return;
+               WallPlace start = place;
+               start.triangle = other;
+               start.weight = ascent.weight;
+               start.on_stone =
+                   stone.towards(model.on_stone + model.follow * ascent.step);
+               // Farther away the model was wrong.
+               const Goal goal{model.point + ascent.step,
+                               0.5 * ascent.step.norm(), place.overlap};
+               // What is known of the stone here stays known if nothing is
+               // there.
+               StoneView there = stone;
+               const WallPlace found = climb(there, mesh, start, goal);
+               if (found.is_found &&
+                   found.overlap > place.overlap + 0.1 * gain &&
+                   (!best.is_found || found.overlap > best.overlap) &&
+                   is_one_patch(found.normal, place.normal))
+                 best = found;
+             });
   return best;
 }
 } // namespace

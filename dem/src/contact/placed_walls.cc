@@ -54,14 +54,43 @@ struct Events
   }
 };
 
+/// Contacts that are led along: by whom, and whether the lists can wait for
+/// their next look where an open one comes to another place or to none.
+struct Followed
+{
+  const ForceContext &context;
+  ContactBatch &batch;
+  Events &events;
+  bool can_wait = false;
+};
+
+/// ContactBatch::strayed of an open contact that may have come to the place of
+/// another one: that matters when it closes.
+constexpr std::uint8_t strayed_open = 2;
+
+/// Takes note of a contact that has come to another place.
+void note_stray(const Followed &all, std::size_t k, const WallPlace &place,
+                bool is_elsewhere)
+{
+  ContactBatch &batch = all.batch;
+  const bool matters =
+      !all.can_wait || batch.is_touching(k) || place.overlap > 0.;
+  if (is_elsewhere || place.has_switched)
+    batch.strayed[k] = std::max<std::uint8_t>(
+        batch.strayed[k], is_elsewhere && !matters ? strayed_open : 1);
+  all.events.has_strayed |=
+      matters && (is_elsewhere || batch.strayed[k] == strayed_open);
+}
+
 /// Brings contact k to its place by `climb(stone, start)`; not found if it has
 /// none any more.
 template <class Climb>
-WallPlace follow(const ForceContext &context, ContactBatch &batch,
-                 std::size_t k, const Climb &climb, Events &events)
+WallPlace follow(const Followed &all, std::size_t k, const Climb &climb)
 {
+  ContactBatch &batch = all.batch;
   if (batch.slack[k] >= kernel::closed_slack)
     return {};
+  const ForceContext &context = all.context;
   const Particles &particles = context.particles;
   const std::size_t i = row_of(batch.a[k]);
   StoneView stone(particles.body[i], particles.position(i),
@@ -73,8 +102,8 @@ WallPlace follow(const ForceContext &context, ContactBatch &batch,
   const WallPlace place = climb(stone, start);
   if (!place.is_found || place.overlap > 0.3 * stone.size())
   {
-    events.n_ended += batch.is_touching(k);
-    events.has_strayed = true;
+    all.events.n_ended += batch.is_touching(k);
+    all.events.has_strayed |= !all.can_wait || batch.is_touching(k);
     batch.slack[k] = kernel::closed_slack;
     return {};
   }
@@ -82,14 +111,10 @@ WallPlace follow(const ForceContext &context, ContactBatch &batch,
   // Over to a deeper place of its patch it comes at the same depth.
   if (is_elsewhere && !place.has_switched && batch.side_a.is_known(k))
   {
-    events.n_jumps += batch.is_touching(k);
+    all.events.n_jumps += batch.is_touching(k);
     batch.slack[k] = std::max(0., place.overlap - batch.overlap[k]);
   }
-  if (is_elsewhere || place.has_switched)
-  {
-    events.has_strayed |= is_elsewhere;
-    batch.strayed[k] = 1;
-  }
+  note_stray(all, k, place, is_elsewhere);
   note_place(context, batch, k, place.on_stone,
              stone.is_renewed() || !batch.side_a.is_known(k));
   return place;
@@ -119,20 +144,19 @@ void place_one(const ForceContext &context, const PlacedDrum &walls,
 {
   const DrumPart part = drum_part(batch, k);
   WallRow &row = walls.rows[row_of(batch.b[k])];
-  const WallPlace place = follow(
-      context, batch, k,
-      [&](StoneView &stone, const Vec3 &on_stone)
-      {
-        WallPlace start;
-        start.on_stone = on_stone;
-        if (part != DrumPart::shelf)
-          return climb_drum(stone, walls.drum, part, start);
-        const NearestPoint at = walls.shelf.nearest(row.point);
-        start.triangle = at.triangle;
-        start.weight = at.weight;
-        return climb_facets(stone, walls.shelf.mesh(), start);
-      },
-      events);
+  const WallPlace place =
+      follow({context, batch, events}, k,
+             [&](StoneView &stone, const Vec3 &on_stone)
+             {
+               WallPlace start;
+               start.on_stone = on_stone;
+               if (part != DrumPart::shelf)
+                 return climb_drum(stone, walls.drum, part, start);
+               const NearestPoint at = walls.shelf.nearest(row.point);
+               start.triangle = at.triangle;
+               start.weight = at.weight;
+               return climb_facets(stone, walls.shelf.mesh(), start);
+             });
   // What has lost its place opens where it was.
   walls.overlap[row_of(batch.b[k])] = place.overlap;
   if (!place.is_found)
@@ -161,17 +185,16 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
   walls.overlap[k] = 0.;
   if (travelled < wake)
     return;
-  const WallPlace place = follow(
-      context, batch, k,
-      [&](StoneView &stone, const Vec3 &on_stone)
-      {
-        WallPlace start;
-        start.on_stone = on_stone;
-        start.triangle = spot.triangle;
-        start.weight = spot.weight;
-        return climb_facets(stone, walls.mesh, start);
-      },
-      events);
+  const WallPlace place =
+      follow({context, batch, events, true}, k,
+             [&](StoneView &stone, const Vec3 &on_stone)
+             {
+               WallPlace start;
+               start.on_stone = on_stone;
+               start.triangle = spot.triangle;
+               start.weight = spot.weight;
+               return climb_facets(stone, walls.mesh, start);
+             });
   if (!place.is_found)
   {
     // It opens where it was.

@@ -23,8 +23,8 @@ inline Frame tangents(const Vec3 &n)
 /// Smallest eigenvalue of a symmetric matrix.
 inline double smallest_eigenvalue(const Mat2 &m)
 {
-  return 0.5 * (m(0, 0) + m(1, 1)) -
-         std::hypot(0.5 * (m(0, 0) - m(1, 1)), m(0, 1));
+  const double half = 0.5 * (m(0, 0) - m(1, 1));
+  return 0.5 * (m(0, 0) + m(1, 1)) - std::sqrt(half * half + m(0, 1) * m(0, 1));
 }
 
 /// Raises the eigenvalues of a symmetric matrix to at least `floor`.

@@ -117,6 +117,7 @@ void visit_contacts(Facets &facets, const Visit &visit)
 {
   visit_candidates(facets.candidates, visit);
   visit(facets.watched);
+  FacetWatch::visit(facets.watch, visit);
   visit(facets.impulse);
   visit(facets.load_before);
 }
@@ -170,6 +171,9 @@ void Engine::visit_state(Self &self, const Visit &visit)
   visit(self.lost);
   visit(self.travel);
   visit(self.walls_travelled);
+  visit(self.sheets_travelled);
+  visit(self.facets_left);
+  visit(self.facets_are_stale);
 }
 
 void Engine::save(std::ostream &out, const Library &library) const

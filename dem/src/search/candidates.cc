@@ -56,28 +56,41 @@ public:
     {
       Vec3 lower, upper;
       box_of(surface, t, lower, upper);
+      centre.push_back(0.5 * (lower + upper));
+      half_width.push_back(0.5 * (upper - lower));
       visit(lower, upper,
             [&](const std::array<std::int64_t, 3> &cell)
             { bins[cell].push_back(static_cast<std::int32_t>(t)); });
     }
   }
 
-  /// Triangles that may lie in the box, each once, in order.
-  void gather(const Vec3 &lower, const Vec3 &upper,
+  /// Triangles that may come within `reach` of x, each once, in order.
+  void gather(const Vec3 &x, double reach,
               std::vector<std::int32_t> &found) const
   {
     found.clear();
-    visit(lower, upper,
+    visit(x - Vec3::Constant(reach), x + Vec3::Constant(reach),
           [&](const std::array<std::int64_t, 3> &cell)
           {
-            if (const auto bin = bins.find(cell); bin != bins.end())
-              found.insert(found.end(), bin->second.begin(), bin->second.end());
+            const auto bin = bins.find(cell);
+            if (bin == bins.end())
+              return;
+            for (const std::int32_t t : bin->second)
+              if (gap_of_box(t, x).squaredNorm() < reach * reach)
+                found.push_back(t);
           });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
   }
 
 private:
+  /// From x to the box of a triangle.
+  Vec3 gap_of_box(std::int32_t triangle, const Vec3 &x) const
+  {
+    const auto t = static_cast<std::size_t>(triangle);
+    return ((x - centre[t]).cwiseAbs() - half_width[t]).cwiseMax(0.);
+  }
+
   static void box_of(const FacetSurface &surface, std::size_t t, Vec3 &lower,
                      Vec3 &upper)
   {
@@ -103,6 +116,7 @@ private:
   }
 
   double size;
+  std::vector<Vec3> centre, half_width; ///< of the boxes
   std::map<std::array<std::int64_t, 3>, std::vector<std::int32_t>> bins;
 };
 
@@ -193,6 +207,12 @@ void rebuild_drum(const Particles &particles, const Drum &drum,
   carry_over(particles, keys, search.layout, batch, retired);
 }
 
+double facet_reach(const Particles &particles, std::size_t stone,
+                   const WallSearch &search)
+{
+  return 1.25 * wall_bound(particles, stone, search.geometry) + search.margin;
+}
+
 FacetCandidates near_facets(const Particles &particles,
                             const FacetSurface &surface,
                             const WallSearch &search)
@@ -204,9 +224,8 @@ FacetCandidates near_facets(const Particles &particles,
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const Vec3 &x = particles.position(i);
-    const double reach =
-        1.25 * wall_bound(particles, i, search.geometry) + search.margin;
-    bins.gather(x - Vec3::Constant(reach), x + Vec3::Constant(reach), found);
+    const double reach = facet_reach(particles, i, search);
+    bins.gather(x, reach, found);
     const std::size_t before = fresh.triangle.size();
     for (const std::int32_t t : found)
     {

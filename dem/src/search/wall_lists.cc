@@ -134,9 +134,10 @@ PairList list_facets(const StoneOnWall &on, const PairKey &key,
       { return climb_facets(stone, facets.mesh, start); },
       [&](const PosedStone &stone, const std::vector<WallPlace> &known)
       {
-        return find_on_facets(stone, facets.mesh,
-                              facets.triangles_of(key.first), on.input.margin,
-                              known);
+        return find_on_facets(
+            stone, facets.mesh,
+            facets.candidates.triangles_of(facets.row_of_stone(key.first)),
+            on.input.margin, known);
       });
 }
 
@@ -154,7 +155,8 @@ double sphere_gap(const Particles &particles, const WatchedFacets &facets,
 {
   const Vec3 &x = particles.position(row_of(stone));
   double least = std::numeric_limits<double>::infinity();
-  for (const std::int32_t t : facets.triangles_of(stone))
+  for (const std::int32_t t :
+       facets.candidates.triangles_of(facets.row_of_stone(stone)))
     least = std::min(
         least, (nearest_point(x, corners_of(facets.mesh.surface, t)).point - x)
                    .norm());
@@ -183,13 +185,11 @@ void number_drum(const Arrangement &to, const WatchedDrum &drum,
 }
 } // namespace
 
-std::span<const std::int32_t>
-WatchedFacets::triangles_of(std::int32_t stone) const
+std::size_t WatchedFacets::row_of_stone(std::int32_t stone) const
 {
   const auto at =
       std::lower_bound(candidates.stone.begin(), candidates.stone.end(), stone);
-  return candidates.triangles_of(
-      static_cast<std::size_t>(at - candidates.stone.begin()));
+  return static_cast<std::size_t>(at - candidates.stone.begin());
 }
 
 void SpotLists::renew_drum(const SpotSearchInput &asked,
@@ -238,14 +238,20 @@ void SpotLists::renew_facets(const SpotSearchInput &asked,
     keys.emplace_back(stone, 0);
   const SpotSearchInput input = first_look(asked, facets.stones);
   facets.stones = merged(keys, facets.stones);
-  const auto travelled = [&](const PairKey &key)
-  { return particles.travelled[row_of(key.first)] + facets.travelled; };
+  const FacetSurface &surface = facets.mesh.surface;
+  // Since its last search: a list is good for so much of it.
+  const auto moved = [&](const PairKey &key)
+  {
+    return facets.watch.moved(particles, surface, key.first,
+                              facets.row_of_stone(key.first));
+  };
   events += renew(
       input,
-      Watch{facets.stones, travelled,
-            [](std::int32_t) { return std::int32_t{0}; }},
+      Watch{facets.stones, moved, [](std::int32_t) { return std::int32_t{0}; }},
       [&](const WatchedPair &pair, const OldRows &old)
       {
+        facets.watch.note(particles, surface, pair.key.first,
+                          facets.row_of_stone(pair.key.first));
         const double gap = sphere_gap(particles, facets, pair.key.first);
         return list_facets({input, batch, old, gap}, pair.key, facets);
       },

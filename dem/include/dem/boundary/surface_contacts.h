@@ -2,6 +2,7 @@
 
 #include <dem/contact/forces.h>
 #include <dem/contact/material.h>
+#include <dem/search/facet_watch.h>
 #include <dem/search/watched_pair.h>
 
 #include <string>
@@ -29,6 +30,7 @@ struct SurfaceContacts
 
   /// Stones that may come to it, if they follow their surfaces; sorted.
   std::vector<WatchedPair> watched;
+  FacetWatch watch; ///< what has moved since then
 
   // Space to work in, kept from step to step.
   std::vector<WallRow> rows;

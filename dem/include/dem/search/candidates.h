@@ -29,6 +29,11 @@ void rebuild_planes(const Particles &particles,
                     const std::vector<Plane> &planes, const WallSearch &search,
                     ContactBatch &batch, Dissipation &retired);
 
+/// How near to its centre triangles are taken as candidates of a stone: so far
+/// beyond its bound that they serve for some while [m].
+double facet_reach(const Particles &particles, std::size_t stone,
+                   const WallSearch &search);
+
 /// The stones near the facet surface and the triangles within reach.
 FacetCandidates near_facets(const Particles &particles,
                             const FacetSurface &surface,

@@ -4,6 +4,7 @@
 #include <dem/boundary/plane.h>
 #include <dem/contact/forces.h>
 #include <dem/contact/wall_place.h>
+#include <dem/search/facet_watch.h>
 #include <dem/search/stone_maps.h>
 #include <dem/search/watched_pair.h>
 
@@ -53,12 +54,12 @@ struct WatchedDrum
 struct WatchedFacets
 {
   FacetMesh mesh;
-  double travelled = 0.; ///< by the fastest vertex at each step [m]
   FacetCandidates &candidates;
   std::vector<WatchedPair> &stones; ///< on it, sorted
+  FacetWatch &watch;                ///< of these candidates
 
-  /// Those that a stone of the candidates may reach.
-  std::span<const std::int32_t> triangles_of(std::int32_t stone) const;
+  /// Of a stone of the candidates.
+  std::size_t row_of_stone(std::int32_t stone) const;
 };
 
 /// Keeps the lists of the places where stones meet, or nearly do, by pair.

@@ -1,0 +1,143 @@
+#include "dem_scene.h"
+#include "wall_meshes.h"
+
+#include <dem/packing/random.h>
+#include <dem/search/wall_places.h>
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <shape/test_shapes.h>
+
+// Stones on a sheet that moves: their lists of places are renewed only where
+// stone and sheet have moved against each other.
+namespace
+{
+using dem::Vec3;
+
+constexpr double radius = 0.008, spacing = 0.022, time_step = 4e-6;
+constexpr int n_side = 3;
+
+/// A floor that carries a slow wave which goes round, and trembles.
+class Sheet
+{
+public:
+  Sheet() : rest(support::flat_floor(0.006, 16, 0.1))
+  {
+    dem::Random random(5);
+    for (std::size_t v = 0; v < rest.position.size(); ++v)
+      phase.push_back(2. * std::numbers::pi * random.uniform());
+  }
+
+  const dem::FacetSurface &at_rest() const { return rest; }
+
+  void place(double t, dem::FacetSurface &surface) const
+  {
+    constexpr double wave = 1e-3, wave_rate = 2. * std::numbers::pi * 12.,
+                     tremble = 1e-6, tremble_rate = 2. * std::numbers::pi * 8e3;
+    for (std::size_t v = 0; v < rest.position.size(); ++v)
+    {
+      const double slow = 90. * rest.position[v].x() + wave_rate * t,
+                   fast = phase[v] + tremble_rate * t;
+      surface.position[v] =
+          rest.position[v] +
+          Vec3(tremble * std::sin(fast), 0.,
+               wave * std::sin(slow) + tremble * std::cos(fast));
+      surface.velocity[v] = Vec3(tremble * tremble_rate * std::cos(fast), 0.,
+                                 wave * wave_rate * std::cos(slow) -
+                                     tremble * tremble_rate * std::sin(fast));
+    }
+  }
+
+private:
+  dem::FacetSurface rest;
+  std::vector<double> phase;
+};
+
+dem::EngineParameters parameters()
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.geometry.geometry = p.geometry.wall_geometry =
+      dem::ContactGeometry::surface;
+  p.wall.normal_stiffness = 1e5;
+  p.wall.shear_stiffness = 0.85e5;
+  p.wall.friction = 0.4;
+  p.gravity = {0., 0., -100.};
+  p.local_damping = 0.3;
+  p.wall.normal_damping = 0.5;
+  p.surface = p.wall;
+  p.search_margin = 0.25 * radius;
+  return p;
+}
+
+/// Places of a stone that a search of the whole sheet finds in overlap, and
+/// those of them that are not in the lists of the engine.
+struct Places
+{
+  int n = 0, n_missed = 0;
+};
+
+void check(const dem::Engine &engine, std::int32_t stone,
+           const dem::RadiusMap &map, Places &sum)
+{
+  const auto i = static_cast<std::size_t>(stone);
+  const dem::Particles &stones = engine.particles();
+  const dem::SurfaceContacts &facets = engine.surfaces()[0];
+  std::vector<std::int32_t> all(facets.surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto found = dem::find_on_facets(
+      {{stones.body[i], map}, stones.position(i), stones.rotation(i)},
+      facets.mesh(), all, 0.01 * radius);
+  for (const dem::WallPlace &place : found.places)
+  {
+    if (place.overlap < 1e-6 * radius)
+      continue;
+    ++sum.n;
+    bool is_listed = false;
+    for (std::size_t k = 0; k < facets.batch.size(); ++k)
+      is_listed |= facets.batch.a[k] == stone &&
+                   (facets.batch.side_a.spot(k) - place.on_stone).norm() < 0.03;
+    sum.n_missed += !is_listed;
+  }
+}
+} // namespace
+
+// The wave lifts and turns the stones, the tremble makes long paths of short
+// ways.
+TEST(MovingFacets, HardlyAPlaceIsMissed)
+{
+  const Sheet sheet;
+  dem::Engine engine(parameters());
+  engine.attach_surface(sheet.at_rest());
+  dem::Random random(1);
+  std::vector<dem::RadiusMap> maps;
+  for (int i = 0; i < n_side * n_side; ++i)
+  {
+    const auto series = std::make_shared<const dem::Coefficients>(
+        dem::test::random_stone(10, static_cast<unsigned>(i + 1)));
+    maps.emplace_back(series);
+    engine.add_stone(
+        dem::make_body(series, radius * (0.7 + 0.3 * random.uniform())),
+        {(i % n_side - 1) * spacing, (i / n_side - 1) * spacing, 1.6 * radius},
+        random.rotation());
+  }
+  Places places;
+  constexpr int n_steps = 40000;
+  for (int step = 1; step <= n_steps; ++step)
+  {
+    sheet.place(step * time_step, engine.surface());
+    engine.advance(time_step);
+    if (step % 400 == 0)
+      for (std::int32_t i = 0; i < n_side * n_side; ++i)
+        check(engine, i, maps[static_cast<std::size_t>(i)], places);
+  }
+  EXPECT_GT(places.n, 300);
+  // Between two searches a hollow may bring forth a second place in the
+  // neighbourhood of the one that is followed: 3 of 741 here, 1 of 747 where
+  // all stones are searched at every look; 17 if motion counts for a fifth, 30
+  // if it counts for nothing.
+  EXPECT_LT(100 * places.n_missed, places.n);
+  // All stones at each look would be many times that.
+  EXPECT_LT(2 * engine.spot_events().n_scans,
+            engine.n_rebuilds() * n_side * n_side);
+}
