@@ -239,7 +239,8 @@ void Triaxial::load()
         -(loading.confining_pressure + loading.amplitude * haversine(phase)) *
         area);
   step_boundaries();
-  if (pace.ticks() >= n_cycles * cycle_ticks)
+  // A jump may have passed the end that was asked for.
+  if (pace.ticks() >= n_cycles * cycle_ticks && pace.ticks() % cycle_ticks == 0)
     now = Stage::done;
 }
 
