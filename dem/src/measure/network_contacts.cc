@@ -96,7 +96,7 @@ void add_walls(const Engine &engine, const ContactBatch &batch, bool is_facets,
                std::vector<WallContact> &walls)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
-    if (batch.is_touching(k))
+    if (batch.is_touching(k) || !batch.load[k].force.isZero(0.))
       walls.push_back({batch.a[k], wall_contact_point(engine, batch, k),
                        batch.load[k].force, is_facets});
 }

@@ -31,7 +31,9 @@ struct WallContact
 struct Network
 {
   std::vector<PairContact> pairs;
-  std::vector<WallContact> walls; ///< planes, drum, facet surfaces
+  /// Planes, drum, facet surfaces; also what has just ended and still pulls
+  /// back what it gave too much.
+  std::vector<WallContact> walls;
 };
 
 /// What touches now, after a step.
