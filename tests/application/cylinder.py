@@ -30,11 +30,13 @@ def haversine_faults(folder):
     if abs(mean / CONFINEMENT - 1.) > (1e-9 if result["lateral"] == "membrane"
                                        else 0.15):
         faults.append(f"mean lateral stress {mean} Pa")
-    # The plate carries confinement and amplitude over the section, which is
-    # that of the start but for the strains.
-    peak = max(row["axial_stress_Pa"] for row in loading)
-    if abs(peak / (CONFINEMENT + 100e3) - 1.) > 0.1:
-        faults.append(f"peak axial stress {peak} Pa")
+    # The plate carries confinement and haversine over the section. Rows catch
+    # waves among a hundred stones: ten runs whose modulus differs in the last
+    # digit have means from 80 to 90 kPa (and peaks from 104 to 132); a square
+    # in place of the circle would be 27 % off.
+    mean = sum(row["axial_stress_Pa"] for row in loading) / len(loading)
+    if abs(mean / (CONFINEMENT + 0.5 * 100e3) - 1.) > 0.15:
+        faults.append(f"mean axial stress {mean} Pa")
     return faults
 
 
