@@ -182,8 +182,9 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
                                       ContactGeometry geometry, double margin,
                                       const Travel &travel)
 {
-  // Wide enough for some rebuilds, narrow enough to be short.
-  constexpr double widening = 8.;
+  // Wide enough for some rebuilds, narrow enough to be short: gaps of spheres
+  // are had for less than the memory of their candidates.
+  const double widening = particles.has_shapes ? 8. : 3.;
   if (particles.size() == 0)
     return {};
   if (reach < travel.centres + margin)
@@ -198,16 +199,17 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
     {
       Candidate &one = candidates[c];
       const double now = travelled(particles, one.stones, travel);
-      const double since = now - one.travelled;
-      if (one.least - since >= margin)
+      if (one.least - now >= margin)
         continue;
-      if (!(one.most + since < margin))
+      if (one.most + now >= margin)
       {
-        one.least = one.most = gap_between(particles, geometry, one.stones);
-        one.travelled = now;
+        const double gap = gap_between(particles, geometry, one.stones);
+        one.least = gap + now;
+        one.most = gap - now;
+        if (gap >= margin)
+          continue;
       }
-      if (one.most + (now - one.travelled) < margin)
-        parts[p].push_back(one.stones);
+      parts[p].push_back(one.stones);
     }
   std::vector<PairKey> pairs;
   for (const auto &part : parts)
@@ -224,8 +226,10 @@ PairFinder::Candidate PairFinder::between_spheres(const Particles &particles,
   const Body &a = particles.body[i], &b = particles.body[j];
   const double distance =
       (particles.position(j) - particles.position(i)).norm();
-  return {pair, distance - a.circumscribed_radius - b.circumscribed_radius,
-          distance - a.inscribed_radius - b.inscribed_radius, travelled};
+  return {pair,
+          distance - a.circumscribed_radius - b.circumscribed_radius +
+              travelled,
+          distance - a.inscribed_radius - b.inscribed_radius - travelled};
 }
 
 void PairFinder::search(const Particles &particles, ContactGeometry geometry,
@@ -234,7 +238,9 @@ void PairFinder::search(const Particles &particles, ContactGeometry geometry,
   // What is known of a pair still holds.
   const std::vector<Candidate> before = std::exchange(candidates, {});
   auto known = before.begin();
-  for (const PairKey &pair : within(particles, geometry, range))
+  const std::vector<PairKey> all = within(particles, geometry, range);
+  candidates.reserve(all.size());
+  for (const PairKey &pair : all)
   {
     while (known != before.end() && known->stones < pair)
       ++known;

@@ -48,9 +48,9 @@ private:
   struct Candidate
   {
     PairKey stones;
-    /// The gap when it was looked at, at least and at most [m].
+    /// With t how far the two have travelled, their gap is at least
+    /// `least` - t and at most `most` + t [m].
     double least = 0., most = 0.;
-    double travelled = 0.; ///< by then [m]
   };
   static Candidate between_spheres(const Particles &particles,
                                    const PairKey &pair, double travelled);
