@@ -96,16 +96,32 @@ void visit_batch(Batch &batch, const Visit &visit)
       batch.layout, [&visit](bool, auto &column) { visit(column); }, batch);
 }
 
+/// One by one: between the fields of the struct there may be anything.
+template <class Layout, class Visit>
+void visit_layout(Layout &layout, const Visit &visit)
+{
+  visit(layout.normal_stiffness);
+  visit(layout.is_hertz);
+  visit(layout.has_rolling);
+  visit(layout.has_sides);
+  visit(layout.has_partners);
+  visit(layout.has_damage);
+  visit(layout.has_turn);
+  visit(layout.has_peak);
+  visit(layout.has_spots);
+}
+
 void save_batch(std::ostream &out, const ContactBatch &batch)
 {
-  write_value(out, batch.layout);
+  visit_layout(batch.layout,
+               [&out](const auto &field) { write_value(out, field); });
   write_value(out, batch.size());
   visit_batch(batch, [&out](const auto &column) { write_column(out, column); });
 }
 
 void restore_batch(std::istream &in, ContactBatch &batch)
 {
-  read_value(in, batch.layout);
+  visit_layout(batch.layout, [&in](auto &field) { read_value(in, field); });
   std::size_t n = 0;
   read_value(in, n);
   batch.set_size(n);
