@@ -85,10 +85,11 @@ def scenes_table(options, _):
     return table(["packing", "scene", *ROW], rows)
 
 
-def stones_table(options, folder):
-    packing, rows = lattice(folder, 5000), []
-    closed = pathlib.Path(folder) / "closed.csv"
-    shapes, steps = ["--shapes", SHAPES], 300 if options.quick else 1000
+def stones_rows(options, label, packing, steps, folder):
+    """Spheres, and stones in their place once the box is closed round them."""
+    name = packing.name.removesuffix(".gz")
+    closed = pathlib.Path(folder) / f"closed_{name}"
+    shapes, rows = ["--shapes", SHAPES], []
     bench(options.spall, packing, *shapes, "--save", closed, "--steps", 1,
           "--settle", 0)
     for name, path, words in (("spheres", packing, []),
@@ -97,11 +98,21 @@ def stones_table(options, folder):
                                [*shapes, "--breakage"])):
         found = bench(options.spall, path, *words, "--steps", steps,
                       "--repeat", 1 if options.quick else 3)
-        rows.append([name, f"{found['solid_fraction_1']:.3f}",
+        rows.append([label, name, f"{found['solid_fraction_1']:.3f}",
                      f"{found['coordination_1']:.2f}", *row_of(found),
+                     f"{found['median']['steps_per_s']:.0f}",
                      f"{found['memory_bytes']['per_stone_run']:.0f}"])
-    return table(["lattice, 5 000", "solid fraction", "coordination number",
-                  *ROW, "bytes per stone"], rows)
+    return rows
+
+
+def stones_table(options, folder):
+    rows = stones_rows(options, "lattice, 5 000", lattice(folder, 5000),
+                       300 if options.quick else 1000, folder)
+    graded = list(options.peers.glob("packing_30k.csv*"))
+    if graded and not options.quick:
+        rows += stones_rows(options, "graded, 30k", graded[0], 300, folder)
+    return table(["packing", "stones", "solid fraction", "coordination number",
+                  *ROW, "steps per second", "bytes per stone"], rows)
 
 
 def sizes_table(options, folder):
