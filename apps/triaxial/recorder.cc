@@ -2,10 +2,10 @@
 
 #include "case/file.h"
 #include "errors.h"
+#include "run/cost.h"
 #include "run/event_rows.h"
 #include "run/frames.h"
 #include "run/ledger_rows.h"
-#include "triaxial/summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,7 +136,7 @@ void Recorder::after_step(Triaxial &test)
     if (step % n == 0)
       write_due_checkpoint(test, step / n);
   }
-  output_seconds += elapsed() - begun;
+  spent.output += elapsed() - begun;
 }
 
 /// Jumps may pass the cycle that one is due at.
@@ -153,8 +153,9 @@ void Recorder::note_stage(Triaxial &test)
 {
   if (stage_before == Stage::preparation && test.stage() != Stage::preparation)
   {
-    preparation_seconds = elapsed();
-    preparation_clock = test.engine().clock();
+    spent.preparation = elapsed();
+    spent.preparation_processor = processor_seconds();
+    spent.preparation_clock = test.engine().clock();
   }
   stage_before = test.stage();
 }
@@ -222,9 +223,8 @@ void Recorder::write_checkpoint(Triaxial &test, const std::string &name)
   done.last = last;
   done.worst_gain = worst_gain;
   done.peak_axial_stress = peak_axial_stress;
-  done.spent = wall_clock(
-      test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
-      spent_before);
+  spent.total = elapsed();
+  done.spent = wall_clock(test, spent, spent_before);
   spall::write_checkpoint(
       folder / "checkpoint" / name, parameters,
       [&](std::ostream &out)
@@ -245,16 +245,15 @@ void Recorder::finish(Triaxial &test)
       write_frame(test, true);
   }
   write_checkpoint(test);
-  output_seconds += elapsed() - begun;
+  spent.output += elapsed() - begun;
   RunRecord record;
   record.start = loading_start;
   record.end = last;
   record.worst_gain = worst_gain;
   record.peak_axial_stress = peak_axial_stress;
   record.threads = omp_get_max_threads();
-  record.seconds = wall_clock(
-      test, {elapsed(), output_seconds, preparation_seconds, preparation_clock},
-      spent_before);
+  spent.total = elapsed();
+  record.seconds = wall_clock(test, spent, spent_before);
   write_text(folder / "summary.json",
              summary_text(parameters, test, record, cycles));
 }

@@ -2,6 +2,7 @@
 
 #include "run/checkpoint.h"
 #include "triaxial/cycles.h"
+#include "triaxial/summary.h"
 
 #include <chrono>
 #include <filesystem>
@@ -62,8 +63,7 @@ private:
   Sample loading_start, last;
   double worst_gain = 0.;        ///< of the exchange so far [-]
   double peak_axial_stress = 0.; ///< while loading, so far [Pa]
-  double output_seconds = 0., preparation_seconds = 0.;
-  dem::EngineClock preparation_clock;
+  RecordedTime spent;
   std::map<std::string, double> spent_before; ///< wall-clock before a restart
   std::chrono::steady_clock::time_point started;
 };

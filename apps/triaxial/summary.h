@@ -12,6 +12,7 @@ struct RecordedTime
 {
   double total = 0., output = 0.; ///< since the start of the program [s]
   double preparation = 0.;        ///< 0 if it was not part of this program run
+  double preparation_processor = 0.; ///< likewise, of all threads
   dem::EngineClock preparation_clock;
 };
 
