@@ -1,6 +1,7 @@
 #include "laboratory/los_angeles.h"
 
 #include "case/file.h"
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 #include "specimen/gradation.h"
@@ -20,7 +21,6 @@ namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81; // [m/s^2]
 constexpr std::uint8_t steel = 1;
 
 double spin_of(const DrumParameters &d)

@@ -24,7 +24,8 @@ std::string header_of(const LabTest &test)
   return header;
 }
 
-/// Energy residual over the largest of the terms that it is left of [-].
+/// Energy residual over the work that was done from outside, of the whole test
+/// [-].
 double residual_ratio(const LabTest &test)
 {
   double residual = 0., scale = 0.;

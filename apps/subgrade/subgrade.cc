@@ -1,5 +1,6 @@
 #include "subgrade/subgrade.h"
 
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 
@@ -14,7 +15,6 @@ namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81;            // [m/s^2]
 constexpr std::int64_t rest_interval = 100; // moves between questions for rest
 constexpr double rest_share = 0.01; // of the weight that may be in motion [-]
 constexpr double rest_speed = 3e-4; // of the plate [m/s]

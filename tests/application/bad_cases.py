@@ -80,6 +80,7 @@ VALUES = [
     value("Loading", "cycles", "2.5", "whole number"),
     value("Loading", "frequency", "0", "above 0"),
     value("Loading", "confining_pressure", "-3e4", "above 0"),
+    value("CycleJump", "first", "0", "at least 1"),
     value("Output", "samples_per_cycle", "5", "at least 10"),
     value("Output", "frames_per_cycle", "100", "samples_per_cycle"),
     value("Preparation", "pressure", "1e-3 kPa", "a number"),
@@ -119,7 +120,8 @@ WORDS = [
     Bad("no_command", [], []),  # prints the usage, see below
     Bad("unknown_command", ["ran", "{case}"], ["ran", "template"]),
     Bad("unknown_kind", ["template", "triaxial"], ["dynamic_triaxial"]),
-    Bad("template_without_kind", ["template"], ["dynamic_triaxial"]),
+    Bad("template_without_kind", ["template"],
+        ["dynamic_triaxial", "subgrade", "parameters"]),
     Bad("check_without_case", ["check"], ["case file"]),
     Bad("run_without_case", ["run"], ["case file"]),
     Bad("two_cases", ["check", "{case}", "{case}"], ["check"]),

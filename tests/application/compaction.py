@@ -99,8 +99,8 @@ def number_faults(folder, form):
         faults.append(f"energy residual {found['energy_residual_ratio_1']}")
     # Round-off without events: a load that falls in one is booked as it was
     # by the one side and as it is by the other. 2e-7 and 2e-5 measured.
-    if not found["ledger"]["work_residual_1"] < 1e-4:
-        faults.append(f"ledger {found['ledger']}")
+    if not found["interface"]["work_residual_1"] < 1e-4:
+        faults.append(f"ledger {found['interface']}")
     if not found["is_complete"] or len(found["reports"]) != 3:
         faults.append(f"reports {found['reports']}")
     for report, name in zip(found["reports"], FILES[3:]):
