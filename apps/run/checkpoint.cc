@@ -2,6 +2,7 @@
 
 #include "case/file.h"
 #include "errors.h"
+#include "run/whole_file.h"
 
 #include <dem/io/binary.h>
 
@@ -130,19 +131,15 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
                       const std::function<void(std::ostream &)> &save,
                       const Progressed &done)
 {
-  const std::filesystem::path draft = path.string() + ".part";
-  {
-    std::ofstream out(draft, std::ios::binary);
-    write_value(out, magic);
-    write_string(out, identity_of(parameters));
-    write_progress(out, done);
-    save(out);
-    write_value(out, magic);
-    out.close();
-    if (!out)
-      throw RunFailure(path.string() + ": cannot be written (disk full?)");
-  }
-  std::filesystem::rename(draft, path);
+  write_whole(path,
+              [&](std::ostream &out)
+              {
+                write_value(out, magic);
+                write_string(out, identity_of(parameters));
+                write_progress(out, done);
+                save(out);
+                write_value(out, magic);
+              });
 }
 
 void require_checkpoint(const std::filesystem::path &path)
