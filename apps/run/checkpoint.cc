@@ -38,6 +38,13 @@ std::string identity_of(Case parameters)
   parameters.vibration.rows_per_period = defaults.vibration.rows_per_period;
   parameters.vibration.frames_per_second = defaults.vibration.frames_per_second;
   parameters.vibration.checkpoint_every = defaults.vibration.checkpoint_every;
+  parameters.press.rows = defaults.press.rows;
+  RecordParameters &record = parameters.subgrade.record;
+  const RecordParameters any;
+  record.row_interval = any.row_interval;
+  record.frame_interval = any.frame_interval;
+  record.checkpoint_interval = any.checkpoint_interval;
+  record.highest_frequency = any.highest_frequency;
   if (parameters.kind == CaseKind::dynamic_triaxial)
   {
     // Steps may change where a cycle ends: Triaxial::restore() looks.
