@@ -172,6 +172,12 @@ double LosAngeles::duration() const
          60. * last_turn / parameters.drum.turns_per_minute;
 }
 
+/// The stones have fallen, and the first of them are on their way up.
+double LosAngeles::settling_time() const
+{
+  return parameters.drum.settling_time;
+}
+
 std::string LosAngeles::phase() const
 {
   char text[40];

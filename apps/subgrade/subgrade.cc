@@ -204,8 +204,7 @@ void Subgrade::pour(double time_step)
 
 void Subgrade::place(double time_step)
 {
-  joined->advance(coupling::stones_of(engine(), shapes),
-                  window_of(parameters, time_step));
+  exchange_window(*joined, window_of(parameters, time_step));
   const double spent = engine().time() - now.placed_at;
   if (joined->n_windows() % rest_interval == 0 && spent > 2. * ramp &&
       is_at_rest())
@@ -293,8 +292,7 @@ void Subgrade::balance_ground()
 
 void Subgrade::load_plate(double time_step)
 {
-  joined->advance(coupling::stones_of(engine(), shapes),
-                  window_of(parameters, time_step));
+  exchange_window(*joined, window_of(parameters, time_step));
   if (loading_time() < duration())
     return;
   now.stage = Stage::done;

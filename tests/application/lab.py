@@ -5,6 +5,7 @@
 """
 import csv
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -172,6 +173,11 @@ def los_angeles(spall, root):
     faults += resumed_faults(root / "whole", root / "until",
                              ["history.csv", "events.csv"])
     spall_run([spall, "report", root / "whole"])
+    # Timed once the charge has fallen, which is quick.
+    said = spall_run([spall, "check", case]).stdout
+    timed = re.search(r"predicted time .* from ([0-9.]+) s on", said)
+    if not timed or not 0.3 <= float(timed[1]) < 0.31:
+        faults.append(f"check says {said}")
     return faults
 
 
