@@ -29,11 +29,15 @@ constexpr std::array<Command, 8> commands = {
       check_command, true},
      {"run",
       "CASE.prm [--out DIR] [--preparations DIR] [--threads N] [--resume] "
-      "[--until CYCLES] [--set Section/key=value ...]",
-      "run the case", run_command, true},
+      "[--overwrite] [--until CYCLES] [--set Section/key=value ...]",
+      "run the case; --resume goes on with a stopped one, --overwrite begins "
+      "it anew",
+      run_command, true},
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command, false},
-     {"study", "STUDY.prm [--out DIR] [--jobs N] [--figures FOLDER]",
+     {"study",
+      "STUDY.prm [--out DIR] [--jobs N] [--figures FOLDER] [--page FILE] "
+      "[--set Section/key=value ...]",
       "run a sweep of cases, or go on with it; table and report", study_command,
       false},
      {"shape",

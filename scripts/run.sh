@@ -1,7 +1,7 @@
 #!/bin/bash
 # scripts/run.sh [CASE.prm] [options of spall run]
 # Sets up, runs the case (the quick dynamic triaxial test if none is given),
-# writes its report, prints where it is and the three numbers that matter.
+# writes its report, prints where it is and the numbers that matter.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 "$root/scripts/setup.sh" spall
@@ -29,10 +29,18 @@ python3 - "$folder" <<'PYTHON'
 import json, pathlib, sys
 folder = pathlib.Path(sys.argv[1]).resolve()
 summary = json.loads((folder / "summary.json").read_text())
-print("permanent axial strain       ",
-      f"{100 * summary['permanent_axial_strain_1']:.4f} %")
-print("abrasion LAA                 ", f"{summary['laa_percent']:.5f} %")
-print("change of coordination number",
-      f"{summary['coordination_change_1']:+.4f}")
+for name, key, text in (
+        ("permanent axial strain", "permanent_axial_strain_1", "{:.4%}"),
+        ("settlement", "settlement_m", "{:.4g} m"),
+        ("density", "density_kg_m3", "{:.1f} kg/m^3"),
+        ("settlement of the plate", "plate_settlement_m", "{:.4g} m"),
+        ("settlement of the ground", "subgrade_settlement_m", "{:.4g} m"),
+        ("force at the first event", "first_event_force_N", "{:.4g} N"),
+        ("largest force", "peak_force_N", "{:.4g} N"),
+        ("abrasion LAA", "laa_percent", "{:.5f} %"),
+        ("change of coordination number", "coordination_change_1",
+         "{:+.4f}")):
+    if key in summary:
+        print(f"{name:30}", text.format(summary[key]))
 print("report:", folder / "report.html")
 PYTHON

@@ -1,6 +1,7 @@
 #include "bench/scene.h"
 
 #include "bench/state.h"
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 #include "shape/file.h"
@@ -13,7 +14,6 @@ namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81; // [m/s^2]
 
 /// The peers' material: E = 1.25e9 Pa, nu = 0.25, so G = E / (2 (1 + nu)) =
 /// 5e8 Pa. Restitution e = 0.4 from contact to zero overlap, as the peer

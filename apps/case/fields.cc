@@ -180,7 +180,7 @@ void add_cycle_jump(List &list, CycleJumpParameters &j)
             "is simulated."},
            j.tolerance, below(0., 1.));
   list.add({"first", "-", "Cycles that are simulated before any is observed."},
-           j.first, between(0, 1e6));
+           j.first, between(1, 1e6));
   list.add({"observed", "-",
             "Cycles before and after a jump whose growth is compared."},
            j.observed, between(2, 1e4));

@@ -1,11 +1,11 @@
 #include "bench/report.h"
 #include "commands/commands.h"
 #include "errors.h"
+#include "run/whole_file.h"
 #include "specimen/specimen.h"
 
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <omp.h>
@@ -109,15 +109,6 @@ BenchOptions parse_options(Words words)
   return options;
 }
 
-void write_text(const std::string &path, const std::string &text)
-{
-  std::ofstream out(path);
-  out << text;
-  out.flush();
-  if (!out)
-    throw InputError("bench: --json " + path + ": cannot be written");
-}
-
 /// What the engine says about the scene when the timed steps begin.
 void describe(const dem::Engine &engine, BenchResult &result)
 {
@@ -186,7 +177,7 @@ int bench_command(Words words)
     time_once(options, stones, result);
   std::cout << bench_text(result);
   if (!options.json.empty())
-    write_text(options.json, bench_json(result));
+    write_asked(options.json, bench_json(result));
   return result.is_reproducible() ? 0 : 2;
 }
 } // namespace spall

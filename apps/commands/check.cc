@@ -2,6 +2,7 @@
 #include "commands/commands.h"
 #include "errors.h"
 #include "laboratory/test.h"
+#include "run/cost.h"
 #include "run/forecast.h"
 #include "triaxial/triaxial.h"
 
@@ -9,21 +10,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 namespace spall
 {
 namespace
 {
-/// Resident memory of the program [MiB].
-double memory_in_use()
-{
-  std::ifstream status("/proc/self/statm");
-  double pages = 0., resident = 0.;
-  status >> pages >> resident;
-  return resident * 4096. / (1024. * 1024.);
-}
-
 /// Wall-clock of one step of the stones when they are packed [s]: the cloud is
 /// drawn together to the expected solid fraction and evaluated in place.
 double packed_step_cost(const Case &parameters)
@@ -56,9 +47,19 @@ double membrane_step_cost(const Case &parameters)
   return still_step_cost(membrane);
 }
 
+/// That the membrane takes for a step of the stones; a pass over a window
+/// predicts and corrects.
+double membrane_steps(const Case &parameters)
+{
+  const CouplingParameters &c = parameters.coupling;
+  const double passes = c.exchange == ExchangeChoice::every_step ? 1. : 2.;
+  return passes * c.body_steps / c.rules.stone_steps;
+}
+
 void print_memory()
 {
-  std::printf("memory           %.0f MiB\n", memory_in_use());
+  std::printf("memory           %.0f MiB\n",
+              memory_use().now / (1024. * 1024.));
 }
 
 void print_stones(const dem::Particles &stones)
@@ -107,7 +108,7 @@ void print_step(const Case &parameters, const Triaxial &test)
   const dem::StepLimit limit =
       dem::critical_step(test.engine().parameters(), test.engine().particles());
   std::printf("time step        %.4g s, stable up to %.4g s (%s)\n",
-              test.time_step(), limit.step, limit.reason.c_str());
+              test.setup_step().step, limit.step, limit.reason.c_str());
   std::printf(
       "in a corner      %.4g s (the same stone on three walls)\n",
       dem::corner_step(test.engine().parameters(), test.engine().particles()));
@@ -119,10 +120,10 @@ void print_cost(const Case &parameters, const Triaxial &test)
 {
   double cost = packed_step_cost(parameters);
   if (test.gain())
-    cost += membrane_step_cost(parameters);
+    cost += membrane_step_cost(parameters) * membrane_steps(parameters);
   const double steps = (test.period() * parameters.loading.n_cycles() +
                         parameters.loading.consolidation_time) /
-                       test.time_step();
+                       test.setup_step().step;
   print_memory();
   std::printf("predicted time   %.3g s for %.4g steps after the preparation "
               "(%.3g ms each)\n",

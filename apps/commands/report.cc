@@ -3,10 +3,10 @@
 #include "report/figures.h"
 #include "report/page.h"
 #include "report/render_network.h"
+#include "run/whole_file.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace spall
@@ -45,15 +45,6 @@ Options parse(Words words)
     throw InputError("report: name at least one run folder (spall report DIR "
                      "[DIR ...] [--out FILE] [--figures FOLDER])");
   return options;
-}
-
-void write_file(const fs::path &path, const std::string &content)
-{
-  std::ofstream file(path, std::ios::binary);
-  file << content;
-  file.close();
-  if (!file)
-    throw InputError("report: cannot write '" + path.string() + "'");
 }
 
 /// One colour scale for all runs, so that they compare.
@@ -102,17 +93,17 @@ void write_figures(const Report &report, const fs::path &folder)
                      "' (" + error.message() + ")");
   for (const Chart &chart : report.charts)
     if (!chart.curves.empty())
-      write_file(folder / (chart.id + ".svg"), svg_file(draw(chart)));
+      write_asked(folder / (chart.id + ".svg"), svg_file(draw(chart)));
   for (std::size_t k = 0; k < report.pictures.size(); ++k)
   {
     const std::string number =
         report.pictures.size() > 1 ? "_" + std::to_string(k + 1) : "";
     if (!report.pictures[k].png.empty())
-      write_file(folder / ("specimen" + number + ".png"),
-                 report.pictures[k].png);
+      write_asked(folder / ("specimen" + number + ".png"),
+                  report.pictures[k].png);
     if (!report.networks[k].png.empty())
-      write_file(folder / ("contacts" + number + ".png"),
-                 report.networks[k].png);
+      write_asked(folder / ("contacts" + number + ".png"),
+                  report.networks[k].png);
   }
 }
 } // namespace
@@ -128,7 +119,7 @@ int report_command(Words words)
     page = options.out;
   else if (runs.size() == 1)
     page = fs::path(options.folders[0]) / "report.html";
-  write_file(page, make_page(report));
+  write_asked(page, make_page(report));
   if (!options.figures.empty())
     write_figures(report, options.figures);
   std::cout << page.string() << '\n';

@@ -43,12 +43,14 @@ RunOptions parse_options(Words words)
       options.until = positive(word, value());
     else if (word == "--resume")
       options.is_resumed = true;
+    else if (word == "--overwrite")
+      options.is_overwriting = true;
     else if (word == "--set")
       options.overrides.push_back(parse_override(value()));
     else if (word.starts_with("--"))
       throw InputError("run: " + word +
                        ": no such option: must be --out, --preparations, "
-                       "--threads, --resume, --until or --set");
+                       "--threads, --resume, --overwrite, --until or --set");
     else if (options.case_file.empty())
       options.case_file = word;
     else
@@ -56,6 +58,8 @@ RunOptions parse_options(Words words)
   }
   if (options.case_file.empty())
     throw InputError("run: a case file must be given");
+  if (options.is_resumed && options.is_overwriting)
+    throw InputError("run: --resume and --overwrite: only one of them");
   if (options.out.empty())
     options.out =
         "runs/" + std::filesystem::path(options.case_file).stem().string();

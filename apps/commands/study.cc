@@ -83,9 +83,10 @@ int study_command(Words words)
 {
   const StudyOptions options = parse_options(words);
   const Study study = read_study(options.file, options.overrides);
-  const std::vector<StudyPoint> points = points_of(study);
+  std::vector<StudyPoint> points = points_of(study);
   const fs::path folder = options.out;
   make_folder(folder);
+  find_folders(points, folder);
   if (!options.figures.empty())
     make_folder(options.figures);
   std::cout << study.title << ": " << points.size() << " cases, "

@@ -1,11 +1,11 @@
 #include "commands/commands.h"
 #include "errors.h"
 #include "report/text_table.h"
+#include "run/whole_file.h"
 #include "verify/families.h"
 #include "verify/table.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -72,22 +72,13 @@ void print_list(const std::vector<Family> &families)
   }
 }
 
-void write_file(const std::string &path, const std::string &content)
-{
-  std::ofstream file(path, std::ios::binary);
-  file << content;
-  file.close();
-  if (!file)
-    throw InputError("verify: cannot write '" + path + "'");
-}
-
 void write_files(const Options &options, const std::vector<Result> &results)
 {
   std::ostringstream csv, page;
   verify::write_csv(results, csv);
   verify::write_markdown(options.families, results, page);
   if (!options.csv.empty())
-    write_file(options.csv, csv.str());
+    write_asked(options.csv, csv.str());
   if (!options.page.empty())
     renew_page("verify", options.page, "<!-- spall verify --page -->",
                page.str());

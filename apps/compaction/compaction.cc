@@ -157,12 +157,7 @@ void Compaction::step_joined(double time_step)
   const double before = joined->rule() == coupling::ExchangeRule::every_step
                             ? plate->impulse(engine())
                             : 0.;
-  joined->advance({engine(),
-                   [this](double duration_of_step)
-                   { engine().advance(duration_of_step); },
-                   [this](std::ostream &out) { engine().save(out, shapes); },
-                   [this](std::istream &in) { engine().restore(in, shapes); }},
-                  window);
+  exchange_window(*joined, window);
   if (now.stage == Stage::vibration)
     return follow_vibration(window, plate->impulse(engine()) - before);
   if (now.let_go_time == 0.)

@@ -39,6 +39,10 @@ public:
   void print_forecast() override;
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int periods) override;
+  bool ends_early() const override
+  {
+    return last_time < parameters.vibration.duration;
+  }
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
 

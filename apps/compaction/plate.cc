@@ -1,5 +1,6 @@
 #include "compaction/plate.h"
 
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 
@@ -14,7 +15,6 @@ namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81; // [m/s^2]
 /// Of the weight that stones need not carry yet when the guide goes [-].
 constexpr double missing = 0.02;
 

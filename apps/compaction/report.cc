@@ -133,9 +133,5 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
                     {"roundness_1", report.roundness},
                     {"n_events", report.n_events}});
   summary["reports"] = said;
-  if (joined)
-    summary["ledger"] = {
-        {"work_residual_1", joined->ledger().work_residual()},
-        {"impulse_residual_1", joined->ledger().impulse_residual()}};
 }
 } // namespace spall

@@ -1,6 +1,7 @@
 #include "compaction/scene.h"
 
 #include "case/file.h"
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "compaction/plate.h"
 #include "errors.h"
@@ -20,7 +21,6 @@ namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81; // [m/s^2]
 
 dem::Room room_of(const ContainerParameters &c)
 {

@@ -1,6 +1,7 @@
 #include "laboratory/los_angeles.h"
 
 #include "case/file.h"
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 #include "specimen/gradation.h"
@@ -20,7 +21,6 @@ namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81; // [m/s^2]
 constexpr std::uint8_t steel = 1;
 
 double spin_of(const DrumParameters &d)
@@ -170,6 +170,12 @@ double LosAngeles::duration() const
 {
   return parameters.drum.settling_time +
          60. * last_turn / parameters.drum.turns_per_minute;
+}
+
+/// The stones have fallen, and the first of them are on their way up.
+double LosAngeles::settling_time() const
+{
+  return parameters.drum.settling_time;
 }
 
 std::string LosAngeles::phase() const

@@ -14,12 +14,14 @@ public:
 
   double share_done() const override;
   double duration() const override;
+  double settling_time() const override;
   std::string phase() const override;
   Due due() const override;
   double progress_at(double time) const override; ///< turns [-]
   const char *progress_column() const override { return "turn_1"; }
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int turns) override;
+  bool ends_early() const override { return last_turn < parameters.drum.turns; }
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
 

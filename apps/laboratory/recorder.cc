@@ -24,7 +24,8 @@ std::string header_of(const LabTest &test)
   return header;
 }
 
-/// Energy residual over the largest of the terms that it is left of [-].
+/// Energy residual over the work that was done from outside, of the whole test
+/// [-].
 double residual_ratio(const LabTest &test)
 {
   double residual = 0., scale = 0.;
@@ -81,19 +82,29 @@ void LabRecorder::resume(LabTest &test)
 void LabRecorder::after_step(LabTest &test)
 {
   const Due due = test.due();
-  for (const NamedText &file : test.take_files())
-    write_text(folder / file.name, file.text);
+  write_files(test);
   if (!due.row && !due.frame && !due.checkpoint)
     return;
   const double begun = elapsed();
+  write_due(test, due);
+  if (due.checkpoint)
+    write_checkpoint(test);
+  output_seconds += elapsed() - begun;
+}
+
+void LabRecorder::write_files(LabTest &test)
+{
+  for (const NamedText &file : test.take_files())
+    write_text(folder / file.name, file.text);
+}
+
+void LabRecorder::write_due(LabTest &test, const Due &due)
+{
   if (due.row)
     write_row(test);
   write_events(test);
   if (due.frame)
     write_frame(test);
-  if (due.checkpoint)
-    write_checkpoint(test);
-  output_seconds += elapsed() - begun;
 }
 
 void LabRecorder::write_row(const LabTest &test)
@@ -166,12 +177,13 @@ void LabRecorder::finish(LabTest &test)
   const double begun = elapsed();
   // Before the frame: a run that goes on has none here.
   write_checkpoint(test);
-  write_frame(test);
+  if (frames.empty() || frames.back().time != test.engine().time())
+    write_frame(test);
   output_seconds += elapsed() - begun;
   nlohmann::ordered_json summary;
   summary["kind"] = kind_names[static_cast<std::size_t>(parameters.kind)];
   summary["title"] = parameters.title;
-  summary["is_complete"] = test.share_done() >= 1.;
+  summary["is_complete"] = test.share_done() >= 1. && !test.ends_early();
   summary["threads"] = omp_get_max_threads();
   test.summarise(summary);
   summary["energy_residual_ratio_1"] = residual_ratio(test);
@@ -184,6 +196,9 @@ void LabRecorder::finish(LabTest &test)
 
 std::string LabRecorder::keep_stopped(LabTest &test)
 {
+  const Due due = test.due();
+  write_files(test);
+  write_due(test, due);
   write_checkpoint(test, "stopped.bin");
   return (folder / "checkpoint" / "stopped.bin").string();
 }

@@ -34,8 +34,9 @@ public:
   std::string last_checkpoint() const;
 
 private:
+  void write_files(LabTest &test);
+  void write_due(LabTest &test, const Due &due);
   void write_row(const LabTest &test);
-  void write_ledger(const LabTest &test);
   void write_events(LabTest &test);
   void write_frame(const LabTest &test);
   void write_checkpoint(LabTest &test, const std::string &name = "state.bin");

@@ -70,11 +70,14 @@ void run_lab(const RunOptions &options, const Case &parameters)
     test->stop_after(*options.until);
   if (options.is_resumed)
     require_checkpoint(folder / "checkpoint" / "state.bin");
-  prepare_run_folder(folder, options.is_resumed);
+  prepare_run_folder(options);
   LabRecorder recorder(parameters, folder);
   Progress progress((folder / "log.txt").string());
   if (options.is_resumed)
+  {
     recorder.resume(*test);
+    std::filesystem::remove(folder / "summary.json"); // of where it had ended
+  }
   else
     recorder.start(*test);
   describe(progress, *test);

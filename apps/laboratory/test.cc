@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 namespace spall
 {
@@ -55,22 +56,37 @@ void LabTest::advance()
   }
   watch.note_used(step);
   move(step);
+  if (!stopped_by.empty())
+    throw coupling::GuardStop(std::exchange(stopped_by, {}));
+}
+
+void LabTest::exchange_window(coupling::Exchange &joined, double window)
+try
+{
+  joined.advance(coupling::stones_of(engine(), shapes), window);
+}
+catch (const coupling::GuardStop &stop)
+{
+  stopped_by = stop.what();
 }
 
 /// The first steps are run to see how fast simulated time goes by.
 void LabTest::print_forecast()
 {
   using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
   constexpr int n_steps = 20000;
+  while (engine().time() < settling_time() && share_done() < 1.)
+    advance();
+  const double from = engine().time();
+  const auto start = Clock::now();
   for (int k = 0; k < n_steps && share_done() < 1.; ++k)
     advance();
   const double spent =
       std::chrono::duration<double>(Clock::now() - start).count();
-  std::printf(
-      "predicted time   %.3g s for %.4g s of the test (the first %.3g s "
-      "took %.3g s)\n",
-      spent * duration() / engine().time(), duration(), engine().time(), spent);
+  const double done = engine().time() - from;
+  std::printf("predicted time   %.3g s for %.4g s of the test (%.3g s of it "
+              "from %.3g s on took %.3g s)\n",
+              spent * duration() / done, duration(), done, from, spent);
 }
 
 void LabTest::stop_after(int)

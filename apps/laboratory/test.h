@@ -42,7 +42,7 @@ public:
   LabTest(const LabTest &) = delete;
   LabTest &operator=(const LabTest &) = delete;
 
-  /// One step.
+  /// One step. Throws coupling::GuardStop after one that a guard stops at.
   void advance();
   /// Share of the whole test that is done; 1: it is over [-].
   virtual double share_done() const = 0;
@@ -70,6 +70,8 @@ public:
   {
     return engine().particles();
   }
+  /// What comes before is no measure of the cost of the test [s].
+  virtual double settling_time() const { return 0.; }
   /// Prints what `spall check` says besides stones, step and memory: how long
   /// it will take.
   virtual void print_forecast();
@@ -82,6 +84,8 @@ public:
   /// Ends after so many turns, whatever the case says. Throws InputError for a
   /// test that has none.
   virtual void stop_after(int turns);
+  /// Whether it was told to end before the case does.
+  virtual bool ends_early() const { return false; }
 
   virtual void save(std::ostream &out) const; ///< full state, bit for bit
   /// Continues a saved test of the same case; throws std::runtime_error.
@@ -110,6 +114,9 @@ protected:
           std::unique_ptr<dem::Engine> scene, const dem::StepLimit &limit,
           double first_step);
 
+  /// Stones and bodies take a window; a guard stops the test when move() is
+  /// over.
+  void exchange_window(coupling::Exchange &joined, double window);
   /// The boundaries take their speed and the engine a step, or
   /// steps_in_move() of them.
   virtual void move(double time_step) = 0;
@@ -131,7 +138,8 @@ private:
   std::unique_ptr<dem::Engine> stones;
   dem::StepLimit limit;
   StepWatch watch;
-  double step = 0.;                                      ///< [s]
+  std::string stopped_by; ///< words of a guard; empty: none
+  double step = 0.;       ///< [s]
   double first_event_time = -1., first_event_force = 0.; ///< [s], [N]
 };
 

@@ -216,7 +216,8 @@ std::vector<NetworkFiles> find_networks(const std::string &folder)
       network("contact forces, before loading", *contacts.begin())};
   if (contacts.size() == 1)
     return networks;
-  // Half through the last cycle, its end, the end once more with surfaces.
+  // The last but one is half through the last cycle; some runs have their end
+  // twice.
   auto most = contacts.rbegin();
   double largest = -1.;
   auto frame = contacts.rbegin();

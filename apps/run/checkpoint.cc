@@ -2,6 +2,7 @@
 
 #include "case/file.h"
 #include "errors.h"
+#include "run/whole_file.h"
 
 #include <dem/io/binary.h>
 
@@ -37,6 +38,13 @@ std::string identity_of(Case parameters)
   parameters.vibration.rows_per_period = defaults.vibration.rows_per_period;
   parameters.vibration.frames_per_second = defaults.vibration.frames_per_second;
   parameters.vibration.checkpoint_every = defaults.vibration.checkpoint_every;
+  parameters.press.rows = defaults.press.rows;
+  RecordParameters &record = parameters.subgrade.record;
+  const RecordParameters any;
+  record.row_interval = any.row_interval;
+  record.frame_interval = any.frame_interval;
+  record.checkpoint_interval = any.checkpoint_interval;
+  record.highest_frequency = any.highest_frequency;
   if (parameters.kind == CaseKind::dynamic_triaxial)
   {
     // Steps may change where a cycle ends: Triaxial::restore() looks.
@@ -130,19 +138,15 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
                       const std::function<void(std::ostream &)> &save,
                       const Progressed &done)
 {
-  const std::filesystem::path draft = path.string() + ".part";
-  {
-    std::ofstream out(draft, std::ios::binary);
-    write_value(out, magic);
-    write_string(out, identity_of(parameters));
-    write_progress(out, done);
-    save(out);
-    write_value(out, magic);
-    out.close();
-    if (!out)
-      throw RunFailure(path.string() + ": cannot be written (disk full?)");
-  }
-  std::filesystem::rename(draft, path);
+  write_whole(path,
+              [&](std::ostream &out)
+              {
+                write_value(out, magic);
+                write_string(out, identity_of(parameters));
+                write_progress(out, done);
+                save(out);
+                write_value(out, magic);
+              });
 }
 
 void require_checkpoint(const std::filesystem::path &path)

@@ -2,6 +2,10 @@
 
 #include "errors.h"
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <system_error>
 
@@ -19,18 +23,57 @@ std::ofstream open_file(const fs::path &path, std::ios::openmode mode)
   return stream;
 }
 
-/// What is written at some moments of a run, each into a file of its own.
-void remove_reports(const fs::path &folder)
+[[noreturn]] void refuse(const fs::path &folder, const std::string &what)
+{
+  throw InputError("--out " + folder.string() + ": " + what);
+}
+
+/// Of the result files of all kinds, those with a number or time in their name
+/// by how it starts.
+bool is_result(const std::string &name)
+{
+  constexpr std::array files = {
+      "history.csv", "events.csv", "ledger.csv",   "cycles.csv", "transfer.csv",
+      "profile.csv", "bowl.csv",   "summary.json", "run.pvd",    "report.html",
+      "frames",      "checkpoint", "log.txt"};
+  return std::ranges::find(files, name) != files.end() ||
+         name.starts_with("roundness_") ||
+         name.starts_with("boundary_profile_");
+}
+
+void remove_results(const fs::path &folder)
 {
   std::error_code status;
   std::vector<fs::path> old;
   for (const fs::directory_entry &entry :
        fs::directory_iterator(folder, status))
-    for (const char *start : {"roundness_", "boundary_profile_"})
-      if (entry.path().filename().string().starts_with(start))
-        old.push_back(entry.path());
+    if (is_result(entry.path().filename().string()))
+      old.push_back(entry.path());
   for (const fs::path &path : old)
-    fs::remove(path, status);
+    fs::remove_all(path, status);
+}
+
+/// Throws if a new run would take something away that is to stay.
+void check_free(const fs::path &folder, const RunOptions &options)
+{
+  std::error_code status;
+  const fs::path resolved = folder / "case.prm",
+                 checkpoint = folder / "checkpoint" / "state.bin";
+  if (fs::equivalent(resolved, options.case_file, status))
+    refuse(folder, "holds the case file itself, which the run would "
+                   "overwrite: must be another folder");
+  const bool is_run =
+      fs::exists(resolved) &&
+      (fs::exists(folder / "history.csv") || fs::exists(folder / "checkpoint"));
+  if (fs::exists(folder) && !fs::is_empty(folder) && !is_run)
+    refuse(folder, "holds something that is no run: must be empty, new or "
+                   "the folder of an earlier run");
+  if (fs::exists(checkpoint) && !holds_complete_run(folder) &&
+      !options.is_overwriting)
+    refuse(folder, "holds a run that is not finished, with " +
+                       checkpoint.string() +
+                       ": --resume goes on with it, --overwrite begins anew; "
+                       "else another folder");
 }
 
 /// Shortest text that reads back as the same number.
@@ -79,45 +122,30 @@ std::uint64_t CsvFile::flushed_size()
   return fs::file_size(name);
 }
 
-void prepare_run_folder(const fs::path &folder, bool is_resumed)
+bool holds_complete_run(const fs::path &folder)
 {
-  std::error_code status;
+  std::ifstream in(folder / "summary.json");
+  const auto summary = nlohmann::json::parse(in, nullptr, false);
+  return summary.is_object() && summary.value("is_complete", false);
+}
+
+void prepare_run_folder(const RunOptions &options)
+{
+  const fs::path folder = options.out;
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw InputError("--out " + folder.string() +
-                     ": is a file: must be a folder");
-  if (fs::exists(folder) && !fs::is_empty(folder) &&
-      !fs::exists(folder / "case.prm"))
-    throw InputError("--out " + folder.string() +
-                     ": holds something that is no run: must be empty, new or "
-                     "the folder of an earlier run");
-  if (!is_resumed)
-    for (const char *old : {"history.csv", "events.csv", "ledger.csv",
-                            "cycles.csv", "summary.json", "run.pvd",
-                            "report.html", "frames", "checkpoint", "log.txt"})
-      fs::remove_all(folder / old, status);
-  if (!is_resumed)
-    remove_reports(folder);
+    refuse(folder, "is a file: must be a folder");
+  if (!options.is_resumed)
+  {
+    check_free(folder, options);
+    remove_results(folder);
+  }
+  std::error_code status;
   for (const fs::path &made :
        {folder, folder / "frames", folder / "checkpoint"})
   {
     fs::create_directories(made, status);
     if (!fs::is_directory(made))
-      throw InputError("--out " + folder.string() +
-                       ": cannot be made: must be a folder that may be "
-                       "written");
+      refuse(folder, "cannot be made: must be a folder that may be written");
   }
-}
-
-void write_text(const fs::path &path, const std::string &text)
-{
-  const fs::path draft = path.string() + ".part";
-  {
-    std::ofstream stream = open_file(draft, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream)
-      throw RunFailure(path.string() + ": cannot be written (disk full?)");
-  }
-  fs::rename(draft, path);
 }
 } // namespace spall

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "case/case.h"
+#include "run/options.h"
+#include "run/whole_file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -28,11 +29,12 @@ private:
   std::filesystem::path name;
 };
 
-/// Makes the folder of a run and its subfolders frames/ and checkpoint/.
-/// Without `is_resumed`, results of an earlier run in it are removed. Throws
-/// InputError if the path is a file or holds other things than a run.
-void prepare_run_folder(const std::filesystem::path &folder, bool is_resumed);
+/// Whether the folder holds a run that came to its end.
+bool holds_complete_run(const std::filesystem::path &folder);
 
-/// Writes a text file whole or not at all. Throws RunFailure.
-void write_text(const std::filesystem::path &path, const std::string &text);
+/// Makes the folder of a run and its subfolders frames/ and checkpoint/. Unless
+/// it is resumed, results of an earlier run in it are removed. Throws
+/// InputError if the path is a file, holds other things than a run, the case
+/// file itself, or, unless told to overwrite it, a run that can be resumed.
+void prepare_run_folder(const RunOptions &options);
 } // namespace spall

@@ -1,5 +1,7 @@
 #include "run/frames.h"
 
+#include "run/whole_file.h"
+
 #include <dem/measure/network.h>
 
 #include <cstdio>
@@ -77,6 +79,6 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
   int part = 4;
   for (const FrameBody &body : parts.bodies)
     body.write(add(part++, body.name));
-  dem::write_collection((folder / "run.pvd").string(), entries);
+  write_text(folder / "run.pvd", dem::collection_text(entries));
 }
 } // namespace spall

@@ -17,6 +17,7 @@ struct RunOptions
   std::vector<Override> overrides;
   std::optional<int> threads, until; ///< until: cycles or turns
   bool is_resumed = false;
+  bool is_overwriting = false; ///< a run that could be resumed
 };
 
 /// Whether the user asked to stop (SIGINT, SIGTERM).

@@ -1,6 +1,7 @@
 #include "shape/file.h"
 
 #include "errors.h"
+#include "run/whole_file.h"
 
 #include <dem/shape/quadrature.h>
 
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 namespace spall
 {
@@ -169,7 +171,7 @@ ShapeFile read_shape(const std::string &path)
 
 void write_shape(const std::string &path, const ShapeFile &shape)
 {
-  std::ofstream out(path);
+  std::ostringstream out;
   out << "{\n  \"name\": " << Json(shape.name).dump()
       << ",\n  \"order\": " << shape.order << ",\n  \"convention\": "
       << Json(std::string(convention) + " phase, j = n (n + 1) + m").dump()
@@ -177,9 +179,7 @@ void write_shape(const std::string &path, const ShapeFile &shape)
       << ",\n  \"licence\": " << Json(shape.licence).dump()
       << ",\n  \"coefficients\": [\n"
       << coefficient_text(shape) << "\n  ]\n}\n";
-  out.flush();
-  if (!out)
-    fail(path, "cannot be written");
+  write_asked(path, out.str());
 }
 
 std::vector<ShapeFile> read_shapes(const std::string &folder)

@@ -1,6 +1,6 @@
 #include "shape/report.h"
 
-#include "errors.h"
+#include "run/whole_file.h"
 
 #include <dem/shape/form.h>
 #include <dem/shape/measures.h>
@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <numbers>
 
 namespace spall
@@ -130,10 +129,6 @@ void write_facts(const std::string &path, const std::vector<ShapeFacts> &groups)
   for (const ShapeFacts &group : groups)
     for (const ShapeFact &fact : group.facts)
       json[group.title][fact.key] = fact.value;
-  std::ofstream out(path);
-  out << json.dump(2) << "\n";
-  out.flush();
-  if (!out)
-    throw InputError(path + ": cannot be written");
+  write_asked(path, json.dump(2) + "\n");
 }
 } // namespace spall

@@ -2,11 +2,11 @@
 
 #include "case/parameter.h"
 #include "errors.h"
+#include "run/whole_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <zlib.h>
@@ -171,7 +171,7 @@ Packing read_packing(const std::string &path)
 
 void write_packing(const std::string &path, const Packing &packing)
 {
-  std::ofstream out(path);
+  std::ostringstream out;
   out << "# box";
   for (int d = 0; d < 3; ++d)
     out << ' ' << number_text(packing.box[d]);
@@ -190,8 +190,6 @@ void write_packing(const std::string &path, const Packing &packing)
     }
     out << '\n';
   }
-  out.flush();
-  if (!out)
-    throw InputError(path + ": cannot be written");
+  write_asked(path, out.str());
 }
 } // namespace spall

@@ -1,5 +1,6 @@
 #include "specimen/specimen.h"
 
+#include "case/digits.h"
 #include "case/file.h"
 #include "errors.h"
 #include "shape/file.h"
@@ -13,21 +14,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 namespace spall
 {
-namespace
-{
-std::string in_four_digits(double value)
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
-}
-} // namespace
-
 std::shared_ptr<const dem::Coefficients> cut_at(dem::Coefficients series,
                                                 int order)
 {

@@ -3,12 +3,15 @@
 #include "run/folder.h"
 #include "study/study.h"
 
+#include <algorithm>
 #include <atomic>
 #include <fcntl.h>
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <set>
 #include <spawn.h>
 #include <sstream>
 #include <sys/wait.h>
@@ -54,12 +57,29 @@ nlohmann::ordered_json summary_of(const fs::path &run)
                                        false);
 }
 
-/// A run that was stopped leaves a summary too, of how far it came.
-bool is_done(const StudyPoint &point, const fs::path &folder)
+/// Cases in the folder of a study: the folder of each, finished ones first.
+std::map<std::string, std::string> cases_in(const fs::path &folder)
 {
-  const auto summary = summary_of(folder);
-  return summary.is_object() && summary.value("is_complete", false) &&
-         body(text_of(folder / "case.prm")) == body(point.resolved);
+  std::vector<std::string> names;
+  std::error_code status;
+  for (const fs::directory_entry &entry :
+       fs::directory_iterator(folder, status))
+    if (fs::exists(entry.path() / "case.prm") &&
+        entry.path().filename().string().starts_with("run_"))
+      names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  std::ranges::stable_partition(names, [&](const std::string &name)
+                                { return holds_complete_run(folder / name); });
+  std::map<std::string, std::string> cases;
+  for (const std::string &name : names)
+    cases.emplace(body(text_of(folder / name / "case.prm")), name);
+  return cases;
+}
+
+/// Whether nothing would be lost there.
+bool is_free(const fs::path &folder)
+{
+  return !fs::exists(folder) || fs::is_empty(folder);
 }
 
 /// Runs this program on the words, standard output and error into `log`;
@@ -92,17 +112,15 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
   const fs::path run = folder / point.folder,
                  file = folder / (point.folder + ".prm"),
                  log = folder / (point.folder + ".log");
-  if (!is_done(point, run))
+  const bool is_same = body(text_of(run / "case.prm")) == body(point.resolved);
+  if (!is_same || !holds_complete_run(run))
   {
     write_text(file, point.resolved);
     const std::string shared = folder / "preparations";
     std::vector<std::string> words = {
         "spall",     "run", file.string(),    "--out", run.string(),
         "--threads", "1",   "--preparations", shared};
-    const bool is_same =
-        fs::exists(run / "checkpoint" / "state.bin") &&
-        body(text_of(run / "case.prm")) == body(point.resolved);
-    if (is_same)
+    if (is_same && fs::exists(run / "checkpoint" / "state.bin"))
       words.emplace_back("--resume");
     if (const int status = run_program(words, log); status != 0)
     {
@@ -126,6 +144,26 @@ std::vector<double> outcomes_of(const Study &study, const fs::path &run)
   return values;
 }
 } // namespace
+
+void find_folders(std::vector<StudyPoint> &points, const fs::path &folder)
+{
+  const auto cases = cases_in(folder);
+  std::set<std::string> taken;
+  std::vector<StudyPoint *> others;
+  for (StudyPoint &point : points)
+    if (const auto found = cases.find(body(point.resolved));
+        found != cases.end())
+      taken.insert(point.folder = found->second);
+    else
+      others.push_back(&point);
+  std::size_t number = points.size();
+  for (StudyPoint *point : others)
+  {
+    while (taken.contains(point->folder) || !is_free(folder / point->folder))
+      point->folder = run_name(++number);
+    taken.insert(point->folder);
+  }
+}
 
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,

@@ -353,9 +353,7 @@ StudyPoint make_point(const Study &study, const std::vector<std::string> &row,
                              variant.settings.end());
   if (!seed.empty())
     point.overrides.push_back(parse_override(study.seed_key + "=" + seed));
-  char name[40];
-  std::snprintf(name, sizeof name, "run_%04zu", number);
-  point.folder = name;
+  point.folder = run_name(number);
   try
   {
     point.resolved = resolved_case(read_case(study.case_file, point.overrides));
@@ -391,6 +389,13 @@ Study read_study(const std::string &file,
   check_study(study);
   study.seed_key = seed_key_of(read_case(study.case_file, study.base).kind);
   return study;
+}
+
+std::string run_name(std::size_t number)
+{
+  char name[40];
+  std::snprintf(name, sizeof name, "run_%04zu", number);
+  return name;
 }
 
 std::vector<StudyPoint> points_of(const Study &study)

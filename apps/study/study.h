@@ -105,7 +105,7 @@ struct StudyPoint
   std::string seed;
   std::vector<int> sweeps; ///< keys that it is a point of
   bool is_base = false;    ///< no key has another value than the base case
-  std::string folder;      ///< name in the folder of the study
+  std::string folder;      ///< name in that of the study, by its place at first
   std::vector<Override> overrides;
   std::string resolved; ///< the case as it will be run
 };
@@ -117,6 +117,14 @@ Study read_study(const std::string &file,
 
 /// Every case once. Throws InputError if one of them is no case.
 std::vector<StudyPoint> points_of(const Study &study);
+
+/// Of the folder of a case with this number.
+std::string run_name(std::size_t number);
+
+/// Names the folder of each point: the one in the folder of the study that
+/// holds its case, whatever its number, and else one that holds nothing.
+void find_folders(std::vector<StudyPoint> &points,
+                  const std::filesystem::path &folder);
 
 /// How a case ended.
 struct PointResult

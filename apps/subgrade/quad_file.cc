@@ -1,7 +1,8 @@
 #include "subgrade/quad_file.h"
 
-#include <fstream>
-#include <stdexcept>
+#include "run/whole_file.h"
+
+#include <sstream>
 
 namespace spall
 {
@@ -32,7 +33,7 @@ void write_integers(std::ostream &out, const std::string &name,
 void write_quads(const std::string &path, const fem::SurfaceMesh &mesh,
                  const coupling::NodeMotion &motion)
 {
-  std::ofstream out(path);
+  std::ostringstream out;
   out.precision(9);
   coupling::Field displacement(motion.position.begin(), motion.position.end());
   for (std::size_t k = 0; k < displacement.size(); ++k)
@@ -53,8 +54,6 @@ void write_quads(const std::string &path, const fem::SurfaceMesh &mesh,
                  [](std::size_t k) { return 4 * (k + 1); });
   write_integers(out, "types", "UInt8", n, [](std::size_t) { return 9; });
   out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  out.close();
-  if (!out)
-    throw std::runtime_error(path + ": cannot be written");
+  write_text(path, out.str());
 }
 } // namespace spall

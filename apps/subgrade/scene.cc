@@ -1,6 +1,8 @@
 #include "subgrade/scene.h"
 
+#include "case/digits.h"
 #include "case/file.h"
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 #include "specimen/gradation.h"
@@ -11,13 +13,11 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <sstream>
 
 namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81; // [m/s^2]
 
 dem::EngineParameters engine_settings(const Case &c)
 {
@@ -119,14 +119,6 @@ fem::Voigt weight_stress(std::span<const GroundLayer> layers, double depth)
   fem::Voigt stress = fem::Voigt::Zero();
   stress.head<3>() << share * vertical, share * vertical, vertical;
   return stress;
-}
-
-std::string in_four_digits(double value)
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
 }
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "subgrade/subgrade.h"
 
+#include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 
@@ -14,7 +15,6 @@ namespace spall
 {
 namespace
 {
-constexpr double gravity = 9.81;            // [m/s^2]
 constexpr std::int64_t rest_interval = 100; // moves between questions for rest
 constexpr double rest_share = 0.01; // of the weight that may be in motion [-]
 constexpr double rest_speed = 3e-4; // of the plate [m/s]
@@ -204,8 +204,7 @@ void Subgrade::pour(double time_step)
 
 void Subgrade::place(double time_step)
 {
-  joined->advance(coupling::stones_of(engine(), shapes),
-                  window_of(parameters, time_step));
+  exchange_window(*joined, window_of(parameters, time_step));
   const double spent = engine().time() - now.placed_at;
   if (joined->n_windows() % rest_interval == 0 && spent > 2. * ramp &&
       is_at_rest())
@@ -293,8 +292,7 @@ void Subgrade::balance_ground()
 
 void Subgrade::load_plate(double time_step)
 {
-  joined->advance(coupling::stones_of(engine(), shapes),
-                  window_of(parameters, time_step));
+  exchange_window(*joined, window_of(parameters, time_step));
   if (loading_time() < duration())
     return;
   now.stage = Stage::done;

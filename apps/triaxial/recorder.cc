@@ -130,7 +130,8 @@ void Recorder::after_step(Triaxial &test)
     }
     if (is_due(2) && step % n != 0)
       cycles.take_peak(test);
-    if (step == 0 || is_due(parameters.output.frames_per_cycle))
+    const bool is_last = test.cycle() >= parameters.loading.n_cycles();
+    if (step == 0 || (is_due(parameters.output.frames_per_cycle) && !is_last))
       write_frame(test, step == 0 ||
                             parameters.output.surfaces == SurfaceFrames::all);
     if (step % n == 0)
@@ -241,7 +242,7 @@ void Recorder::finish(Triaxial &test)
   if (test.cycle() >= parameters.loading.n_cycles())
   {
     cycles.finish(test);
-    if (parameters.output.surfaces == SurfaceFrames::ends)
+    if (frames.empty() || frames.back().time != test.engine().time())
       write_frame(test, true);
   }
   write_checkpoint(test);

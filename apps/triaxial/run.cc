@@ -143,11 +143,14 @@ void run_triaxial(const RunOptions &options, const Case &parameters)
   std::optional<PreparationStore> store;
   if (!options.preparations.empty())
     store.emplace(options.preparations, parameters, test.shapes());
-  prepare_run_folder(folder, options.is_resumed);
+  prepare_run_folder(options);
   Recorder recorder(parameters, folder);
   Progress progress((folder / "log.txt").string());
   if (options.is_resumed)
+  {
     recorder.resume(test);
+    std::filesystem::remove(folder / "summary.json"); // of where it had ended
+  }
   else
     recorder.start();
   describe(progress, test);

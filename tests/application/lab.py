@@ -5,6 +5,7 @@
 """
 import csv
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -126,6 +127,11 @@ def single_particle(spall, root):
         running.communicate(timeout=100)
         if running.returncode != 2:
             faults.append(f"stopped: status {running.returncode}")
+    # What it has done is not taken away by mistake; that it is gone on with
+    # below shows it.
+    refused = spall_run(words, status=1)
+    if "--resume goes on" not in refused.stderr:
+        faults.append(f"again without --resume: {refused.stderr}")
     spall_run([*words, "--resume"])
     spall_run([*words[:4], root / "whole", *words[5:]])
     faults += resumed_faults(root / "whole", root / "stopped",
@@ -167,6 +173,11 @@ def los_angeles(spall, root):
     faults += resumed_faults(root / "whole", root / "until",
                              ["history.csv", "events.csv"])
     spall_run([spall, "report", root / "whole"])
+    # Timed once the charge has fallen, which is quick.
+    said = spall_run([spall, "check", case]).stdout
+    timed = re.search(r"predicted time .* from ([0-9.]+) s on", said)
+    if not timed or not 0.3 <= float(timed[1]) < 0.31:
+        faults.append(f"check says {said}")
     return faults
 
 
@@ -204,12 +215,31 @@ def study(spall, root):
     faults += [f"{run} was run again" for run, when in before.items()
                if (root / "out" / run / "summary.json").stat().st_mtime_ns !=
                when]
+    # One more value in the middle: what is there stays and is found again.
+    file.write_text(file.read_text().replace("8e3, 1e4", "8e3, 9e3, 1e4"))
+    spall_run(words, status=2)
+    with open(root / "out" / "study.csv", newline="") as stream:
+        more = [row for row in csv.DictReader(stream)
+                if row["is_done_1"] == "1"]
+    if len(more) != 6 or any(row not in more for row in done):
+        faults.append(f"one more value: {more}, before {done}")
+    faults += [f"{run} was run again for one more value"
+               for run, when in before.items()
+               if (root / "out" / run / "summary.json").stat().st_mtime_ns !=
+               when]
     cut = root / "out" / done[0]["run"] / "summary.json"
     cut.write_text(cut.read_text().replace('"is_complete": true',
                                            '"is_complete": false'))
     spall_run(words, status=2)
     if '"is_complete": true' not in cut.read_text():
         faults.append("a case that was stopped is not gone on with")
+    cut.write_text(cut.read_text().replace('"is_complete": true',
+                                           '"is_complete": false'))
+    again = [spall, "run", root / "out" / f"{done[0]['run']}.prm", "--out",
+             cut.parent, "--threads", 1]
+    spall_run(again, status=1)
+    spall_run([*again, "--overwrite"])
+    spall_run(again)  # a finished one may be replaced
     return faults
 
 

@@ -4,6 +4,7 @@
     resume.py SPALL membrane|rigid [SECTION/KEY=VALUE ...]
 """
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -52,6 +53,21 @@ def faults_of(name, folder, whole, frames_too=True):
         summary(folder), summary(whole))]
 
 
+def frame_faults(name, folder, n_instants=None):
+    """Every instant once; of so many, if that is known."""
+    frames = re.findall(r'timestep="([^"]+)" part="([^"]+)"',
+                        (folder / "run.pvd").read_text())
+    instants = sorted({float(time) for time, _ in frames})
+    with open(folder / "history.csv") as history:
+        end = float(history.readlines()[-1].split(",")[0])
+    faults = []
+    if len(set(frames)) != len(frames) or instants[-1] != end:
+        faults.append(f"{name}: run.pvd has {frames}, the run ended at {end}")
+    if n_instants not in (None, len(instants)):
+        faults.append(f"{name}: frames of {instants}")
+    return faults
+
+
 def other_step_faults(spall, root, lateral, extra, go):
     """Where a cycle ends a run goes on with another step, elsewhere not."""
     go("other", "--until", "1")
@@ -97,10 +113,12 @@ def main():
         faults = faults_of("--until", root / "until", root / "whole")
         go("until", "--resume")  # nothing left to do
         faults += faults_of("resumed when done", root / "until",
-                            root / "whole", frames_too=False)
+                            root / "whole")
+        faults += frame_faults("whole", root / "whole")
 
         # A finished run goes on with more cycles; its last frame stays.
-        go("more", settings=("Loading/cycles=1",))
+        go("more", settings=("Loading/cycles=1", "Output/frames_per_cycle=0"))
+        faults += frame_faults("no frames", root / "more", n_instants=2)
         go("more", "--resume")
         faults += faults_of("more cycles", root / "more", root / "whole",
                             frames_too=False)

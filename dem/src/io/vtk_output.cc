@@ -18,6 +18,7 @@
 #include <iomanip>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 namespace dem
@@ -258,10 +259,9 @@ void write_contacts(const std::string &path,
   write_grid(path, grid);
 }
 
-void write_collection(const std::string &path,
-                      std::span<const FrameEntry> entries)
+std::string collection_text(std::span<const FrameEntry> entries)
 {
-  std::ofstream out(path);
+  std::ostringstream out;
   out << std::setprecision(std::numeric_limits<double>::max_digits10)
       << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
@@ -269,8 +269,6 @@ void write_collection(const std::string &path,
     out << "<DataSet timestep=\"" << entry.time << "\" part=\"" << entry.part
         << "\" file=\"" << entry.file << "\"/>\n";
   out << "</Collection>\n</VTKFile>\n";
-  out.close();
-  if (!out)
-    throw std::runtime_error("cannot write '" + path + "'");
+  return out.str();
 }
 } // namespace dem

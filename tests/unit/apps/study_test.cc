@@ -55,6 +55,34 @@ TEST_F(StudyFile, GridTakesAllCombinations)
   EXPECT_EQ(points_of(grid).size(), 12u);
 }
 
+// A case is where it was done, whatever its place in the sweep; what is there
+// of others stays.
+TEST_F(StudyFile, CasesAreFoundByWhatTheyAre)
+{
+  std::vector<StudyPoint> points = points_of(study("grid"));
+  points.resize(3);
+  const auto hold = [&](const char *name, const std::string &text, bool is_done)
+  {
+    fs::create_directories(folder / "out" / name);
+    std::ofstream(folder / "out" / name / "case.prm") << text;
+    if (is_done)
+      std::ofstream(folder / "out" / name / "summary.json")
+          << "{\"is_complete\": true}";
+  };
+  hold("run_0001", "subsection Of\n  set another = case\nend\n", true);
+  hold("run_0002", points[2].resolved, false);
+  hold("run_0003", "# another first line\n" + points[2].resolved, true);
+  hold("run_0004", points[1].resolved, false);
+  find_folders(points, folder / "out");
+  EXPECT_EQ(points[0].folder, "run_0005");
+  EXPECT_EQ(points[1].folder, "run_0004");
+  EXPECT_EQ(points[2].folder, "run_0003");
+  std::vector<StudyPoint> fresh = points_of(study("grid"));
+  find_folders(fresh, folder / "none");
+  EXPECT_EQ(fresh[0].folder, "run_0001");
+  EXPECT_EQ(fresh[11].folder, "run_0012");
+}
+
 // Each variant sets its keys together; the other sweep runs as it is given.
 TEST_F(StudyFile, VariantsSetKeysTogether)
 {

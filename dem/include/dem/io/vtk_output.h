@@ -62,6 +62,5 @@ void write_contacts(const std::string &path,
                     std::span<const ContactLine> contacts);
 
 /// ParaView collection (pvd) over all frames so far.
-void write_collection(const std::string &path,
-                      std::span<const FrameEntry> entries);
+std::string collection_text(std::span<const FrameEntry> entries);
 } // namespace dem

@@ -245,6 +245,6 @@ TEST_F(RunFolder, BadWordsAndFoldersAreRefusedInOneLine)
   EXPECT_TRUE(has(refusal({run(), "--outt", "x"}), "unknown option '--outt'"));
   EXPECT_TRUE(has(refusal({run(), "--out"}), "--out needs a file"));
   EXPECT_TRUE(
-      has(refusal({run(), "--out", missing + "/a/b.html"}), "cannot write"));
+      has(refusal({run(), "--out", missing + "/a/b.html"}), "be written"));
 }
 } // namespace
