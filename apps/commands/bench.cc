@@ -130,7 +130,7 @@ void time_once(const BenchOptions &options, const BenchStones &stones,
   settle(*engine, scene,
          options.settle < 0 ? settling_steps(scene) : options.settle);
   for (int step = 0; step < warm_up_steps; ++step)
-    engine->advance(bench_step);
+    engine->advance_unseen(bench_step);
   const bool is_first = result.samples.empty();
   if (is_first)
     describe(*engine, result);

@@ -69,7 +69,7 @@ void Compaction::move(double time_step)
 void Compaction::fill(double time_step)
 {
   pouring.steer(engine(), time_step);
-  engine().advance(time_step);
+  engine().advance_unseen(time_step);
   if (!pouring.is_done())
     return;
   // The plate comes as the tamper did, from where that had touched.
@@ -96,7 +96,7 @@ void Compaction::lower_plate(double time_step)
   engine().planes()[pouring.tamper()].velocity =
       -parameters.plate.seating_speed * std::clamp(1. - carried, slowest, 1.) *
       dem::Vec3::UnitZ();
-  engine().advance(time_step);
+  engine().advance_unseen(time_step);
 }
 
 double Compaction::weight() const

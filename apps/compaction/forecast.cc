@@ -28,7 +28,7 @@ void run_a_little(dem::Engine &engine, double longest)
   const double step =
       std::min(longest, 0.5 * dem::guaranteed_step(network).step);
   for (int k = 0; k < n_between; ++k)
-    engine.advance(step);
+    engine.advance_unseen(step);
 }
 
 /// Overlaps of a random packing go until hardly any are left.
@@ -93,7 +93,7 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
     }
     engine.planes()[plate].velocity.z() =
         -speed * std::sin(omega * (engine.time() - from));
-    engine.advance(step);
+    engine.advance_unseen(step);
   }
   return {(engine.time() - from) / k,
           std::chrono::duration<double>(Clock::now() - start).count() / k};

@@ -146,7 +146,7 @@ void LosAngeles::move(double time_step)
     engine().drum().spin = spin_of(parameters.drum);
     engine().set_breaking(parameters.breakage.is_active);
   }
-  engine().advance(time_step);
+  engine().advance_unseen(time_step);
 }
 
 double LosAngeles::turns() const

@@ -101,7 +101,7 @@ void SingleParticle::move(double time_step)
 {
   displacement_before = progress_at(engine().time());
   events_before = events_now;
-  engine().advance(time_step);
+  engine().advance_unseen(time_step);
   events_now = engine().n_events();
   peak_force = std::max(peak_force, force());
 }

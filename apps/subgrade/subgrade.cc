@@ -194,7 +194,7 @@ bool Subgrade::is_at_rest() const
 void Subgrade::pour(double time_step)
 {
   pouring.steer(engine(), time_step);
-  engine().advance(time_step);
+  engine().advance_unseen(time_step);
   if (!pouring.is_done())
     return;
   now.placed_at = engine().time();

@@ -24,7 +24,7 @@ constexpr double least_friction = 1e-3, porosity_tolerance = 0.005; // [-]
 void Triaxial::prepare()
 {
   servo.update(engine(), pace.step());
-  engine().advance(pace.step());
+  engine().advance_unseen(pace.step());
   pace.count();
   ++in_stage;
   if (in_stage % rest_interval == 0 && is_prepared())

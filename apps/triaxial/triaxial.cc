@@ -142,7 +142,7 @@ coupling::Stones Triaxial::stones()
           [this](double time_step)
           {
             servo.update(engine(), time_step);
-            engine().advance(time_step);
+            engine().advance_unseen(time_step);
           },
           [this](std::ostream &out)
           {

@@ -90,7 +90,8 @@ Vector sum_of(FieldView field)
 
 Stones stones_of(dem::Engine &engine, const ShapeLibrary &library)
 {
-  return {engine, [&engine](double time_step) { engine.advance(time_step); },
+  return {engine,
+          [&engine](double time_step) { engine.advance_unseen(time_step); },
           [&](std::ostream &out) { engine.save(out, library); },
           [&](std::istream &in) { engine.restore(in, library); }};
 }

@@ -82,6 +82,7 @@ Engine::Engine(const EngineParameters &parameters)
 void Engine::add_stone(const Body &body, const Vec3 &position,
                        const Quaternion &orientation, std::uint8_t material)
 {
+  finish_kick(); // none for the new one
   stones.follows_surfaces = settings.geometry.follows_surfaces();
   Body stone = body;
   if (settings.breakage.inscribed == InscribedSphereAt::free)
@@ -155,11 +156,13 @@ void Engine::set_friction(double friction)
 
 void Engine::set_local_damping(double damping)
 {
+  finish_kick(); // with the damping of its step
   settings.local_damping = damping;
 }
 
 void Engine::come_to_rest()
 {
+  finish_kick();
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
     work.damped[i] += stones.kinetic_energy(i);
@@ -184,6 +187,12 @@ void Engine::set_repetitions(double repetitions)
 
 void Engine::advance(double time_step)
 {
+  advance_unseen(time_step);
+  finish_kick();
+}
+
+void Engine::advance_unseen(double time_step)
+{
   move_planes(time_step);
   const Speeds fastest = move_stones(time_step);
   now += time_step;
@@ -191,7 +200,7 @@ void Engine::advance(double time_step)
   keep_lists(fastest, time_step);
   const bool wants_breakage = evaluate_contacts(time_step);
   load_boundaries(time_step);
-  finish_kick(time_step);
+  owed_kick = 0.5 * time_step;
   if (wants_breakage)
     break_corners();
 }
@@ -199,16 +208,21 @@ void Engine::advance(double time_step)
 Speeds Engine::move_stones(double time_step)
 {
   const Timer timer(spent.motion);
-  return kick_and_drift(
-      stones, {{settings.gravity, settings.local_damping}, steepest, time_step},
-      work);
+  return kick_and_drift(stones,
+                        {{settings.gravity, settings.local_damping},
+                         steepest,
+                         std::exchange(owed_kick, 0.),
+                         time_step},
+                        work);
 }
 
-void Engine::finish_kick(double time_step)
+void Engine::finish_kick() const
 {
+  if (owed_kick == 0.)
+    return;
   const Timer timer(spent.motion);
-  kick(stones, {settings.gravity, settings.local_damping}, 0.5 * time_step,
-       work);
+  kick(stones, {settings.gravity, settings.local_damping},
+       std::exchange(owed_kick, 0.), work);
 }
 
 void Engine::move_planes(double time_step)
@@ -415,6 +429,7 @@ void Engine::exchange_factors()
 /// forces of before, the next with those of after the events.
 void Engine::break_corners()
 {
+  finish_kick();
   const Timer timer(spent.breakage);
   std::vector<Walls> of_surfaces;
   for (SurfaceContacts &facets : facet_surfaces)
@@ -449,6 +464,7 @@ void Engine::break_corners()
 
 EngineEnergy Engine::energy() const
 {
+  finish_kick();
   EngineEnergy energy;
   energy.friction = lost.friction;
   energy.rolling = lost.rolling;

@@ -101,9 +101,8 @@ void add_to(double *column, const Places &places, const Lanes &value)
 
 /// v += F/m dt, omega += I^-1 M dt with what local damping leaves of F and M;
 /// books the work of damping and gravity.
-void kick(const Motion &motion, const Places &places, Movers &stones)
+void kick(const Motion &motion, double dt, const Places &places, Movers &stones)
 {
-  const double dt = motion.kick;
   const LaneVector velocity = stones.velocity, spin = stones.spin;
   const LaneVector weight{stones.mass * motion.gravity[0],
                           stones.mass * motion.gravity[1],
@@ -184,7 +183,9 @@ void store_places(const Motion &motion, const Movers &stones)
 [[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places)
 {
   Movers stones(motion, places);
-  kick(motion, places, stones);
+  if (motion.owed > 0.)
+    kick(motion, motion.owed, places, stones);
+  kick(motion, motion.kick, places, stones);
   Fastest speeds;
   if (motion.drift > 0.)
   {

@@ -22,6 +22,7 @@ struct Motion
   double gravity[3];    ///< [m/s^2]
   double local_damping; ///< [-]
   double steepness;     ///< StartOfStep
+  double owed;          ///< of a kick before, 0: none [s]
   double kick, drift;   ///< [s]; drift 0: the kick alone
 };
 

@@ -35,6 +35,7 @@ kernel::Motion motion_of(Particles &particles, const KickParameters &parameters,
           {g.x(), g.y(), g.z()},
           parameters.local_damping,
           0.,
+          0.,
           time_step,
           0.};
 }
@@ -65,6 +66,7 @@ Speeds kick_and_drift(Particles &particles, const StartOfStep &start,
   kernel::Motion motion =
       motion_of(particles, start.kick, 0.5 * start.time_step, work);
   motion.steepness = start.steepness;
+  motion.owed = start.owed;
   motion.drift = start.time_step;
   return move_all(motion, particles.size());
 }

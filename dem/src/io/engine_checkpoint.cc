@@ -194,6 +194,7 @@ void Engine::visit_state(Self &self, const Visit &visit)
 
 void Engine::save(std::ostream &out, const Library &library) const
 {
+  finish_kick();
   const auto put = [&out](const auto &column) { write_column(out, column); };
   Particles::visit(stones, put);
   for (const Body &body : stones.body)
@@ -216,6 +217,7 @@ void Engine::save(std::ostream &out, const Library &library) const
 
 void Engine::restore(std::istream &in, const Library &library)
 {
+  owed_kick = 0.;
   const auto get = [&in](auto &column) { read_column(in, column); };
   Particles::visit(stones, get);
   stones.body.resize(stones.id.size());

@@ -32,9 +32,11 @@ struct StartOfStep
 {
   KickParameters kick;
   double steepness = 0.; ///< c of closing_speed [-]
+  double owed = 0.;      ///< kick that the step before has left out [s]
   double time_step = 0.; ///< whole [s]
 };
 
+/// What is owed as kick() would give it, then
 /// v += F/m dt/2, omega += M/I dt/2 with local damping per component, then
 /// x += v dt, q <- exp(omega dt) q (where some stone is not a sphere), or a
 /// free turn of the whole inertia tensor (Particles::follows_surfaces). Loads
