@@ -367,7 +367,13 @@ Case default_case(CaseKind kind)
   Case c;
   c.kind = kind;
   if (kind == CaseKind::dynamic_triaxial)
+  {
+    // Long stones with the rolling friction of the material never come to rest
+    // with radii along the branch.
+    c.specimen.shapes = "shapes/limestone_blocky";
+    c.stone.rolling_friction = 0.5;
     return c;
+  }
   if (kind == CaseKind::subgrade)
   {
     set_subgrade_defaults(c);
