@@ -41,8 +41,7 @@ void add_relaxation(List &list, coupling::ExchangeParameters &rules)
             "of the first."},
            rules.relaxation.factor, above(0., 1.));
   list.add({"tolerance", "m",
-            "iterated: gap left between membrane or subgrade and what stones "
-            "saw of it."},
+            "iterated: gap left between the body and what stones saw of it."},
            rules.tolerance, above(0., 1e-3));
   list.add(
       {"max_passes", "-", "iterated: of one window; then the last counts."},
@@ -58,18 +57,17 @@ void add_coupling(List &list, CouplingParameters &c)
   list.in("Coupling");
   list.add(
       {"exchange", "-",
-       "every_step: stones and membrane or subgrade take the same explicit "
-       "steps; one_pass: window by window, the latter predicted with the "
-       "last loads; iterated: until motion and loads of each window "
-       "agree; none: there is neither."},
+       "every_step: stones and body (membrane, subgrade, elastic plate) take "
+       "the same explicit steps; one_pass: window by window, the body "
+       "predicted with the last loads; iterated: until motion and loads of "
+       "each window agree; none: there is no such body."},
       c.exchange, {"none", "every_step", "one_pass", "iterated"});
   list.add({"stone_steps", "-", "Steps of the stones in one window."},
            c.rules.stone_steps, between(1, 1e4));
-  list.add({"body_time", "-", "How the membrane or subgrade takes its steps."},
+  list.add({"body_time", "-", "How the body takes its steps."},
            c.is_body_implicit, {"explicit", "implicit"});
-  list.add(
-      {"body_steps", "-", "Steps of the membrane or subgrade in one window."},
-      c.body_steps, between(1, 1e4));
+  list.add({"body_steps", "-", "Steps of the body in one window."},
+           c.body_steps, between(1, 1e4));
   add_relaxation(list, c.rules);
   list.add({"ledger_limit", "-",
             "Of the work that crosses the interface this share may go astray; "

@@ -265,7 +265,9 @@ const std::vector<Section> &sections()
       {"Filling",
        "The stones, and how they get to their density.",
        {vibratory_compaction}},
-      {"Plate", "The rigid plate on the stones.", {vibratory_compaction}},
+      {"Plate",
+       "The plate on the stones: rigid, and it may tilt, or elastic.",
+       {vibratory_compaction}},
       {"Vibration",
        "The exciter on the plate, and what is written.",
        {vibratory_compaction}},
@@ -273,7 +275,9 @@ const std::vector<Section> &sections()
        "The stones on the subgrade, in a box with rigid sides.",
        {subgrade}},
       {"LoadPlate", "The rigid body that loads the stones.", {subgrade}},
-      {"Subgrade", "The elastic ground, its top at z = 0.", {subgrade}},
+      {"Subgrade",
+       "The ground, its top at z = 0: elastic, or of layers that yield.",
+       {subgrade}},
       {"Pulse", "What the plate or sleeper gets while loading.", {subgrade}},
       {"Record", "What is written, and how often.", {subgrade}},
       {"Specimen", "The stones and the room they fill.", {dynamic_triaxial}},
@@ -294,7 +298,8 @@ const std::vector<Section> &sections()
        {dynamic_triaxial, vibratory_compaction}},
       {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
       {"Coupling",
-       "How stones and membrane or subgrade exchange motion and loads.",
+       "How stones and membrane, subgrade or elastic plate exchange motion "
+       "and loads.",
        {dynamic_triaxial, vibratory_compaction, subgrade}},
       {"Loading",
        "Confinement, and what the top plate does.",
@@ -362,7 +367,13 @@ Case default_case(CaseKind kind)
   Case c;
   c.kind = kind;
   if (kind == CaseKind::dynamic_triaxial)
+  {
+    // Long stones with the rolling friction of the material never come to rest
+    // with radii along the branch.
+    c.specimen.shapes = "shapes/limestone_blocky";
+    c.stone.rolling_friction = 0.5;
     return c;
+  }
   if (kind == CaseKind::subgrade)
   {
     set_subgrade_defaults(c);

@@ -15,7 +15,7 @@ namespace spall
 {
 namespace
 {
-/// Steps between two looks.
+/// Steps between two looks, windows where a window has several.
 constexpr std::int64_t look_interval = 200, fixed_interval = 1000;
 /// Looks between two questions for the frequency of the membrane.
 constexpr std::int64_t membrane_interval = 15;
@@ -73,8 +73,9 @@ void StepWatch::look(const dem::Engine &engine, const Surroundings &around,
   const auto start = std::chrono::steady_clock::now();
   const bool is_fixed = parameters.step == StepRule::fixed;
   // What the stones may reach before the next look.
-  const double horizon =
-      is_fixed ? 0. : static_cast<double>(look_interval) * present_step;
+  const double horizon = is_fixed ? 0.
+                                  : static_cast<double>(look_interval) *
+                                        around.stone_steps * present_step;
   const dem::SpringNetwork network = springs(engine, around, horizon);
   ++record.n_checks;
   dem::NetworkStep bound = dem::guaranteed_step(network);

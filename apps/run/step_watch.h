@@ -42,7 +42,7 @@ public:
   /// contact on a membrane node [s].
   StepWatch(const TimeParameters &parameters, double cap);
 
-  /// Whether a look is due before this step of the engine.
+  /// Whether a look is due after so many steps, or windows of several.
   bool is_due(std::int64_t n_steps) const;
   /// Looks. With the rules stable and error, `longest` is then at most safety
   /// times the limit, and grows by no more than a tenth at a time. With

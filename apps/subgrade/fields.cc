@@ -140,7 +140,8 @@ void add_pulse(List &list, PulseParameters &p)
            p.eccentricity, between(0., 10.));
   list.add({"table", "-",
             "CSV file time_s,force_N of the form table: down is positive, "
-            "straight lines between the rows, time 0 is the start of loading."},
+            "straight lines between the rows, from time 0, the start of "
+            "loading."},
            p.table);
   list.add({"axle_load", "N", "Of one axle of the train."}, p.axle_load,
            between(0., 1e9));

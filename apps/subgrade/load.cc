@@ -4,8 +4,6 @@
 
 #include <fem/drive.h>
 
-#include <algorithm>
-
 namespace spall
 {
 namespace
@@ -67,7 +65,7 @@ SubgradeLoad::SubgradeLoad(const Case &c)
     const auto table =
         fem::Drive::read_table(find_path(c, "Pulse", "table", p.table));
     force = table;
-    length = std::max(0., table.last_time());
+    length = table.last_time();
     total = table.integral();
     return;
   }

@@ -8,7 +8,7 @@
 
 // Closed forms of the energy criterion for Hertz contacts: E_e / E_b =
 // F / (5 pi R G_c) and l = F / (3 pi R G_c), R = 1 / sqrt(K_G), whatever the
-// modulus. MODEL 6.1; the energy is 2/5 F delta.
+// modulus (docs/theory/breakage.md); the energy is 2/5 F delta.
 namespace spall::verify
 {
 namespace

@@ -9,7 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-// MODEL 5.1, 5.2 (Johnson 1985, 4.2; Mindlin 1949): formulas without a scene.
+// docs/theory/contact.md (Johnson 1985, 4.2; Mindlin 1949): formulas without a
+// scene.
 namespace spall::verify
 {
 namespace

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-/// Closed forms of impacts and of rolling, and one plain integrator, written
-/// without any code of the engine: what its kernels are compared with.
+/// Closed forms of impacts and of rolling, written without any code of the
+/// engine: what its kernels are compared with.
 namespace spall::verify::reference
 {
 /// Head-on impact of two elastic spheres: m* x'' = -4/3 E* sqrt(R*) x^(3/2).
@@ -91,12 +91,6 @@ inline double oscillator_restitution(double zeta)
   return std::exp(-zeta / damped * phase);
 }
 
-/// The same with a force that may pull until the overlap is zero [-].
-inline double oscillator_restitution_with_tension(double zeta)
-{
-  return std::exp(-std::numbers::pi * zeta / std::sqrt(1. - zeta * zeta));
-}
-
 /// Damping ratio of the oscillator that a Hertz impact with the dashpot
 /// 2 beta sqrt(m* k_n) becomes in x^(5/4), k_n = dF/dx [-].
 inline double hertz_damping_ratio(double beta)
@@ -124,66 +118,6 @@ inline double hertz_elastic_impulse(double beta)
 inline double linear_restitution(double beta)
 {
   return oscillator_restitution(beta);
-}
-
-/// F = max(0, C x^n + 2 beta sqrt(m k_n) x'), k_n = n C x^(n - 1): n = 3/2 is
-/// Hertz with the tangent stiffness in the dashpot, n = 1 the linear wall.
-struct NormalLaw
-{
-  double prefactor = 0.; ///< C [N/m^n]
-  double exponent = 1.5; ///< n [-]
-  double damping = 0.;   ///< beta [-]
-  double mass = 0.;      ///< m* [kg]
-
-  double force(double overlap, double closing_rate) const ///< [N]
-  {
-    if (!(overlap > 0.))
-      return 0.;
-    const double elastic = prefactor * std::pow(overlap, exponent);
-    const double stiffness = exponent * elastic / overlap;
-    const double viscous =
-        2. * damping * std::sqrt(mass * stiffness) * closing_rate;
-    return std::max(0., elastic + viscous);
-  }
-};
-
-struct ImpactHistory
-{
-  double peak_overlap = 0.;  ///< [m]
-  double peak_force = 0.;    ///< [N]
-  double duration = 0.;      ///< until the overlap is zero again [s]
-  double rebound_speed = 0.; ///< > 0 [m/s]
-};
-
-/// Central impact by the classical Runge-Kutta method, from touch at `speed`
-/// to separation; the last step is cut at zero overlap.
-inline ImpactHistory integrate_impact(const NormalLaw &law, double speed,
-                                      double time_step)
-{
-  const auto acceleration = [&law](double x, double v)
-  { return -law.force(x, v) / law.mass; };
-  ImpactHistory history;
-  double x = 0., v = speed, time = 0.;
-  do
-  {
-    const double h = time_step;
-    const double a1 = acceleration(x, v), v1 = v;
-    const double v2 = v + 0.5 * h * a1;
-    const double a2 = acceleration(x + 0.5 * h * v1, v2);
-    const double v3 = v + 0.5 * h * a2;
-    const double a3 = acceleration(x + 0.5 * h * v2, v3);
-    const double v4 = v + h * a3;
-    const double a4 = acceleration(x + h * v3, v4);
-    const double old_x = x;
-    x += h / 6. * (v1 + 2. * v2 + 2. * v3 + v4);
-    v += h / 6. * (a1 + 2. * a2 + 2. * a3 + a4);
-    time += x > 0. ? h : h * old_x / (old_x - x);
-    history.peak_overlap = std::max(history.peak_overlap, x);
-    history.peak_force = std::max(history.peak_force, law.force(x, v));
-  } while (x > 0.);
-  history.duration = time;
-  history.rebound_speed = -v;
-  return history;
 }
 
 /// Undamped oblique impact of a solid sphere on a plane with an elastic shear
@@ -255,20 +189,11 @@ struct RollingSphere
     return 0.5 * speed * speed / deceleration();
   }
 
-  /// Least friction for rolling without slip on a level plane [-].
-  double needed_friction() const { return 5. / 7. * rolling_friction; }
-
   /// Down a plane of this angle: 5/7 g cos (tan - mu_r), 0 at rest [m/s^2].
   double incline_acceleration(double angle) const
   {
     return 5. / 7. * gravity * std::cos(angle) *
            std::max(0., std::tan(angle) - rolling_friction);
-  }
-
-  /// Least friction for rolling down a plane of this angle [-].
-  double needed_incline_friction(double angle) const
-  {
-    return 2. / 7. * std::tan(angle) + 5. / 7. * rolling_friction;
   }
 };
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-// A ball on a plane: rolling and sliding of MODEL 5.6. The spring gives way by
-// W / k, a share of 1e-5 of the radius or less: lever and radius differ by
+// A ball on a plane: closed forms of rolling and sliding. The spring gives way
+// by W / k, a share of 1e-5 of the radius or less: lever and radius differ by
 // that much.
 namespace spall::verify
 {

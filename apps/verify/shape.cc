@@ -11,7 +11,7 @@
 #include <random>
 
 // Series of closed bodies: what truncation and the cached expansion do, and one
-// event on a sphere. MODEL 3.5, 8.2, 8.4, 9, 11.2.
+// event on a sphere (docs/theory/shape.md and breakage.md).
 namespace spall::verify
 {
 namespace

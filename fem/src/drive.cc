@@ -1,10 +1,10 @@
+#include "column_file.h"
+
 #include <fem/drive.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -62,31 +62,8 @@ Drive Drive::table(std::vector<double> times, std::vector<double> values)
 
 Drive Drive::read_table(const std::string &path)
 {
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line))
-    throw std::invalid_argument("drive table: cannot read " + path);
-  std::vector<double> times, values;
-  for (int number = 2; std::getline(file, line); ++number)
-  {
-    std::istringstream row(line);
-    double time = 0., value = 0.;
-    char comma = ' ';
-    if (!(row >> time >> comma >> value) || comma != ',')
-      throw std::invalid_argument("drive table: " + path + ", line " +
-                                  std::to_string(number) + ": \"" + line +
-                                  "\", must be time,value");
-    times.push_back(time);
-    values.push_back(value);
-  }
-  try
-  {
-    return table(std::move(times), std::move(values));
-  }
-  catch (const std::invalid_argument &fault)
-  {
-    throw std::invalid_argument(path + ": " + fault.what());
-  }
+  ColumnPair columns = read_columns(path, "time_s,force_N");
+  return table(std::move(columns.first), std::move(columns.second));
 }
 
 double Drive::integral() const

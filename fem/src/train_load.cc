@@ -1,10 +1,11 @@
+#include "column_file.h"
+
 #include <fem/train_load.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace fem
 {
@@ -56,28 +57,11 @@ double sleeper_share(const RailBed &bed, double x)
 
 ShareTable::ShareTable(const std::string &path)
 {
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line))
-    throw std::invalid_argument(path + ": cannot be read");
-  for (int number = 2; std::getline(file, line); ++number)
-  {
-    std::istringstream row(line);
-    double x = 0., value = 0.;
-    char comma = ' ';
-    const bool is_row = bool(row >> x >> comma >> value) && comma == ',' &&
-                        std::isfinite(x) && std::isfinite(value);
-    const bool ascends = distance.empty() ? x == 0. : x > distance.back();
-    if (!is_row || !ascends)
-      throw std::invalid_argument(path + ", line " + std::to_string(number) +
-                                  ": \"" + line +
-                                  "\": must be distance_m,share_1 with "
-                                  "distances that ascend from 0");
-    distance.push_back(x);
-    share.push_back(value);
-  }
-  if (distance.size() < 2)
+  ColumnPair columns = read_columns(path, "distance_m,share_1");
+  if (columns.first.size() < 2)
     throw std::invalid_argument(path + ": must have two rows or more");
+  distance = std::move(columns.first);
+  share = std::move(columns.second);
 }
 
 double ShareTable::operator()(double x) const

@@ -1,5 +1,5 @@
 // What the ways to say where two stones meet cost, and what they miss: table
-// and figures of docs/verification/geometry_cost.md (MODEL 4.3).
+// and figures of docs/verification/geometry_cost.md.
 //
 //   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
 #include "bench/measure.h"

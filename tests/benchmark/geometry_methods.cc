@@ -18,7 +18,7 @@ double local_radius(const dem::Body &body, const Vec3 &direction)
   return body.scale * dem::radius(*body.series, direction);
 }
 
-/// Meeting on the branch u, halfway into the overlap (MODEL 4.4).
+/// Meeting on the branch u, halfway into the overlap.
 Meeting on_branch(const MappedPair &pair, double radius_a, double radius_b)
 {
   const double distance = pair.pose.position.norm();
@@ -75,7 +75,7 @@ Vec3 direction_over(const HeightField &field, const Vec2 &place,
   return (rotation.transpose() * point).normalized();
 }
 
-/// Eigenvalues at most -0.3 / r (MODEL 4.3).
+/// Eigenvalues at most -0.3 / r.
 Mat2 made_concave(const Mat2 &second, double radius)
 {
   Eigen::SelfAdjointEigenSolver<Mat2> solver(0.5 *

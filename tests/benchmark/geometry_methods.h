@@ -16,17 +16,17 @@ struct Meeting
   bool is_found = true;
 };
 
-/// Overlap of the balls (MODEL 4.1 i).
+/// Overlap of the balls.
 Meeting by_balls(const dem::MappedPair &pair);
 
-/// Overlap of the local radii along the branch (MODEL 4.1 ii).
+/// Overlap of the local radii along the branch.
 Meeting by_radii(const dem::MappedPair &pair);
 
 /// The same, corrected so many times by the height functions of both surfaces
-/// over the plane across the branch (MODEL 4.3); 1 or more.
+/// over the plane across the branch; 1 or more.
 Meeting by_heights(const dem::MappedPair &pair, int n_corrections);
 
-/// The deepest place that a search from nothing finds (MODEL 4.1 iii); margin
+/// The deepest place that a search from nothing finds; margin
 /// as in dem::find_spots() [m].
 Meeting by_search(const dem::MappedPair &pair, double margin);
 

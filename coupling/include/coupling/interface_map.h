@@ -71,7 +71,7 @@ struct SurfacePoints
 void refer_to_nodes(std::span<const SurfacePoints> surfaces,
                     dem::SpringNetwork &springs);
 
-/// Sums over both sides of the interface at one instant.
+/// Sums over both sides at one instant; library only, runs keep the ledger.
 struct InterfaceBalance
 {
   double force_error = 0.;  ///< |sum f - sum f_s| / sum |f_s| [-]

@@ -26,7 +26,7 @@ struct EngineEnergy
   double rolling = 0.;    ///< dissipated
   double damping = 0.;    ///< dissipated by dashpots and local damping
   double breakage = 0.;   ///< released by events, lost kinetic energy included
-  double shape_work = 0.; ///< springs gained (negative) by turning, MODEL 6.4
+  double shape_work = 0.; ///< springs gained (negative) by turning
   double fracture = 0.;   ///< sum of G_c A_i over the events
   double plane_work = 0.; ///< done by the planes on the stones
   double drum_work = 0.;  ///< done by the drum on the stones
@@ -59,7 +59,7 @@ public:
   /// a surface that is none, or a name that is taken.
   std::size_t add_surface(const std::string &name, const WallMaterial &material,
                           FacetSurface surface);
-  /// Adds one with the law EngineParameters::surface.
+  /// Adds one with the law EngineParameters::surface; library only.
   void attach_surface(FacetSurface surface);
 
   /// One velocity Verlet step [s]. Velocities of planes and the motion of

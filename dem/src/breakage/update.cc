@@ -75,7 +75,8 @@ double solve_depth(const RemovedVolume &removed, double volume)
   return std::abs(removed.value(theta) - volume) <= 1e-12 * volume ? theta
                                                                    : -1.;
 }
-/// MODEL 8.3.
+
+/// docs/theory/breakage.md, The new shape.
 double exact_depth(const Coefficients &coefficients, const Coefficients &kernel,
                    double volume, const SphereQuadrature &rule)
 {
@@ -85,7 +86,7 @@ double exact_depth(const Coefficients &coefficients, const Coefficients &kernel,
 }
 
 /// V_i / (r_0^2 int K): on a sphere, to first order, what Eq. 17 takes off the
-/// mean radius (MODEL 8.2).
+/// mean radius.
 double article_depth(const Coefficients &coefficients,
                      const Coefficients &kernel, double volume)
 {

@@ -3,7 +3,7 @@
 #include "contact_lanes.h"
 
 /// The true surface of a stone about a contact, and the Newton step to the
-/// common normal of two (MODEL 4.1 iii), in lanes.
+/// common normal of two (docs/theory/surfaces.md), in lanes.
 namespace dem::kernel
 {
 namespace

@@ -36,7 +36,7 @@ void require_order(const Coefficients &coefficients)
         std::to_string(max_order));
 }
 
-/// Principal moments over the mass, from 1/5 int r^5 s s^T (MODEL 3.6).
+/// Principal moments over the mass, from 1/5 int r^5 s s^T.
 void set_gyration(std::span<const double> radii, const SphereQuadrature &rule,
                   Body &body)
 {

@@ -60,7 +60,7 @@ struct BoxMesh
 {
   Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< [m]
   std::array<std::vector<double>, 3> widths; ///< of the cells along x, y, z [m]
-  std::vector<RefinedRegion> refined;
+  std::vector<RefinedRegion> refined;        ///< library only: no case has any
 };
 
 /// Sides are numbered as BoxSide. Throws std::invalid_argument on widths that
@@ -83,8 +83,8 @@ struct QuarterCylinder
 SolidMesh quarter_cylinder_mesh(const QuarterCylinder &block);
 
 /// Hexahedra of a gmsh file (.msh, formats 2 and 4): physical volumes are the
-/// layers, physical surfaces the boundaries. Throws std::invalid_argument if
-/// it cannot be read.
+/// layers, physical surfaces the boundaries; library only, no case names one.
+/// Throws std::invalid_argument if it cannot be read.
 SolidMesh read_solid_mesh(const std::string &path);
 
 /// Layer k of a cell is the first whose top lies above its centre; the last

@@ -52,8 +52,8 @@ double characteristic_length(const RailBed &bed);
 /// that of the sleeper.
 double sleeper_share(const RailBed &bed, double x);
 
-/// Share over distance by straight lines between rows of a CSV (a header, then
-/// distance_m,share_1 with distances that ascend from 0); beyond the last one
+/// Share over distance by straight lines between rows of a CSV (the header
+/// distance_m,share_1, then distances that ascend from 0); beyond the last one
 /// zero.
 class ShareTable
 {

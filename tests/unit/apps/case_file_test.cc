@@ -164,7 +164,7 @@ TEST_F(CaseFile, TemplateIsASoundCase)
   setenv("SPALL_DATA_DIR", folder.c_str(), 1);
   fs::create_directories(folder / "gradations");
   fs::copy(folder / "g.csv", folder / "gradations/quick_7_22mm.csv");
-  fs::create_directories(folder / "shapes/limestone");
+  fs::create_directories(folder / "shapes/limestone_blocky");
   const std::string file =
       write("template.prm", template_case("dynamic_triaxial"));
   EXPECT_EQ(message_of(file), "");

@@ -146,7 +146,7 @@ TEST(EnginePlatens, BodiesOfTwoMaterialsMixTheirModuli)
   EXPECT_NEAR(engine.pairs().normal_force[0] / exact, 1., 1e-8);
 }
 
-// MODEL 8.6, an independent computation with steps of its own: the cube along
+// An independent computation with steps of its own: the cube along
 // a diagonal breaks in mode I first, at 3 pi R G_c, then in mode II from 751 N
 // up, 22 events to 1.5 mm (order 20); 664 N and 34 events to 1.2 mm (order 8).
 // Sequences amplify round-off: later ones are held loosely, as the model says.

@@ -94,7 +94,7 @@ TEST(Surface, CollisionsKeepMomentaAndEnergy)
 }
 
 // Two ellipsoids pole to pole: Hertz with A = B sums of known curvatures. At
-// rest under a given overlap the force is C_H delta^(3/2) (MODEL 5.1).
+// rest under a given overlap the force is C_H delta^(3/2).
 TEST(Surface, ForceOnThePoleIsHertz)
 {
   const Vec3 axes(0.012, 0.010, 0.008);

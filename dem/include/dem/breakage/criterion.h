@@ -64,8 +64,8 @@ struct CountedEnergy
   Real turn = Real(0.);
 };
 
-/// Lets pass swings of the energy below the share `hysteresis` = h of it (MODEL
-/// 6.3): energy that has fallen from its maximum by more than h of that counts
+/// Lets pass swings of the energy below the share `hysteresis` = h of it:
+/// energy that has fallen from its maximum by more than h of that counts
 /// again once it has risen from its minimum by more than h of itself, then all
 /// of the rise. Larger swings count in full; with h = 0 all do (Eq. 4).
 template <class Real>

@@ -36,7 +36,7 @@ struct KernelRule
 
 /// Angular width of the Gaussian kernel: max(lambda_patch, c_lambda / N_s),
 /// lambda_patch = s sqrt(delta / sqrt(K_G)) / r_c, at most pi / 4 [rad]
-/// (MODEL 8.4).
+/// (docs/theory/breakage.md, The new shape).
 double kernel_width(const Spall &spall, double contact_radius, int order,
                     const KernelRule &rule);
 
@@ -45,7 +45,7 @@ double kernel_width(const Spall &spall, double contact_radius, int order,
 std::vector<double> kernel_spectrum(double width, int order);
 
 /// Closure exact: subtract theta K from r so that the volume drops by exactly
-/// V_i, theta by Newton on the nodes of the rule (MODEL 8.3). Closure article:
+/// V_i, theta by Newton on the nodes of the rule. Closure article:
 /// theta = V_i / (r_0^2 int K), the mean taken out of the kernel, and the mean
 /// radius r_0 lowered by Eqs. 17, 18; the volume that leaves is then another
 /// one, as `removed_volume` says. The series becomes the stone's own.

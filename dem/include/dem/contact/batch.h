@@ -49,7 +49,7 @@ struct BatchLayout
 
 /// What contacts remember of the surface of the stone on one side: the
 /// second-order expansion of r about one body direction and the curvatures
-/// there (MODEL 11.2). The direction is zero where nothing is known. Empty
+/// there. The direction is zero where nothing is known. Empty
 /// where the contacts do not read the shape.
 struct SideColumns
 {

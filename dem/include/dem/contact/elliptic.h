@@ -52,7 +52,7 @@ struct HertzPrefactors
 };
 
 /// The exact solution by bisection and the arithmetic-geometric mean
-/// (MODEL 5.1, 5.2), with all that the reference tables list.
+/// (docs/theory/contact.md), with all that the reference tables list.
 struct EllipticContact
 {
   double eccentricity = 0.; ///< e [-]
@@ -71,7 +71,7 @@ EllipticContact solve_elliptic(const PairElasticity &pair,
 /// The same prefactors from Chebyshev fits in ln(B/A) made once from the exact
 /// solver: relative error below 1e-9 for 1 <= B/A <= 1e4; a longer ellipse is
 /// taken as one with A = B / 1e4. No elliptic integral and no root at run time.
-/// With R_g = 1 / (2 sqrt(A B)), f = f_F and q = B_c / K (MODEL 5.2):
+/// With R_g = 1 / (2 sqrt(A B)), f = f_F and q = B_c / K:
 ///   C_H = 4/3 E* sqrt(R_g) f,
 ///   k_s / sqrt(delta) = 2 sqrt(R_g) f [1 / (s - q t) + 1 / (s - (1 - q) t)],
 /// s = sum 1 / G_i, t = sum nu_i / G_i, since 2 pi a / K = 4 f sqrt(R_g delta).

@@ -56,7 +56,7 @@ DEM_LANE_INLINE Real linear_energy(double normal_stiffness, const Real &overlap)
 }
 
 /// F = C_H delta^(3/2), k_n = 3/2 C_H delta^(1/2), E = 2/5 F delta,
-/// k_s = C_s delta^(1/2) (MODEL 5.1). `overlap` >= 0 [m].
+/// k_s = C_s delta^(1/2) (docs/theory/contact.md). `overlap` >= 0 [m].
 template <class Real>
 DEM_LANE_INLINE NormalSpring<Real> hertz_spring(const Real &normal_prefactor,
                                                 const Real &shear_prefactor,
@@ -281,7 +281,7 @@ DEM_LANE_INLINE Real share_within(const Triple<Real> &spring,
   return select(is_beyond, min(Real(1.), share), Real(1.));
 }
 
-/// One step of the rolling-resistant incremental law (MODEL 5.4): total normal
+/// One step of the incremental law (docs/theory/contact.md): total normal
 /// force without tension, Mindlin shear spring with Coulomb slider, rolling
 /// spring k_r = k_s R^2 with limit f_r R F_n, dashpots c = 2 beta sqrt(m* k)
 /// with the tangent stiffness; that of shear has what the spring leaves of the

@@ -28,7 +28,7 @@ struct SurfaceSide
 };
 
 /// Series and curvatures of the stone at a unit direction of its body frame;
-/// both curvatures are floored at 1 / (floor_ratio r_ins) (MODEL 7.2).
+/// both curvatures are floored at 1 / (floor_ratio r_ins) (breakage.md, Cap).
 SurfaceSide evaluate_side(const Body &body, const Vec3 &direction,
                           double floor_ratio);
 } // namespace dem

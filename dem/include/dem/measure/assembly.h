@@ -5,7 +5,7 @@
 
 namespace dem
 {
-/// Indicators of the contact network (MODEL 9); walls are left out.
+/// Indicators of the contact network (theory/network.md); walls are left out.
 struct ContactNetwork
 {
   std::int64_t n_contacts = 0; ///< C, touching pairs of stones

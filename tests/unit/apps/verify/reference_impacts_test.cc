@@ -3,19 +3,14 @@
 #include <cmath>
 #include <verify/reference_impacts.h>
 
-// The closed forms that the engine is compared with, checked by numbers of
-// the literature and by a plain Runge-Kutta integration.
+// The closed forms that the engine is compared with, checked by numbers of the
+// literature and by balances.
 namespace reference = spall::verify::reference;
 
 namespace
 {
 // Chung & Ooi (2011), test 1, with its moduli; +-10 m/s.
 const reference::SphereMaterial glass{2800., 48e9, 0.2};
-
-double kilo_step(const reference::HertzImpact &impact)
-{
-  return 1e-4 * impact.duration();
-}
 } // namespace
 
 // Values printed to four digits.
@@ -37,58 +32,12 @@ TEST(ReferenceImpacts, ChungAndOoiTwo)
   EXPECT_NEAR(impact.duration(), 731.7e-6, 0.05e-6);
 }
 
-// Fourth order inside, third half-order at the touch (the force is delta^1.5
-// there): 1e-4 of the duration as step leaves less than 1e-6.
-TEST(ReferenceImpacts, IntegrationAgreesWithHertz)
-{
-  const reference::HertzImpact impact =
-      reference::equal_spheres(glass, 0.01, 20.);
-  const reference::ImpactHistory history =
-      reference::integrate_impact({impact.prefactor(), 1.5, 0., impact.mass},
-                                  impact.speed, kilo_step(impact));
-  EXPECT_NEAR(history.peak_overlap / impact.peak_overlap(), 1., 1e-6);
-  EXPECT_NEAR(history.peak_force / impact.peak_force(), 1., 1e-6);
-  EXPECT_NEAR(history.duration / impact.duration(), 1., 1e-6);
-  EXPECT_NEAR(history.rebound_speed / impact.speed, 1., 1e-6);
-}
-
 // The article's ratios: 0.455 at 0.27 (Hertz), 0.240 at 0.62 (linear wall).
 TEST(ReferenceImpacts, RestitutionNumbers)
 {
   EXPECT_NEAR(reference::hertz_restitution(0.27), 0.455, 0.0005);
   EXPECT_NEAR(reference::linear_restitution(0.62), 0.240, 0.0005);
-  EXPECT_NEAR(reference::oscillator_restitution_with_tension(
-                  reference::hertz_damping_ratio(0.27)),
-              0.378, 0.0005);
-  EXPECT_NEAR(reference::oscillator_restitution_with_tension(0.62), 0.084,
-              0.0005);
   EXPECT_EQ(reference::hertz_restitution(0.), 1.);
-}
-
-// Independent of speed, mass and stiffness. The dashpot acts at once at touch
-// (x^(1/4) for Hertz, a step for the linear law): first order at worst, and
-// 1e-4 of the duration as step leaves less than 2e-4.
-TEST(ReferenceImpacts, RestitutionAgreesWithIntegration)
-{
-  for (const double beta : {0.05, 0.27, 0.62})
-    for (const double speed : {0.1, 20.})
-    {
-      reference::HertzImpact impact =
-          reference::equal_spheres(glass, 0.01, speed);
-      const double hertz = reference::integrate_impact(
-                               {impact.prefactor(), 1.5, beta, impact.mass},
-                               speed, kilo_step(impact))
-                               .rebound_speed /
-                           speed;
-      EXPECT_NEAR(hertz, reference::hertz_restitution(beta), 2e-4);
-      const double stiffness = 1e8, mass = 0.02;
-      const double step = 1e-4 * std::sqrt(mass / stiffness);
-      const double linear =
-          reference::integrate_impact({stiffness, 1., beta, mass}, speed, step)
-              .rebound_speed /
-          speed;
-      EXPECT_NEAR(linear, reference::linear_restitution(beta), 2e-4);
-    }
 }
 
 // Kharaz: 5 mm spheres, e 0.98, mu 0.092, 3.9 m/s. Values printed to four
@@ -117,22 +66,19 @@ TEST(ReferenceImpacts, GrossSliding)
   EXPECT_NEAR(std::atan(unit.least_tangential_speed()) / degree, 32.5, 0.05);
 }
 
-// m a = mu F, I alpha = (mu_r R - mu R) F with a = R alpha, I = 2/5 m R^2.
+// With the force T along the plane m a = m g sin - T, and with a = R alpha and
+// I = 2/5 m R^2 about the centre 2/5 m a = T - mu_r N; level: T brakes.
 TEST(ReferenceImpacts, RollingBalances)
 {
   const reference::RollingSphere sphere{0.2, 9.81};
-  const double friction = sphere.needed_friction();
-  EXPECT_DOUBLE_EQ(sphere.deceleration(), friction * 9.81);
-  // Both spin and speed must fall together: 5/2 (mu_r - mu) = mu.
-  EXPECT_NEAR(2.5 * (0.2 - friction), friction, 1e-15);
+  const double slowing = sphere.deceleration();
+  EXPECT_NEAR(0.4 * slowing, 0.2 * 9.81 - slowing, 1e-14);
   EXPECT_NEAR(sphere.stop_distance(1.), 0.7 / (0.2 * 9.81), 1e-15);
 
   const double angle = 0.4;
-  const double normal = 9.81 * std::cos(angle);
-  const double held = sphere.needed_incline_friction(angle);
-  const double down = 9.81 * std::sin(angle) - held * normal;
-  EXPECT_NEAR(sphere.incline_acceleration(angle), down, 1e-14);
-  EXPECT_NEAR(2.5 * (held - 0.2) * normal, down, 1e-14);
+  const double down = sphere.incline_acceleration(angle);
+  const double along = 9.81 * std::sin(angle) - down;
+  EXPECT_NEAR(0.4 * down, along - 0.2 * 9.81 * std::cos(angle), 1e-14);
   EXPECT_EQ(sphere.incline_acceleration(std::atan(0.19)), 0.);
 }
 

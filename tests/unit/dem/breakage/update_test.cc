@@ -56,7 +56,7 @@ TEST(KernelSpectrum, IsTheProjectionOfTheKernel)
   }
 }
 
-// I_0 = 2 pi lambda^2 (1 - lambda^2 / 3 + lambda^4 / 15 - ...), MODEL 8.2;
+// I_0 = 2 pi lambda^2 (1 - lambda^2 / 3 + lambda^4 / 15 - ...);
 // the next term is below lambda^6 / 50.
 TEST(KernelSpectrum, MeanIsTheSeriesOfTheModel)
 {
@@ -115,7 +115,7 @@ TEST(ApplySpall, TakesThetaTimesKernelFromTheSeries)
     }
 }
 
-// A sphere to first order: theta I_0 r^2 = V_i (MODEL 8.2); the second order
+// A sphere to first order: theta I_0 r^2 = V_i; the second order
 // is theta / 2 r ~ 1e-4 and the truncation of the kernel conserves its mean.
 TEST(ApplySpall, DepthOnASphereIsTheClosedForm)
 {

@@ -93,7 +93,7 @@ inline Long solid_factor(int n, int m)
                    std::tgamma(Long(n - m + 1)) * std::tgamma(Long(n + m + 1)));
 }
 
-/// Each degree: g = P grad S, H = P grad grad S P - n S P (MODEL 3.2).
+/// Each degree: g = P grad S, H = P grad grad S P - n S P.
 inline LongExpansion long_expansion(const std::vector<double> &a,
                                     const Vec3 &at)
 {
