@@ -72,10 +72,10 @@ std::vector<Quantity> Compaction::measured() const
       {"stage_1", static_cast<double>(now.stage)},
       {"vibration_s", vibrated()},
       {"settlement_m", is_vibrating ? now.start_height - height() : 0.},
-      {"density_kg_m3", dense},
+      {"density_kg_per_m3", dense},
       {"porosity_1", 1. - dense / parameters.stone.density},
       {"plate_height_m", height()},
-      {"plate_velocity_m_s", plate ? plate->velocity() : 0.},
+      {"plate_velocity_m_per_s", plate ? plate->velocity() : 0.},
       {"plate_load_N", plate_load()},
       {"plate_impulse_Ns", now.impulse},
       {"lift_off_s", now.lift_off},
@@ -97,14 +97,14 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   for (const dem::Pouring::Layer &layer : pouring.layers())
     layers.push_back({{"mass_kg", layer.mass},
                       {"height_m", layer.height},
-                      {"density_kg_m3", layer.density},
+                      {"density_kg_per_m3", layer.density},
                       {"tamper_pressure_Pa", layer.pressure},
                       {"strokes", layer.strokes},
                       {"time_s", layer.time}});
   const double reached =
       pouring.layers().empty() ? 0. : pouring.layers().back().density;
-  summary["filling"] = {{"density_asked_kg_m3", parameters.filling.density},
-                        {"density_reached_kg_m3", reached},
+  summary["filling"] = {{"density_asked_kg_per_m3", parameters.filling.density},
+                        {"density_reached_kg_per_m3", reached},
                         {"unbalanced_ratio_1", pouring.unbalanced_ratio()},
                         {"layers", layers}};
   const VibrationParameters &v = parameters.vibration;
@@ -119,7 +119,7 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   summary["vibration_s"] = vibrated();
   summary["settlement_m"] =
       now.stage == Stage::vibration ? now.start_height - height() : 0.;
-  summary["density_kg_m3"] = density();
+  summary["density_kg_per_m3"] = density();
   summary["roundness_1"] = dem::mean_roundness(engine().particles());
   summary["mean_plate_load_N"] =
       vibrated() > 0. ? now.impulse / vibrated() : 0.;
@@ -128,7 +128,7 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   for (const Report &report : reports)
     said.push_back({{"vibration_s", report.time},
                     {"settlement_m", report.settlement},
-                    {"density_kg_m3", report.density},
+                    {"density_kg_per_m3", report.density},
                     {"laa_percent", report.abrasion},
                     {"roundness_1", report.roundness},
                     {"n_events", report.n_events}});

@@ -21,7 +21,7 @@ struct Quantity
 constexpr std::array quantities = {
     Quantity{"settlement", "settlement_m", "Settlement (mm)",
              "Settlement of the plate since the vibration began.", 1e3},
-    Quantity{"density", "density_kg_m3", "Density (kg/m³)",
+    Quantity{"density", "density_kg_per_m3", "Density (kg/m³)",
              "Mass of the stones as filled over the volume under the plate."},
     Quantity{"abrasion", "laa_percent", "Abrasion LAA (%)",
              "Mass that the stones have lost over their initial mass."},

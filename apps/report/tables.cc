@@ -82,7 +82,7 @@ constexpr Headline compaction_headlines[]{
     {"Settlement", " mm",
      [](const RunData &run) { return 1e3 * last(run, "settlement_m"); }, false},
     {"Density", " kg/m³",
-     [](const RunData &run) { return last(run, "density_kg_m3"); }, false},
+     [](const RunData &run) { return last(run, "density_kg_per_m3"); }, false},
     {"Abrasion LAA", " %", abrasion_percent, false}};
 
 constexpr Headline subgrade_headlines[]{
@@ -264,15 +264,16 @@ std::vector<Row> summary_rows()
          const auto filling = run.summary.find("filling");
          return filling == run.summary.end()
                     ? std::string("–")
-                    : number_of(*filling, "density_asked_kg_m3", 1., 4) +
+                    : number_of(*filling, "density_asked_kg_per_m3", 1., 4) +
                           " / " +
-                          number_of(*filling, "density_reached_kg_m3", 1., 4);
+                          number_of(*filling, "density_reached_kg_per_m3", 1.,
+                                    4);
        }},
       number_row("Settlement while seated (mm)", "seating_settlement_m", 1e3,
                  4),
       number_row("Time of vibration (s)", "vibration_s", 1., 4),
       number_row("Settlement (mm)", "settlement_m", 1e3, 4),
-      number_row("Density at the end (kg/m³)", "density_kg_m3", 1., 5),
+      number_row("Density at the end (kg/m³)", "density_kg_per_m3", 1., 5),
       number_row("Static load (N)", "static_load_N", 1., 5),
       number_row("Force of the exciter (N)", "exciter_force_N", 1., 4),
       number_row("Displacement (mm)", "displacement_m", 1e3, 4),

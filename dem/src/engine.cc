@@ -440,6 +440,8 @@ void Engine::break_corners()
   const std::size_t before = events.size();
   const BreakingSum done =
       break_stones(context(0.), stones, contacts, now, events);
+  if (settings.breakage.memory == FactorMemory::patch)
+    exchange_factors(); // of contacts that the events opened
   refused_count += done.n_refused;
   lost.shape_work += done.refreshed;
   for (std::size_t e = before; e < events.size(); ++e)

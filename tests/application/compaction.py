@@ -63,8 +63,8 @@ def impulse_faults(history, share):
     first, last = free[20], free[-1]
     given = last["plate_impulse_Ns"] - first["plate_impulse_Ns"]
     time_between = last["vibration_s"] - first["vibration_s"]
-    momentum = MASS * (last["plate_velocity_m_s"] -
-                       first["plate_velocity_m_s"])
+    momentum = MASS * (last["plate_velocity_m_per_s"] -
+                       first["plate_velocity_m_per_s"])
     exciter = ECCENTRIC * omega * (math.cos(omega * first["vibration_s"]) -
                                    math.cos(omega * last["vibration_s"]))
     # The plate takes the same forces, but for the half step before an event;
@@ -83,7 +83,7 @@ def number_faults(folder, form):
     faults += near("force of the exciter", found["exciter_force_N"],
                    ECCENTRIC * (2. * math.pi * FREQUENCY) ** 2, 1e-12)
     # Few and large stones: tamped to it, or denser than asked as they fell.
-    if not 0.995 * 1300. < filling["density_reached_kg_m3"] < 1.25 * 1300.:
+    if not 0.995 * 1300. < filling["density_reached_kg_per_m3"] < 1.25 * 1300.:
         faults.append(f"density {filling}")
     mass = filling["layers"][-1]["mass_kg"]
     faults += near("mass", mass, 1300. * 0.07 * math.pi * 0.045 ** 2, 0.02)
@@ -92,7 +92,7 @@ def number_faults(folder, form):
         faults.append(f"{found['n_stones']} stones settle by "
                       f"{last['settlement_m']} m")
     # Of the volume as it is: the cylinder, or the tube, which is wider.
-    section = mass / last["density_kg_m3"] / last["plate_height_m"]
+    section = mass / last["density_kg_per_m3"] / last["plate_height_m"]
     if not 0.999 < section / (math.pi * 0.045 ** 2) < 1.1:
         faults.append(f"section {section} m^2")
     if not found["energy_residual_ratio_1"] < 1e-2:

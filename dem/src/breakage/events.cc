@@ -164,6 +164,19 @@ Walls walls_of(ContactSet &contacts, int batch)
   return contacts.of_surfaces[static_cast<std::size_t>(batch - first_surface)];
 }
 
+/// Factors of a contact that has opened: lost, or marked for their patches.
+void end_damage(ContactBatch &batch, std::size_t k, FactorMemory memory)
+{
+  if (memory == FactorMemory::patch)
+  {
+    batch.event[k] = static_cast<std::uint8_t>(batch.event[k] | 4u);
+    return;
+  }
+  batch.factor_a[k] = 0.;
+  if (batch.layout.has_partners)
+    batch.factor_b[k] = 0.;
+}
+
 /// Evaluates a contact anew; returns the energy that it gave up [J].
 double reset(const ForceContext &context, ContactSet &contacts,
              const Place &place)
@@ -175,11 +188,7 @@ double reset(const ForceContext &context, ContactSet &contacts,
           ? reset_pair(context, batch, k)
           : reset_wall(context, walls_of(contacts, place.batch), batch, k);
   if (batch.layout.has_damage && !batch.is_touching(k))
-  {
-    batch.factor_a[k] = 0.;
-    if (batch.layout.has_partners)
-      batch.factor_b[k] = 0.;
-  }
+    end_damage(batch, k, context.parameters.breakage.memory);
   return released;
 }
 

@@ -49,18 +49,44 @@ double wall_step(const WallMaterial &wall, double mass)
   return wall.shear_stiffness > 0. ? std::min(normal, shear_step(wall, mass))
                                    : normal;
 }
+/// Material 0 as a solid among the others.
+SolidMaterial solid_of(const EngineParameters &parameters, std::size_t material)
+{
+  const StoneMaterial &stone = parameters.stone;
+  return material > 0 ? parameters.other_solids.at(material - 1)
+                      : SolidMaterial{stone.density, stone.shear_modulus,
+                                      stone.poisson_ratio};
+}
+
+/// The shortest over the materials, each by its smallest body.
+StepLimit rayleigh_step(const EngineParameters &parameters,
+                        const Particles &particles)
+{
+  StepLimit limit{std::numeric_limits<double>::infinity(), "no stone"};
+  for (std::size_t m = 0; m <= parameters.other_solids.size(); ++m)
+  {
+    double radius = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      if (particles.material[i] == m)
+        radius = std::min(radius, particles.radius(i));
+    const SolidMaterial solid = solid_of(parameters, m);
+    const double step = std::numbers::pi * radius *
+                        std::sqrt(solid.density / solid.shear_modulus) /
+                        (0.1631 * solid.poisson_ratio + 0.8766);
+    if (step < limit.step)
+      limit = {step, m > 0 ? "Rayleigh wave in the smallest ball that is no "
+                             "stone"
+                           : "Rayleigh wave in the smallest stone"};
+  }
+  return limit;
+}
 } // namespace
 
 StepLimit critical_step(const EngineParameters &parameters,
                         const Particles &particles, const std::string &surface)
 {
   const double mass = particles.smallest_mass();
-  const double radius = particles.smallest_radius();
-  const StoneMaterial &stone = parameters.stone;
-  StepLimit limit{std::numbers::pi * radius *
-                      std::sqrt(stone.density / stone.shear_modulus) /
-                      (0.1631 * stone.poisson_ratio + 0.8766),
-                  "Rayleigh wave in the smallest stone"};
+  StepLimit limit = rayleigh_step(parameters, particles);
   if (const double step = wall_step(parameters.wall, mass); step < limit.step)
     limit = {step, "lightest stone on a wall (Wall/normal_stiffness)"};
   if (const double step = wall_step(parameters.surface, mass);

@@ -1,5 +1,6 @@
 #include <dem/io/binary.h>
 #include <dem/packing/pouring.h>
+#include <dem/packing/stream_seed.h>
 
 #include <algorithm>
 #include <cmath>
@@ -141,7 +142,7 @@ std::vector<Placement> Pouring::cloud_above(double floor,
     try
     {
       box.upper.z() = floor + height;
-      Random random(seed + finished.size());
+      Random random(stream_seed(seed, finished.size()));
       return insert_stones(layer, box, random);
     }
     catch (const std::runtime_error &)

@@ -217,6 +217,39 @@ TEST(EngineBreakage, PatchKeepsTheFactor)
   }
 }
 
+// A soft wall lets the stone sink in, a narrow kernel takes off more than the
+// overlap: the event opens its contact. One step that counts many times takes
+// the factor past 1; the rest of it is lost, or waits on the patch.
+TEST(EngineBreakage, PatchKeepsTheFactorOfAContactThatAnEventOpens)
+{
+  using enum dem::FactorMemory;
+  for (const dem::FactorMemory memory : {contact, patch})
+  {
+    dem::EngineParameters p = press_parameters();
+    p.wall.normal_stiffness = 4e5;
+    p.breakage.memory = memory;
+    p.breakage.kernel_floor = 1.;
+    p.breakage.kernel_scale = 0.5;
+    Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), 40. * slow);
+    EXPECT_TRUE(press.load_to(0.5 * first_event()).empty());
+    const double before = factor(press);
+    press.engine.advance(press.time_step);
+    const double step = factor(press) - before;
+    ASSERT_GT(step, 0.);
+    // 1.5 after the next step, 0.5 when one is taken off.
+    press.engine.set_repetitions((1.5 - factor(press)) / step);
+    press.engine.advance(press.time_step);
+    const auto events = press.engine.take_events();
+    ASSERT_EQ(events.size(), 2u); // one at either plate
+    ASSERT_EQ(events[1].force_after, 0.);
+    EXPECT_EQ(factor(press), 0.);
+    press.engine.set_repetitions(1.);
+    while (press.force() == 0. && press.engine.time() < 0.02)
+      press.engine.advance(press.time_step);
+    EXPECT_NEAR(factor(press), memory == patch ? 0.5 : 0., 0.05);
+  }
+}
+
 // A rise that counts five times: the first event at a fifth of the force; one
 // that counts for nothing: none.
 TEST(EngineBreakage, RepetitionsMultiplyTheFactor)

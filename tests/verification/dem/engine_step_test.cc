@@ -107,6 +107,29 @@ TEST(EngineStep, RollingMode)
   }
 }
 
+// A ball of steel among stones is stiffer by far; its wave sets the step.
+TEST(EngineStep, RayleighWaveOfEveryMaterial)
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.wall.normal_stiffness = p.surface.normal_stiffness = 1.;
+  p.wall.shear_stiffness = p.surface.shear_stiffness = 1.;
+  p.other_solids = {{7850., 8e10, 0.3}};
+  const auto rayleigh = [](double r, double rho, double G, double nu)
+  { return M_PI * r * std::sqrt(rho / G) / (0.1631 * nu + 0.8766); };
+  dem::Engine engine(p);
+  support::add_sphere(engine, ball_radius, {0., 0., 0.});
+  const double stone = rayleigh(ball_radius, p.stone.density,
+                                p.stone.shear_modulus, p.stone.poisson_ratio);
+  EXPECT_NEAR(dem::critical_step(p, engine.particles()).step, stone,
+              1e-12 * stone);
+  engine.add_stone(dem::make_sphere(2. * ball_radius),
+                   {0., 0., 4. * ball_radius}, dem::Quaternion::Identity(), 1);
+  const dem::StepLimit limit = dem::critical_step(p, engine.particles());
+  const double steel = rayleigh(2. * ball_radius, 7850., 8e10, 0.3);
+  EXPECT_NEAR(limit.step, steel, 1e-12 * steel);
+  EXPECT_NE(limit.reason.find("no stone"), std::string::npos);
+}
+
 // The membrane's contact counts as the walls do.
 TEST(EngineStep, SurfaceCountsToo)
 {

@@ -55,8 +55,8 @@ struct BreakingSum
 /// then by contact: of the two sides of a contact the one with the larger
 /// E_e / E_b breaks. A side that no longer meets the criterion after earlier
 /// events of the step is left alone. Stones change shape, mass and inertia;
-/// their contacts are evaluated anew, the loads of the stones are not. Events
-/// are appended to `events`.
+/// their contacts are evaluated anew (those that open are marked where patches
+/// keep factors), the loads of stones are not. Events go to `events`.
 BreakingSum break_stones(const ForceContext &context, Particles &particles,
                          ContactSet &contacts, double time,
                          std::vector<BreakageEvent> &events);
