@@ -17,7 +17,8 @@ import subprocess
 import sys
 import tempfile
 
-from triaxial_runs import (DATA, LATERALS, report_faults, rows, run, summary)
+from triaxial_runs import (CASE, DATA, LATERALS, report_faults, rows, run,
+                           summary)
 
 # Key of summary.json: largest relative difference from the reference.
 TOLERANCES = {
@@ -267,6 +268,23 @@ def report_is_written(spall, folders, page):
             if lateral not in text]
 
 
+def check_faults(spall):
+    """The step that is said is that of the loading: where the exchange limits
+    it, it goes about with the root of the stiffness."""
+    steps = []
+    for stiffness in ("1e8", "4e8"):
+        said = subprocess.run(
+            [spall, "check", str(CASE), "--set", "Time/step=stable", "--set",
+             f"MembraneContact/normal_stiffness={stiffness}"],
+            capture_output=True, text=True, check=False)
+        found = re.search(r"time step\s+(\S+) s", said.stdout)
+        if not found:
+            return [f"check: {said.stdout}{said.stderr}"]
+        steps.append(float(found[1]))
+    return [] if 1.8 < steps[0] / steps[1] < 2.2 else [
+        f"check: steps {steps} s of four times the stiffness"]
+
+
 def write_reference(path, found):
     keys = [*TOLERANCES, "permanent_axial_strain_1"]
     path.write_text(json.dumps({key: found[key] for key in keys
@@ -275,7 +293,7 @@ def write_reference(path, found):
 
 def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
-    faults = []
+    faults = check_faults(spall)
     with tempfile.TemporaryDirectory() as name:
         folders = [pathlib.Path(name) / lateral for lateral in LATERALS]
         for folder, lateral in zip(folders, LATERALS):
