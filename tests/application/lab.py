@@ -120,9 +120,9 @@ def single_particle(spall, root):
     with subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, env=ENVIRONMENT) as running:
         table = root / "stopped" / "events.csv"
-        while running.poll() is None and not (
-                table.exists() and table.stat().st_size > 400):
+        while running.poll() is None and not table.exists():
             time.sleep(0.002)
+        time.sleep(0.1)  # of a second or more
         running.send_signal(signal.SIGTERM)
         running.communicate(timeout=100)
         if running.returncode != 2:
