@@ -28,7 +28,7 @@ SCENE = {
                  "cell_size": 0.05, "growth": 1.6},
     "Pulse": {"amplitude": 150, "frequency": 25, "cycles": 1, "rest": 0.16},
     "Record": {"row_interval": 1e-3, "checkpoint_interval": 0.02,
-               "stress_depths": "0.1 0.3"},
+               "stress_depths": "0.05 0.2"},
     "Stone": {"rolling_friction": 0.2},
     "Breakage": {"is_active": "false"},
     "Wall": {"normal_stiffness": 2e6, "shear_stiffness": 1.7e6},
@@ -109,13 +109,12 @@ def energy_faults(folder):
 def output_faults(folder):
     faults = []
     header, loading = rows(folder, "history.csv")
-    for column in ("vertical_stress_0.1m_Pa", "vertical_stress_0.3m_Pa",
+    for column in ("vertical_stress_0.05m_Pa", "vertical_stress_0.2m_Pa",
                    "stone_velocity_rms_m_per_s", "coordination_number_1",
                    "laa_percent"):
         if column not in header:
             faults.append(f"history.csv has no {column}")
     found = summary(folder)
-    # Nearer to the top the middle may lie between the stones.
     peaks = [entry["peak_of_pulses"]
              for entry in found["stresses"].values()]
     if not peaks[0] > peaks[1] > 0:

@@ -1,6 +1,5 @@
 #include <dem/io/binary.h>
 #include <dem/packing/pouring.h>
-#include <dem/packing/stream_seed.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +141,7 @@ std::vector<Placement> Pouring::cloud_above(double floor,
     try
     {
       box.upper.z() = floor + height;
-      Random random(stream_seed(seed, finished.size()));
+      Random random(seed + finished.size());
       return insert_stones(layer, box, random);
     }
     catch (const std::runtime_error &)

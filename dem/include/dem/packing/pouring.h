@@ -75,7 +75,7 @@ public:
     std::int64_t strokes = 0;
   };
 
-  /// `layers` not empty, largest stones first; each has a stream of its own.
+  /// `layers` must not be empty; largest stones first in each.
   Pouring(const Room &room, const PouringParameters &parameters,
           std::vector<std::vector<Body>> layers, std::uint64_t seed);
 

@@ -1,9 +1,7 @@
 #include <dem/packing/gradation.h>
-#include <dem/packing/stream_seed.h>
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <shape/test_shapes.h>
 
 namespace
@@ -94,20 +92,6 @@ TEST(Gradation, SeedSettlesTheStones)
     is_other = is_other || first[k].volume != other[k].volume;
   }
   EXPECT_TRUE(is_other);
-}
-
-// Neither the next layer of one seed nor a layer of the next seed is another
-// layer's, and none is what the seed itself begins with.
-TEST(Random, StreamsAreTheirOwn)
-{
-  std::set<double> first;
-  for (std::uint64_t seed = 0; seed < 30; ++seed)
-  {
-    first.insert(dem::Random(seed).uniform());
-    for (std::uint64_t stream = 0; stream < 30; ++stream)
-      first.insert(dem::Random(dem::stream_seed(seed, stream)).uniform());
-  }
-  EXPECT_EQ(first.size(), 30u * 31u);
 }
 
 // Numbers of mt19937_64 are the same everywhere, and so are ours.
