@@ -44,11 +44,17 @@ std::string last_line(const fs::path &path)
   return last;
 }
 
-/// The case, first line aside: it names the file that was given.
+/// What the case sets. Comments name the file that was given, and may read
+/// otherwise in another version.
 std::string body(const std::string &resolved)
 {
-  return resolved.substr(
-      std::min(resolved.find("subsection"), resolved.size()));
+  std::istringstream lines(resolved);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t first = line.find_first_not_of(' ');
+        first != std::string::npos && line[first] != '#')
+      kept += line + '\n';
+  return kept;
 }
 
 nlohmann::ordered_json summary_of(const fs::path &run)
@@ -215,7 +221,7 @@ void write_study_table(const Study &study,
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     out << points[k].folder << ',' << results[k].is_done;
-    for (const std::string &value : points[k].values)
+    for (const std::string &value : points[k].values_in_case)
       out << ',' << value;
     out << ',' << points[k].seed;
     for (const double value : results[k].outcomes)

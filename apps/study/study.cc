@@ -236,17 +236,18 @@ std::string seed_key_of(CaseKind kind)
   return "Specimen/seed";
 }
 
-/// Values of the swept keys in the base case.
-std::vector<std::string> base_values(const Study &study)
+using Row = std::vector<std::string>;
+
+/// Values of the swept keys in a case, which is of this variant.
+Row values_in(const Study &study, Case parameters, const std::string &variant)
 {
-  Case base = read_case(study.case_file, study.base);
-  const std::vector<Parameter> list = parameters_of(base);
-  std::vector<std::string> values;
+  const std::vector<Parameter> list = parameters_of(parameters);
+  Row values;
   for (const SweptKey &key : study.keys)
   {
     if (key.is_variant())
     {
-      values.emplace_back("as_given");
+      values.push_back(variant);
       continue;
     }
     const auto found = std::ranges::find_if(
@@ -260,7 +261,11 @@ std::vector<std::string> base_values(const Study &study)
   return values;
 }
 
-using Row = std::vector<std::string>;
+/// Those of the base case.
+Row base_values(const Study &study)
+{
+  return values_in(study, read_case(study.case_file, study.base), "as_given");
+}
 
 /// One row of values per case: each key by itself around the base.
 std::vector<Row> single_rows(const Study &study, const Row &base,
@@ -334,19 +339,19 @@ bool is_swept(const Study &study, const Row &row, const Row &base,
                              { return same_text(value) == row[k]; });
 }
 
-StudyPoint make_point(const Study &study, const std::vector<std::string> &row,
+/// What a row leaves as it is in the base may be another thing in a variant.
+StudyPoint make_point(const Study &study, const Row &row, const Row &base,
                       const std::string &seed, std::size_t number)
 {
   StudyPoint point;
+  point.values = row;
   point.seed = seed;
   point.overrides = study.base;
+  const bool leaves_others = study.combine == Combine::each;
   for (std::size_t k = 0; k < row.size(); ++k)
-  {
-    point.values.push_back(row[k]);
-    if (!study.keys[k].is_variant())
+    if (!study.keys[k].is_variant() && !(leaves_others && row[k] == base[k]))
       point.overrides.push_back(
           {study.keys[k].section, study.keys[k].key, row[k]});
-  }
   for (const Variant &variant : study.variants)
     if (variant.name == row.front())
       point.overrides.insert(point.overrides.end(), variant.settings.begin(),
@@ -356,7 +361,9 @@ StudyPoint make_point(const Study &study, const std::vector<std::string> &row,
   point.folder = run_name(number);
   try
   {
-    point.resolved = resolved_case(read_case(study.case_file, point.overrides));
+    const Case parameters = read_case(study.case_file, point.overrides);
+    point.values_in_case = values_in(study, parameters, row.front());
+    point.resolved = resolved_case(parameters);
   }
   catch (const InputError &error)
   {
@@ -409,7 +416,7 @@ std::vector<StudyPoint> points_of(const Study &study)
   for (const Row &row : rows)
     for (const std::string &seed : seeds)
     {
-      StudyPoint point = make_point(study, row, seed, points.size() + 1);
+      StudyPoint point = make_point(study, row, base, seed, points.size() + 1);
       auto known =
           std::ranges::find_if(points, [&](const StudyPoint &other)
                                { return other.resolved == point.resolved; });

@@ -101,7 +101,9 @@ struct Study
 /// One case of a study.
 struct StudyPoint
 {
-  std::vector<std::string> values; ///< of the keys, in their order
+  std::vector<std::string> values; ///< asked for, of the keys in their order
+  /// Those that the case has: a variant may bring others than the base.
+  std::vector<std::string> values_in_case;
   std::string seed;
   std::vector<int> sweeps; ///< keys that it is a point of
   bool is_base = false;    ///< no key has another value than the base case

@@ -134,7 +134,7 @@ TextTable failure_table(const StudyData &data)
       std::string values;
       for (std::size_t k = 0; k < data.study.keys.size(); ++k)
         values += (k > 0 ? ", " : "") + data.study.keys[k].name() + " = " +
-                  data.points[p].values[k];
+                  data.points[p].values_in_case[k];
       table.rows.push_back(
           {data.points[p].folder, values, data.results[p].fault});
     }
@@ -152,8 +152,8 @@ TextTable case_table(const StudyData &data)
   for (std::size_t p = 0; p < data.points.size(); ++p)
   {
     Cells cells = {data.points[p].folder};
-    cells.insert(cells.end(), data.points[p].values.begin(),
-                 data.points[p].values.end());
+    cells.insert(cells.end(), data.points[p].values_in_case.begin(),
+                 data.points[p].values_in_case.end());
     cells.push_back(data.points[p].seed);
     for (const double value : data.results[p].outcomes)
       cells.push_back(format(value, 5));

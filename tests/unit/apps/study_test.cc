@@ -314,6 +314,25 @@ TEST_F(StudyFile, PricesAreAgainstTheReference)
       << study_markdown(data);
 }
 
+// A variant that sets a swept key keeps its value, and is no other case.
+TEST_F(StudyFile, VariantsMaySetWhatIsSwept)
+{
+  const Study map = read_study(
+      write("v.prm", "subsection Study\n  set case = c.prm\n"
+                     "  set outcomes = n_events\nend\n"
+                     "subsection Variants\n"
+                     "  set plain = Stone/friction=0.3\n"
+                     "  set dense = Stone/density=3000\nend\n"
+                     "subsection Sweep\n  set Stone/density = 2000\nend\n"));
+  const std::vector<StudyPoint> points = points_of(map);
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[1].values, (std::vector<std::string>{"dense", "2750"}));
+  EXPECT_EQ(points[1].values_in_case,
+            (std::vector<std::string>{"dense", "3000"}));
+  EXPECT_NE(points[1].resolved.find("density = 3000"), std::string::npos);
+  EXPECT_EQ(points[2].values_in_case[1], "2000");
+}
+
 // A value that gave no force is no choice, however near its other outcomes.
 TEST_F(StudyFile, MissingOutcomesAreNoSmallErrors)
 {
