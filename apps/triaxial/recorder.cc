@@ -108,36 +108,43 @@ void Recorder::follow_jumps(Triaxial &test)
 void Recorder::after_step(Triaxial &test)
 {
   const double begun = elapsed();
+  write_due(test);
+  if (test.stage() >= Stage::loading && test.is_on_tick() &&
+      test.ticks() % test.ticks_per_cycle() == 0)
+    write_due_checkpoint(test, test.ticks() / test.ticks_per_cycle());
+  spent.output += elapsed() - begun;
+}
+
+/// Row and frame.
+void Recorder::write_due(Triaxial &test)
+{
   note_stage(test);
   if (test.stage() < Stage::loading)
   {
     if (test.stage_steps() % preparation_interval == 0)
       write_history(test);
+    return;
   }
-  else if (test.is_on_tick())
+  if (!test.is_on_tick())
+    return;
+  const std::int64_t n = test.ticks_per_cycle(), step = test.ticks();
+  const auto is_due = [&](std::int64_t times)
+  { return times > 0 && (step * times) / n != ((step - 1) * times) / n; };
+  if (step == 0 || is_due(parameters.output.samples_per_cycle))
   {
-    const std::int64_t n = test.ticks_per_cycle(), step = test.ticks();
-    const auto is_due = [&](std::int64_t times)
-    { return times > 0 && (step * times) / n != ((step - 1) * times) / n; };
-    if (step == 0 || is_due(parameters.output.samples_per_cycle))
-    {
-      if (step % n == 0)
-        roundness = dem::mean_roundness(test.engine().particles());
-      write_history(test);
-      if (step == 0)
-        loading_start = last;
-      cycles.take(test, last);
-    }
-    if (is_due(2) && step % n != 0)
-      cycles.take_peak(test);
-    const bool is_last = test.cycle() >= parameters.loading.n_cycles();
-    if (step == 0 || (is_due(parameters.output.frames_per_cycle) && !is_last))
-      write_frame(test, step == 0 ||
-                            parameters.output.surfaces == SurfaceFrames::all);
     if (step % n == 0)
-      write_due_checkpoint(test, step / n);
+      roundness = dem::mean_roundness(test.engine().particles());
+    write_history(test);
+    if (step == 0)
+      loading_start = last;
+    cycles.take(test, last);
   }
-  spent.output += elapsed() - begun;
+  if (is_due(2) && step % n != 0)
+    cycles.take_peak(test);
+  const bool is_last = test.cycle() >= parameters.loading.n_cycles();
+  if (step == 0 || (is_due(parameters.output.frames_per_cycle) && !is_last))
+    write_frame(test,
+                step == 0 || parameters.output.surfaces == SurfaceFrames::all);
 }
 
 /// Jumps may pass the cycle that one is due at.
@@ -261,6 +268,7 @@ void Recorder::finish(Triaxial &test)
 
 std::string Recorder::keep_stopped(Triaxial &test)
 {
+  write_due(test);
   write_checkpoint(test, "stopped.bin");
   return (folder / "checkpoint" / "stopped.bin").string();
 }

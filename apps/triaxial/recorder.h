@@ -41,6 +41,7 @@ public:
   std::string last_checkpoint() const;
 
 private:
+  void write_due(Triaxial &test);
   void write_history(Triaxial &test);
   void write_events(Triaxial &test);
   void write_ledger(Triaxial &test, const Sample &sample);

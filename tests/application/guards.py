@@ -15,15 +15,19 @@ from triaxial_runs import ENVIRONMENT, command, differing, report_faults, run
 
 SHORT = ("Loading/frequency=2000", "Loading/cycles=1",
          "Loading/consolidation_time=1e-3")
-# One pass loses some work: a limit that it comes to after a hundred windows.
+# One pass loses some work: a limit that it comes to after a hundred windows,
+# and at once where a run goes on with it.
 SETTINGS = (*SHORT, "Coupling/exchange=one_pass")
+NARROW, WIDE = "Coupling/ledger_limit=1e-9", "Coupling/ledger_limit=1"
+# A row for every step.
+LOADING = (*SETTINGS, "Loading/cycles=2", "Output/samples_per_cycle=250")
 SOFT = ("Loading/frequency=500", "Membrane/youngs_modulus=3e4")
 
 
-def stopped_run(spall, folder, settings, words):
+def stopped_run(spall, folder, settings, words, *options, before="none"):
     """Faults of a run that a guard stops with these words."""
     ended = subprocess.run(
-        command(spall, folder, "membrane", settings=settings),
+        command(spall, folder, "membrane", *options, settings=settings),
         capture_output=True, text=True, timeout=300, check=False,
         env=ENVIRONMENT)
     state = folder / "checkpoint" / "stopped.bin"
@@ -31,7 +35,7 @@ def stopped_run(spall, folder, settings, words):
     faults = []
     if ended.returncode != 2 or len(lines) != 1:
         faults.append(f"status {ended.returncode}: {ended.stderr}")
-    for part in (words, str(state), "last one before: none"):
+    for part in (words, str(state), f"last one before: {before}"):
         if part not in ended.stderr:
             faults.append(f"'{part}' is not in: {ended.stderr}")
     if not state.exists():
@@ -39,26 +43,38 @@ def stopped_run(spall, folder, settings, words):
     return faults
 
 
+def go_on(spall, root, name, settings):
+    """Faults of going on from where a guard stopped, against an unbroken run.
+    """
+    checkpoint = root / name / "checkpoint"
+    shutil.move(checkpoint / "stopped.bin", checkpoint / "state.bin")
+    run(spall, root / name, "membrane", "--resume", settings=settings)
+    whole = root / f"whole_{name}"
+    run(spall, whole, "membrane", settings=settings)
+    return [f"{path} differs"
+            for path in differing(root / name, whole,
+                                  ["history.csv", "events.csv", "ledger.csv"])]
+
+
 def main():
     spall = sys.argv[1]
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
-        faults = stopped_run(
-            spall, root / "stopped",
-            (*SETTINGS, "Coupling/ledger_limit=1e-9"), "Coupling/ledger_limit")
+        faults = stopped_run(spall, root / "stopped", (*SETTINGS, NARROW),
+                             "Coupling/ledger_limit")
         faults += stopped_run(spall, root / "soft", SOFT,
                               "in the surface 'membrane' facets")
+        loading = root / "loading"
+        run(spall, loading, "membrane", "--until", "1",
+            settings=(*LOADING, WIDE))
+        faults += stopped_run(
+            spall, loading, (*LOADING, NARROW), "Coupling/ledger_limit",
+            "--resume", before=loading / "checkpoint" / "state.bin")
         if faults:
             return report_faults(faults)
-        wide = (*SETTINGS, "Coupling/ledger_limit=1")
-        checkpoint = root / "stopped" / "checkpoint"
-        shutil.move(checkpoint / "stopped.bin", checkpoint / "state.bin")
-        run(spall, root / "stopped", "membrane", "--resume", settings=wide)
-        run(spall, root / "whole", "membrane", settings=wide)
         return report_faults(
-            f"{path} differs"
-            for path in differing(root / "stopped", root / "whole",
-                                  ["history.csv", "events.csv", "ledger.csv"]))
+            go_on(spall, root, "stopped", (*SETTINGS, WIDE)) +
+            go_on(spall, root, "loading", (*LOADING, WIDE)))
 
 
 if __name__ == "__main__":

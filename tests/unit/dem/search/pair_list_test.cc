@@ -69,7 +69,9 @@ TEST(PairList, ContactsThatTouchComeFirstAndKeepWhatTheyCarry)
       first_before = batch.a[k];
     }
     else if (k > first + 1)
+    {
       EXPECT_GE(batch.is_touching(k - 1), batch.is_touching(k)) << k;
+    }
   }
   std::sort(all.begin(), all.end());
   EXPECT_EQ(all, neighbours(5));
