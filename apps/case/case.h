@@ -97,6 +97,7 @@ struct PreparationParameters
   double stress_tolerance = 0.02; ///< of each axis against the target [-]
   double unbalanced_ratio = 1e-3; ///< largest unbalanced force ratio [-]
   double max_time = 1.;           ///< gives up after this [s]
+  double safety = 0.; ///< share of the stable step; 0: steps as loading [-]
 };
 
 struct BoundaryParameters

@@ -35,7 +35,7 @@ double packed_step_cost(const Case &parameters)
     side.radius *= shrink;
     engine.set_drum(side);
   }
-  return still_step_cost(engine);
+  return still_step_cost(engine, parameters.threads);
 }
 
 /// Wall-clock of one step of the membrane alone [s].

@@ -40,6 +40,7 @@ struct FillingParameters
   int max_strokes = 6;            ///< of the tamper on one layer
   double unbalanced_ratio = 1e-3; ///< resultant forces over weight at rest [-]
   double max_time = 2.;           ///< of a layer to come to rest [s]
+  double safety = 0.; ///< share of the stable step; 0: steps as later [-]
 };
 
 enum class PlateKind

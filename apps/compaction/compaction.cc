@@ -1,5 +1,7 @@
 #include "compaction/compaction.h"
 
+#include "compaction/filling.h"
+
 #include <coupling/membrane_body.h>
 #include <dem/io/binary.h>
 
@@ -30,6 +32,12 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
   for (std::size_t i = 0; i < scene.all.size(); ++i)
     filled_mass += scene.all.mass(i);
   pouring.prepare(engine());
+  if (!fills_by_own_steps())
+    return;
+  TimeParameters rule = parameters.time;
+  rule.step = StepRule::stable;
+  rule.safety = c.filling.safety;
+  begin_steps(rule, dem::critical_step(engine().parameters(), scene.all).step);
 }
 
 const dem::Plane &Compaction::plate_plane() const
@@ -72,6 +80,26 @@ void Compaction::fill(double time_step)
   engine().advance_unseen(time_step);
   if (!pouring.is_done())
     return;
+  say_prepared();
+  hand_over();
+}
+
+std::string Compaction::preparation_text() const
+{
+  return filling_text(parameters, shapes, step_limit().step);
+}
+
+void Compaction::take_prepared(std::istream &in)
+{
+  restore(in);
+  hand_over();
+}
+
+/// From the tamper to the plate.
+void Compaction::hand_over()
+{
+  if (fills_by_own_steps())
+    change_steps(parameters.time, step_limit().step);
   // The plate comes as the tamper did, from where that had touched.
   const dem::Vec3 above =
       (pouring.layers().back().height + 1e-3 * scene.room.width_x) *
@@ -177,6 +205,7 @@ void Compaction::step_joined(double time_step)
 void Compaction::follow_vibration(double window, double impulse)
 {
   now.impulse += impulse;
+  now.peak_load = std::max(now.peak_load, impulse / window);
   if (impulse == 0.)
     now.lift_off += window;
   for (const double due : report_times(parameters.vibration.reports))
@@ -351,6 +380,8 @@ void Compaction::restore(std::istream &in)
   dem::read_value(in, now);
   dem::read_column(in, reports);
   pouring.restore(in);
+  if (now.stage != Stage::filling && fills_by_own_steps())
+    change_steps(parameters.time, step_limit().step);
   if (now.join_time > 0.)
     build_plate();
   if (now.let_go_time > 0.)

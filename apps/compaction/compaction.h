@@ -43,6 +43,9 @@ public:
   {
     return last_time < parameters.vibration.duration;
   }
+  std::string preparation_text() const override;
+  bool is_preparing() const override { return now.stage == Stage::filling; }
+  void take_prepared(std::istream &in) override;
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
 
@@ -68,6 +71,7 @@ private:
     double plane_work_gone = 0.; ///< of its plane until it was joined [J]
     double impulse = 0.;         ///< of the stones on it, of vibration [N s]
     double lift_off = 0.;        ///< time of vibration without a load on it [s]
+    double peak_load = 0.;       ///< largest of the stones on it, vibration [N]
   };
 
   Compaction(const Case &parameters, CompactionScene scene);
@@ -79,6 +83,8 @@ private:
   std::vector<dem::BreakageEvent> fresh_events() override;
 
   void fill(double time_step);
+  void hand_over();
+  bool fills_by_own_steps() const { return parameters.filling.safety > 0.; }
   void lower_plate(double time_step);
   void join(double height);
   void let_go();

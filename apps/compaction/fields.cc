@@ -59,6 +59,10 @@ void add_filling(List &list, FillingParameters &f)
            f.unbalanced_ratio, above(0., 0.1));
   list.add({"max_time", "s", "The filling fails if a layer takes longer."},
            f.max_time, above(0., 1e4));
+  list.add({"safety", "-",
+            "Above 0: share of the stable step while filling, so that cases "
+            "with other steps in Time share a filling; 0: steps as Time says."},
+           f.safety, between(0., 1.));
 }
 
 void add_plate(List &list, PlateParameters &p)

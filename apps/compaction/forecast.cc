@@ -2,6 +2,7 @@
 #include "run/forecast.h"
 
 #include "compaction/compaction.h"
+#include "run/thread_choice.h"
 
 #include <dem/integrate/contact_springs.h>
 
@@ -80,6 +81,7 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
       v.eccentric_mass * v.eccentricity * omega / parameters.plate.mass;
   const bool is_fixed = parameters.time.step == StepRule::fixed;
   StepWatch watch(parameters.time, limit.step);
+  ThreadChoice threads(parameters.threads);
   double step = first_step;
   const double from = engine.time();
   const auto start = Clock::now();
@@ -91,6 +93,7 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
       watch.look(engine, {}, step);
       step = is_fixed ? step : watch.state().longest;
     }
+    threads.before_step();
     engine.planes()[plate].velocity.z() =
         -speed * std::sin(omega * (engine.time() - from));
     engine.advance_unseen(step);

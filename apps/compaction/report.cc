@@ -123,7 +123,12 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   summary["roundness_1"] = dem::mean_roundness(engine().particles());
   summary["mean_plate_load_N"] =
       vibrated() > 0. ? now.impulse / vibrated() : 0.;
+  summary["peak_plate_load_N"] = now.peak_load;
   summary["lift_off_s"] = now.lift_off;
+  const dem::ContactNetwork network =
+      dem::contact_network(engine().particles(), engine().pairs());
+  summary["coordination_end_1"] = network.coordination_number;
+  summary["mean_contact_force_end_N"] = network.mean_force;
   nlohmann::ordered_json said = nlohmann::ordered_json::array();
   for (const Report &report : reports)
     said.push_back({{"vibration_s", report.time},

@@ -81,6 +81,8 @@ void LabRecorder::resume(LabTest &test)
 
 void LabRecorder::after_step(LabTest &test)
 {
+  if (!prepared_at && !test.is_preparing())
+    prepared_at = processor_seconds();
   const Due due = test.due();
   write_files(test);
   if (!due.row && !due.frame && !due.checkpoint)
@@ -151,6 +153,8 @@ std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
   seconds["total"] = elapsed();
   seconds["other"] = std::max(0., seconds["total"] - known);
   seconds[processor_time] = processor_seconds();
+  seconds[loading_processor_time] =
+      prepared_at ? processor_seconds() - *prepared_at : 0.;
   for (const auto &[phase, spent] : spent_before)
     seconds[phase] += spent;
   return seconds;

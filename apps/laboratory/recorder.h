@@ -8,6 +8,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace spall
 {
@@ -49,6 +50,7 @@ private:
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   double output_seconds = 0.;
+  std::optional<double> prepared_at; ///< processor time, once prepared [s]
   std::map<std::string, double> spent_before; ///< wall-clock before a restart
   std::chrono::steady_clock::time_point started;
 };

@@ -2,11 +2,13 @@
 #include "laboratory/recorder.h"
 #include "run/checkpoint.h"
 #include "run/options.h"
+#include "run/preparation_store.h"
 #include "run/progress.h"
 #include "run/thread_choice.h"
 #include "run/to_end.h"
 
 #include <cstdio>
+#include <optional>
 
 namespace spall
 {
@@ -33,6 +35,30 @@ void describe_end(Progress &progress, const LabTest &test)
     line += text;
   }
   progress.say(line);
+}
+
+/// Where there is a store for tests of this kind, what is prepared goes there,
+/// and a new run begins with what is there.
+void use_store(const std::optional<PreparationStore> &store, LabTest &test,
+               Progress &progress, LabRecorder *new_run)
+{
+  if (!store)
+    return;
+  test.when_prepared(
+      [&] {
+        progress.say(
+            store->keep([&test](std::ostream &out) { test.save(out); }));
+      });
+  std::string said;
+  if (!new_run)
+    return;
+  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
+  {
+    progress.say("preparation taken from " + store->path().string());
+    new_run->after_step(test);
+  }
+  else if (!said.empty())
+    progress.say(said);
 }
 
 /// Steps until the test is done or a stop is asked for.
@@ -70,6 +96,10 @@ void run_lab(const RunOptions &options, const Case &parameters)
     test->stop_after(*options.until);
   if (options.is_resumed)
     require_checkpoint(folder / "checkpoint" / "state.bin");
+  std::optional<PreparationStore> store;
+  if (const std::string text = test->preparation_text();
+      !options.preparations.empty() && !text.empty())
+    store.emplace(options.preparations, text);
   prepare_run_folder(options);
   LabRecorder recorder(parameters, folder);
   Progress progress((folder / "log.txt").string());
@@ -81,6 +111,7 @@ void run_lab(const RunOptions &options, const Case &parameters)
   else
     recorder.start(*test);
   describe(progress, *test);
+  use_store(store, *test, progress, options.is_resumed ? nullptr : &recorder);
   run_to_end(*test, recorder,
              [&]
              {

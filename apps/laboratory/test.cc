@@ -6,6 +6,7 @@
 #include "laboratory/los_angeles.h"
 #include "laboratory/single_particle.h"
 #include "run/contact_places.h"
+#include "run/thread_choice.h"
 #include "subgrade/subgrade.h"
 
 #include <dem/io/binary.h>
@@ -51,13 +52,32 @@ void LabTest::advance()
   if (watch.is_due(engine().n_steps() / steps_in_move()))
   {
     watch.look(engine(), surroundings(), step);
-    if (parameters.time.step != StepRule::fixed)
+    if (!watch.is_fixed())
       step = watch.state().longest;
   }
   watch.note_used(step);
   move(step);
   if (!stopped_by.empty())
     throw coupling::GuardStop(std::exchange(stopped_by, {}));
+}
+
+void LabTest::begin_steps(const TimeParameters &rule, double cap)
+{
+  watch = StepWatch(rule, cap);
+  step = watch.is_fixed() ? rule.fixed_step : watch.state().longest;
+}
+
+void LabTest::change_steps(const TimeParameters &rule, double cap)
+{
+  watch.follow(rule);
+  watch.set_cap(cap);
+  step = watch.is_fixed() ? rule.fixed_step : watch.state().longest;
+}
+
+void LabTest::say_prepared() const
+{
+  if (call_prepared)
+    call_prepared();
 }
 
 void LabTest::exchange_window(coupling::Exchange &joined, double window)
@@ -75,12 +95,18 @@ void LabTest::print_forecast()
 {
   using Clock = std::chrono::steady_clock;
   constexpr int n_steps = 20000;
-  while (engine().time() < settling_time() && share_done() < 1.)
+  ThreadChoice threads(parameters.threads);
+  const auto step_on = [&]
+  {
+    threads.before_step();
     advance();
+  };
+  while (engine().time() < settling_time() && share_done() < 1.)
+    step_on();
   const double from = engine().time();
   const auto start = Clock::now();
   for (int k = 0; k < n_steps && share_done() < 1.; ++k)
-    advance();
+    step_on();
   const double spent =
       std::chrono::duration<double>(Clock::now() - start).count();
   const double done = engine().time() - from;

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
@@ -87,6 +88,19 @@ public:
   /// Whether it was told to end before the case does.
   virtual bool ends_early() const { return false; }
 
+  /// What decides how the stones are prepared, a line each; empty: there is
+  /// nothing that tests could share.
+  virtual std::string preparation_text() const { return {}; }
+  virtual bool is_preparing() const { return false; }
+  /// Called when the stones are prepared, with a test that may be saved.
+  void when_prepared(std::function<void()> call)
+  {
+    call_prepared = std::move(call);
+  }
+  /// Goes on from a test of the same preparation_text() that was saved when its
+  /// stones were prepared. Throws std::runtime_error.
+  virtual void take_prepared(std::istream &in) { restore(in); }
+
   virtual void save(std::ostream &out) const; ///< full state, bit for bit
   /// Continues a saved test of the same case; throws std::runtime_error.
   virtual void restore(std::istream &in);
@@ -117,6 +131,11 @@ protected:
   /// Stones and bodies take a window; a guard stops the test when move() is
   /// over.
   void exchange_window(coupling::Exchange &joined, double window);
+  /// From now on another rule for the steps, and `cap` as StepWatch has it.
+  void change_steps(const TimeParameters &rule, double cap);
+  /// The first steps of a test, likewise.
+  void begin_steps(const TimeParameters &rule, double cap);
+  void say_prepared() const;
   /// The boundaries take their speed and the engine a step, or
   /// steps_in_move() of them.
   virtual void move(double time_step) = 0;
@@ -138,6 +157,7 @@ private:
   std::unique_ptr<dem::Engine> stones;
   dem::StepLimit limit;
   StepWatch watch;
+  std::function<void()> call_prepared;
   std::string stopped_by; ///< words of a guard; empty: none
   double step = 0.;       ///< [s]
   double first_event_time = -1., first_event_force = 0.; ///< [s], [N]

@@ -32,14 +32,10 @@ void add_cost(std::map<std::string, double> seconds,
               nlohmann::ordered_json &summary)
 {
   summary["processor_s"] = seconds[processor_time];
-  if (const auto loading = seconds.find(loading_processor_time);
-      loading != seconds.end())
-  {
-    summary["loading_processor_s"] = loading->second;
-    seconds.erase(loading);
-  }
+  summary["loading_processor_s"] = seconds[loading_processor_time];
   summary["peak_memory_B"] = memory_use().peak;
   seconds.erase(processor_time);
+  seconds.erase(loading_processor_time);
   summary["wall_clock_s"] = seconds;
 }
 } // namespace spall

@@ -22,12 +22,12 @@ MemoryUse memory_use();
 /// Place of processor_seconds among the times of a run, which are carried over
 /// restarts together.
 inline constexpr const char *processor_time = "processor";
-/// The same without the preparation, of runs that have one: cases that share a
-/// specimen can be compared by it.
+/// The same without the preparation: cases that share a specimen can be
+/// compared by it.
 inline constexpr const char *loading_processor_time = "loading_processor";
 
-/// Writes processor_s, loading_processor_s where there is one, peak_memory_B
-/// and, as wall_clock_s, the phases.
+/// Writes processor_s, loading_processor_s, peak_memory_B and, as wall_clock_s,
+/// the phases.
 void add_cost(std::map<std::string, double> seconds,
               nlohmann::ordered_json &summary);
 } // namespace spall

@@ -1,6 +1,11 @@
 #include "run/forecast.h"
 
+#include "run/thread_choice.h"
+
+#include <algorithm>
 #include <chrono>
+#include <limits>
+#include <omp.h>
 
 namespace spall
 {
@@ -21,10 +26,16 @@ double mean_cost(const Step &step)
 }
 } // namespace
 
-double still_step_cost(dem::Engine &engine)
+double still_step_cost(dem::Engine &engine, int threads)
 {
   engine.advance_unseen(frozen); // makes the lists
-  return mean_cost([&] { engine.advance_unseen(frozen); });
+  double least = std::numeric_limits<double>::infinity();
+  for (const int n : thread_candidates(threads))
+  {
+    omp_set_num_threads(n);
+    least = std::min(least, mean_cost([&] { engine.advance_unseen(frozen); }));
+  }
+  return least;
 }
 
 double still_step_cost(fem::Membrane &membrane)

@@ -12,7 +12,7 @@ namespace spall
 struct RunOptions
 {
   std::string case_file, out; ///< out: the run folder
-  /// Folder of finished preparations, which triaxial tests share; empty: none.
+  /// Folder of finished preparations, which tests share; empty: none.
   std::string preparations;
   std::vector<Override> overrides;
   std::optional<int> threads, until; ///< until: cycles or turns

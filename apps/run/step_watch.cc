@@ -40,6 +40,12 @@ StepWatch::StepWatch(const TimeParameters &time, double cap_of_step)
   record.longest = time.safety * cap;
 }
 
+void StepWatch::follow(const TimeParameters &rule)
+{
+  record.longest *= std::min(1., rule.safety / parameters.safety);
+  parameters = rule;
+}
+
 void StepWatch::set_cap(double cap_of_step)
 {
   cap = cap_of_step;
@@ -48,8 +54,7 @@ void StepWatch::set_cap(double cap_of_step)
 
 bool StepWatch::is_due(std::int64_t n_steps) const
 {
-  const bool is_fixed = parameters.step == StepRule::fixed;
-  return n_steps % (is_fixed ? fixed_interval : look_interval) == 0;
+  return n_steps % (is_fixed() ? fixed_interval : look_interval) == 0;
 }
 
 dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
@@ -71,16 +76,15 @@ void StepWatch::look(const dem::Engine &engine, const Surroundings &around,
                      double present_step)
 {
   const auto start = std::chrono::steady_clock::now();
-  const bool is_fixed = parameters.step == StepRule::fixed;
   // What the stones may reach before the next look.
-  const double horizon = is_fixed ? 0.
-                                  : static_cast<double>(look_interval) *
-                                        around.stone_steps * present_step;
+  const double horizon = is_fixed() ? 0.
+                                    : static_cast<double>(look_interval) *
+                                          around.stone_steps * present_step;
   const dem::SpringNetwork network = springs(engine, around, horizon);
   ++record.n_checks;
   dem::NetworkStep bound = dem::guaranteed_step(network);
   bound.step = std::min(bound.step, gain_step(engine, around, present_step));
-  if (is_fixed)
+  if (is_fixed())
     judge_fixed(network, bound, present_step);
   else
     allow(network, bound, engine.time());

@@ -53,9 +53,12 @@ public:
   void report(const dem::Engine &engine, const Surroundings &around);
   /// The membrane has come or gone: its frequency is asked again.
   void forget_membrane() { record.membrane_step = 0.; }
+  /// From now on another rule; a longer step is come to look by look.
+  void follow(const TimeParameters &rule);
   /// From now on another cap, as in the constructor [s].
   void set_cap(double cap_of_step);
 
+  bool is_fixed() const { return parameters.step == StepRule::fixed; }
   void note_used(double step);
   /// A line for the log.
   void say(const std::string &line) { notes.push_back(line); }

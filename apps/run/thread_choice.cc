@@ -10,13 +10,18 @@ namespace
 constexpr int trial_steps = 100, keep_steps = 10000;
 } // namespace
 
-ThreadChoice::ThreadChoice(int fixed)
+std::vector<int> thread_candidates(int fixed)
 {
   if (fixed > 0)
-    candidates = {fixed};
-  else
-    for (int n = 1; n < 2 * omp_get_num_procs(); n *= 2)
-      candidates.push_back(std::min(n, omp_get_num_procs()));
+    return {fixed};
+  std::vector<int> candidates;
+  for (int n = 1; n < 2 * omp_get_num_procs(); n *= 2)
+    candidates.push_back(std::min(n, omp_get_num_procs()));
+  return candidates;
+}
+
+ThreadChoice::ThreadChoice(int fixed) : candidates(thread_candidates(fixed))
+{
   start_trial(0);
 }
 

@@ -5,6 +5,10 @@
 
 namespace spall
 {
+/// Numbers of threads that a run may have: `fixed`, or if that is 0 every power
+/// of two up to all cores, and all cores.
+std::vector<int> thread_candidates(int fixed);
+
 /// Number of OpenMP threads of a run: fixed, or the one that is fastest now.
 /// Results have the same bits for any number, so the choice may change at any
 /// step; on a busy machine threads that wait for each other can cost more than
@@ -12,8 +16,8 @@ namespace spall
 class ThreadChoice
 {
 public:
-  /// `fixed` 0: try 1, 2, 4, ... all cores over a hundred steps each, keep the
-  /// fastest, and ask again every 10 000 steps.
+  /// Of several candidates each gets a hundred steps, the fastest is kept, and
+  /// they are asked again every 10 000 steps.
   explicit ThreadChoice(int fixed);
 
   /// To be called before every step.

@@ -39,7 +39,7 @@ double packed_cost(const Case &parameters)
     at.z() *= l.initial_solid_fraction / l.solid_fraction;
     box.engine->add_stone(stones[i], at, places[i].orientation);
   }
-  return still_step_cost(*box.engine);
+  return still_step_cost(*box.engine, parameters.threads);
 }
 
 /// One window of the ground [s].

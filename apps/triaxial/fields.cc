@@ -60,5 +60,10 @@ void add_preparation(List &list, PreparationParameters &p)
   list.add(
       {"max_time", "s", "The compaction fails if it is not at rest by then."},
       p.max_time, above(0., 1e4));
+  list.add(
+      {"safety", "-",
+       "Above 0: share of the stable step while compacting, so that cases "
+       "with other steps in Time share a specimen; 0: steps as Time says."},
+      p.safety, between(0., 1.));
 }
 } // namespace spall

@@ -1,10 +1,11 @@
 #include "errors.h"
 #include "run/checkpoint.h"
 #include "run/options.h"
+#include "run/preparation_store.h"
 #include "run/progress.h"
 #include "run/thread_choice.h"
 #include "run/to_end.h"
-#include "triaxial/preparation_store.h"
+#include "triaxial/preparation.h"
 #include "triaxial/recorder.h"
 
 #include <cstdio>
@@ -67,11 +68,16 @@ void use_store(const std::optional<PreparationStore> &store, Triaxial &test,
 {
   if (!store)
     return;
-  test.when_prepared([&] { progress.say(store->keep(test)); });
+  test.when_prepared(
+      [&]
+      {
+        progress.say(store->keep([&test](std::ostream &out)
+                                 { test.save_prepared(out); }));
+      });
   std::string said;
   if (!new_run)
     return;
-  if (store->take(test, said))
+  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
   {
     progress.say("preparation taken from " + store->path().string());
     describe_preparation(progress, test);
@@ -142,7 +148,8 @@ void run_triaxial(const RunOptions &options, const Case &parameters)
     require_checkpoint(folder / "checkpoint" / "state.bin");
   std::optional<PreparationStore> store;
   if (!options.preparations.empty())
-    store.emplace(options.preparations, parameters, test.shapes());
+    store.emplace(options.preparations,
+                  preparation_text(parameters, test.shapes()));
   prepare_run_folder(options);
   Recorder recorder(parameters, folder);
   Progress progress((folder / "log.txt").string());

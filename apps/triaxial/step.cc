@@ -28,6 +28,18 @@ bool Triaxial::is_fixed() const
   return parameters.time.step == StepRule::fixed;
 }
 
+/// How the present stage takes its steps: the preparation may have its own.
+TimeParameters Triaxial::step_rule() const
+{
+  TimeParameters rule = parameters.time;
+  if (now == Stage::preparation && parameters.preparation.safety > 0.)
+  {
+    rule.step = StepRule::stable;
+    rule.safety = parameters.preparation.safety;
+  }
+  return rule;
+}
+
 /// Of the stones, between two exchanges with what closes the specimen.
 int Triaxial::steps_in_window() const
 {
@@ -61,7 +73,7 @@ double Triaxial::exchange_gain() const
 double Triaxial::longest_step() const
 {
   const int n = steps_in_pace();
-  if (is_fixed())
+  if (watch.is_fixed())
     return n * setup.step;
   const double allowed = n * watch.state().longest;
   return probe.longest > 0. ? std::min(allowed, probe.longest) : allowed;
@@ -74,7 +86,7 @@ void Triaxial::settle_step()
   {
     watch.look(engine(), surroundings(), time_step());
     // The steps of a probe stay as they are: they are to meet.
-    if (!is_fixed() && probe.fine_left == 0)
+    if (!watch.is_fixed() && probe.fine_left == 0)
       pace.replan(longest_step());
   }
   if (now != Stage::loading)

@@ -31,7 +31,7 @@ Triaxial::Triaxial(const Case &c)
       servo(specimen.walls, servo_parameters(c)),
       setup(choose_step(c, *specimen.engine)),
       watch(
-          c.time,
+          step_rule(),
           dem::critical_step(engine().parameters(), engine().particles()).step),
       cycle_ticks(is_fixed() ? std::llround(c.loading.period() /
                                             (setup.step * steps_in_window()))
@@ -98,6 +98,7 @@ void Triaxial::enter(Stage next)
 {
   now = next;
   in_stage = 0;
+  watch.follow(step_rule());
   const double step = longest_step();
   if (next == Stage::preparation)
     return pace.begin(std::numeric_limits<double>::infinity(), step);
@@ -396,6 +397,7 @@ void Triaxial::restore(std::istream &in)
   TimeParameters time_then;
   std::int64_t ticks_then = 0;
   dem::read_value(in, time_then);
+  watch.follow(step_rule()); // of the stage then
   dem::read_value(in, ticks_then);
   dem::read_value(in, pace);
   dem::read_value(in, stage_ticks);

@@ -155,7 +155,8 @@ private:
   void hold_plate();
   double plate_acceleration() const;
   double section() const;
-  bool is_fixed() const;
+  bool is_fixed() const; ///< what loads, and before it what consolidates
+  TimeParameters step_rule() const;
   double longest_step() const;
   void settle_step();
   void resume_pace(const TimeParameters &then, std::int64_t ticks_then);
@@ -173,6 +174,7 @@ private:
   void add_membrane_forces(StressBalance &sums, const dem::Vec3 &from) const;
 
   Case parameters;
+  Stage now = Stage::preparation;
   Specimen specimen;
   dem::BoxServo servo;
   SetupStep setup;
@@ -185,7 +187,6 @@ private:
   std::int64_t cycle_ticks = 0, stage_ticks = 0;
   int n_cycles = 0;
 
-  Stage now = Stage::preparation;
   std::int64_t in_stage = 0;
   Prepared preparation;
   std::int64_t is_dense = 0; ///< the target porosity has been met

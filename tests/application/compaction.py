@@ -12,7 +12,8 @@ import tempfile
 import time
 
 from lab import near, resumed_faults, spall_run, write_prm
-from triaxial_runs import ENVIRONMENT, report_faults, rows, summary
+from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
+                           summary)
 
 MASS, ECCENTRIC, FREQUENCY, SEATING = 60., 2e-3, 40., 0.02
 SMALL = {
@@ -136,6 +137,29 @@ def guarded(words, folder):
     return []
 
 
+def filling_faults(words, root):
+    """A run that takes up a kept filling is the one that filled itself; other
+    plates take it too, other stones do not."""
+    store = ("--preparations", root / "fillings")
+
+    def later(folder):
+        return [row for row in rows(root / folder, "history.csv")[1]
+                if row["stage_1"] > 0.]
+    spall_run(words("taken", *store))
+    faults = [f"{name} differs with a kept filling"
+              for name in differing(root / "taken", root / "whole", FILES[1:])]
+    if not later("whole") or later("taken") != later("whole"):
+        faults.append("history.csv differs with a kept filling")
+    for setting, is_shared in (("Plate/mass=50", True),
+                               ("Wall/friction=0.4", False)):
+        spall_run(words("other", *store, "--overwrite", "--until", 1,
+                        "--set", setting))
+        said = (root / "other" / "log.txt").read_text()
+        if ("preparation taken" in said) != is_shared:
+            faults.append(f"{setting}: {said}")
+    return faults
+
+
 def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
@@ -148,7 +172,8 @@ def main():
         spall_run(words("whole"))
         faults = number_faults(root / "whole", sys.argv[2])
         # A checkpoint of the filling, and one of the vibration.
-        spall_run(words("until", "--until", 2))
+        spall_run(words("until", "--until", 2, "--preparations",
+                        root / "fillings"))
         spall_run(words("until", "--resume"))
         faults += resumed_faults(root / "whole", root / "until", FILES)
         faults += stopped(words("stopped"), root / "stopped")
@@ -156,6 +181,8 @@ def main():
             faults += guarded(words("stopped", "--resume"), root / "stopped")
         spall_run(words("stopped", "--resume"))
         faults += resumed_faults(root / "whole", root / "stopped", FILES)
+        if sys.argv[2] == "rigid":
+            faults += filling_faults(words, root)
         said = spall_run([spall, "check", case]).stdout
         faults += [f"check does not say {word}"
                    for word in ("stones", "time step", "memory",

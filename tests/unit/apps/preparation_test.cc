@@ -1,4 +1,5 @@
 #include "case/fields.h"
+#include "compaction/filling.h"
 #include "triaxial/preparation.h"
 #include "triaxial/triaxial.h"
 
@@ -20,13 +21,6 @@ std::string name_of(const Parameter &parameter)
   return parameter.section + "/" + parameter.key;
 }
 
-bool lists(std::span<const CaseKey> keys, const std::string &name)
-{
-  return std::ranges::any_of(
-      keys, [&name](const CaseKey &k)
-      { return std::string(k.section) + "/" + k.key == name; });
-}
-
 /// Another value that is allowed too.
 void change(const Parameter &parameter)
 {
@@ -40,6 +34,17 @@ void change(const Parameter &parameter)
     **text += "x";
   else if (const Choice *choice = std::get_if<Choice>(&parameter.value))
     choice->set((choice->get() + 1) % choice->names.size());
+}
+
+void expect_all_listed(Case any, CaseKind kind, const PreparationKeys &keys)
+{
+  for (const Section &section : sections())
+    for (const Parameter &parameter : parameters_of(any))
+      if (section.is_of(kind) && parameter.section == section.name)
+      {
+        EXPECT_NE(lists(keys.deciding, parameter), lists(keys.later, parameter))
+            << name_of(parameter) << " must be in one of the lists";
+      }
 }
 
 /// Some twenty stones that are soon together.
@@ -99,19 +104,12 @@ std::vector<double> after(const Case &parameters, int n_steps)
 // A new key must be put into one of the lists, by whoever adds it.
 TEST_F(Preparation, KnowsEveryKeyOfTheTest)
 {
-  std::size_t n = 0;
-  for (const Section &section : sections())
-    if (section.is_of(CaseKind::dynamic_triaxial))
-      for (const Parameter &parameter : parameters_of(base))
-        if (parameter.section == section.name)
-        {
-          ++n;
-          const std::string name = name_of(parameter);
-          EXPECT_NE(lists(keys_of_preparation(), name),
-                    lists(keys_after_preparation(), name))
-              << name << " must be in one of the lists of preparation.cc";
-        }
-  EXPECT_EQ(keys_of_preparation().size() + keys_after_preparation().size(), n);
+  expect_all_listed(base, CaseKind::dynamic_triaxial, preparation_keys());
+}
+
+TEST_F(Preparation, KnowsEveryKeyOfACompaction)
+{
+  expect_all_listed(base, CaseKind::vibratory_compaction, filling_keys());
 }
 
 TEST_F(Preparation, TextFollowsTheKeysThatDecideAndNoOthers)
@@ -131,7 +129,7 @@ TEST_F(Preparation, TextFollowsTheKeysThatDecideAndNoOthers)
         name == "Time/fixed_step" || name == "Specimen/diameter" ||
         name == "Specimen/height" || name == "Preparation/porosity";
     EXPECT_EQ(text_of(other) != before,
-              lists(keys_of_preparation(), name) && !is_unused)
+              lists(preparation_keys().deciding, parameter) && !is_unused)
         << name;
   }
 }
@@ -157,7 +155,7 @@ TEST_F(Preparation, KeysOfLaterLeaveTheSpecimenAsItIs)
   EXPECT_GT(before[2], 0.); // dashpots have worked
   Case others = base;
   for (const Parameter &parameter : parameters_of(others))
-    if (lists(keys_after_preparation(), name_of(parameter)) &&
+    if (lists(preparation_keys().later, parameter) &&
         name_of(parameter) != "Case/kind" &&
         name_of(parameter) != "Boundary/lateral")
       change(parameter);
@@ -169,6 +167,27 @@ TEST_F(Preparation, KeysOfLaterLeaveTheSpecimenAsItIs)
   Case heavier = base;
   heavier.stone.density *= 1.001;
   EXPECT_NE(after(heavier, n_steps), before);
+}
+
+// Cases that differ in the steps of their loading share a specimen.
+TEST_F(Preparation, OwnStepsLeaveTimeOutOfTheSpecimen)
+{
+  constexpr int n_steps = 1500;
+  const std::vector<double> before = after(base, n_steps);
+  Case own = base;
+  own.preparation.safety = 0.5 * base.time.safety;
+  EXPECT_NE(after(own, n_steps), before);
+  Case same = own;
+  same.preparation.safety = base.time.safety;
+  EXPECT_EQ(after(same, n_steps), before);
+  Case fixed = same;
+  fixed.time.step = StepRule::fixed;
+  fixed.time.fixed_step = 1e-6;
+  fixed.time.safety = 0.3;
+  EXPECT_EQ(after(fixed, n_steps), before);
+  EXPECT_EQ(text_of(fixed), text_of(same));
+  EXPECT_NE(text_of(own), text_of(same));
+  EXPECT_NE(text_of(base), text_of(same));
 }
 
 // What is taken up goes on as what prepared itself.

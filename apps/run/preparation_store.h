@@ -1,8 +1,8 @@
 #pragma once
 
-#include "triaxial/triaxial.h"
-
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string>
 
 namespace spall
@@ -13,18 +13,18 @@ namespace spall
 class PreparationStore
 {
 public:
-  /// Of the preparation that this case asks for. Makes the folder; throws
+  /// Of the preparation that this text decides. Makes the folder; throws
   /// InputError if it cannot.
-  PreparationStore(std::filesystem::path folder, const Case &parameters,
-                   const ShapeLibrary &shapes);
+  PreparationStore(std::filesystem::path folder, std::string text);
 
-  /// Puts the test where its preparation ended. False if there is no such
-  /// file, or none that is sound: `said` has a line for the log then.
-  bool take(Triaxial &test, std::string &said) const;
+  /// Has the state where a preparation ended restored. False if there is no
+  /// such file, or none that is sound: `said` has a line for the log then.
+  bool take(const std::function<void(std::istream &)> &restore,
+            std::string &said) const;
 
   /// Writes the file. Returns a line for the log: a file that cannot be
   /// written is no reason to stop a run.
-  std::string keep(const Triaxial &test) const;
+  std::string keep(const std::function<void(std::ostream &)> &save) const;
 
   const std::filesystem::path &path() const { return file; }
 

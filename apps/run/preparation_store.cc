@@ -1,15 +1,15 @@
-#include "triaxial/preparation_store.h"
+#include "run/preparation_store.h"
 
 #include "errors.h"
 #include "run/checkpoint.h"
 #include "run/digest.h"
-#include "triaxial/preparation.h"
 
 #include <dem/io/binary.h>
 
 #include <fstream>
 #include <sstream>
 #include <unistd.h>
+#include <utility>
 
 namespace spall
 {
@@ -43,9 +43,8 @@ std::string read_string(std::istream &in, std::uint64_t at_most)
 }
 } // namespace
 
-PreparationStore::PreparationStore(fs::path folder, const Case &parameters,
-                                   const ShapeLibrary &shapes)
-    : text(preparation_text(parameters, shapes)),
+PreparationStore::PreparationStore(fs::path folder, std::string its_text)
+    : text(std::move(its_text)),
       file(folder / (hex_text(digest_of(text)) + ".bin"))
 {
   std::error_code status;
@@ -72,14 +71,15 @@ std::string PreparationStore::checked_state() const
   return state;
 }
 
-bool PreparationStore::take(Triaxial &test, std::string &said) const
+bool PreparationStore::take(const std::function<void(std::istream &)> &restore,
+                            std::string &said) const
 {
   if (!fs::exists(file))
     return false;
   try
   {
     std::istringstream state(checked_state());
-    test.take_prepared(state);
+    restore(state);
     return true;
   }
   catch (const std::runtime_error &fault)
@@ -89,10 +89,11 @@ bool PreparationStore::take(Triaxial &test, std::string &said) const
   }
 }
 
-std::string PreparationStore::keep(const Triaxial &test) const
+std::string
+PreparationStore::keep(const std::function<void(std::ostream &)> &save) const
 {
   std::ostringstream state;
-  test.save_prepared(state);
+  save(state);
   const std::string bytes = state.str();
   // Another program may write the same file now.
   const fs::path draft = file.string() + "." + std::to_string(::getpid());
