@@ -25,6 +25,10 @@ Case read_case(const std::string &file, std::span<const Override> overrides);
 /// Every parameter with its value, unit and sentence (paths made absolute).
 std::string parameters_as_run(const Case &parameters);
 
+/// A printed case without its comments, which another version may word
+/// otherwise.
+std::string without_comments(const std::string &printed);
+
 /// The same under the name of the case: a .prm that read_case takes and that
 /// gives the same case.
 std::string resolved_case(const Case &parameters);

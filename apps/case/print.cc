@@ -100,6 +100,17 @@ std::string parameters_as_run(const Case &parameters)
   return out.str();
 }
 
+std::string without_comments(const std::string &printed)
+{
+  std::istringstream lines(printed);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t first = line.find_first_not_of(' ');
+        first != std::string::npos && line[first] != '#')
+      kept += line + '\n';
+  return kept;
+}
+
 std::string resolved_case(const Case &parameters)
 {
   std::ostringstream out;

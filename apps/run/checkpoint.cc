@@ -53,7 +53,7 @@ std::string identity_of(Case parameters)
     parameters.time.local_damping = local_damping;
   }
   parameters.title = defaults.title;
-  return parameters_as_run(parameters);
+  return without_comments(parameters_as_run(parameters));
 }
 
 void write_string(std::ostream &out, const std::string &text)

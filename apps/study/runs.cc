@@ -44,19 +44,6 @@ std::string last_line(const fs::path &path)
   return last;
 }
 
-/// What the case sets. Comments name the file that was given, and may read
-/// otherwise in another version.
-std::string body(const std::string &resolved)
-{
-  std::istringstream lines(resolved);
-  std::string kept;
-  for (std::string line; std::getline(lines, line);)
-    if (const std::size_t first = line.find_first_not_of(' ');
-        first != std::string::npos && line[first] != '#')
-      kept += line + '\n';
-  return kept;
-}
-
 nlohmann::ordered_json summary_of(const fs::path &run)
 {
   return nlohmann::ordered_json::parse(text_of(run / "summary.json"), nullptr,
@@ -78,7 +65,7 @@ std::map<std::string, std::string> cases_in(const fs::path &folder)
                                 { return holds_complete_run(folder / name); });
   std::map<std::string, std::string> cases;
   for (const std::string &name : names)
-    cases.emplace(body(text_of(folder / name / "case.prm")), name);
+    cases.emplace(without_comments(text_of(folder / name / "case.prm")), name);
   return cases;
 }
 
@@ -118,7 +105,8 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
   const fs::path run = folder / point.folder,
                  file = folder / (point.folder + ".prm"),
                  log = folder / (point.folder + ".log");
-  const bool is_same = body(text_of(run / "case.prm")) == body(point.resolved);
+  const bool is_same = without_comments(text_of(run / "case.prm")) ==
+                       without_comments(point.resolved);
   if (!is_same || !holds_complete_run(run))
   {
     write_text(file, point.resolved);
@@ -157,7 +145,7 @@ void find_folders(std::vector<StudyPoint> &points, const fs::path &folder)
   std::set<std::string> taken;
   std::vector<StudyPoint *> others;
   for (StudyPoint &point : points)
-    if (const auto found = cases.find(body(point.resolved));
+    if (const auto found = cases.find(without_comments(point.resolved));
         found != cases.end())
       taken.insert(point.folder = found->second);
     else
