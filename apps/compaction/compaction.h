@@ -5,6 +5,7 @@
 #include "laboratory/test.h"
 
 #include <coupling/membrane_body.h>
+#include <dem/measure/roundness_book.h>
 
 namespace spall
 {
@@ -113,8 +114,6 @@ private:
   State now;
   std::vector<Report> reports;
   std::vector<NamedText> files;
+  mutable dem::RoundnessBook roundness;
 };
-
-/// id, size, loss and roundness of every stone, a CSV file.
-std::string roundness_table(const dem::Particles &stones);
 } // namespace spall

@@ -2,38 +2,27 @@
 #include "case/parameter.h"
 #include "compaction/compaction.h"
 
-#include <dem/shape/measures.h>
-
 #include <nlohmann/json.hpp>
 
-#include <map>
 #include <numbers>
 #include <utility>
 
 namespace spall
 {
-std::string roundness_table(const dem::Particles &stones)
+namespace
 {
-  // Unbroken stones of one shape have one roundness, whatever their scale.
-  std::map<const dem::Coefficients *, double> known;
+/// id, size, loss and roundness of every stone, a CSV file.
+std::string roundness_table(const dem::Particles &stones,
+                            dem::RoundnessBook &roundness)
+{
   std::vector<std::string> rows(stones.size());
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
-    const dem::Body &body = stones.body[i];
-    double round = 1.;
-    if (body.series)
-    {
-      const auto [entry, is_new] = known.try_emplace(body.series.get(), 0.);
-      if (is_new)
-        entry->second =
-            dem::roundness(*body.series, dem::standard_quadrature());
-      round = entry->second;
-    }
     std::string &row = rows[static_cast<std::size_t>(stones.id[i])];
     row = std::to_string(stones.id[i]);
-    for (const double value :
-         {2. * stones.radius(i), stones.mass(i),
-          1. - stones.mass(i) / stones.initial_mass[i], round})
+    for (const double value : {2. * stones.radius(i), stones.mass(i),
+                               1. - stones.mass(i) / stones.initial_mass[i],
+                               roundness.of(stones.body[i])})
       row += "," + number_text(value);
   }
   std::string text = "id_1,diameter_m,mass_kg,mass_loss_1,roundness_1\n";
@@ -41,6 +30,7 @@ std::string roundness_table(const dem::Particles &stones)
     text += row + "\n";
   return text;
 }
+} // namespace
 
 void Compaction::report(double due)
 {
@@ -49,12 +39,12 @@ void Compaction::report(double due)
   report.settlement = now.start_height - height();
   report.density = density();
   report.abrasion = abrasion_percent();
-  report.roundness = dem::mean_roundness(engine().particles());
+  report.roundness = roundness.mean(engine().particles());
   report.n_events = static_cast<double>(engine().n_events());
   reports.push_back(report);
   char name[40];
   std::snprintf(name, sizeof name, "roundness_%.6gs.csv", due);
-  files.push_back({name, roundness_table(engine().particles())});
+  files.push_back({name, roundness_table(engine().particles(), roundness)});
 }
 
 std::vector<NamedText> Compaction::take_files()
@@ -82,7 +72,7 @@ std::vector<Quantity> Compaction::measured() const
       {"n_contacts_1", static_cast<double>(network.n_contacts)},
       {"coordination_number_1", network.coordination_number},
       {"mean_contact_force_N", network.mean_force},
-      {"roundness_1", dem::mean_roundness(engine().particles())}};
+      {"roundness_1", roundness.mean(engine().particles())}};
   if (parameters.plate.form != PlateKind::rigid)
     row.push_back({"plate_tilt_rad", plate ? plate->tilt() : 0.});
   if (parameters.plate.form == PlateKind::elastic)
@@ -120,7 +110,7 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   summary["settlement_m"] =
       now.stage == Stage::vibration ? now.start_height - height() : 0.;
   summary["density_kg_per_m3"] = density();
-  summary["roundness_1"] = dem::mean_roundness(engine().particles());
+  summary["roundness_1"] = roundness.mean(engine().particles());
   summary["mean_plate_load_N"] =
       vibrated() > 0. ? now.impulse / vibrated() : 0.;
   summary["peak_plate_load_N"] = now.peak_load;

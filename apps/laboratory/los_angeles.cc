@@ -7,6 +7,7 @@
 #include "specimen/gradation.h"
 
 #include <dem/io/binary.h>
+#include <dem/measure/roundness_book.h>
 #include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
 
@@ -226,7 +227,7 @@ void LosAngeles::summarise(nlohmann::ordered_json &summary) const
   summary["turns_1"] = turns();
   summary["initial_mass_kg"] = now + lost;
   summary["lost_mass_kg"] = lost;
-  summary["roundness_1"] = dem::mean_roundness(all);
+  summary["roundness_1"] = dem::RoundnessBook().mean(all);
 }
 
 void LosAngeles::save(std::ostream &out) const

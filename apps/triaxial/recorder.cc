@@ -133,7 +133,7 @@ void Recorder::write_due(Triaxial &test)
   if (step == 0 || is_due(parameters.output.samples_per_cycle))
   {
     if (step % n == 0)
-      roundness = dem::mean_roundness(test.engine().particles());
+      roundness = known_roundness.mean(test.engine().particles());
     write_history(test);
     if (step == 0)
       loading_start = last;
@@ -171,7 +171,7 @@ void Recorder::note_stage(Triaxial &test)
 void Recorder::write_history(Triaxial &test)
 {
   if (roundness == 0.)
-    roundness = dem::mean_roundness(test.engine().particles());
+    roundness = known_roundness.mean(test.engine().particles());
   last = test.sample(roundness);
   if (test.stage() >= Stage::loading)
     peak_axial_stress = std::max(peak_axial_stress, last.axial_stress);

@@ -4,6 +4,8 @@
 #include "triaxial/cycles.h"
 #include "triaxial/summary.h"
 
+#include <dem/measure/roundness_book.h>
+
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -61,6 +63,7 @@ private:
   std::int64_t checkpoint_cycle = 0; ///< of the last one that was due
   Stage stage_before = Stage::preparation;
   double roundness = 0.;
+  dem::RoundnessBook known_roundness;
   Sample loading_start, last;
   double worst_gain = 0.;        ///< of the exchange so far [-]
   double peak_axial_stress = 0.; ///< while loading, so far [Pa]

@@ -1,8 +1,5 @@
 #include <dem/contact/common_normal.h>
 #include <dem/measure/assembly.h>
-#include <dem/shape/measures.h>
-
-#include <map>
 
 namespace dem
 {
@@ -115,24 +112,5 @@ Vec3 affine_stiffness(const Particles &particles, const ContactBatch &pairs)
       sum[d] += (normal * n2[d] + shear * (1. - n2[d])) * n2[d] * square;
   }
   return sum;
-}
-
-double mean_roundness(const Particles &particles)
-{
-  // Unbroken stones of one shape have one roundness, whatever their scale.
-  std::map<const Coefficients *, double> known;
-  double sum = 0., weight = 0.;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    const Body &body = particles.body[i];
-    if (!body.series)
-      continue;
-    const auto [entry, is_new] = known.try_emplace(body.series.get(), 0.);
-    if (is_new)
-      entry->second = roundness(*body.series, standard_quadrature());
-    sum += body.volume * entry->second;
-    weight += body.volume;
-  }
-  return weight > 0. ? sum / weight : 1.;
 }
 } // namespace dem

@@ -34,7 +34,4 @@ double unbalanced_force_ratio(const Particles &particles,
 /// with the mean strain: sum over contacts of (k_n n_i^2 + k_s (1 - n_i^2))
 /// n_i^2 l^2: divided by the volume it is an upper bound of the modulus [N m].
 Vec3 affine_stiffness(const Particles &particles, const ContactBatch &pairs);
-
-/// Mean roundness R_g of the breakable stones, volume-weighted (Eq. 30) [-].
-double mean_roundness(const Particles &particles);
 } // namespace dem

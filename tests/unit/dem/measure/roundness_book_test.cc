@@ -1,0 +1,68 @@
+#include "dem_scene.h"
+
+#include <dem/measure/roundness_book.h>
+#include <dem/shape/measures.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using dem::Coefficients;
+using dem::Vec3;
+
+/// A sphere with a bump of this share of its radius.
+Coefficients bumpy(double share)
+{
+  Coefficients series(121, 0.); // order 10
+  series[0] = 1.;
+  series[30] = share;
+  return series;
+}
+
+double roundness_of(const dem::Body &body)
+{
+  return dem::roundness(*body.series, dem::standard_quadrature());
+}
+} // namespace
+
+// Two stones of one shape, one of another, a sphere: Eq. 30 of each, weighed by
+// volume; after one has broken as if the book knew nothing.
+TEST(RoundnessBook, FollowsStonesThatBreak)
+{
+  const auto shape = std::make_shared<const Coefficients>(bumpy(0.02)),
+             other = std::make_shared<const Coefficients>(bumpy(0.03));
+  dem::Particles stones;
+  for (const dem::Body &body :
+       {dem::make_body(shape, 0.01), dem::make_body(shape, 0.012),
+        dem::make_body(other, 0.009), dem::make_sphere(0.01)})
+    stones.add(body, Vec3::Zero(), dem::Quaternion::Identity(), 2700.);
+  const auto expected = [&stones]
+  {
+    double sum = 0., weight = 0.;
+    for (const dem::Body &body : stones.body)
+      if (body.series)
+      {
+        sum += body.volume * roundness_of(body);
+        weight += body.volume;
+      }
+    return sum / weight;
+  };
+  dem::RoundnessBook book;
+  const double before = book.mean(stones);
+  EXPECT_EQ(before, expected());
+  EXPECT_EQ(book.of(stones.body[3]), 1.);
+  Coefficients worn = dem::scaled_coefficients(stones.body[1]);
+  worn[30] *= 0.9;
+  stones.body[1] = dem::own_body(worn);
+  EXPECT_EQ(book.mean(stones), expected());
+  EXPECT_GT(book.mean(stones), before);
+  EXPECT_EQ(shape.use_count(), 3); // here, one stone, the book
+  stones.body[0] = dem::make_sphere(0.01);
+  EXPECT_EQ(book.mean(stones), expected());
+  EXPECT_EQ(shape.use_count(), 2);
+}
+
+TEST(RoundnessBook, SpheresAreRound)
+{
+  EXPECT_EQ(dem::RoundnessBook().mean({}), 1.);
+}
