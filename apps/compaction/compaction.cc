@@ -27,6 +27,7 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
       scene(std::move(its_scene)),
       pouring(scene.room, pouring_parameters(c.filling), scene.layers,
               static_cast<std::uint64_t>(c.filling.seed)),
+      report_dues(report_times(c.vibration.reports)),
       last_time(c.vibration.duration)
 {
   for (std::size_t i = 0; i < scene.all.size(); ++i)
@@ -208,7 +209,7 @@ void Compaction::follow_vibration(double window, double impulse)
   now.peak_load = std::max(now.peak_load, impulse / window);
   if (impulse == 0.)
     now.lift_off += window;
-  for (const double due : report_times(parameters.vibration.reports))
+  for (const double due : report_dues)
     if (due <= vibrated() && due > vibrated() - window)
       report(due);
 }

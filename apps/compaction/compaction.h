@@ -72,7 +72,7 @@ private:
     double plane_work_gone = 0.; ///< of its plane until it was joined [J]
     double impulse = 0.;         ///< of the stones on it, of vibration [N s]
     double lift_off = 0.;        ///< time of vibration without a load on it [s]
-    double peak_load = 0.;       ///< largest of the stones on it, vibration [N]
+    double peak_load = 0.;       ///< of the stones on it, mean of a window [N]
   };
 
   Compaction(const Case &parameters, CompactionScene scene);
@@ -109,6 +109,7 @@ private:
   std::unique_ptr<coupling::Exchange> joined;
   std::unique_ptr<CompactionPlate> plate; ///< of `joined`
   coupling::MembraneBody *tube = nullptr; ///< of `joined`, flexible only
+  std::vector<double> report_dues;        ///< times of vibration [s]
   double last_time = 0.;                  ///< of vibration, this run [s]
   double filled_mass = 0.;                ///< before breakage [kg]
   State now;

@@ -79,7 +79,6 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
   const double omega = 2. * std::numbers::pi * v.frequency;
   const double speed =
       v.eccentric_mass * v.eccentricity * omega / parameters.plate.mass;
-  const bool is_fixed = parameters.time.step == StepRule::fixed;
   StepWatch watch(parameters.time, limit.step);
   ThreadChoice threads(parameters.threads);
   double step = first_step;
@@ -91,7 +90,7 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
     if (watch.is_due(engine.n_steps()))
     {
       watch.look(engine, {}, step);
-      step = is_fixed ? step : watch.state().longest;
+      step = watch.is_fixed() ? step : watch.state().longest;
     }
     threads.before_step();
     engine.planes()[plate].velocity.z() =

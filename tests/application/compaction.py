@@ -102,6 +102,13 @@ def number_faults(folder, form):
     # by the one side and as it is by the other. 2e-7 and 2e-5 measured.
     if not found["interface"]["work_residual_1"] < 1e-4:
         faults.append(f"ledger {found['interface']}")
+    # Rows see the load of some steps, the peak is that of all.
+    seen = max(row["plate_load_N"] for row in history
+               if row["vibration_s"] > 0.)
+    if not 0.99 * seen < found["peak_plate_load_N"] < 1.5 * seen:
+        faults.append(f"peak {found['peak_plate_load_N']} N, rows {seen} N")
+    if not 0. < found["loading_processor_s"] < found["processor_s"]:
+        faults.append(f"loading_processor_s {found['loading_processor_s']}")
     if not found["is_complete"] or len(found["reports"]) != 3:
         faults.append(f"reports {found['reports']}")
     for report, name in zip(found["reports"], FILES[3:]):
@@ -157,6 +164,17 @@ def filling_faults(words, root):
         said = (root / "other" / "log.txt").read_text()
         if ("preparation taken" in said) != is_shared:
             faults.append(f"{setting}: {said}")
+    # With steps of its own the filling does not ask for those of Time.
+    own = ("--until", 1, "--set", "Filling/safety=0.6")
+    other = (*own, "--set", "Time/safety=0.5")
+    spall_run(words("own", *own, *store))
+    spall_run(words("own_taken", *other, *store))
+    spall_run(words("own_filled", *other))
+    if "preparation taken" not in (root / "own_taken" / "log.txt").read_text():
+        faults.append("Filling/safety: the filling is not shared")
+    if not later("own_filled") or later("own_taken") != later("own_filled") \
+            or later("own") == later("own_taken"):
+        faults.append("Filling/safety: history.csv is not that of the filling")
     return faults
 
 
