@@ -45,9 +45,10 @@ void use_store(const std::optional<PreparationStore> &store, LabTest &test,
   if (!store)
     return;
   test.when_prepared(
-      [&] {
-        progress.say(
-            store->keep([&test](std::ostream &out) { test.save(out); }));
+      [&]
+      {
+        progress.say(store->keep([&test](std::ostream &out)
+                                 { test.save_prepared(out); }));
       });
   std::string said;
   if (!new_run)

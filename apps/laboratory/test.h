@@ -92,13 +92,15 @@ public:
   /// nothing that tests could share.
   virtual std::string preparation_text() const { return {}; }
   virtual bool is_preparing() const { return false; }
-  /// Called when the stones are prepared, with a test that may be saved.
+  /// Called when the stones are prepared.
   void when_prepared(std::function<void()> call)
   {
     call_prepared = std::move(call);
   }
-  /// Goes on from a test of the same preparation_text() that was saved when its
-  /// stones were prepared. Throws std::runtime_error.
+  /// The stones then, and back from there into any test of the same
+  /// preparation_text(), which goes on as if it had prepared them itself. The
+  /// latter throws std::runtime_error.
+  virtual void save_prepared(std::ostream &out) const { save(out); }
   virtual void take_prepared(std::istream &in) { restore(in); }
 
   virtual void save(std::ostream &out) const; ///< full state, bit for bit

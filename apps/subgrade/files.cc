@@ -1,4 +1,5 @@
 #include "case/parameter.h"
+#include "subgrade/poured.h"
 #include "subgrade/quad_file.h"
 #include "subgrade/subgrade.h"
 
@@ -67,6 +68,25 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
       work = one.value - now.work;
   summary["loading_work_J"] = work;
   summary["loading_energy_residual_J"] = residual;
+}
+
+std::string Subgrade::preparation_text() const
+{
+  return poured_text(parameters, shapes, top, ground->nodal_mass());
+}
+
+/// The ground has not moved yet.
+void Subgrade::save_prepared(std::ostream &out) const
+{
+  pouring.save(out);
+  LabTest::save(out);
+}
+
+void Subgrade::take_prepared(std::istream &in)
+{
+  pouring.restore(in);
+  LabTest::restore(in);
+  set_plate_down();
 }
 
 void Subgrade::save(std::ostream &out) const

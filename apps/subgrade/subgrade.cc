@@ -197,6 +197,12 @@ void Subgrade::pour(double time_step)
   engine().advance_unseen(time_step);
   if (!pouring.is_done())
     return;
+  say_prepared();
+  set_plate_down();
+}
+
+void Subgrade::set_plate_down()
+{
   now.placed_at = engine().time();
   build_plate(height_above(engine().particles(), parameters.subgrade.plate));
   now.stage = Stage::placing;

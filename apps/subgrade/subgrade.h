@@ -25,6 +25,10 @@ public:
   double progress_at(double time) const override; ///< since loading began [s]
   const char *progress_column() const override { return "loading_time_s"; }
   void summarise(nlohmann::ordered_json &summary) const override;
+  std::string preparation_text() const override;
+  bool is_preparing() const override { return now.stage == Stage::pouring; }
+  void save_prepared(std::ostream &out) const override;
+  void take_prepared(std::istream &in) override;
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
 
@@ -75,6 +79,7 @@ private:
   void build_ground();
   void build_plate(double height);
   void pour(double time_step);
+  void set_plate_down();
   void place(double time_step);
   void load_plate(double time_step);
   void start_loading();

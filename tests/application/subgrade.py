@@ -13,7 +13,8 @@ import tempfile
 import time
 
 from lab import near, resumed_faults, spall_run, write_prm
-from triaxial_runs import ENVIRONMENT, report_faults, rows, summary
+from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
+                           summary, summary_faults)
 
 # A few dozen spheres under a plate, one pulse, on a coarse block.
 SCENE = {
@@ -322,10 +323,58 @@ def yielding(spall, root):
     return faults
 
 
+def placed_rows(folder):
+    return [row for row in rows(folder, "history.csv")[1]
+            if row["stage_1"] > 0]
+
+
+def kept_faults(name, mine, its):
+    """From the placing of the plate on a run with stones that another one has
+    poured is the run that pours them itself."""
+    faults = [f"{name}: {file} differs" for file in
+              differing(mine, its, ["events.csv", "transfer.csv",
+                                    "profile.csv", "bowl.csv"])]
+    ledger = [(folder / "ledger.csv").read_text().splitlines()
+              for folder in (mine, its)]
+    n = len(placed_rows(mine))
+    if n < 20 or placed_rows(mine) != placed_rows(its) or \
+            ledger[0][-n:] != ledger[1][-n:]:
+        faults.append(f"{name}: {n} rows differ after the pouring")
+    return faults + [f"{name}: {fault}" for fault in
+                     summary_faults(summary(mine), summary(its))]
+
+
+def kept(spall, root):
+    """Poured stones are kept; other loads on another depth take them up."""
+    case = write_prm(root / "case.prm", changed(Pulse={"rest": 0.01}))
+    store = ("--preparations", root / "store")
+    other = ("--set", "Pulse/amplitude=100", "--set", "LoadPlate/mass=45",
+             "--set", "Coupling/stone_steps=2", "--set",
+             "Subgrade/layers=0.1 30e6 0.3 1900, 0.4 20e6 0.3 1700",
+             "--set", "Record/stress_depths=0.3")
+
+    def run(folder, *options):
+        go([spall, "run", case, "--threads", 1, "--out", root / folder,
+            *options])
+        return root / folder
+
+    def is_taken(folder):
+        return "preparation taken" in (folder / "log.txt").read_text()
+    own = run("own")
+    faults = kept_faults("keeping", run("first", *store), own)
+    faults += kept_faults("taken", run("second", *store), own)
+    mine = run("other", *store, *other)
+    faults += kept_faults("other", mine, run("other_own", *other))
+    if is_taken(root / "first") or not is_taken(root / "second") or \
+            not is_taken(mine):
+        faults.append("the layer is not shared as it should be")
+    return faults
+
+
 def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
     test = {"quick": quick, "condensed": condensed, "train": train,
-            "static": static, "yielding": yielding}[sys.argv[2]]
+            "static": static, "yielding": yielding, "kept": kept}[sys.argv[2]]
     with tempfile.TemporaryDirectory() as name:
         return report_faults(test(spall, pathlib.Path(name)))
 

@@ -1,5 +1,6 @@
 #include "case/fields.h"
 #include "compaction/filling.h"
+#include "subgrade/poured.h"
 #include "triaxial/preparation.h"
 #include "triaxial/triaxial.h"
 
@@ -110,6 +111,11 @@ TEST_F(Preparation, KnowsEveryKeyOfTheTest)
 TEST_F(Preparation, KnowsEveryKeyOfACompaction)
 {
   expect_all_listed(base, CaseKind::vibratory_compaction, filling_keys());
+}
+
+TEST_F(Preparation, KnowsEveryKeyOfASubgrade)
+{
+  expect_all_listed(base, CaseKind::subgrade, poured_keys());
 }
 
 TEST_F(Preparation, TextFollowsTheKeysThatDecideAndNoOthers)
