@@ -4,6 +4,7 @@
 #include "case/fields.h"
 #include "case/source.h"
 #include "errors.h"
+#include "run/digest.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -259,6 +261,22 @@ void check_sections(const Case &parameters, const Places &places)
               kind_names[static_cast<std::size_t>(parameters.kind)] +
               " has no section " + section.name);
 }
+std::uint64_t content_of(const std::string &path)
+{
+  std::ifstream file(path, std::ios::binary);
+  Digest digest;
+  digest.add(std::string(std::istreambuf_iterator<char>(file), {}));
+  return digest.value();
+}
+
+/// Of the files that a checkpoint is to know again.
+void note_contents(Case &of)
+{
+  GroundParameters &ground = of.subgrade.ground;
+  if (!ground.mesh.empty())
+    ground.mesh_content =
+        content_of(find_path(of, "Subgrade", "mesh", ground.mesh));
+}
 } // namespace
 
 Case read_case(const std::string &file, std::span<const Override> overrides)
@@ -284,6 +302,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
     take_overrides(handler, result, overrides, list, places);
   }
   assign_all(handler, list, places);
+  note_contents(result);
 
   check_case(result,
              [&](const std::string &section, const std::string &key)

@@ -65,7 +65,7 @@ bool is_path(const Parameter &parameter)
   return std::holds_alternative<std::string *>(parameter.value) &&
          (parameter.key == "gradation" || parameter.key == "shapes" ||
           parameter.key == "shape" || parameter.key == "table" ||
-          parameter.key == "share_table");
+          parameter.key == "share_table" || parameter.key == "mesh");
 }
 
 std::string joined(const std::vector<std::string> &words)

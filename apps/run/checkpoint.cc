@@ -2,6 +2,7 @@
 
 #include "case/file.h"
 #include "errors.h"
+#include "run/digest.h"
 #include "run/whole_file.h"
 
 #include <dem/io/binary.h>
@@ -53,7 +54,11 @@ std::string identity_of(Case parameters)
     parameters.time.local_damping = local_damping;
   }
   parameters.title = defaults.title;
-  return without_comments(parameters_as_run(parameters));
+  // A mesh counts by what is in its file.
+  GroundParameters &ground = parameters.subgrade.ground;
+  ground.mesh.clear();
+  return without_comments(parameters_as_run(parameters)) +
+         "contents of Subgrade/mesh = " + hex_text(ground.mesh_content) + "\n";
 }
 
 void write_string(std::ostream &out, const std::string &text)

@@ -1,11 +1,33 @@
 #include "subgrade/axis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace spall
 {
+namespace
+{
+/// Whether a cell, seen from above, has the axis in it or on its rim: its
+/// corners leave no open half-plane.
+bool is_round_axis(const fem::SolidMesh &mesh, std::size_t cell)
+{
+  std::array<double, 8> angles{};
+  for (std::size_t v = 0; v < 8; ++v)
+  {
+    const auto &at = mesh.nodes[static_cast<std::size_t>(mesh.cells[cell][v])];
+    angles[v] = std::atan2(at.y(), at.x());
+  }
+  std::ranges::sort(angles);
+  double widest = angles.front() + 2. * std::numbers::pi - angles.back();
+  for (std::size_t v = 1; v < 8; ++v)
+    widest = std::max(widest, angles[v] - angles[v - 1]);
+  return widest < std::numbers::pi * (1. + 1e-9);
+}
+} // namespace
+
 GroundAxis::GroundAxis(const fem::SolidMesh &mesh, std::vector<double> depths)
     : asked(std::move(depths))
 {
@@ -23,11 +45,16 @@ GroundAxis::GroundAxis(const fem::SolidMesh &mesh, std::vector<double> depths)
                     { return mesh.nodes[static_cast<std::size_t>(node)].z(); });
   std::map<std::int64_t, std::vector<std::size_t>> by_depth;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-    if (std::ranges::any_of(mesh.cells[cell], is_on_axis))
+    if (std::ranges::any_of(mesh.cells[cell], is_on_axis) ||
+        is_round_axis(mesh, cell))
     {
       double centre = 0.;
       for (const std::int32_t node : mesh.cells[cell])
-        centre += mesh.nodes[static_cast<std::size_t>(node)].z() / 8.;
+      {
+        const double z = mesh.nodes[static_cast<std::size_t>(node)].z();
+        centre += z / 8.;
+        lowest = std::max(lowest, -z);
+      }
       by_depth[std::llround(-centre / near)].push_back(cell);
     }
   for (const auto &[depth, cells] : by_depth)

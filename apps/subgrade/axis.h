@@ -14,6 +14,9 @@ public:
   /// `depths` below the top, of the stresses [m].
   GroundAxis(const fem::SolidMesh &mesh, std::vector<double> depths);
 
+  /// Of the lowest corner of the cells round the axis [m].
+  double depth() const { return lowest; }
+
   /// Heights of the nodes on the axis, and their speeds [m], [m/s].
   std::vector<double> heights(const fem::Solid &ground) const;
   std::vector<double> speeds(const fem::Solid &ground) const;
@@ -27,5 +30,6 @@ private:
   std::vector<std::vector<std::size_t>> rings; ///< cells, from the top down
   std::vector<double> ring_depth;              ///< of their centres [m]
   std::vector<double> asked;
+  double lowest = 0.;
 };
 } // namespace spall

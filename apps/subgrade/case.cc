@@ -92,6 +92,19 @@ bool yields(const GroundParameters &ground)
                              { return std::isfinite(layer.cohesion); });
 }
 
+std::vector<double> layer_tops(const GroundParameters &ground)
+{
+  std::vector<double> tops;
+  double top = 0.;
+  for (const GroundLayer &layer : parse_ground_layers(ground.layers))
+  {
+    tops.push_back(top);
+    top -= layer.thickness;
+  }
+  std::ranges::reverse(tops);
+  return tops;
+}
+
 double depth_of(const GroundParameters &ground)
 {
   double sum = 0.;

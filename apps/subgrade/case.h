@@ -2,6 +2,7 @@
 
 #include <dem/contact/material.h>
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -77,8 +78,10 @@ enum class GroundSolver
 
 struct GroundParameters
 {
-  double length = 2.; ///< along x [m]
-  double width = 2.;  ///< along y [m]
+  std::string mesh;               ///< gmsh file of hexahedra; empty: a box
+  std::uint64_t mesh_content = 0; ///< digest of the file; 0 without
+  double length = 2.;             ///< along x [m]
+  double width = 2.;              ///< along y [m]
   /// thickness [m], E [Pa], nu [-], rho [kg/m^3] of each layer from the top
   /// down; where it yields c [Pa], phi and psi [degrees] too
   std::string layers = "0.4 80e6 0.3 1900, 1 50e6 0.35 1850";
@@ -174,6 +177,8 @@ bool yields(const GroundParameters &ground);
 /// Throws std::invalid_argument that says what is allowed.
 std::vector<GroundLayer> parse_ground_layers(const std::string &text);
 std::vector<double> parse_depths(const std::string &text);
+/// Heights of the layers' tops from the bottom up [m].
+std::vector<double> layer_tops(const GroundParameters &ground);
 /// Of all layers [m].
 double depth_of(const GroundParameters &ground);
 /// Half the length and width of the footprint [m].

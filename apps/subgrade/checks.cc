@@ -70,15 +70,11 @@ void check_plate(const Case &c, const Place &place)
                    "must be at most Layer/width = " + number_text(l.width)});
 }
 
-void check_ground(const Case &c, const Place &place)
+/// Of a ground without a mesh.
+void check_block(const Case &c, const Place &place)
 {
   const GroundParameters &g = c.subgrade.ground;
   const LayerParameters &l = c.subgrade.layer;
-  const RecordParameters &r = c.subgrade.record;
-  refuse_if_thrown(place, {"Subgrade", "layers", g.layers, ""},
-                   [&] { parse_ground_layers(g.layers); });
-  refuse_if_thrown(place, {"Record", "stress_depths", r.stress_depths, ""},
-                   [&] { parse_depths(r.stress_depths); });
   if (g.length < l.length)
     refuse(place, {"Subgrade", "length", number_text(g.length),
                    "must be at least Layer/length = " + number_text(l.length)});
@@ -92,6 +88,20 @@ void check_ground(const Case &c, const Place &place)
                    "must be at most the narrow side of the plate, " +
                        number_text(narrow) + " m, and the depth, " +
                        number_text(depth_of(g)) + " m"});
+}
+
+void check_ground(const Case &c, const Place &place)
+{
+  const GroundParameters &g = c.subgrade.ground;
+  const RecordParameters &r = c.subgrade.record;
+  refuse_if_thrown(place, {"Subgrade", "layers", g.layers, ""},
+                   [&] { parse_ground_layers(g.layers); });
+  refuse_if_thrown(place, {"Record", "stress_depths", r.stress_depths, ""},
+                   [&] { parse_depths(r.stress_depths); });
+  if (g.mesh.empty())
+    check_block(c, place);
+  else
+    find_path(c, "Subgrade", "mesh", g.mesh);
   const std::vector<double> depths = parse_depths(r.stress_depths);
   if (!depths.empty() && depths.back() >= depth_of(g))
     refuse(place, {"Record", "stress_depths", r.stress_depths,

@@ -75,9 +75,15 @@ void add_plate(List &list, LoadPlateParameters &p)
 void add_ground(List &list, GroundParameters &g)
 {
   list.in("Subgrade");
-  list.add({"length", "m", "Of the block, along x."}, g.length,
+  list.add({"mesh", "-",
+            "File of gmsh (.msh) with the hexahedra of the ground in metres, "
+            "its top flat at z = 0, a node in the middle of the plate; empty: "
+            "a block of cells."},
+           g.mesh);
+  list.add({"length", "m", "Of the block without a mesh, along x."}, g.length,
            above(0., 1000.));
-  list.add({"width", "m", "Of the block, along y."}, g.width, above(0., 1000.));
+  list.add({"width", "m", "Of the block without a mesh, along y."}, g.width,
+           above(0., 1000.));
   list.add(
       {"layers", "-",
        "From the top down, separated by commas, each: thickness (m), "
@@ -85,10 +91,11 @@ void add_ground(List &list, GroundParameters &g)
        "it yields: cohesion (Pa), friction angle, dilation angle (degrees; 0 "
        "if left out), as Drucker and Prager say."},
       g.layers);
-  list.add({"cell_size", "m", "Of the elements under the plate."}, g.cell_size,
-           above(0., 10.));
+  list.add({"cell_size", "m", "Of the elements of a block under the plate."},
+           g.cell_size, above(0., 10.));
   list.add({"growth", "-",
-            "Of the elements from one to the next, away from the plate."},
+            "Of the elements of a block from one to the next, away from the "
+            "plate."},
            g.growth, between(1., 3.));
   list.add({"bottom", "-",
             "absorbing: dashpots that take waves up, and springs of the "

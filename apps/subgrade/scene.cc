@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <span>
 
 namespace spall
 {
@@ -49,77 +47,6 @@ std::vector<dem::Body> draw_layer(const Case &c, const ShapeLibrary &shapes,
   return stones;
 }
 
-/// Widths from the middle outward, mirrored: equal cells to `half`, then
-/// growing ones to the edge.
-std::vector<double> widths_across(const GroundParameters &g, double half,
-                                  double length)
-{
-  const int n = std::max(
-      1, static_cast<int>(std::ceil(half / g.cell_size * (1. - 1e-9))));
-  std::vector<double> outward(static_cast<std::size_t>(n), half / n);
-  if (const double rest = 0.5 * length - half; rest > 1e-9 * length)
-    for (const double width :
-         fem::graded_widths(std::min(half / n, rest), g.growth, rest))
-      outward.push_back(width);
-  std::vector<double> all(outward.rbegin(), outward.rend());
-  all.insert(all.end(), outward.begin(), outward.end());
-  return all;
-}
-
-/// From the bottom up; layers end where cells do.
-std::vector<double> heights_of(const GroundParameters &g)
-{
-  std::vector<double> down;
-  double next = g.cell_size;
-  for (const GroundLayer &layer : parse_ground_layers(g.layers))
-  {
-    for (const double height : fem::graded_widths(
-             std::min(next, layer.thickness), g.growth, layer.thickness))
-      down.push_back(height);
-    next = down.back() * g.growth;
-  }
-  return {down.rbegin(), down.rend()};
-}
-
-fem::SolidMesh ground_mesh(const Case &c)
-{
-  const GroundParameters &g = c.subgrade.ground;
-  const Footprint plate = footprint(c.subgrade.plate);
-  fem::BoxMesh box;
-  box.lower = {-0.5 * g.length, -0.5 * g.width, -depth_of(g)};
-  box.widths = {widths_across(g, plate.half_x, g.length),
-                widths_across(g, plate.half_y, g.width), heights_of(g)};
-  fem::SolidMesh mesh = fem::box_mesh(box);
-  std::vector<double> tops;
-  double top = 0.;
-  for (const GroundLayer &layer : parse_ground_layers(g.layers))
-  {
-    tops.push_back(top);
-    top -= layer.thickness;
-  }
-  std::ranges::reverse(tops);
-  fem::assign_layers(mesh, tops);
-  return mesh;
-}
-
-/// Of level ground at rest under its own weight; lateral share 1 - sin phi
-/// (Jaky 1944) [Pa].
-fem::Voigt weight_stress(std::span<const GroundLayer> layers, double depth)
-{
-  double vertical = 0., share = 1., top = 0.;
-  for (const GroundLayer &layer : layers)
-  {
-    if (depth <= top)
-      break;
-    vertical -=
-        gravity * layer.density * std::min(depth - top, layer.thickness);
-    share = 1. - std::sin(layer.friction_angle * std::numbers::pi / 180.);
-    top += layer.thickness;
-  }
-  fem::Voigt stress = fem::Voigt::Zero();
-  stress.head<3>() << share * vertical, share * vertical, vertical;
-  return stress;
-}
 } // namespace
 
 StoneBox make_stone_box(const Case &c)
@@ -163,44 +90,6 @@ dem::PouringParameters pouring_parameters(const Case &c)
   p.unbalanced_ratio = l.unbalanced_ratio;
   p.max_time = l.max_time;
   return p;
-}
-
-fem::Solid make_ground(const Case &c)
-{
-  const GroundParameters &g = c.subgrade.ground;
-  fem::SolidParameters soil;
-  soil.layers.clear();
-  const std::vector<GroundLayer> layers = parse_ground_layers(g.layers);
-  for (const GroundLayer &layer : layers)
-    soil.layers.push_back({layer.youngs_modulus, layer.poisson_ratio,
-                           layer.density, layer.cohesion,
-                           layer.friction_angle * std::numbers::pi / 180.,
-                           layer.dilatancy_angle * std::numbers::pi / 180.});
-  std::ranges::reverse(soil.layers); // tops ascend
-  soil.mass_damping = g.mass_damping;
-  soil.stiffness_damping = g.stiffness_damping;
-  soil.solver = g.solver == GroundSolver::amg ? fem::SolidSolver::amg
-                                              : fem::SolidSolver::direct;
-  soil.solver_tolerance = g.solver_tolerance;
-  fem::Solid ground(soil, ground_mesh(c));
-  ground.set_initial_stress([&](const Eigen::Vector3d &place)
-                            { return weight_stress(layers, -place.z()); });
-  const auto open = [&](std::int32_t side)
-  {
-    ground.absorb(side);
-    ground.hold_far_field(side, Eigen::Vector3d::Zero());
-  };
-  if (g.bottom == GroundSide::rigid)
-    ground.fix(fem::z_lower, {true, true, true});
-  else
-    open(fem::z_lower);
-  for (const auto side :
-       {fem::x_lower, fem::x_upper, fem::y_lower, fem::y_upper})
-    if (g.sides == GroundSide::absorbing)
-      open(side);
-    else
-      ground.fix(side, {side <= fem::x_upper, side >= fem::y_lower, false});
-  return ground;
 }
 
 fem::SurfaceMesh plate_surface(const LoadPlateParameters &p, double height)

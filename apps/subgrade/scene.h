@@ -30,10 +30,6 @@ StoneBox make_stone_box(const Case &parameters);
 
 dem::PouringParameters pouring_parameters(const Case &parameters);
 
-/// The elastic block below z = 0 with its layers, supports and dashpots.
-/// Throws InputError.
-fem::Solid make_ground(const Case &parameters);
-
 /// Lower face and sides of the plate, its lower face at this height [m].
 fem::SurfaceMesh plate_surface(const LoadPlateParameters &plate, double height);
 fem::PlateBodyParameters plate_body(const LoadPlateParameters &plate,

@@ -3,13 +3,13 @@
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "subgrade/ground.h"
 
 #include <fem/disc_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 namespace spall
 {
@@ -75,8 +75,7 @@ void Subgrade::build_ground()
   std::unique_ptr<coupling::Body> body;
   if (parameters.subgrade.ground.body == GroundBody::full)
   {
-    axis = GroundAxis(mesh,
-                      parse_depths(parameters.subgrade.record.stress_depths));
+    build_axis(mesh);
     auto full = std::make_unique<coupling::SolidBody>(
         std::move(block), fem::z_upper,
         coupling::BodySteps{c.is_body_implicit, c.body_steps});
@@ -109,6 +108,18 @@ void Subgrade::build_ground()
                         parameters.subgrade.contact,
                         coupling::StoneSide::outside, engine());
   joined->hold(*ground, true);
+}
+
+void Subgrade::build_axis(const fem::SolidMesh &mesh)
+{
+  const std::string &text = parameters.subgrade.record.stress_depths;
+  const std::vector<double> depths = parse_depths(text);
+  axis = GroundAxis(mesh, depths);
+  if (!depths.empty() && depths.back() >= axis.depth())
+    throw InputError(parameters.file + ": Record/stress_depths = " + text +
+                     ": must be less deep than the subgrade below the middle "
+                     "of the plate, " +
+                     number_text(axis.depth()) + " m");
 }
 
 void Subgrade::build_plate(double height)
@@ -249,51 +260,6 @@ void Subgrade::start_loading()
       now.residual = one.value;
     else if (name == "external_work_J")
       now.work = one.value;
-}
-
-/// Ground that yields need not bear what lies on it.
-void Subgrade::lay_on_ground()
-try
-{
-  if (solid)
-    dead_stress = stresses_under(rest_load);
-  balance_ground();
-}
-catch (const std::runtime_error &error)
-{
-  double largest = 0.;
-  for (const dem::Vec3 &load : rest_load)
-    largest = std::max(largest, load.norm());
-  throw RunFailure("the ground does not bear plate and stones at rest, " +
-                   number_text(std::round(now.dead_load)) + " N, of which " +
-                   number_text(std::round(largest)) +
-                   " N on one node: see Subgrade/layers, cell_size (" +
-                   error.what() + ")");
-}
-
-/// Of the full ground at rest; it stays as it is [Pa].
-std::vector<double> Subgrade::stresses_under(coupling::FieldView load)
-{
-  std::ostringstream before(std::ios::binary);
-  solid->save(before);
-  fem::Solid &body = solid->solid();
-  coupling::Field all(body.mesh().nodes.size(), dem::Vec3::Zero());
-  fem::add_loads(fem::boundary_surface(body.mesh(), fem::z_upper), load, all);
-  body.settle(all);
-  const std::vector<double> result = axis.stresses(body);
-  std::istringstream back(std::move(before).str(), std::ios::binary);
-  solid->restore(back);
-  return result;
-}
-
-/// Lets the ground go, in balance with what lies on it.
-void Subgrade::balance_ground()
-{
-  if (solid)
-    solid->balance(rest_load);
-  else
-    condensed->balance(rest_load);
-  joined->hold(*ground, false);
 }
 
 void Subgrade::load_plate(double time_step)

@@ -77,6 +77,7 @@ private:
   Surroundings surroundings() const override;
 
   void build_ground();
+  void build_axis(const fem::SolidMesh &mesh);
   void build_plate(double height);
   void pour(double time_step);
   void set_plate_down();

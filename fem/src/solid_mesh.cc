@@ -9,6 +9,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace fem
@@ -123,6 +124,28 @@ void refine(Triangulation &triangulation,
     triangulation.execute_coarsening_and_refinement();
   }
 }
+/// Throws std::invalid_argument unless the edges that meet in a corner span a
+/// volume of positive sign, in all corners.
+void check_cells(const SolidMesh &mesh, const std::string &path)
+{
+  for (const auto &cell : mesh.cells)
+    for (std::size_t v = 0; v < 8; ++v)
+    {
+      const auto at = [&](std::size_t corner) -> const Eigen::Vector3d &
+      { return mesh.nodes[static_cast<std::size_t>(cell[corner])]; };
+      Eigen::Matrix3d edges;
+      for (std::size_t c = 0; c < 3; ++c)
+        edges.col(static_cast<Eigen::Index>(c)) =
+            (v >> c & 1 ? -1. : 1.) * (at(v ^ (1u << c)) - at(v));
+      if (edges.determinant() > 1e-6 * edges.colwise().norm().prod())
+        continue;
+      std::ostringstream text;
+      text << "solid mesh: " << path << ": a cell is flat or turned inside out "
+           << "at its corner (" << at(v).x() << ", " << at(v).y() << ", "
+           << at(v).z() << ")";
+      throw std::invalid_argument(text.str());
+    }
+}
 } // namespace
 
 SolidMesh box_mesh(const BoxMesh &box)
@@ -167,8 +190,15 @@ SolidMesh read_solid_mesh(const std::string &path)
   catch (const std::exception &)
   {
     throw std::invalid_argument("solid mesh: " + path +
-                                " is no gmsh file of hexahedra");
+                                " is no gmsh file of hexahedra whose quads, if "
+                                "any, all lie on the surface");
   }
-  return flatten(triangulation);
+  if (!triangulation.all_reference_cells_are_hyper_cube())
+    throw std::invalid_argument("solid mesh: " + path +
+                                " has tetrahedra, prisms or pyramids, all "
+                                "cells must be hexahedra");
+  const SolidMesh mesh = flatten(triangulation);
+  check_cells(mesh, path);
+  return mesh;
 }
 } // namespace fem

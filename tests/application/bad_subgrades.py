@@ -1,5 +1,6 @@
 """Broken cases of kind subgrade for bad_input.py."""
 from bad_cases import CASE, Bad, prm
+from test_meshes import block, gmsh
 
 # Refused before anything is built, but for the last ones.
 SOUND = {
@@ -18,6 +19,12 @@ SOUND = {
 }
 
 
+ACROSS = [-200., -100., 0., 100., 200.]
+TETRAHEDRON = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n"
+               "1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 -1\n$EndNodes\n"
+               "$Elements\n1\n1 4 2 1 1 1 3 2 4\n$EndElements\n")
+
+
 def ground(changes, *message):
     """A case with these changes and what must be said about it."""
     case = {section: dict(entries) for section, entries in SOUND.items()}
@@ -29,7 +36,10 @@ def ground(changes, *message):
     last = list(changes)[-1]
     return Bad(name.replace(" ", "_"), CASE, [last, *message],
                files={"case.prm": prm(case),
-                      "bad.csv": "a,b\n0,1\n0.5;3\n"})
+                      "bad.csv": "a,b\n0,1\n0.5;3\n",
+                      "no.msh": "no mesh\n", "tetrahedron.msh": TETRAHEDRON,
+                      "millimetres.msh": gmsh(*block(
+                          ACROSS, ACROSS, [-200., -100., 0.]))})
 
 
 SUBGRADES = [
@@ -70,6 +80,11 @@ SUBGRADES = [
            "must be fixed"),
     ground({"Time/step": "error"}, "fixed or stable"),
     # Once stones and ground are known.
+    ground({"Subgrade/mesh": "none.msh"}, "no such file or folder"),
+    ground({"Subgrade/mesh": "no.msh"}, "no gmsh file of hexahedra"),
+    ground({"Subgrade/mesh": "tetrahedron.msh"}, "must be hexahedra"),
+    ground({"Subgrade/mesh": "millimetres.msh"}, "200 m deep",
+           "in all, 0.2 m (files are in metres)"),
     ground({"Record/row_interval": 1e-2, "Time/fixed_step": 1e-3},
            "must be at most"),
     ground({"Record/row_interval": 1e-2, "Time/fixed_step": 1e-5,

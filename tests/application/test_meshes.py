@@ -58,3 +58,40 @@ def mushroom_triangles():
             if profile[k + 1][0] > 0.:
                 triangles.append((a, c, d))
     return triangles
+
+
+def gmsh(nodes, cells, volume=lambda k: 1):
+    """A .msh file (format 2) of hexahedra with their physical volumes; corners
+    of a cell: four round a face, then those opposite."""
+    text = f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{len(nodes)}\n"
+    for k, (x, y, z) in enumerate(nodes, 1):
+        text += f"{k} {x!r} {y!r} {z!r}\n"
+    text += f"$EndNodes\n$Elements\n{len(cells)}\n"
+    for k, cell in enumerate(cells):
+        corners = " ".join(str(node + 1) for node in cell)
+        text += f"{k + 1} 5 2 {volume(k)} 1 {corners}\n"
+    return text + "$EndElements\n"
+
+
+def block(x, y, z, place=lambda *at: at):
+    """Nodes and cells of a block with its mesh lines at these x, y and z, each
+    node put to its place."""
+    def number(i, j, k):
+        return i + len(x) * (j + len(y) * k)
+    nodes = [place(a, b, c) for c in z for b in y for a in x]
+    # Turned so that Spall numbers the nodes as those of its own block.
+    corners = ((0, 1, 0), (1, 1, 0), (1, 1, 1), (0, 1, 1),
+               (0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1))
+    cells = [[number(i + di, j + dj, k + dk) for di, dj, dk in corners]
+             for k in range(len(z) - 1) for j in range(len(y) - 1)
+             for i in range(len(x) - 1)]
+    return nodes, cells
+
+
+def extruded(quads, points, z):
+    """Nodes and cells of a plane mesh of quads, carried along heights z."""
+    n = len(points)
+    nodes = [(x, y, c) for c in z for x, y in points]
+    cells = [[node + n * (k + above) for above in (0, 1) for node in quad]
+             for k in range(len(z) - 1) for quad in quads]
+    return nodes, cells

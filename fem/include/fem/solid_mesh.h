@@ -83,8 +83,9 @@ struct QuarterCylinder
 SolidMesh quarter_cylinder_mesh(const QuarterCylinder &block);
 
 /// Hexahedra of a gmsh file (.msh, formats 2 and 4): physical volumes are the
-/// layers, physical surfaces the boundaries; library only, no case names one.
-/// Throws std::invalid_argument if it cannot be read.
+/// layers, physical surfaces the boundaries. Throws std::invalid_argument with
+/// the file and what is wrong: it cannot be read, has other cells, or cells
+/// that are turned inside out.
 SolidMesh read_solid_mesh(const std::string &path);
 
 /// Layer k of a cell is the first whose top lies above its centre; the last
