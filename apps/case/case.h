@@ -103,6 +103,8 @@ struct PreparationParameters
 struct BoundaryParameters
 {
   Lateral lateral = Lateral::membrane;
+  std::string mesh;               ///< gmsh file of the membrane; may be empty
+  std::uint64_t mesh_content = 0; ///< digest of the file; 0 without
   int elements_per_side = 12; ///< of a box: membrane quads along each edge [-]
   int elements_around = 36;   ///< of a cylinder: membrane quads round it [-]
   /// of the servo of rigid sides: an error falls to 1/e in it [s]

@@ -131,11 +131,17 @@ void add_boundary(List &list, BoundaryParameters &b)
             "membrane: deal.II membrane; rigid: four planes, or the side of a "
             "cylinder, under servo control."},
            b.lateral, {"membrane", "rigid"});
-  list.add(
-      {"elements_per_side", "-", "Of a box: membrane quads along each edge."},
-      b.elements_per_side, between(2, 200));
+  list.add({"mesh", "-",
+            "File of gmsh (.msh) with the quads of the membrane: the side of "
+            "an upright box, or of a cylinder round the z axis, which is "
+            "stretched to the specimen; empty: equal quads."},
+           b.mesh);
+  list.add({"elements_per_side", "-",
+            "Of a box without a mesh: membrane quads along each edge."},
+           b.elements_per_side, between(2, 200));
   list.add({"elements_around", "-",
-            "Of a cylinder: membrane quads round it; along it they are about "
+            "Of a cylinder without a mesh: membrane quads round it; along it "
+            "they are about "
             "as long."},
            b.elements_around, between(6, 1000));
   list.add({"servo_response_time", "s",

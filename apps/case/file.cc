@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -261,21 +260,18 @@ void check_sections(const Case &parameters, const Places &places)
               kind_names[static_cast<std::size_t>(parameters.kind)] +
               " has no section " + section.name);
 }
-std::uint64_t content_of(const std::string &path)
-{
-  std::ifstream file(path, std::ios::binary);
-  Digest digest;
-  digest.add(std::string(std::istreambuf_iterator<char>(file), {}));
-  return digest.value();
-}
-
 /// Of the files that a checkpoint is to know again.
 void note_contents(Case &of)
 {
+  const auto note = [&of](const std::string &section, const std::string &mesh,
+                          std::uint64_t &content)
+  {
+    if (!mesh.empty())
+      content = digest_of_file(find_path(of, section, "mesh", mesh));
+  };
   GroundParameters &ground = of.subgrade.ground;
-  if (!ground.mesh.empty())
-    ground.mesh_content =
-        content_of(find_path(of, "Subgrade", "mesh", ground.mesh));
+  note("Subgrade", ground.mesh, ground.mesh_content);
+  note("Boundary", of.boundary.mesh, of.boundary.mesh_content);
 }
 } // namespace
 

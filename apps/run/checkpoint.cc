@@ -55,10 +55,13 @@ std::string identity_of(Case parameters)
   }
   parameters.title = defaults.title;
   // A mesh counts by what is in its file.
-  GroundParameters &ground = parameters.subgrade.ground;
-  ground.mesh.clear();
+  parameters.subgrade.ground.mesh.clear();
+  parameters.boundary.mesh.clear();
   return without_comments(parameters_as_run(parameters)) +
-         "contents of Subgrade/mesh = " + hex_text(ground.mesh_content) + "\n";
+         "contents of Subgrade/mesh = " +
+         hex_text(parameters.subgrade.ground.mesh_content) +
+         "\ncontents of Boundary/mesh = " +
+         hex_text(parameters.boundary.mesh_content) + "\n";
 }
 
 void write_string(std::ostream &out, const std::string &text)

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +32,15 @@ public:
 private:
   std::uint64_t state = 14695981039346656037u;
 };
+
+/// Of the bytes of a file; of none if it cannot be read.
+inline std::uint64_t digest_of_file(const std::string &path)
+{
+  std::ifstream file(path, std::ios::binary);
+  Digest digest;
+  digest.add(std::string(std::istreambuf_iterator<char>(file), {}));
+  return digest.value();
+}
 
 /// Sixteen hexadecimal digits.
 inline std::string hex_text(std::uint64_t value)

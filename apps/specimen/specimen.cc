@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "shape/file.h"
 #include "specimen/gradation.h"
+#include "specimen/sheet_file.h"
 
 #include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
@@ -87,6 +88,8 @@ fem::SurfaceMesh lateral_mesh(const Case &parameters, const dem::Vec3 &lower,
                               const dem::Vec3 &upper)
 {
   const BoundaryParameters &b = parameters.boundary;
+  if (!b.mesh.empty())
+    return read_sheet(parameters, lower, upper);
   const int n = b.elements_per_side;
   if (parameters.specimen.form == SpecimenForm::box)
     return fem::box_sides(lower, upper, {n, n, n});
@@ -186,11 +189,19 @@ struct MembraneNode
 MembraneNode lightest_node(const Case &parameters, double lightest_stone,
                            const fem::Membrane &membrane)
 {
-  // All nodes but those of the two rims move; the rims are the lightest.
-  const auto mass = membrane.nodal_mass();
+  // All nodes but those of the two rims move.
+  const fem::SurfaceMesh &mesh = membrane.mesh();
+  const auto [low, high] = std::ranges::minmax(
+      mesh.nodes, {}, [](const dem::Vec3 &node) { return node.z(); });
+  const double margin = 1e-6 * (high.z() - low.z());
+  double lightest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
+    if (const double z = mesh.nodes[k].z();
+        z > low.z() + margin && z < high.z() - margin)
+      lightest = std::min(lightest, membrane.nodal_mass()[k]);
   const dem::WallMaterial &contact = parameters.membrane_contact;
   return {{contact.normal_stiffness, contact.normal_damping, lightest_stone},
-          *std::max_element(mass.begin(), mass.end()),
+          lightest,
           membrane.stable_time_step()};
 }
 

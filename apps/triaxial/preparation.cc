@@ -12,6 +12,7 @@ constexpr CaseKey deciding[] = {
 constexpr CaseKey later[] = {
     {"Stone", "friction"},
     {"Boundary", "lateral"},
+    {"Boundary", "mesh"},
     {"Boundary", "elements_per_side"},
     {"Boundary", "elements_around"},
     {"Boundary", "plate_mass"},

@@ -70,6 +70,8 @@ VALUES = [
     value("Membrane", "residual_stiffness", "0.1", "must be 0 unless"),
     value("MembraneContact", "rolling_friction", "0.1", "no rotational"),
     value("Boundary", "lateral", "balloon", "one of membrane, rigid"),
+    value("Boundary", "mesh", "none.msh", "no such file or folder"),
+    value("Boundary", "mesh", "g.csv", "is no gmsh file of a surface of quads"),
     value("Contact", "geometry", "surface_of_doom",
           "one of ball, radial, surface"),
     value("Contact", "wall_geometry", "surface", "Contact/geometry = surface"),

@@ -95,3 +95,24 @@ def extruded(quads, points, z):
     cells = [[node + n * (k + above) for above in (0, 1) for node in quad]
              for k in range(len(z) - 1) for quad in quads]
     return nodes, cells
+
+
+def box_sheet(across, heights):
+    """A .msh file with the quads of the four sides of an upright box with its
+    mesh lines at these places along x and y, and at these heights."""
+    low, high = across[0], across[-1]
+    ring = [(x, low) for x in across[:-1]] + [(high, y) for y in across[:-1]]
+    ring += [(x, high) for x in across[:0:-1]] + \
+        [(low, y) for y in across[:0:-1]]
+    n = len(ring)
+    nodes = [(x, y, z) for z in heights for x, y in ring]
+    text = f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{len(nodes)}\n"
+    for k, (x, y, z) in enumerate(nodes, 1):
+        text += f"{k} {x!r} {y!r} {z!r}\n"
+    quads = [(k * n + i, k * n + (i + 1) % n, (k + 1) * n + (i + 1) % n,
+              (k + 1) * n + i) for k in range(len(heights) - 1)
+             for i in range(n)]
+    text += f"$EndNodes\n$Elements\n{len(quads)}\n"
+    for k, quad in enumerate(quads, 1):
+        text += f"{k} 3 2 1 1 {' '.join(str(node + 1) for node in quad)}\n"
+    return text + "$EndElements\n"
