@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <sstream>
 #include <string>
 
@@ -12,5 +14,11 @@ inline std::string in_four_digits(double value)
   text.precision(4);
   text << value;
   return text.str();
+}
+
+inline std::string in_four_digits(const Eigen::Vector3d &place)
+{
+  return "(" + in_four_digits(place.x()) + ", " + in_four_digits(place.y()) +
+         ", " + in_four_digits(place.z()) + ")";
 }
 } // namespace spall

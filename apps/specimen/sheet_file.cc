@@ -53,12 +53,6 @@ struct Sheet
                    what);
 }
 
-std::string place_text(const Vector &place)
-{
-  return "(" + in_four_digits(place.x()) + ", " + in_four_digits(place.y()) +
-         ", " + in_four_digits(place.z()) + ")";
-}
-
 Sheet read(const Case &c)
 {
   Sheet sheet;
@@ -97,7 +91,7 @@ void check_box(const Case &c, const Sheet &sheet)
             quad, [&](std::int32_t node)
             { return sheet.is_at(sheet.at(node), d, plane); });
     if (!is_in_plane)
-      refuse(c, "a quad at " + place_text(sheet.middle_of(quad)) +
+      refuse(c, "a quad at " + in_four_digits(sheet.middle_of(quad)) +
                     " lies in none of the four sides of an upright box, which "
                     "Specimen/form = box asks for");
   }
@@ -123,16 +117,18 @@ double span_of(const Sheet &sheet, const std::array<std::int32_t, 4> &quad)
 /// Radius of the largest cylinder inside [m].
 double inner_radius(const Case &c, const Sheet &sheet)
 {
-  double radius = 0., widest = 0.;
-  for (const Vector &node : sheet.mesh.nodes)
-    radius = std::max(radius, node.head<2>().norm());
-  for (const Vector &node : sheet.mesh.nodes)
-    if (node.head<2>().norm() < (1. - round) * radius)
-      refuse(c, "the node " + place_text(node) + " is " +
-                    in_four_digits(node.head<2>().norm()) +
-                    " from the z axis, others " + in_four_digits(radius) +
-                    ": all must be on one cylinder round it, which "
-                    "Specimen/form = cylinder asks for");
+  const auto radius_of = [](const Vector &node)
+  { return node.head<2>().norm(); };
+  const auto [nearest, farthest] =
+      std::ranges::minmax(sheet.mesh.nodes, {}, radius_of);
+  const double radius = radius_of(nearest);
+  if (radius < (1. - round) * radius_of(farthest))
+    refuse(c, "the node " + in_four_digits(nearest) + " is " +
+                  in_four_digits(radius) + " from the z axis, others " +
+                  in_four_digits(radius_of(farthest)) +
+                  ": all must be on one cylinder round it, which "
+                  "Specimen/form = cylinder asks for");
+  double widest = 0.;
   for (const auto &quad : sheet.mesh.quads)
     widest = std::max(widest, span_of(sheet, quad));
   if (widest > std::numbers::pi / 3. * (1. + flat))
@@ -152,7 +148,7 @@ void check_rims(const Case &c, const Sheet &sheet)
   for (const auto &[from, to] : edges)
     if (!edges.contains({to, from}) &&
         !(sheet.is_on_rim(sheet.at(from)) && sheet.is_on_rim(sheet.at(to))))
-      refuse(c, "ends at " + place_text(sheet.at(from)) +
+      refuse(c, "ends at " + in_four_digits(sheet.at(from)) +
                     ": must go round and end at a lower and an upper rim, each "
                     "at one height, and quads that meet must share their "
                     "nodes");
@@ -172,7 +168,7 @@ void face_outward(const Case &c, double section, Sheet &sheet)
     inside += 0.5 * sheet.middle_of(quad).head<2>().dot(area.head<2>());
   }
   const double share = inside / (section * (sheet.upper.z() - sheet.lower.z()));
-  if (std::abs(std::abs(share) - 0.95) > 0.15) // six sides have 0.83
+  if (std::abs(std::abs(share) - 0.95) > 0.15) // few sides: less
     refuse(c, "closes in " + in_four_digits(std::abs(share)) +
                   " of the volume between its rims: must go round once");
   if (share < 0.)

@@ -76,6 +76,7 @@ fem::Voigt weight_stress(std::span<const GroundLayer> layers, double depth)
   stress.head<3>() << share * vertical, share * vertical, vertical;
   return stress;
 }
+
 fem::SolidParameters soil_of(const GroundParameters &g,
                              std::span<const GroundLayer> layers)
 {

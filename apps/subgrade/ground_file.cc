@@ -5,10 +5,12 @@
 #include "errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace spall
 {
@@ -26,12 +28,6 @@ constexpr double slope = 0.5 * std::numbers::sqrt2;
 {
   throw InputError(c.file + ": Subgrade/mesh = " + c.subgrade.ground.mesh +
                    ": " + what);
-}
-
-std::string place_text(const Vector &place)
-{
-  return "(" + in_four_digits(place.x()) + ", " + in_four_digits(place.y()) +
-         ", " + in_four_digits(place.z()) + ")";
 }
 
 /// A face of the surface with what its place is judged by.
@@ -86,11 +82,11 @@ void name_boundaries(const Case &c, fem::SolidMesh &mesh)
       continue;
     }
     if (side.normal.z() > slope)
-      refuse(c, "a face at " + place_text(side.centre) +
+      refuse(c, "a face at " + in_four_digits(side.centre) +
                     " m looks up: only the top at z = 0 may, and cells that "
                     "meet must share their nodes");
     if (!side.faces_away())
-      refuse(c, "a face at " + place_text(side.centre) +
+      refuse(c, "a face at " + in_four_digits(side.centre) +
                     " m does not face away from the middle of the top: the "
                     "whole block must be seen from there, and cells that meet "
                     "must share their nodes");
