@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -39,11 +40,62 @@ double relative(double error, double scale)
 {
   return error == 0. ? 0. : error / scale;
 }
+
+/// Adds to the share of a node, which may be there already.
+void add_share(std::array<dem::FarShare, 4> &shares, std::int32_t node,
+               double weight)
+{
+  std::size_t place = 0;
+  while (shares[place].body >= 0 && shares[place].body != node)
+    ++place;
+  shares[place] = {node, shares[place].weight + weight};
+}
+
+using Edge = std::pair<std::int32_t, std::int32_t>;
+
+Edge edge(std::int32_t a, std::int32_t b)
+{
+  return std::minmax({a, b});
+}
 } // namespace
 
 InterfaceMap::InterfaceMap(const fem::SurfaceMesh &mesh, StoneSide side)
-    : nodes(mesh.nodes.size()), quads(mesh.quads), stones(side)
+    : nodes(mesh.nodes.size()), quads(mesh.quads), midpoints(mesh.midpoints),
+      ends(nodes, {-1, -1}), stones(side)
 {
+  for (const fem::SurfaceMesh::Midpoint &middle : midpoints)
+    ends[index(middle.node)] = middle.ends;
+}
+
+std::vector<std::array<std::int32_t, 3>> InterfaceMap::triangles() const
+{
+  std::map<Edge, std::int32_t> middle_of;
+  for (const fem::SurfaceMesh::Midpoint &middle : midpoints)
+    middle_of[edge(middle.ends[0], middle.ends[1])] = middle.node;
+  std::vector<std::array<std::int32_t, 3>> result;
+  for (std::size_t k = 0; k < quads.size(); ++k)
+  {
+    const auto centre = static_cast<std::int32_t>(nodes + k);
+    const auto add = [&](std::int32_t from, std::int32_t to)
+    {
+      if (stones == StoneSide::outside)
+        std::swap(from, to);
+      result.push_back({from, to, centre});
+    };
+    for (std::size_t v = 0; v < 4; ++v)
+    {
+      const std::int32_t from = quads[k][v], to = quads[k][(v + 1) % 4];
+      const auto middle = middle_of.find(edge(from, to));
+      if (middle == middle_of.end())
+        add(from, to);
+      else
+      {
+        add(from, middle->second);
+        add(middle->second, to);
+      }
+    }
+  }
+  return result;
 }
 
 dem::FacetSurface
@@ -51,24 +103,16 @@ InterfaceMap::make_surface(const NodeMotion &motion,
                            std::span<const double> nodal_mass) const
 {
   dem::FacetSurface surface;
-  for (std::size_t k = 0; k < quads.size(); ++k)
-    for (std::size_t v = 0; v < 4; ++v)
-    {
-      std::array<std::int32_t, 3> &triangle = surface.triangles.emplace_back();
-      triangle = {quads[k][v], quads[k][(v + 1) % 4],
-                  static_cast<std::int32_t>(nodes + k)};
-      if (stones == StoneSide::outside)
-        std::swap(triangle[0], triangle[1]);
-    }
-
-  std::vector<double> over_mass(n_vertices(), 0.);
-  for (std::size_t k = 0; k < nodes; ++k)
-    over_mass[k] = 1. / nodal_mass[k];
-  for (std::size_t k = 0; k < quads.size(); ++k)
-    for (const std::int32_t node : quads[k])
-      over_mass[nodes + k] += over_mass[index(node)] / 16.;
-  for (const double entry : over_mass)
-    surface.mass.push_back(effective_mass(entry));
+  surface.triangles = triangles();
+  for (std::size_t k = 0; k < n_vertices(); ++k)
+  {
+    double over_mass = 0.;
+    for (const dem::FarShare &share : shares(k))
+      if (share.body >= 0)
+        over_mass +=
+            share.weight * share.weight / nodal_mass[index(share.body)];
+    surface.mass.push_back(effective_mass(over_mass));
+  }
 
   surface.position.resize(n_vertices());
   surface.velocity.resize(n_vertices());
@@ -83,8 +127,11 @@ void InterfaceMap::send_motion(const NodeMotion &motion,
   const auto send = [this](FieldView of_nodes, Field &vertices)
   {
     std::copy_n(of_nodes.begin(), nodes, vertices.begin());
+    for (const fem::SurfaceMesh::Midpoint &middle : midpoints)
+      vertices[index(middle.node)] = 0.5 * (vertices[index(middle.ends[0])] +
+                                            vertices[index(middle.ends[1])]);
     for (std::size_t k = 0; k < quads.size(); ++k)
-      vertices[nodes + k] = centre(of_nodes, quads[k]);
+      vertices[nodes + k] = centre(vertices, quads[k]);
   };
   send(motion.position, surface.position);
   send(motion.velocity, surface.velocity);
@@ -96,16 +143,30 @@ void InterfaceMap::collect(FieldView on_vertices, std::span<Vector> nodal) const
   for (std::size_t k = 0; k < quads.size(); ++k)
     for (const std::int32_t node : quads[k])
       nodal[index(node)] += 0.25 * on_vertices[nodes + k];
+  for (const fem::SurfaceMesh::Midpoint &middle : midpoints)
+  {
+    for (const std::int32_t end : middle.ends)
+      nodal[index(end)] += 0.5 * nodal[index(middle.node)];
+    nodal[index(middle.node)] = Vector::Zero();
+  }
 }
 
 std::array<dem::FarShare, 4> InterfaceMap::shares(std::size_t vertex) const
 {
   std::array<dem::FarShare, 4> result;
+  const auto add = [&](std::int32_t node, double weight)
+  {
+    if (ends[index(node)][0] < 0)
+      add_share(result, node, weight);
+    else
+      for (const std::int32_t end : ends[index(node)])
+        add_share(result, end, 0.5 * weight);
+  };
   if (vertex < nodes)
-    result[0] = {static_cast<std::int32_t>(vertex), 1.};
+    add(static_cast<std::int32_t>(vertex), 1.);
   else
-    for (std::size_t v = 0; v < 4; ++v)
-      result[v] = {quads[vertex - nodes][v], 0.25};
+    for (const std::int32_t node : quads[vertex - nodes])
+      add(node, 0.25);
   return result;
 }
 
@@ -133,7 +194,6 @@ void refer_to_nodes(std::span<const SurfacePoints> surfaces,
                                         first_vertex.end(), index(old[0].body));
     const auto s = static_cast<std::size_t>(after - first_vertex.begin()) - 1;
     shares = {};
-    std::size_t n_shares = 0;
     for (const dem::FarShare &of_vertex : old)
     {
       if (of_vertex.body < 0)
@@ -146,13 +206,8 @@ void refer_to_nodes(std::span<const SurfacePoints> surfaces,
           continue;
         const auto body =
             static_cast<std::int32_t>(first_node[s]) + of_node.body;
-        std::size_t place = 0;
-        while (place < n_shares && shares[place].body != body)
-          ++place;
         // The corners of a triangle lie in one quad: four nodes at most.
-        n_shares = std::max(n_shares, place + 1);
-        shares[place] = {body, shares[place].weight +
-                                   of_vertex.weight * of_node.weight};
+        add_share(shares, body, of_vertex.weight * of_node.weight);
       }
     }
   }

@@ -22,6 +22,18 @@ std::vector<double> surface_mass(const fem::Solid &body,
   }
   return mass;
 }
+
+Eigen::Vector3d &at(Field &field, std::int32_t node)
+{
+  return field[static_cast<std::size_t>(node)];
+}
+
+/// Nodes of the body that move by themselves, and that touch what lies on it.
+std::vector<std::int32_t> free_nodes(const fem::SolidSurface &surface)
+{
+  return {surface.node.begin(),
+          surface.node.begin() + std::ptrdiff_t(surface.n_free())};
+}
 } // namespace
 
 BodyEnergy energy_of(const fem::SolidEnergy &energy)
@@ -189,7 +201,7 @@ CondensedBody::CondensedBody(const fem::Solid &body, std::int32_t boundary,
                              int n_inner_modes, int n_steps, double window)
     : Body({true, n_steps}),
       surface(fem::boundary_surface(body.mesh(), boundary)),
-      reduced(body, {surface.node, n_inner_modes, window / n_steps}),
+      reduced(body, {free_nodes(surface), n_inner_modes, window / n_steps}),
       mass(surface_mass(body, surface)), own_step(window / n_steps)
 {
   read_motion();
@@ -198,8 +210,15 @@ CondensedBody::CondensedBody(const fem::Solid &body, std::int32_t boundary,
 void CondensedBody::read_motion()
 {
   position = surface.mesh.nodes;
-  for (std::size_t k = 0; k < position.size(); ++k)
+  velocity.resize(position.size());
+  for (std::size_t k = 0; k < surface.n_free(); ++k)
+  {
     position[k] += reduced.displacements()[k];
+    velocity[k] = reduced.velocities()[k];
+  }
+  for (const auto &[node, ends] : surface.mesh.midpoints)
+    for (Field *field : {&position, &velocity})
+      at(*field, node) = 0.5 * (at(*field, ends[0]) + at(*field, ends[1]));
 }
 
 void CondensedBody::balance(FieldView load)
@@ -208,9 +227,10 @@ void CondensedBody::balance(FieldView load)
     throw std::invalid_argument(
         "condensed body: " + std::to_string(load.size()) + " loads for " +
         std::to_string(position.size()) + " nodes");
-  rest_load.assign(load.begin(), load.end());
+  const FieldView on_nodes = load.first(surface.n_free());
+  rest_load.assign(on_nodes.begin(), on_nodes.end());
   rest_start = rest_potential();
-  reduced.set_load(Field(load.size(), Eigen::Vector3d::Zero()));
+  reduced.set_load(Field(on_nodes.size(), Eigen::Vector3d::Zero()));
 }
 
 double CondensedBody::rest_potential() const
@@ -223,7 +243,8 @@ double CondensedBody::rest_potential() const
 
 FieldView CondensedBody::excess(FieldView load)
 {
-  acting.assign(load.begin(), load.end());
+  const FieldView on_nodes = load.first(surface.n_free());
+  acting.assign(on_nodes.begin(), on_nodes.end());
   for (std::size_t k = 0; k < rest_load.size(); ++k)
     acting[k] -= rest_load[k];
   return acting;

@@ -18,6 +18,9 @@ void check_nodes(const SurfaceMesh &mesh)
 {
   if (mesh.quads.empty())
     refuse("no quads");
+  if (!mesh.midpoints.empty())
+    refuse("node " + std::to_string(mesh.midpoints.front().node) +
+           " is in the middle of an edge, quads must meet edge to edge");
   for (const Eigen::Vector3d &node : mesh.nodes)
     if (!node.allFinite())
       refuse("a node has a coordinate that is not a number");

@@ -5,9 +5,29 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <string>
 
 namespace fem
 {
+namespace
+{
+using Numbers = std::map<std::int32_t, std::int32_t>;
+
+/// The ends of the edge that a hanging node halves, in numbers of the surface.
+SurfaceMesh::Midpoint midpoint(const SolidMesh::Hanging &hanging,
+                               const Numbers &number)
+{
+  const auto &parents = hanging.parents;
+  if (parents.size() != 2 || !number.contains(parents[0].first) ||
+      !number.contains(parents[1].first))
+    throw std::invalid_argument("solid mesh: hanging node " +
+                                std::to_string(hanging.node) +
+                                " is on no edge of its boundary");
+  return {number.at(hanging.node),
+          {number.at(parents[0].first), number.at(parents[1].first)}};
+}
+} // namespace
+
 std::vector<std::int32_t> boundary_nodes(const SolidMesh &mesh,
                                          std::int32_t boundary)
 {
@@ -27,7 +47,13 @@ SolidSurface boundary_surface(const SolidMesh &mesh, std::int32_t boundary)
 {
   SolidSurface surface;
   surface.node = boundary_nodes(mesh, boundary);
-  std::map<std::int32_t, std::int32_t> number;
+  std::map<std::int32_t, const SolidMesh::Hanging *> hanging;
+  for (const SolidMesh::Hanging &follower : mesh.hanging)
+    hanging[follower.node] = &follower;
+  std::stable_partition(surface.node.begin(), surface.node.end(),
+                        [&](std::int32_t node)
+                        { return !hanging.contains(node); });
+  Numbers number;
   for (const std::int32_t node : surface.node)
   {
     number[node] = static_cast<std::int32_t>(surface.mesh.nodes.size());
@@ -41,6 +67,9 @@ SolidSurface boundary_surface(const SolidMesh &mesh, std::int32_t boundary)
     for (std::size_t v = 0; v < 4; ++v)
       quad[v] = number[face.corners[v]];
   }
+  for (const std::int32_t node : surface.node)
+    if (const auto found = hanging.find(node); found != hanging.end())
+      surface.mesh.midpoints.push_back(midpoint(*found->second, number));
   return surface;
 }
 

@@ -24,10 +24,12 @@ enum class StoneSide
 };
 
 /// Joins the quads of a body to the triangles of a facet surface: each
-/// quad becomes four triangles round its centre. With T the map from nodes to
-/// vertices (rows sum to one: a node to itself, a quarter of each of four nodes
-/// to a centre), motion goes out as x_s = T x and loads come back as
-/// f = T^t f_s, so force, moment and power are equal on both sides.
+/// quad becomes four triangles round its centre, five or more where midpoints
+/// halve its edges, so that the facets meet edge to edge. With T the map from
+/// nodes to vertices (rows sum to one: a node to itself, half of each end to a
+/// midpoint, a quarter of each corner to a centre), motion goes out as x_s = T
+/// x and loads come back as f = T^t f_s, so force, moment and power are equal
+/// on both sides. No load comes to a midpoint.
 class InterfaceMap
 {
 public:
@@ -53,8 +55,12 @@ public:
   std::size_t n_vertices() const { return nodes + quads.size(); }
 
 private:
+  std::vector<std::array<std::int32_t, 3>> triangles() const;
+
   std::size_t nodes;
   std::vector<std::array<std::int32_t, 4>> quads;
+  std::vector<fem::SurfaceMesh::Midpoint> midpoints;
+  std::vector<std::array<std::int32_t, 2>> ends; ///< of nodes; -1: moves freely
   StoneSide stones;
 };
 

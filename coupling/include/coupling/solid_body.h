@@ -87,10 +87,7 @@ public:
   /// As that of SolidBody. Throws std::invalid_argument.
   void balance(FieldView load);
 
-  NodeMotion motion() const override
-  {
-    return {position, reduced.velocities()};
-  }
+  NodeMotion motion() const override { return {position, velocity}; }
   std::vector<double> nodal_mass() const override { return mass; }
   void begin_step(double time_step) override; ///< throws std::logic_error
   void end_step(FieldView load, double time_step) override; ///< the same
@@ -113,6 +110,6 @@ private:
   Field acting;           ///< space to work in
   std::vector<double> mass;
   double own_step = 0.;
-  Field position;
+  Field position, velocity;
 };
 } // namespace coupling

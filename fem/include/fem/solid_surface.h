@@ -8,14 +8,18 @@
 namespace fem
 {
 /// A part of the surface of a body as a mesh of its own, for what touches it:
-/// node k of the surface is node[k] of the body.
+/// node k of the surface is node[k] of the body. Hanging nodes come last and
+/// are its midpoints.
 struct SolidSurface
 {
   SurfaceMesh mesh;
   std::vector<std::int32_t> node;
+  /// Nodes that move by themselves: all but the midpoints.
+  std::size_t n_free() const { return node.size() - mesh.midpoints.size(); }
 };
 
-/// Throws std::invalid_argument if the body has no such boundary.
+/// Throws std::invalid_argument if the body has no such boundary, or a hanging
+/// node on it halves no edge of it.
 SolidSurface boundary_surface(const SolidMesh &mesh, std::int32_t boundary);
 
 /// Nodes of a part of the surface, each once, ascending.

@@ -12,8 +12,17 @@ namespace fem
 /// rim, counter-clockwise seen from outside.
 struct SurfaceMesh
 {
+  /// A node in the middle of an edge of a larger quad, where two smaller ones
+  /// meet it: it moves with the ends of that edge, as their mean.
+  struct Midpoint
+  {
+    std::int32_t node = 0;
+    std::array<std::int32_t, 2> ends{};
+  };
+
   std::vector<Eigen::Vector3d> nodes;             ///< reference position [m]
   std::vector<std::array<std::int32_t, 4>> quads; ///< node numbers, rim order
+  std::vector<Midpoint> midpoints; ///< none where all quads meet edge to edge
 };
 
 /// The four vertical sides of the box as one closed tube, n[0], n[1], n[2]
