@@ -4,18 +4,52 @@
 #include "laboratory/test.h"
 #include "run/cost.h"
 #include "run/forecast.h"
+#include "run/preparation_store.h"
+#include "triaxial/preparation.h"
 #include "triaxial/triaxial.h"
 
 #include <dem/integrate/contact_springs.h>
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <optional>
 
 namespace spall
 {
 namespace
 {
-/// Wall-clock of one step of the stones when they are packed [s]: the cloud is
+/// Steps of a test that goes on from its preparation, if that is kept in the
+/// store [s]; says so.
+template <class Test>
+std::optional<MeanStep>
+steps_from_store(const std::optional<PreparationStore> &store, int threads,
+                 Test &test, const std::function<bool()> &advance)
+{
+  std::string said;
+  if (!store)
+    return {};
+  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
+  {
+    std::printf("preparation      %s\n", store->path().c_str());
+    return time_steps(test.engine(), threads, advance);
+  }
+  std::printf("preparation      %s\n",
+              said.empty() ? "none of this kept" : said.c_str());
+  return {};
+}
+
+/// Where `--preparations` says, if there is such a folder.
+std::optional<PreparationStore> find_store(const std::string &folder,
+                                           const std::string &text)
+{
+  if (folder.empty() || text.empty() || !std::filesystem::is_directory(folder))
+    return {};
+  return PreparationStore(folder, text);
+}
+
+/// Cost of one step of the stones when they are packed [s]: the cloud is
 /// drawn together to the expected solid fraction and evaluated in place.
 double packed_step_cost(const Case &parameters)
 {
@@ -38,7 +72,7 @@ double packed_step_cost(const Case &parameters)
   return still_step_cost(engine, parameters.threads);
 }
 
-/// Wall-clock of one step of the membrane alone [s].
+/// Cost of one step of the membrane alone [s].
 double membrane_step_cost(const Case &parameters)
 {
   fem::Membrane membrane(parameters.membrane,
@@ -116,31 +150,44 @@ void print_step(const Case &parameters, const Triaxial &test)
     print_exchange(test.setup_step(), parameters.coupling.rules.stone_steps);
 }
 
-void print_cost(const Case &parameters, const Triaxial &test)
+/// A step by the lists of stones and membrane as they are packed.
+MeanStep still_step(const Case &parameters, const Triaxial &test)
 {
   double cost = packed_step_cost(parameters);
   if (test.gain())
     cost += membrane_step_cost(parameters) * membrane_steps(parameters);
-  const double steps = (test.period() * parameters.loading.n_cycles() +
-                        parameters.loading.consolidation_time) /
-                       test.setup_step().step;
+  return {test.setup_step().step, cost};
+}
+
+void print_cost(const Case &parameters, Triaxial &test,
+                const std::string &preparations)
+{
+  const double duration = test.period() * parameters.loading.n_cycles() +
+                          parameters.loading.consolidation_time;
+  const auto store =
+      find_store(preparations, preparation_text(parameters, test.shapes()));
+  const auto advance = [&test]
+  {
+    test.advance();
+    return test.stage() != Stage::done;
+  };
+  const std::optional<MeanStep> seen =
+      steps_from_store(store, parameters.threads, test, advance);
   print_memory();
-  std::printf("predicted time   %.3g s for %.4g steps after the preparation "
-              "(%.3g ms each)\n",
-              cost * steps, steps, 1e3 * cost);
+  print_predicted(duration, seen ? *seen : still_step(parameters, test));
   if (parameters.cycle_jump.is_on())
     std::printf("                 less what CycleJump skips\n");
 }
 
-void check_triaxial(const Case &parameters)
+void check_triaxial(const Case &parameters, const std::string &preparations)
 {
-  const Triaxial test(parameters);
+  Triaxial test(parameters);
   print_stones(test.engine().particles());
   print_step(parameters, test);
-  print_cost(parameters, test);
+  print_cost(parameters, test, preparations);
 }
 
-void check_lab(const Case &parameters)
+void check_lab(const Case &parameters, const std::string &preparations)
 {
   const std::unique_ptr<LabTest> test = make_lab_test(parameters);
   print_stones(test->all_stones());
@@ -149,21 +196,33 @@ void check_lab(const Case &parameters)
               test->step_limit().reason.c_str());
   if (const SetupStep *setup = test->setup_step(); setup && setup->gain)
     print_exchange(*setup, parameters.coupling.rules.stone_steps);
-  test->print_forecast();
+  const auto store = find_store(preparations, test->preparation_text());
+  const auto advance = [&test]
+  {
+    test->advance();
+    return test->share_done() < 1.;
+  };
+  if (const auto seen =
+          steps_from_store(store, parameters.threads, *test, advance))
+    print_predicted(test->duration(), *seen);
+  else
+    test->print_forecast();
   print_memory();
 }
 } // namespace
 
 int check_command(Words words)
 {
-  std::string file;
+  std::string file, preparations;
   std::vector<Override> overrides;
   for (std::size_t k = 0; k < words.size(); ++k)
     if (words[k] == "--set" && k + 1 < words.size())
       overrides.push_back(parse_override(words[++k]));
+    else if (words[k] == "--preparations" && k + 1 < words.size())
+      preparations = words[++k];
     else if (words[k].starts_with("--") || !file.empty())
       throw InputError("check: " + words[k] +
-                       ": must be one case file and --set "
+                       ": must be one case file, --preparations DIR and --set "
                        "Section/key=value");
     else
       file = words[k];
@@ -173,9 +232,9 @@ int check_command(Words words)
   std::printf("case             %s: %s\n", file.c_str(),
               parameters.title.c_str());
   if (parameters.kind == CaseKind::dynamic_triaxial)
-    check_triaxial(parameters);
+    check_triaxial(parameters, preparations);
   else
-    check_lab(parameters);
+    check_lab(parameters, preparations);
   return 0;
 }
 } // namespace spall

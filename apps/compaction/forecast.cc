@@ -7,20 +7,16 @@
 #include <dem/integrate/contact_springs.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace spall
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
 constexpr int n_between = 25; // steps between two looks at the contacts
 /// A forecast is to be short, if need be a worse one: of each of its parts.
-constexpr std::chrono::seconds patience{8};
+constexpr double patience = 8.; // [s]
 
 /// Runs as long as the contacts allow, at most `longest` at a step [s].
 void run_a_little(dem::Engine &engine, double longest)
@@ -36,8 +32,8 @@ void run_a_little(dem::Engine &engine, double longest)
 void relax(dem::Engine &engine, double longest)
 {
   constexpr int n_rounds = 60;
-  const auto end = Clock::now() + patience;
-  for (int round = 0; round < n_rounds && Clock::now() < end; ++round)
+  const Stopwatch spent;
+  for (int round = 0; round < n_rounds && spent.seconds() < patience; ++round)
   {
     run_a_little(engine, longest);
     engine.come_to_rest();
@@ -53,22 +49,16 @@ std::size_t press(dem::Engine &engine, double load, double longest)
       engine.add_plane(dem::top_of(engine.particles(), 0.) * dem::Vec3::UnitZ(),
                        -dem::Vec3::UnitZ());
   engine.planes()[plate].velocity = -speed * dem::Vec3::UnitZ();
-  const auto end = Clock::now() + patience;
+  const Stopwatch spent;
   for (int round = 0;
        round < n_rounds && engine.planes()[plate].force.z() < load &&
-       Clock::now() < end;
+       spent.seconds() < patience;
        ++round)
     run_a_little(engine, longest);
   engine.planes()[plate].velocity = dem::Vec3::Zero();
   engine.come_to_rest();
   return plate;
 }
-/// A step on average.
-struct MeanStep
-{
-  double length = 0.; ///< [s]
-  double cost = 0.;   ///< wall-clock [s]
-};
 
 /// The plate swings as it would on its own, steps are what a run would take.
 MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
@@ -83,9 +73,9 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
   ThreadChoice threads(parameters.threads);
   double step = first_step;
   const double from = engine.time();
-  const auto start = Clock::now();
+  const Stopwatch spent;
   int k = 0;
-  for (; k < n_steps && (k == 0 || Clock::now() < start + patience); ++k)
+  for (; k < n_steps && (k == 0 || spent.seconds() < patience); ++k)
   {
     if (watch.is_due(engine.n_steps()))
     {
@@ -97,8 +87,7 @@ MeanStep shake(dem::Engine &engine, std::size_t plate, const Case &parameters,
         -speed * std::sin(omega * (engine.time() - from));
     engine.advance_unseen(step);
   }
-  return {(engine.time() - from) / k,
-          std::chrono::duration<double>(Clock::now() - start).count() / k};
+  return {(engine.time() - from) / k, spent.seconds() / k};
 }
 } // namespace
 
@@ -115,9 +104,6 @@ void Compaction::print_forecast()
     fem::Membrane sleeve = make_tube(parameters);
     mean.cost += still_step_cost(sleeve);
   }
-  const double n = duration() / mean.length;
-  std::printf("predicted time   %.3g s for %.4g steps of %.3g s after the "
-              "filling (%.3g ms each)\n",
-              mean.cost * n, n, mean.length, 1e3 * mean.cost);
+  print_predicted(duration(), mean);
 }
 } // namespace spall

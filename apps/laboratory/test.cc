@@ -6,6 +6,7 @@
 #include "laboratory/los_angeles.h"
 #include "laboratory/single_particle.h"
 #include "run/contact_places.h"
+#include "run/forecast.h"
 #include "run/thread_choice.h"
 #include "subgrade/subgrade.h"
 
@@ -13,7 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cstdio>
 #include <utility>
 
@@ -93,7 +93,6 @@ catch (const coupling::GuardStop &stop)
 /// The first steps are run to see how fast simulated time goes by.
 void LabTest::print_forecast()
 {
-  using Clock = std::chrono::steady_clock;
   constexpr int n_steps = 20000;
   ThreadChoice threads(parameters.threads);
   const auto step_on = [&]
@@ -104,11 +103,10 @@ void LabTest::print_forecast()
   while (engine().time() < settling_time() && share_done() < 1.)
     step_on();
   const double from = engine().time();
-  const auto start = Clock::now();
+  const Stopwatch stopwatch;
   for (int k = 0; k < n_steps && share_done() < 1.; ++k)
     step_on();
-  const double spent =
-      std::chrono::duration<double>(Clock::now() - start).count();
+  const double spent = stopwatch.seconds();
   const double done = engine().time() - from;
   std::printf("predicted time   %.3g s for %.4g s of the test (%.3g s of it "
               "from %.3g s on took %.3g s)\n",

@@ -5,7 +5,6 @@
 #include <dem/integrate/contact_springs.h>
 #include <dem/packing/insertion.h>
 
-#include <chrono>
 #include <cstdio>
 
 namespace spall
@@ -49,12 +48,11 @@ double window_cost(coupling::Body &body, double window)
                              dem::Vec3(0., 0., -1.));
   const auto advance = [&] { body.advance(load, window); };
   advance(); // the first one factors
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const Stopwatch spent;
   constexpr int n = 20;
   for (int k = 0; k < n; ++k)
     advance();
-  return std::chrono::duration<double>(Clock::now() - start).count() / n;
+  return spent.seconds() / n;
 }
 } // namespace
 

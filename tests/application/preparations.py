@@ -117,6 +117,27 @@ end
     return [] if taken == [False, True] else [f"study: taken {taken}"]
 
 
+def check_faults(spall, store):
+    """`check` times steps from the preparation that is kept, and says so."""
+    def said(*settings):
+        words = [word for setting in ("Boundary/lateral=rigid", *settings)
+                 for word in ("--set", setting)]
+        return subprocess.run([spall, "check", str(CASE), "--preparations",
+                               str(store), *words], capture_output=True,
+                              text=True, check=True).stdout
+    kept, = store.iterdir()
+    faults = []
+    for words, expected in ((QUICK, str(kept)),
+                            ((*QUICK, "Preparation/friction=0.45"),
+                             "none of this kept")):
+        lines = said(*words).splitlines()
+        if f"preparation      {expected}" not in lines:
+            faults.append(f"check does not say {expected}: {lines}")
+        if not any(line.startswith("predicted time") for line in lines):
+            faults.append(f"check predicts no time: {lines}")
+    return faults
+
+
 def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
@@ -134,6 +155,7 @@ def main():
         if is_taken(root / "first") or len(list(store.iterdir())) != 1:
             faults.append("the first run has not kept its preparation")
         faults += equal_faults("taken", go("second", *QUICK), own)
+        faults += check_faults(spall, store)
         for lateral in ("rigid", "membrane"):
             mine = go("other_" + lateral, *QUICK, *OTHER, lateral=lateral)
             its = go("own_" + lateral, *QUICK, *OTHER, lateral=lateral,
