@@ -160,6 +160,22 @@ void check_coupling(const Case &c, const Place &place)
                    "must be 0 unless Membrane/wrinkling = tension_field"});
 }
 
+/// A triaxial test between rigid sides does not read it.
+void check_contact_tangent(const Case &c, const Place &place)
+{
+  const CouplingParameters &p = c.coupling;
+  const bool is_rigid = c.lateral() == Lateral::rigid;
+  if (!p.rules.has_contact_tangent ||
+      (is_rigid && c.kind == CaseKind::dynamic_triaxial))
+    return;
+  if (is_rigid || c.kind == CaseKind::subgrade ||
+      p.exchange == ExchangeChoice::every_step || !p.is_body_implicit ||
+      p.body_steps != 1)
+    refuse(place, {"Coupling", "contact_tangent", "true",
+                   "is for a membrane with Coupling/exchange = one_pass or "
+                   "iterated, body_time = implicit and body_steps = 1"});
+}
+
 void check_particle(const Case &c, const Place &place)
 {
   const ParticleParameters &p = c.particle;
@@ -212,6 +228,7 @@ void check_case(const Case &parameters, const Place &place)
 {
   check_breakage(parameters, place);
   check_geometry(parameters, place);
+  check_contact_tangent(parameters, place);
   switch (parameters.kind)
   {
   case CaseKind::dynamic_triaxial:

@@ -68,6 +68,11 @@ void add_coupling(List &list, CouplingParameters &c)
            c.is_body_implicit, {"explicit", "implicit"});
   list.add({"body_steps", "-", "Steps of the body in one window."},
            c.body_steps, between(1, 1e4));
+  list.add({"contact_tangent", "-",
+            "The stiffness of contacts enters the implicit steps of a "
+            "membrane: passes contract at any gain, one is enough where "
+            "contacts stay as they are."},
+           c.rules.has_contact_tangent);
   add_relaxation(list, c.rules);
   list.add({"ledger_limit", "-",
             "Of the work that crosses the interface this share may go astray; "

@@ -97,7 +97,8 @@ double StepWatch::gain_step(const dem::Engine &engine,
                             const Surroundings &around, double step)
 {
   if (!around.has_membrane() ||
-      around.exchange->rule() != coupling::ExchangeRule::one_pass)
+      around.exchange->rule() != coupling::ExchangeRule::one_pass ||
+      around.exchange->has_contact_tangent())
     return std::numeric_limits<double>::infinity();
   const double gain = around.exchange->gain(engine, around.stone_steps * step);
   const double limit = around.gain.one_pass_limit;

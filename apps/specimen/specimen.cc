@@ -248,6 +248,8 @@ void add_gains(const Case &parameters, const MembraneNode &node,
   setup.membrane_step = node.membrane_step;
   setup.window = coupling::window_gain(node.contact, node.mass,
                                        rules.stone_steps * setup.step);
+  if (rules.has_contact_tangent) // one pass has no limit of its own
+    setup.window.one_pass_limit = std::numeric_limits<double>::infinity();
   if (rules.rule == coupling::ExchangeRule::every_step)
     setup.gain = coupling::exchange_gain(node.contact, {&node.mass, 1},
                                          node.membrane_step, setup.step);

@@ -4,9 +4,12 @@
 
 namespace coupling
 {
-void Body::advance(FieldView load, double window)
+void Body::advance(FieldView load, double window,
+                   const fem::NodeSprings *springs)
 {
   start(load);
+  if (springs)
+    return implicit_step(load, window, *springs);
   const double time_step = window / scheme.n;
   for (int step = 0; step < scheme.n; ++step)
     if (scheme.is_implicit)

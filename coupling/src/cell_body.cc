@@ -180,12 +180,25 @@ void CellBody::start(FieldView load)
   lid.set_state(state);
 }
 
-void CellBody::implicit_step(FieldView load, double time_step)
+void CellBody::step_tube(FieldView load, double time_step,
+                         const fem::NodeSprings *springs)
 {
   move_lid(time_step);
   if (tube)
-    tube->advance(load.first(load.size() - 1), time_step);
+    tube->advance(load.first(load.size() - 1), time_step,
+                  fem::average_acceleration(), springs);
   finish_lid(load, time_step);
+}
+
+void CellBody::implicit_step(FieldView load, double time_step)
+{
+  step_tube(load, time_step, nullptr);
+}
+
+void CellBody::implicit_step(FieldView load, double time_step,
+                             const fem::NodeSprings &springs)
+{
+  step_tube(load, time_step, &springs);
 }
 
 double CellBody::stable_time_step() const

@@ -1,6 +1,5 @@
 #include <coupling/exchange.h>
 #include <dem/boundary/surface_guard.h>
-#include <dem/integrate/contact_springs.h>
 #include <dem/io/binary.h>
 
 #include <algorithm>
@@ -101,6 +100,8 @@ Exchange::Exchange(const ExchangeParameters &p) : parameters(p)
   require(p.stone_steps >= 1, "stone steps per window must be at least 1");
   require(p.rule != ExchangeRule::every_step || p.stone_steps == 1,
           "every_step has windows of one step of the stones");
+  require(p.rule != ExchangeRule::every_step || !p.has_contact_tangent,
+          "every_step needs no tangent of the contacts");
   require(p.relaxation.factor > 0. && p.relaxation.lowest > 0. &&
               p.relaxation.highest >= p.relaxation.lowest,
           "relaxation factors must be positive");
@@ -127,9 +128,13 @@ Body &Exchange::add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
   require(parameters.rule != ExchangeRule::every_step ||
               (!body->is_implicit() && body->n_steps() == 1),
           "every_step is for bodies with one explicit step");
+  require(!parameters.has_contact_tangent || body->n_steps() == 1,
+          "the tangent of the contacts is for bodies with one step in a "
+          "window");
   const Field at = copy_of(body->motion().position);
   joints.push_back({std::move(body), std::move(seam), at, at,
-                    Field(at.size(), Vector::Zero()), false});
+                    Field(at.size(), Vector::Zero()),
+                    parameters.has_contact_tangent ? at : Field()});
   Joint &joint = joints.back();
   joint.seam->collect(engine, Collected::load, joint.load);
   return *joint.body;
@@ -219,11 +224,11 @@ void Exchange::pass_window(const Stones &stones, double window)
   std::vector<Relaxation> relaxation(joints.size(),
                                      Relaxation(parameters.relaxation));
   Stall stalled;
-  predict(window);
+  predict(stones.engine, window);
   for (report.passes = 1;; ++report.passes)
   {
     run_stones(stones, window);
-    report.gap = correct_bodies(start, window);
+    report.gap = correct_bodies(start, stones.engine, window);
     if (!may_repeat || report.gap <= parameters.tolerance)
       break;
     if (report.passes == parameters.max_passes || stalled.is_over(report.gap))
@@ -248,7 +253,11 @@ void Exchange::pass_window(const Stones &stones, double window)
   }
   pass_count += report.passes;
   for (Joint &joint : joints)
+  {
+    if (parameters.has_contact_tangent)
+      joint.from = joint.at;
     joint.at = joint.target;
+  }
 }
 
 void Exchange::check_gap(double time) const
@@ -264,15 +273,17 @@ void Exchange::check_gap(double time) const
         " m: a shorter window, a smaller relaxation or more passes may help");
 }
 
-/// Where the bodies come to if the loads stay.
-void Exchange::predict(double window)
+/// Where the bodies come to if the loads stay, or give way to the contacts.
+void Exchange::predict(const dem::Engine &engine, double window)
 {
   timed(spent.bodies,
         [&]
         {
           for (Joint &joint : joints)
           {
-            if (!joint.is_held)
+            if (!joint.is_held && find_tangent(joint, engine, window))
+              predict_with_tangent(joint, window);
+            else if (!joint.is_held)
               joint.body->advance(joint.load, window);
             joint.target = copy_of(joint.body->motion().position);
           }
@@ -323,7 +334,7 @@ void Exchange::run_stones(const Stones &stones, double window)
 /// The bodies through the window again, with its mean loads; returns how far
 /// they come from where the stones saw them.
 double Exchange::correct_bodies(const std::vector<std::string> &start,
-                                double window)
+                                const dem::Engine &engine, double window)
 {
   double gap = 0.;
   timed(spent.bodies,
@@ -335,7 +346,10 @@ double Exchange::correct_bodies(const std::vector<std::string> &start,
             if (joint.is_held)
               continue;
             bring_back(start[j], *joint.body);
-            joint.body->advance(joint.load, window);
+            if (find_tangent(joint, engine, window))
+              correct_with_tangent(joint, window);
+            else
+              joint.body->advance(joint.load, window);
             const FieldView now = joint.body->motion().position;
             for (std::size_t k = 0; k < now.size(); ++k)
             {
@@ -430,36 +444,6 @@ void Exchange::check_surfaces(const dem::Engine &engine)
         });
 }
 
-double Exchange::gain(const dem::Engine &engine, double window) const
-{
-  double largest = 0.;
-  for (const Joint &joint : joints)
-  {
-    std::vector<double> stiffness(joint.at.size(), 0.);
-    joint.seam->add_stiffness(engine, stiffness);
-    largest = std::max(largest, joint.body->squared_frequency(stiffness));
-  }
-  return 0.25 * window * window * largest;
-}
-
-dem::SpringNetwork Exchange::springs(const dem::Engine &engine,
-                                     double horizon) const
-{
-  dem::SpringNetwork network = dem::contact_springs(engine, horizon);
-  std::vector<SurfacePoints> surfaces;
-  for (const Joint &joint : joints)
-    if (const InterfaceMap *map = joint.seam->facets())
-    {
-      std::vector<double> mass = joint.body->nodal_mass();
-      mass.resize(map->n_nodes());
-      if (parameters.rule != ExchangeRule::every_step)
-        mass.assign(mass.size(), std::numeric_limits<double>::infinity());
-      surfaces.push_back({map, std::move(mass)});
-    }
-  refer_to_nodes(surfaces, network);
-  return network;
-}
-
 std::vector<dem::BreakageEvent> Exchange::take_events()
 {
   return std::exchange(held_events, {});
@@ -472,6 +456,7 @@ void Exchange::save(std::ostream &out) const
     joint.body->save(out);
     dem::write_column(out, joint.at);
     dem::write_column(out, joint.load);
+    dem::write_column(out, joint.from);
   }
   dem::write_value(out, books);
   dem::write_value(out, pass_count);
@@ -486,6 +471,7 @@ void Exchange::restore(std::istream &in)
     joint.body->restore(in);
     dem::read_column(in, joint.at);
     dem::read_column(in, joint.load);
+    dem::read_column(in, joint.from);
   }
   dem::read_value(in, books);
   dem::read_value(in, pass_count);

@@ -1,5 +1,8 @@
 #include <coupling/seam.h>
 
+#include <cmath>
+#include <limits>
+
 namespace coupling
 {
 namespace
@@ -12,6 +15,74 @@ double tangent(const dem::ContactBatch &batch, std::size_t k,
 {
   return batch.layout.is_hertz ? 1.5 * batch.normal_force[k] / batch.overlap[k]
                                : material.normal_stiffness;
+}
+/// Every node that carries contact k, with its share of the load.
+template <class Visit>
+void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
+                    const InterfaceMap &map, const Visit &visit)
+{
+  const dem::FacetSpot &spot = facets.candidates.spot[k];
+  const auto &corner =
+      facets.surface.triangles[static_cast<std::size_t>(spot.triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    for (const dem::FarShare &share :
+         map.shares(static_cast<std::size_t>(corner[c])))
+      if (share.body >= 0)
+        visit(static_cast<std::size_t>(share.body),
+              spot.weight[c] * share.weight);
+}
+
+/// Effective mass of the point of a facet contact [kg].
+double mass_at(const dem::FacetSurface &surface, const dem::FacetSpot &spot)
+{
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+  double over_mass = 0.;
+  for (std::size_t c = 0; c < 3; ++c)
+    over_mass += spot.weight[c] * spot.weight[c] /
+                 surface.mass[static_cast<std::size_t>(corner[c])];
+  return over_mass > 0. ? 1. / over_mass
+                        : std::numeric_limits<double>::infinity();
+}
+
+/// A dashpot may hold the spring back, never pull: then the contact gives
+/// nothing, and nothing changes with its motion.
+bool presses(const dem::SurfaceContacts &facets, std::size_t k)
+{
+  return facets.batch.load[k].force.dot(facets.candidates.spot[k].normal) < 0.;
+}
+
+/// Springs of a contact along and across its normal, none across if it slides,
+/// and the dashpot along it. That across fades as sliding begins: counted in
+/// full it makes energy.
+struct ContactSprings
+{
+  Eigen::Matrix3d spring, dashpot; ///< [N/m], [N s/m]
+};
+
+ContactSprings springs_of(const dem::SurfaceContacts &facets, std::size_t k,
+                          const dem::Particles &stones)
+{
+  const dem::ContactBatch &batch = facets.batch;
+  const dem::WallMaterial &m = facets.material;
+  const dem::FacetSpot &spot = facets.candidates.spot[k];
+  const double stone = stones.mass(static_cast<std::size_t>(batch.a[k]));
+  const double mass = 1. / (1. / stone + 1. / mass_at(facets.surface, spot));
+  const double shear =
+      Vector(batch.shear.x[k], batch.shear.y[k], batch.shear.z[k]).norm();
+  const bool slides = shear > 0.999 * m.friction * batch.normal_force[k];
+  const double along = tangent(batch, k, m);
+  const double across = slides || !(batch.shear_compliance[k] > 0.)
+                            ? 0.
+                            : 1. / batch.shear_compliance[k];
+  const auto both = [&](double normal, double tangential) -> Eigen::Matrix3d
+  {
+    const Eigen::Matrix3d projector = spot.normal * spot.normal.transpose();
+    return normal * projector +
+           tangential * (Eigen::Matrix3d::Identity() - projector);
+  };
+  return {both(along, across),
+          both(2. * m.normal_damping * std::sqrt(mass * along), 0.)};
 }
 } // namespace
 
@@ -53,15 +124,27 @@ void FacetSeam::add_stiffness(const dem::Engine &engine,
     if (!facets.batch.is_touching(k))
       continue;
     const double stiffness = tangent(facets.batch, k, facets.material);
-    const dem::FacetSpot &spot = facets.candidates.spot[k];
-    const auto &corner =
-        facets.surface.triangles[static_cast<std::size_t>(spot.triangle)];
-    for (std::size_t c = 0; c < 3; ++c)
-      for (const dem::FarShare &share :
-           map.shares(static_cast<std::size_t>(corner[c])))
-        if (share.body >= 0)
-          nodal[static_cast<std::size_t>(share.body)] +=
-              stiffness * spot.weight[c] * share.weight;
+    for_each_share(facets, k, map,
+                   [&](std::size_t node, double share)
+                   { nodal[node] += stiffness * share; });
+  }
+}
+
+void FacetSeam::add_tangent(const dem::Engine &engine,
+                            ContactTangent &nodal) const
+{
+  const dem::SurfaceContacts &facets = engine.surfaces()[number];
+  for (std::size_t k = 0; k < facets.batch.size(); ++k)
+  {
+    if (!facets.batch.is_touching(k) || !presses(facets, k))
+      continue;
+    const ContactSprings contact = springs_of(facets, k, engine.particles());
+    for_each_share(facets, k, map,
+                   [&](std::size_t node, double share)
+                   {
+                     nodal.springs[node] += share * contact.spring;
+                     nodal.dashpots[node] += share * contact.dashpot;
+                   });
   }
 }
 
@@ -115,6 +198,13 @@ void SplitSeam::forget_impulse(dem::Engine &engine) const
 {
   one->forget_impulse(engine);
   other->forget_impulse(engine);
+}
+
+/// The other boundary is that of a body that does not take it.
+void SplitSeam::add_tangent(const dem::Engine &engine,
+                            ContactTangent &nodal) const
+{
+  one->add_tangent(engine, nodal);
 }
 
 SeamSums SplitSeam::sums(const dem::Engine &engine) const

@@ -93,6 +93,11 @@ void Membrane::State::correct(const MembraneStep &step,
   for (std::size_t k = 0; k < mass.size(); ++k)
     for (int i = 0; i < 3 && number[k] >= 0; ++i, ++n)
       entries.emplace_back(number[k] + i, number[k] + i, inertia * mass[k]);
+  if (step.springs)
+    for (std::size_t k = 0; k < mass.size(); ++k)
+      for (int i = 0; i < 9 && number[k] >= 0; ++i)
+        entries.emplace_back(number[k] + i / 3, number[k] + i % 3,
+                             end * step.springs->stiffness[k](i / 3, i % 3));
 
   Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -126,8 +131,19 @@ void Membrane::State::follow_positions(const MembraneStep &step)
   }
 }
 
+void Membrane::State::give_way(const MembraneStep &step)
+{
+  if (!step.springs)
+    return;
+  const auto &[stiffness, rest] = *step.springs;
+  for (std::size_t k = 0; k < mass.size(); ++k)
+    if (!now.is_tied[k])
+      now.load[k] = step.load[k] - stiffness[k] * (now.position[k] - rest[k]);
+}
+
 std::vector<Vector> Membrane::State::residual_here(const MembraneStep &step)
 {
+  give_way(step);
   evaluate_forces(batched, now.position, now.forces);
   return residual(step);
 }
@@ -183,16 +199,22 @@ void Membrane::State::book_step_from(const MembraneMotion &before)
 }
 
 void Membrane::advance(std::span<const Vector> load, double time_step,
-                       const ImplicitRule &rule)
+                       const ImplicitRule &rule, const NodeSprings *springs)
 {
   check_membrane_step(time_step);
   check_membrane_size("loads", load.size(), n_nodes());
+  if (springs)
+  {
+    check_membrane_size("springs", springs->stiffness.size(), n_nodes());
+    check_membrane_size("springs", springs->rest.size(), n_nodes());
+  }
   MembraneMotion &now = state->now;
   const MembraneMotion before = now;
   if (!now.has_acceleration)
     state->start_accelerations();
   MembraneStep step{time_step,        rule, now.position, now.velocity,
-                    now.acceleration, {},   now.position};
+                    now.acceleration, {},   now.position, load,
+                    springs};
   for (std::size_t k = 0; k < n_nodes(); ++k)
   {
     step.force.push_back(state->force(k));

@@ -14,6 +14,8 @@ struct MembraneStep
   ImplicitRule rule;
   std::vector<Eigen::Vector3d> position, velocity, acceleration, force;
   std::vector<Eigen::Vector3d> predicted; ///< positions without new a [m]
+  std::span<const Eigen::Vector3d> load;  ///< as given [N]
+  const NodeSprings *springs = nullptr;   ///< null: none
 };
 
 /// Throw std::invalid_argument.
@@ -43,6 +45,8 @@ struct Membrane::State
   std::vector<Eigen::Vector3d>
   better_residual(const MembraneStep &step,
                   const std::vector<Eigen::Vector3d> &from, double size_from);
+  /// The load that the springs leave at the present positions.
+  void give_way(const MembraneStep &step);
   /// Velocities and accelerations that the positions stand for.
   void follow_positions(const MembraneStep &step);
   /// One correction of the positions by the consistent tangent.

@@ -102,6 +102,7 @@ VALUES = [
     value("Time", "energy_tolerance", "-0.01", "above 0"),
     value("Time", "energy_tolerance", "2", "at most 1"),
     value("Coupling", "exchange", "none", "every_step, one_pass, iterated"),
+    value("Coupling", "contact_tangent", "true", "body_time = implicit"),
     value("Coupling", "stone_steps", "2", "must be 1"),
     value("Coupling", "ledger_limit", "0", "above 0"),
     value("Material", "file", "granite.prm", "no such file"),

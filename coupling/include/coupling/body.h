@@ -1,6 +1,7 @@
 #pragma once
 
 #include <coupling/interface_map.h>
+#include <fem/membrane.h>
 
 #include <iosfwd>
 
@@ -38,8 +39,13 @@ public:
   /// Lumped; infinite where a node is prescribed [kg].
   virtual std::vector<double> nodal_mass() const = 0;
 
-  /// Through a window under a load that holds throughout it [N].
-  void advance(FieldView load, double window);
+  /// Through a window under a load that holds throughout it [N]. With springs
+  /// its mean is less by K/2 (x - rest) at those of the first nodes that take
+  /// them, x where they come to; one implicit step then.
+  void advance(FieldView load, double window,
+               const fem::NodeSprings *springs = nullptr);
+  /// How many of the first nodes take springs, in implicit steps.
+  virtual std::size_t n_sprung() const { return 0; }
 
   bool is_implicit() const { return scheme.is_implicit; }
   int n_steps() const { return scheme.n; }
@@ -64,6 +70,12 @@ private:
   /// This load from now on, as a jump.
   virtual void start(FieldView load) = 0;
   virtual void implicit_step(FieldView load, double time_step) = 0;
+  /// The same with springs; whoever takes them says so by n_sprung().
+  virtual void implicit_step(FieldView load, double time_step,
+                             const fem::NodeSprings &)
+  {
+    implicit_step(load, time_step);
+  }
 
   BodySteps scheme;
 };

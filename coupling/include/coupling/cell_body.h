@@ -40,6 +40,11 @@ public:
   std::vector<double> nodal_mass() const override;
   void begin_step(double time_step) override;
   void end_step(FieldView load, double time_step) override;
+  /// Those of the membrane.
+  std::size_t n_sprung() const override
+  {
+    return tube && is_implicit() ? tube->n_nodes() : 0;
+  }
   double stable_time_step() const override;
   BodyEnergy energy() const override;
   void save(std::ostream &out) const override;
@@ -48,6 +53,10 @@ public:
 private:
   void start(FieldView load) override;
   void implicit_step(FieldView load, double time_step) override;
+  void implicit_step(FieldView load, double time_step,
+                     const fem::NodeSprings &springs) override;
+  void step_tube(FieldView load, double time_step,
+                 const fem::NodeSprings *springs);
   void move_lid(double time_step);
   void finish_lid(FieldView load, double time_step);
   double rim_mass() const;

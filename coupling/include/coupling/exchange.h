@@ -23,6 +23,9 @@ struct ExchangeParameters
 {
   ExchangeRule rule = ExchangeRule::every_step;
   int stone_steps = 1; ///< of the stones in one window [-]
+  /// The stiffness of contacts enters the implicit steps of bodies that take
+  /// it; in windows, with one step of the body.
+  bool has_contact_tangent = false;
   RelaxationParameters relaxation;
   double tolerance = 1e-9; ///< gap between body and what stones saw of it [m]
   /// After so many, or once they come no nearer, the last pass counts if its
@@ -117,6 +120,8 @@ public:
   /// engine are those of the bodies, in their order.
   dem::SpringNetwork springs(const dem::Engine &engine, double horizon) const;
   ExchangeRule rule() const { return parameters.rule; }
+  /// With it one pass has no limit of its own.
+  bool has_contact_tangent() const { return parameters.has_contact_tangent; }
 
   const LedgerSums &ledger() const { return books; }
   const WindowReport &last_window() const { return report; }
@@ -139,15 +144,23 @@ private:
     Field at;     ///< where stones see it [m]
     Field target; ///< where they will see it at the end of the window [m]
     Field load;   ///< mean of the last window, or of the end of step [N]
+    Field from;   ///< with contact tangent: `at` one window ago [m]
     bool is_held = false;
+    ContactTangent tangent = {};   ///< space to work in
+    fem::NodeSprings springs = {}; ///< the same
   };
   std::size_t joint_of(const Body &body) const;
 
   void step_together(const Stones &stones, double time_step);
   void pass_window(const Stones &stones, double window);
-  void predict(double window);
+  void predict(const dem::Engine &engine, double window);
+  bool find_tangent(Joint &joint, const dem::Engine &engine,
+                    double window) const;
+  void predict_with_tangent(Joint &joint, double window) const;
+  void correct_with_tangent(Joint &joint, double window) const;
   void run_stones(const Stones &stones, double window);
-  double correct_bodies(const std::vector<std::string> &start, double window);
+  double correct_bodies(const std::vector<std::string> &start,
+                        const dem::Engine &engine, double window);
   void open_books(const dem::Engine &engine);
   void close_books(const dem::Engine &engine, double window);
   void check_ledger(double time) const;

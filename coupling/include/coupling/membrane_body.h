@@ -33,6 +33,10 @@ public:
   {
     sheet.end_step(load, time_step);
   }
+  std::size_t n_sprung() const override
+  {
+    return is_implicit() ? sheet.n_nodes() : 0;
+  }
   double stable_time_step() const override { return sheet.stable_time_step(); }
   BodyEnergy energy() const override { return energy_of(sheet.energy()); }
   void save(std::ostream &out) const override { sheet.save(out); }
@@ -43,6 +47,11 @@ private:
   void implicit_step(FieldView load, double time_step) override
   {
     sheet.advance(load, time_step);
+  }
+  void implicit_step(FieldView load, double time_step,
+                     const fem::NodeSprings &springs) override
+  {
+    sheet.advance(load, time_step, fem::average_acceleration(), &springs);
   }
 
   fem::Membrane sheet;

@@ -21,6 +21,13 @@ enum class Collected
   impulse ///< since forget_impulse [N s]
 };
 
+/// Of contacts on each node, what its neighbours do left out.
+struct ContactTangent
+{
+  std::vector<Eigen::Matrix3d> springs;  ///< [N/m]
+  std::vector<Eigen::Matrix3d> dashpots; ///< [N s/m]
+};
+
 /// Where some nodes of a body are a boundary of the engine.
 class Seam
 {
@@ -36,6 +43,8 @@ public:
   /// Normal springs of the contacts that touch, on each node [N/m].
   virtual void add_stiffness(const dem::Engine &engine,
                              std::span<double> nodal) const = 0;
+  /// How the loads of the contacts that touch change with the nodes.
+  virtual void add_tangent(const dem::Engine &, ContactTangent &) const {}
   /// Of the first nodes, if they are those of a facet surface; else null.
   virtual const InterfaceMap *facets() const { return nullptr; }
 };
@@ -55,6 +64,8 @@ public:
   SeamSums sums(const dem::Engine &engine) const override;
   void add_stiffness(const dem::Engine &engine,
                      std::span<double> nodal) const override;
+  void add_tangent(const dem::Engine &engine,
+                   ContactTangent &nodal) const override;
   const InterfaceMap *facets() const override { return &map; }
 
 private:
@@ -95,6 +106,8 @@ public:
   SeamSums sums(const dem::Engine &engine) const override;
   void add_stiffness(const dem::Engine &engine,
                      std::span<double> nodal) const override;
+  void add_tangent(const dem::Engine &engine,
+                   ContactTangent &nodal) const override;
   const InterfaceMap *facets() const override { return one->facets(); }
 
 private:

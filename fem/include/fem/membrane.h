@@ -56,6 +56,14 @@ struct MembraneEnergy
   double tie_work = 0.;
 };
 
+/// What gives way at the nodes as they move in an implicit step: at its end the
+/// load is less by K (x - rest). One entry per node.
+struct NodeSprings
+{
+  std::vector<Eigen::Matrix3d> stiffness; ///< K, symmetric [N/m]
+  std::vector<Eigen::Vector3d> rest;      ///< [m]
+};
+
 /// Membrane of codimension one without bending stiffness: total Lagrangian,
 /// plane stress, large displacements, lumped mass,
 /// follower pressure on the outside. Mesh, dofs, masses and output by deal.II;
@@ -103,8 +111,10 @@ public:
   /// method with the exact tangent of material, tension and pressure. Throws
   /// std::runtime_error if it does not converge in 30 corrections; the state is
   /// then as before. With a spectral radius of 0 and long steps: equilibrium.
+  /// With springs, which enter the tangent, the load gives way to them.
   void advance(std::span<const Eigen::Vector3d> load, double time_step,
-               const ImplicitRule &rule = average_acceleration());
+               const ImplicitRule &rule = average_acceleration(),
+               const NodeSprings *springs = nullptr);
 
   /// Longest stable step of the membrane alone, 2 / omega_max by Lanczos
   /// iteration with the exact tangent (material, tension and pressure) of the

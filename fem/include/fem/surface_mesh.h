@@ -22,7 +22,8 @@ struct SurfaceMesh
 
   std::vector<Eigen::Vector3d> nodes;             ///< reference position [m]
   std::vector<std::array<std::int32_t, 4>> quads; ///< node numbers, rim order
-  std::vector<Midpoint> midpoints; ///< none where all quads meet edge to edge
+  std::vector<Midpoint> midpoints =
+      {}; ///< none where all quads meet edge to edge
 };
 
 /// The four vertical sides of the box as one closed tube, n[0], n[1], n[2]

@@ -1,0 +1,40 @@
+#include <coupling/exchange.h>
+#include <dem/integrate/contact_springs.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+// How stiff the contacts are that an exchange has, for gains and steps.
+namespace coupling
+{
+double Exchange::gain(const dem::Engine &engine, double window) const
+{
+  double largest = 0.;
+  for (const Joint &joint : joints)
+  {
+    std::vector<double> stiffness(joint.at.size(), 0.);
+    joint.seam->add_stiffness(engine, stiffness);
+    largest = std::max(largest, joint.body->squared_frequency(stiffness));
+  }
+  return 0.25 * window * window * largest;
+}
+
+dem::SpringNetwork Exchange::springs(const dem::Engine &engine,
+                                     double horizon) const
+{
+  dem::SpringNetwork network = dem::contact_springs(engine, horizon);
+  std::vector<SurfacePoints> surfaces;
+  for (const Joint &joint : joints)
+    if (const InterfaceMap *map = joint.seam->facets())
+    {
+      std::vector<double> mass = joint.body->nodal_mass();
+      mass.resize(map->n_nodes());
+      if (parameters.rule != ExchangeRule::every_step)
+        mass.assign(mass.size(), std::numeric_limits<double>::infinity());
+      surfaces.push_back({map, std::move(mass)});
+    }
+  refer_to_nodes(surfaces, network);
+  return network;
+}
+} // namespace coupling
