@@ -35,6 +35,16 @@ inline void stand_between_smooth_sides(fem::Solid &solid)
     solid.fix(side, {false, true, false});
 }
 
+/// A quarter of a half-space below z = 0: two planes of symmetry, far sides
+/// that absorb.
+inline void stand_in_a_half_space(fem::Solid &solid)
+{
+  solid.fix(fem::x_lower, {true, false, false});
+  solid.fix(fem::y_lower, {false, true, false});
+  solid.absorb(fem::x_upper);
+  solid.absorb(fem::z_lower);
+}
+
 /// The node at this place; -1 if there is none.
 inline std::int32_t node_at(const fem::SolidMesh &mesh,
                             const Eigen::Vector3d &place)

@@ -104,10 +104,7 @@ fem::Solid half_space(const Fineness &fine)
   fem::SolidParameters p;
   p.layers = {ground};
   fem::Solid solid(p, fem::quarter_cylinder_mesh(block));
-  solid.fix(fem::x_lower, {true, false, false});
-  solid.fix(fem::y_lower, {false, true, false});
-  solid.absorb(fem::x_upper);
-  solid.absorb(fem::z_lower);
+  support::stand_in_a_half_space(solid);
   return solid;
 }
 
