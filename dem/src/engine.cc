@@ -225,20 +225,6 @@ void Engine::finish_kick() const
        std::exchange(owed_kick, 0.), work);
 }
 
-void Engine::move_planes(double time_step)
-{
-  for (Plane &plane : walls)
-  {
-    plane.point += time_step * plane.velocity;
-    // Trapezoidal rule: this half with the old force, load_planes the other.
-    plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
-    plane.impulse += 0.5 * time_step * plane.force;
-  }
-  barrel.angle += time_step * barrel.spin;
-  barrel.radius += time_step * barrel.widening;
-  book_drum(time_step);
-}
-
 void Engine::keep_lists(const Speeds &fastest, double time_step)
 {
   const double rigid = fastest_wall(walls, barrel),
@@ -246,7 +232,8 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
                boundary = std::max(rigid, sheet);
   walls_travelled += rigid * time_step;
   sheets_travelled += sheet * time_step;
-  travelled += (fastest.moving + boundary) * time_step;
+  stride = (fastest.moving + boundary) * time_step;
+  travelled += stride;
   // Stones that follow facets have lists of their own for them.
   const double watched = follows_walls() ? rigid : boundary;
   margin.left -=
@@ -377,7 +364,7 @@ double Engine::branch_steepness() const
 
 ForceContext Engine::context(double time_step)
 {
-  return {settings, elasticity, stones, time_step, travelled};
+  return {settings, elasticity, stones, time_step, travelled, stride};
 }
 
 bool Engine::evaluate_contacts(double time_step)

@@ -9,6 +9,10 @@ namespace dem
 {
 namespace
 {
+/// Triangles are gathered that far beyond the bound of a stone that they serve
+/// its search for some while [bounds].
+constexpr double facet_gathering = 1.25;
+
 /// Margin of searches on facets over the radius of the smallest stone.
 constexpr double facet_margin = 0.04;
 /// Part of it that may be used up until the next look: looks cost little,
@@ -79,6 +83,7 @@ void Engine::rebuild_facet_list(SurfaceContacts &facets)
   input.notice = facet_notice * input.margin;
   facets_left = input.notice;
   search.margin = input.margin;
+  search.reach = facet_gathering;
   if (!facets.watch.covers(stones, facets.surface, input.margin))
     gather_facets(search, facets);
   spots.renew_facets(
@@ -143,6 +148,20 @@ Walls Engine::walls_of_facets(SurfaceContacts &facets)
           [this, &facets](std::size_t k) {
             place_again(context(0.), placed_facets(facets), facets.batch, k);
           }};
+}
+
+void Engine::move_planes(double time_step)
+{
+  for (Plane &plane : walls)
+  {
+    plane.point += time_step * plane.velocity;
+    // Trapezoidal rule: this half with the old force, load_planes the other.
+    plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);
+    plane.impulse += 0.5 * time_step * plane.force;
+  }
+  barrel.angle += time_step * barrel.spin;
+  barrel.radius += time_step * barrel.widening;
+  book_drum(time_step);
 }
 
 void Engine::load_boundaries(double time_step)

@@ -208,6 +208,7 @@ private:
   Travel travel;
   double steepest = 0.;         ///< c of closing_speed [-]
   double travelled = 0.;        ///< ForceContext::travelled [m]
+  double stride = 0.;           ///< ForceContext::stride [m]
   double walls_travelled = 0.;  ///< planes and drum, the fastest [m]
   double sheets_travelled = 0.; ///< facets, the fastest vertex [m]
   double facets_left = 0.;      ///< of it and stones, to the next look [m]

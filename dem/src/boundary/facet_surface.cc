@@ -93,20 +93,19 @@ Vec3 direction_of(const FacetSurface &surface, const NearestPoint &nearest,
 }
 
 /// Keeps the nearest of all whose directions are within 45 degrees; sorts.
-void merge_patches(std::vector<FacetTouch> &touches, std::size_t begin)
+void merge_patches(std::vector<FacetTouch> &touches)
 {
-  const auto first = touches.begin() + static_cast<std::ptrdiff_t>(begin);
-  std::sort(first, touches.end(),
+  std::sort(touches.begin(), touches.end(),
             [](const FacetTouch &a, const FacetTouch &b)
             {
               return std::tie(a.distance, a.nearest.triangle) <
                      std::tie(b.distance, b.nearest.triangle);
             });
-  auto kept = first;
-  for (auto touch = first; touch != touches.end(); ++touch)
+  auto kept = touches.begin();
+  for (auto touch = touches.begin(); touch != touches.end(); ++touch)
   {
     const bool is_new =
-        std::none_of(first, kept,
+        std::none_of(touches.begin(), kept,
                      [&touch](const FacetTouch &other) {
                        return other.direction.dot(touch->direction) > cos_patch;
                      });
@@ -120,23 +119,26 @@ void merge_patches(std::vector<FacetTouch> &touches, std::size_t begin)
 }
 } // namespace
 
-void find_touches(const FacetSurface &surface, const FacetTopology &topology,
-                  std::span<const std::int32_t> candidates, const Vec3 &x,
-                  double reach, std::vector<FacetTouch> &touches)
+FacetTouch nearest_touch(const FacetSurface &surface, std::int32_t triangle,
+                         const Vec3 &x)
 {
-  const std::size_t begin = touches.size();
-  for (const std::int32_t triangle : candidates)
-  {
-    NearestPoint nearest = nearest_point(x, corners_of(surface, triangle));
-    nearest.triangle = triangle;
-    const double distance = (nearest.point - x).norm();
-    if (!(distance < reach) ||
-        !is_minimum(surface, topology, nearest, x, distance))
-      continue;
-    touches.push_back(
-        {nearest, direction_of(surface, nearest, x, distance), distance});
-  }
-  if (touches.size() > begin + 1)
-    merge_patches(touches, begin);
+  FacetTouch touch{nearest_point(x, corners_of(surface, triangle))};
+  touch.nearest.triangle = triangle;
+  touch.distance = (touch.nearest.point - x).norm();
+  return touch;
+}
+
+void keep_minima(const FacetSurface &surface, const FacetTopology &topology,
+                 const Vec3 &x, std::vector<FacetTouch> &touches)
+{
+  std::erase_if(touches,
+                [&](const FacetTouch &touch) {
+                  return !is_minimum(surface, topology, touch.nearest, x,
+                                     touch.distance);
+                });
+  for (FacetTouch &touch : touches)
+    touch.direction = direction_of(surface, touch.nearest, x, touch.distance);
+  if (touches.size() > 1)
+    merge_patches(touches);
 }
 } // namespace dem

@@ -1,11 +1,16 @@
 #include <dem/contact/forces.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace dem
 {
 namespace
 {
-/// How far away the wall of a slot without contact is [ball radii].
-constexpr double no_wall = 1e6;
+/// How far away the wall of a slot without contact is [m].
+constexpr double far_away = 1e9;
+
+const WallRow no_wall{{0., 0., far_away}};
 
 /// Velocity of the surface at one of its points [m/s].
 Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
@@ -21,13 +26,12 @@ Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
   return velocity;
 }
 
-/// The wall of a slot that meets nothing; `spot` is where it was.
-WallRow far_wall(const FacetSurface &surface, const FacetSpot &spot,
-                 const Vec3 &centre, double radius)
+/// What a contact meets that has left the patch it was on.
+WallRow left_wall(const FacetSurface &surface, const FacetSpot &spot)
 {
   WallRow row;
+  row.point = far_away * spot.normal;
   row.normal = row.normal_before = spot.normal;
-  row.point = centre + no_wall * radius * row.normal;
   row.velocity = row.velocity_before = velocity_on(surface, spot);
   return row;
 }
@@ -67,28 +71,51 @@ void assign_slots(const std::vector<FacetTouch> &touches,
         }
 }
 
+/// Nearest points of the triangles of the row that are nearer than `reach`;
+/// the others sleep until they can be, and the row until the first wakes.
+void find_near(const FacetSurface &surface, const Vec3 &centre, double reach,
+               double travelled, FacetCandidates &candidates, std::size_t row,
+               std::vector<FacetTouch> &near)
+{
+  double first_wake = std::numeric_limits<double>::infinity();
+  const auto end = static_cast<std::size_t>(candidates.row_start[row + 1]);
+  for (auto k = static_cast<std::size_t>(candidates.row_start[row]); k < end;
+       ++k)
+  {
+    double &wake = candidates.triangle_wake[k];
+    if (wake <= travelled)
+    {
+      const FacetTouch touch =
+          nearest_touch(surface, candidates.triangle[k], centre);
+      if (touch.distance < reach)
+        near.push_back(touch);
+      else
+        wake = travelled + touch.distance - reach;
+    }
+    first_wake = std::min(first_wake, wake);
+  }
+  candidates.wake[row] = near.empty() ? first_wake : 0.;
+}
+
 /// Walls of all slots of the stone in this row.
 void find_row(const ForceContext &context, const FacetSurface &surface,
               const FacetTopology &topology, const ContactBatch &batch,
               std::size_t row, std::vector<FacetTouch> &touches,
               FacetCandidates &candidates, std::vector<WallRow> &rows)
 {
+  if (candidates.wake[row] > context.travelled)
+    return; // its walls are far
   const auto i = static_cast<std::size_t>(candidates.stone[row]);
   const Vec3 &centre = context.particles.position(i);
   const std::size_t first = row * slots_per_stone;
+  // A contact that opens is still looked at in the step in which it does.
+  const double reach = wall_bound(context.particles, i,
+                                  context.parameters.geometry.wall_geometry) +
+                       context.stride;
   touches.clear();
-  if (candidates.wake[row] <= context.travelled)
-  {
-    const double bound = wall_bound(context.particles, i,
-                                    context.parameters.geometry.wall_geometry);
-    // Somewhat beyond the bound, to learn how long it may be left alone.
-    const double reach = 1.25 * bound;
-    find_touches(surface, topology, candidates.triangles_of(row), centre, reach,
-                 touches);
-    const double gap =
-        (touches.empty() ? reach : touches.front().distance) - bound;
-    candidates.wake[row] = gap > 0. ? context.travelled + gap : 0.;
-  }
+  find_near(surface, centre, reach, context.travelled, candidates, row,
+            touches);
+  keep_minima(surface, topology, centre, touches);
   std::array<std::int32_t, slots_per_stone> slot_of;
   assign_slots(touches, batch, candidates.spot, first, slot_of);
   std::array<bool, slots_per_stone> is_used{};
@@ -99,14 +126,16 @@ void find_row(const ForceContext &context, const FacetSurface &surface,
     FacetSpot &spot = candidates.spot[first + slot];
     const FacetSpot now{touches[t].nearest.triangle, touches[t].nearest.weight,
                         touches[t].direction};
-    rows[first + slot] = facet_row(surface, now, spot);
+    rows[first + slot] =
+        facet_row(surface, now, batch.is_touching(first + slot) ? spot : now);
     rows[first + slot].point = touches[t].nearest.point;
     spot = now;
   }
   for (std::size_t s = 0; s < slots_per_stone; ++s)
     if (!is_used[s])
-      rows[first + s] = far_wall(surface, candidates.spot[first + s], centre,
-                                 context.particles.radius(i));
+      rows[first + s] = batch.is_touching(first + s)
+                            ? left_wall(surface, candidates.spot[first + s])
+                            : no_wall;
 }
 } // namespace
 
@@ -128,7 +157,10 @@ void find_facets(const ForceContext &context, const FacetSurface &surface,
                  const FacetTopology &topology, const ContactBatch &batch,
                  FacetCandidates &candidates, std::vector<WallRow> &rows)
 {
-  rows.resize(candidates.stone.size() * slots_per_stone);
+  // Rows of a new list are all awake, those of a restored one far if asleep.
+  const std::size_t n_slots = candidates.stone.size() * slots_per_stone;
+  if (rows.size() != n_slots)
+    rows.assign(n_slots, no_wall);
   const auto n = static_cast<std::int64_t>(candidates.stone.size());
 #pragma omp parallel
   {

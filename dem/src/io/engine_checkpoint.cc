@@ -86,6 +86,7 @@ void visit_candidates(Candidates &candidates, const Visit &visit)
   visit(candidates.stone);
   visit(candidates.row_start);
   visit(candidates.triangle);
+  visit(candidates.triangle_wake);
   visit(candidates.spot);
   visit(candidates.wake);
 }

@@ -1,24 +1,16 @@
 #include "../contact/surfaces.h"
 #include "carry_over.h"
+#include "triangle_bins.h"
 
 #include <dem/boundary/drum_contacts.h>
 #include <dem/search/candidates.h>
 
 #include <algorithm>
-#include <map>
 
 namespace dem
 {
 namespace
 {
-double largest_reach(const Particles &particles)
-{
-  double largest = 0.;
-  for (const Body &body : particles.body)
-    largest = std::max(largest, body.circumscribed_radius);
-  return largest;
-}
-
 std::vector<PairKey> keys_of(const ContactBatch &batch)
 {
   std::vector<PairKey> keys(batch.size());
@@ -45,80 +37,6 @@ void carry_over(const Particles &particles, const std::vector<PairKey> &keys,
   if (is_damage_new)
     note_corners(particles, batch);
 }
-
-/// Triangles filed under the cells of a coarse grid that their boxes touch.
-class TriangleBins
-{
-public:
-  TriangleBins(const FacetSurface &surface, double cell_size) : size(cell_size)
-  {
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    {
-      Vec3 lower, upper;
-      box_of(surface, t, lower, upper);
-      centre.push_back(0.5 * (lower + upper));
-      half_width.push_back(0.5 * (upper - lower));
-      visit(lower, upper,
-            [&](const std::array<std::int64_t, 3> &cell)
-            { bins[cell].push_back(static_cast<std::int32_t>(t)); });
-    }
-  }
-
-  /// Triangles that may come within `reach` of x, each once, in order.
-  void gather(const Vec3 &x, double reach,
-              std::vector<std::int32_t> &found) const
-  {
-    found.clear();
-    visit(x - Vec3::Constant(reach), x + Vec3::Constant(reach),
-          [&](const std::array<std::int64_t, 3> &cell)
-          {
-            const auto bin = bins.find(cell);
-            if (bin == bins.end())
-              return;
-            for (const std::int32_t t : bin->second)
-              if (gap_of_box(t, x).squaredNorm() < reach * reach)
-                found.push_back(t);
-          });
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-  }
-
-private:
-  /// From x to the box of a triangle.
-  Vec3 gap_of_box(std::int32_t triangle, const Vec3 &x) const
-  {
-    const auto t = static_cast<std::size_t>(triangle);
-    return ((x - centre[t]).cwiseAbs() - half_width[t]).cwiseMax(0.);
-  }
-
-  static void box_of(const FacetSurface &surface, std::size_t t, Vec3 &lower,
-                     Vec3 &upper)
-  {
-    const auto &corner = surface.triangles[t];
-    lower = upper = surface.position[static_cast<std::size_t>(corner[0])];
-    for (std::size_t c = 1; c < 3; ++c)
-    {
-      const Vec3 &x = surface.position[static_cast<std::size_t>(corner[c])];
-      lower = lower.cwiseMin(x);
-      upper = upper.cwiseMax(x);
-    }
-  }
-
-  template <class Visit>
-  void visit(const Vec3 &lower, const Vec3 &upper, const Visit &call) const
-  {
-    const auto cell = [this](double x)
-    { return static_cast<std::int64_t>(std::floor(x / size)); };
-    for (std::int64_t z = cell(lower.z()); z <= cell(upper.z()); ++z)
-      for (std::int64_t y = cell(lower.y()); y <= cell(upper.y()); ++y)
-        for (std::int64_t x = cell(lower.x()); x <= cell(upper.x()); ++x)
-          call(std::array<std::int64_t, 3>{x, y, z});
-  }
-
-  double size;
-  std::vector<Vec3> centre, half_width; ///< of the boxes
-  std::map<std::array<std::int64_t, 3>, std::vector<std::int32_t>> bins;
-};
 
 /// Slots of the stones that stay near go with them, the others retire.
 void carry_over_slots(const FacetCandidates &before, const BatchLayout &layout,
@@ -210,14 +128,15 @@ void rebuild_drum(const Particles &particles, const Drum &drum,
 double facet_reach(const Particles &particles, std::size_t stone,
                    const WallSearch &search)
 {
-  return 1.25 * wall_bound(particles, stone, search.geometry) + search.margin;
+  return search.reach * wall_bound(particles, stone, search.geometry) +
+         search.margin;
 }
 
 FacetCandidates near_facets(const Particles &particles,
                             const FacetSurface &surface,
                             const WallSearch &search)
 {
-  const TriangleBins bins(surface, 2. * largest_reach(particles));
+  const TriangleBins bins(surface);
   FacetCandidates fresh;
   fresh.row_start.push_back(0);
   std::vector<std::int32_t> found;
@@ -251,6 +170,7 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
 {
   FacetCandidates fresh = near_facets(particles, surface, search);
   fresh.wake.assign(fresh.stone.size(), 0.);
+  fresh.triangle_wake.assign(fresh.triangle.size(), 0.);
   carry_over_slots(candidates, search.layout, fresh, batch, retired);
   candidates = std::move(fresh);
 }

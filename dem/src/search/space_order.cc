@@ -182,6 +182,7 @@ void renumber_facets(const std::vector<std::int32_t> &place,
   batch.rearrange(batch.layout, slots);
   candidates.row_start.clear();
   candidates.triangle.clear();
+  candidates.triangle_wake.clear();
   candidates.wake.clear();
 }
 

@@ -285,6 +285,77 @@ TEST(EngineFacets, WorkOfTheSurfaceIsBooked)
 
 namespace
 {
+/// Overlap of a ball with the nearest triangle of all, 0 if it is free [m].
+double brute_overlap(const dem::Engine &engine, std::size_t ball)
+{
+  const dem::FacetSurface &surface = engine.surface();
+  double least = engine.particles().radius(ball);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    least = std::min(least,
+                     dem::nearest_touch(surface, static_cast<std::int32_t>(t),
+                                        engine.particles().position(ball))
+                         .distance);
+  return engine.particles().radius(ball) - least;
+}
+
+/// Largest overlap of each ball with the surface, as the engine has it [m].
+std::vector<double> overlaps(const dem::Engine &engine)
+{
+  std::vector<double> largest(engine.particles().size(), 0.);
+  const dem::ContactBatch &batch = engine.on_facets();
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    double &one = largest[static_cast<std::size_t>(batch.a[k])];
+    one = std::max(one, batch.overlap[k]);
+  }
+  return largest;
+}
+} // namespace
+
+// Triangles and balls that cannot touch yet are left alone for a while: never
+// for too long, whatever moves.
+TEST(EngineFacets, NoTouchIsMissed)
+{
+  dem::EngineParameters p = floor_parameters();
+  p.surface.normal_stiffness = 1e4;
+  dem::Engine engine(p);
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> some(-1., 1.);
+  for (int i = 0; i < 8; ++i)
+  {
+    const double radius = i % 2 == 0 ? 4e-3 : 1.2e-3;
+    support::add_sphere(engine, radius,
+                        {0.006 * (i % 4 - 1.5), 0.008 * (i / 4 - 0.5),
+                         1e-3 + 2. * radius + 1e-3 * some(generator)});
+    engine.particles().velocity(static_cast<std::size_t>(i)) = {
+        0.2 * some(generator), 0.2 * some(generator), -0.3};
+  }
+  engine.attach_surface(hills());
+  constexpr double dt = 2e-5;
+  std::int64_t n_touches = 0;
+  for (int step = 0; step < 4000; ++step)
+  {
+    dem::FacetSurface &surface = engine.surface();
+    const double beat = std::cos(200. * step * dt);
+    for (std::size_t v = 0; v < surface.position.size(); ++v)
+    {
+      surface.velocity[v] = {0., 0., (v % 2 == 0 ? 0.05 : -0.05) * beat};
+      surface.position[v] += dt * surface.velocity[v];
+    }
+    engine.advance(dt);
+    const std::vector<double> found = overlaps(engine);
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      ASSERT_NEAR(found[i], brute_overlap(engine, i), 1e-14)
+          << i << ' ' << step;
+      n_touches += found[i] > 0.;
+    }
+  }
+  EXPECT_GT(n_touches, 2000);
+}
+
+namespace
+{
 /// Two halves of a valley along y with these slopes; stones lie above.
 std::array<dem::FacetSurface, 2> valley(double slope)
 {

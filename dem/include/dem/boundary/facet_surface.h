@@ -82,15 +82,18 @@ struct FacetTouch
   double distance = 0.;           ///< centre to nearest point [m]
 };
 
-/// Local minima of the distance from x to the surface, one per smooth patch:
+/// The nearest point of one triangle, as if it were touched there (without
+/// direction).
+FacetTouch nearest_touch(const FacetSurface &surface, std::int32_t triangle,
+                         const Vec3 &x);
+
+/// Of the nearest points of triangles (nearest_touch, in any order) keeps the
+/// local minima of the distance from x to the surface, one per smooth patch:
 /// a point on an edge or a vertex counts only if no triangle that shares the
 /// feature comes nearer (face before edge before vertex), and of several
 /// minima whose directions are within 45 degrees only the nearest is kept.
-/// Only triangles of `candidates` nearer than `reach` are looked at. Appends
-/// to `touches`, which the caller clears; order: by distance, then triangle.
-/// The mesh is conforming (neighbours share vertex numbers). At distance zero
-/// the direction is the outward normal. Allocates nothing else.
-void find_touches(const FacetSurface &surface, const FacetTopology &topology,
-                  std::span<const std::int32_t> candidates, const Vec3 &x,
-                  double reach, std::vector<FacetTouch> &touches);
+/// Order: by distance, then triangle. The mesh is conforming (neighbours share
+/// vertex numbers). At distance zero the direction is the outward normal.
+void keep_minima(const FacetSurface &surface, const FacetTopology &topology,
+                 const Vec3 &x, std::vector<FacetTouch> &touches);
 } // namespace dem

@@ -34,6 +34,7 @@ struct ForceContext
   /// Sum over all steps of how far the fastest stone and boundary could have
   /// closed a gap [m].
   double travelled = 0.;
+  double stride = 0.; ///< of it, in the last step [m]
   /// Forces stay as the last step left them, only loads are added: after some
   /// contacts were reset.
   bool adds_loads_only = false;
@@ -120,6 +121,9 @@ struct FacetCandidates
   std::vector<std::int32_t> stone;
   std::vector<std::int32_t> row_start; ///< size stones + 1
   std::vector<std::int32_t> triangle;
+  /// A triangle need not be looked at before ForceContext::travelled has come
+  /// this far; empty where stones follow their surfaces [m].
+  std::vector<double> triangle_wake;
   std::vector<FacetSpot> spot; ///< of each slot
   /// A stone without contact need not be looked at before
   /// ForceContext::travelled has come this far; where stones follow their

@@ -16,12 +16,14 @@ void rebuild_pairs(const Particles &particles, const BatchLayout &layout,
                    const std::vector<PairKey> &near, ContactBatch &batch,
                    Dissipation &retired);
 
-/// How far boundaries are looked for: wall_bound plus the margin.
+/// How far boundaries are looked for: wall_bound plus the margin; facets
+/// `reach` times wall_bound plus the margin.
 struct WallSearch
 {
   BatchLayout layout;
   ContactGeometry geometry = ContactGeometry::ball;
   double margin = 0.; ///< [m]
+  double reach = 1.;  ///< [-]
 };
 
 /// Likewise all (stone, plane) within reach, in the order (stone, plane).
@@ -29,8 +31,7 @@ void rebuild_planes(const Particles &particles,
                     const std::vector<Plane> &planes, const WallSearch &search,
                     ContactBatch &batch, Dissipation &retired);
 
-/// How near to its centre triangles are taken as candidates of a stone: so far
-/// beyond its bound that they serve for some while [m].
+/// How near to its centre triangles are taken as candidates of a stone [m].
 double facet_reach(const Particles &particles, std::size_t stone,
                    const WallSearch &search);
 

@@ -81,15 +81,26 @@ FacetSurface folded(double fold)
   return surface;
 }
 
+std::vector<FacetTouch> find_touches(const FacetSurface &surface,
+                                     const FacetTopology &topology,
+                                     const std::vector<std::int32_t> &triangles,
+                                     const Vec3 &x, double reach)
+{
+  std::vector<FacetTouch> touches;
+  for (const std::int32_t triangle : triangles)
+    touches.push_back(dem::nearest_touch(surface, triangle, x));
+  std::erase_if(touches, [reach](const FacetTouch &touch)
+                { return !(touch.distance < reach); });
+  dem::keep_minima(surface, topology, x, touches);
+  return touches;
+}
+
 std::vector<FacetTouch> touches_of(const FacetSurface &surface, const Vec3 &x,
                                    double reach)
 {
-  std::vector<std::int32_t> candidates(surface.triangles.size());
-  std::iota(candidates.begin(), candidates.end(), 0);
-  std::vector<FacetTouch> touches;
-  dem::find_touches(surface, FacetTopology(surface), candidates, x, reach,
-                    touches);
-  return touches;
+  std::vector<std::int32_t> all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return find_touches(surface, FacetTopology(surface), all, x, reach);
 }
 
 /// One touch straight below a centre at this height. Round-off is 1e-16 of
@@ -273,7 +284,6 @@ TEST(FacetTouches, NearestIsNeverLost)
   const FacetTopology topology(rough);
   std::vector<std::int32_t> all(rough.triangles.size());
   std::iota(all.begin(), all.end(), 0);
-  std::vector<FacetTouch> touches;
   for (int k = 0; k < 5000; ++k)
   {
     const double u = uniform(generator), v = uniform(generator);
@@ -290,8 +300,8 @@ TEST(FacetTouches, NearestIsNeverLost)
                       .point -
                   x)
                      .norm());
-    touches.clear();
-    dem::find_touches(rough, topology, all, x, 5., touches);
+    const std::vector<FacetTouch> touches =
+        find_touches(rough, topology, all, x, 5.);
     ASSERT_FALSE(touches.empty());
     EXPECT_NEAR(touches[0].distance, least, 1e-15); // round-off
     for (std::size_t i = 0; i < touches.size(); ++i)
@@ -311,18 +321,20 @@ TEST(FacetTouches, ReachCandidatesAndOrderAreKept)
   EXPECT_EQ(touches_of(plane, Vec3(0.2, 0.1, 0.5), 0.5001).size(), 1U);
 
   const FacetTopology topology(plane);
-  std::vector<FacetTouch> touches;
-  const std::vector<std::int32_t> far{3};
-  dem::find_touches(plane, topology, far, Vec3(0.2, 0.1, 0.5), 1., touches);
-  EXPECT_TRUE(touches.empty()); // nearer ones share its vertex
+  EXPECT_TRUE(find_touches(plane, topology, {3}, Vec3(0.2, 0.1, 0.5), 1.)
+                  .empty()); // nearer ones share its vertex
 
-  // Appends; the order of the candidates does not matter.
-  const std::vector<std::int32_t> one_way{0, 1, 2, 3, 4, 5};
-  const std::vector<std::int32_t> other_way{5, 3, 4, 1, 2, 0};
-  dem::find_touches(plane, topology, one_way, Vec3(0., 0., 0.5), 1., touches);
-  dem::find_touches(plane, topology, other_way, Vec3(0., 0., 0.5), 1., touches);
-  ASSERT_EQ(touches.size(), 2U);
-  EXPECT_EQ(touches[0].nearest.triangle, touches[1].nearest.triangle);
+  // The order of the candidates does not matter.
+  const Vec3 above(0., 0., 0.5);
+  const std::vector<FacetTouch> one_way =
+                                    find_touches(plane, topology,
+                                                 {0, 1, 2, 3, 4, 5}, above, 1.),
+                                other_way =
+                                    find_touches(plane, topology,
+                                                 {5, 3, 4, 1, 2, 0}, above, 1.);
+  ASSERT_EQ(one_way.size(), 1U);
+  ASSERT_EQ(other_way.size(), 1U);
+  EXPECT_EQ(one_way[0].nearest.triangle, other_way[0].nearest.triangle);
 }
 
 // A sliver in a coplanar mesh neither hides nor doubles a touch.
