@@ -45,21 +45,25 @@ struct CondensedSolid::State
     if (!(time_step > 0.))
       throw std::logic_error("condensed solid: built without a time step");
   }
-  VectorXd stiffness_times(const VectorXd &q) const;
-  VectorXd to_rows(std::span<const Eigen::Vector3d> load) const;
-  void send_out(const VectorXd &q, std::vector<Eigen::Vector3d> &field) const;
+  VectorXd stiffness_times(const VectorXd &x) const;
+  VectorXd to_rows(std::span<const Eigen::Vector3d> field) const;
+  void send_out(const VectorXd &x, std::vector<Eigen::Vector3d> &field) const;
+  void step(const VectorXd &next);
+  void close_step();
 
   std::vector<InterfaceRow> rows;
   ReducedSystem system;
   double time_step = 0.;
   MatrixXd compliance; ///< of the interface at rest [m/N]
-  MatrixXd inverse;    ///< of M + dt / 2 C + dt^2 / 4 K
-  Eigen::LLT<MatrixXd> mass;
+  MatrixXd inverse;    ///< of 2 / dt M + C + dt / 2 K
   std::vector<double> frequencies;
 
-  VectorXd q, speed, acceleration;  ///< interface, then inner amplitudes
-  VectorXd braking, braking_change; ///< C speed and C acceleration
-  VectorXd load;                    ///< on the rows of the interface [N]
+  VectorXd q, speed;          ///< interface, then inner amplitudes
+  VectorXd elastic, momentum; ///< K q and M speed
+  VectorXd load;              ///< on the rows of the interface [N]
+  /// Of the last step, while `elastic` and `momentum` are of its start.
+  bool is_open = false;
+  VectorXd mean_speed, mean_load;
   std::vector<Eigen::Vector3d> displacement, velocity;
   double load_work = 0., lost = 0.;
 };
@@ -69,7 +73,8 @@ VectorXd CondensedSolid::State::stiffness_times(const VectorXd &x) const
 {
   const Index n = system.stiffness.rows(), m = x.size() - n;
   VectorXd result(x.size());
-  result.head(n).noalias() = system.stiffness * x.head(n);
+  result.head(n).noalias() =
+      system.stiffness.selfadjointView<Eigen::Lower>() * x.head(n);
   result.tail(m) = system.inner_stiffness.cwiseProduct(x.tail(m));
   return result;
 }
@@ -112,17 +117,14 @@ CondensedSolid::CondensedSolid(const Solid &body,
   const double dt = s.time_step = parameters.time_step;
   if (dt > 0.)
   {
-    MatrixXd matrix = s.system.mass;
+    MatrixXd matrix = 2. / dt * s.system.mass;
     if (s.system.damping.size() > 0)
-      matrix += 0.5 * dt * s.system.damping;
-    matrix.topLeftCorner(n, n) += 0.25 * dt * dt * s.system.stiffness;
-    matrix.diagonal().tail(size - n) +=
-        0.25 * dt * dt * s.system.inner_stiffness;
+      matrix += s.system.damping;
+    matrix.topLeftCorner(n, n) += 0.5 * dt * s.system.stiffness;
+    matrix.diagonal().tail(size - n) += 0.5 * dt * s.system.inner_stiffness;
     s.inverse = matrix.llt().solve(MatrixXd::Identity(size, size));
-    s.mass.compute(s.system.mass);
   }
-  s.q = s.speed = s.acceleration = VectorXd::Zero(size);
-  s.braking = s.braking_change = s.q;
+  s.q = s.speed = s.elastic = s.momentum = VectorXd::Zero(size);
   s.load = VectorXd::Zero(n);
   s.displacement.assign(parameters.interface.size(), Eigen::Vector3d::Zero());
   s.velocity = s.displacement;
@@ -133,72 +135,78 @@ CondensedSolid::CondensedSolid(CondensedSolid &&) noexcept = default;
 void CondensedSolid::settle(std::span<const Eigen::Vector3d> load)
 {
   State &s = *state;
+  s.close_step();
   const VectorXd next = s.to_rows(load);
-  s.lost += 0.5 * s.speed.dot(s.system.mass * s.speed);
-  // Inner modes have no load: they stay where they are zero.
-  const VectorXd before = s.q;
-  const Index n = next.size();
+  const Index n = next.size(), m = s.q.size() - n;
+  // Inner modes have no load: they stay where they are zero; what they held
+  // goes with them.
+  s.lost +=
+      0.5 * s.speed.dot(s.momentum) + 0.5 * s.q.tail(m).dot(s.elastic.tail(m));
+  const VectorXd before = s.q.head(n);
   s.q.setZero();
   s.q.head(n).noalias() = s.compliance * next;
-  const VectorXd moved = s.q - before;
-  s.load_work += 0.5 * moved.head(n).dot(s.load + next);
-  // What the inner modes held goes with them.
-  s.lost += 0.5 * before.tail(s.q.size() - n)
-                      .dot(s.system.inner_stiffness.cwiseProduct(
-                          before.tail(s.q.size() - n)));
+  s.load_work += 0.5 * (s.q.head(n) - before).dot(s.load + next);
   s.load = next;
+  s.elastic.setZero();
+  s.elastic.head(n) = next;
   s.speed.setZero();
-  s.acceleration = s.braking = s.braking_change = s.speed;
+  s.momentum.setZero();
   s.send_out(s.q, s.displacement);
   s.send_out(s.speed, s.velocity);
 }
 
 void CondensedSolid::set_load(std::span<const Eigen::Vector3d> load)
 {
-  State &s = *state;
-  s.check_time_step();
-  s.load = s.to_rows(load);
-  VectorXd force = -s.stiffness_times(s.q) - s.braking;
-  force.head(s.load.size()) += s.load;
-  s.acceleration = s.mass.solve(force);
-  if (s.system.damping.size() > 0)
-    s.braking_change.noalias() = s.system.damping * s.acceleration;
+  state->check_time_step();
+  state->load = state->to_rows(load);
 }
 
 void CondensedSolid::advance(std::span<const Eigen::Vector3d> load)
 {
   State &s = *state;
   s.check_time_step();
-  const double dt = s.time_step;
-  const VectorXd next = s.to_rows(load);
-  const Index n = next.size();
-  const VectorXd start = s.q, speed = s.speed;
-  s.q += dt * (s.speed + 0.25 * dt * s.acceleration);
-  s.speed += 0.5 * dt * s.acceleration;
-  VectorXd force = -s.stiffness_times(s.q);
-  force.head(n) += next;
-  const bool is_damped = s.system.damping.size() > 0;
-  VectorXd braking = s.braking;
-  if (is_damped)
-  {
-    braking += 0.5 * dt * s.braking_change; // C times the predicted speed
-    force -= braking;
-  }
-  s.acceleration.noalias() = s.inverse * force;
-  s.q += 0.25 * dt * dt * s.acceleration;
-  s.speed += 0.5 * dt * s.acceleration;
-  const VectorXd moved = s.q - start;
-  if (is_damped)
-  {
-    s.braking_change.noalias() = s.system.damping * s.acceleration;
-    braking += 0.5 * dt * s.braking_change;
-    s.lost += 0.5 * moved.dot(s.braking + braking);
-    s.braking = braking;
-  }
-  s.load_work += 0.5 * moved.head(n).dot(s.load + next);
-  s.load = next;
+  s.close_step();
+  s.step(s.to_rows(load));
   s.send_out(s.q, s.displacement);
   s.send_out(s.speed, s.velocity);
+}
+
+/// Average acceleration, which is the trapezoidal rule: for the mean speed v,
+/// (2 / dt M + C + dt / 2 K) v = 2 / dt M speed - K q + mean load.
+void CondensedSolid::State::step(const VectorXd &next)
+{
+  const Index n = next.size();
+  mean_load = 0.5 * (load + next);
+  VectorXd force = 2. / time_step * momentum - elastic;
+  force.head(n) += mean_load;
+  mean_speed.noalias() = inverse.selfadjointView<Eigen::Lower>() * force;
+  q += time_step * mean_speed;
+  speed = 2. * mean_speed - speed;
+  load_work += time_step * mean_speed.head(n).dot(mean_load);
+  load = next;
+  is_open = true;
+}
+
+/// Products for the next step and for energies; a step that is taken back
+/// never needs them.
+void CondensedSolid::State::close_step()
+{
+  if (!is_open)
+    return;
+  const VectorXd stiffening = stiffness_times(mean_speed);
+  VectorXd force = -elastic - 0.5 * time_step * stiffening;
+  force.head(mean_load.size()) += mean_load;
+  if (system.damping.size() > 0)
+  {
+    VectorXd braking(q.size());
+    braking.noalias() =
+        system.damping.selfadjointView<Eigen::Lower>() * mean_speed;
+    force -= braking;
+    lost += time_step * mean_speed.dot(braking);
+  }
+  momentum += time_step * force;
+  elastic += time_step * stiffening;
+  is_open = false;
 }
 
 std::span<const Eigen::Vector3d> CondensedSolid::displacements() const
@@ -212,10 +220,11 @@ std::span<const Eigen::Vector3d> CondensedSolid::velocities() const
 
 SolidEnergy CondensedSolid::energy() const
 {
-  const State &s = *state;
+  State &s = *state;
+  s.close_step();
   SolidEnergy energy;
-  energy.strain = 0.5 * s.q.dot(s.stiffness_times(s.q));
-  energy.kinetic = 0.5 * s.speed.dot(s.system.mass * s.speed);
+  energy.strain = 0.5 * s.q.dot(s.elastic);
+  energy.kinetic = 0.5 * s.speed.dot(s.momentum);
   energy.damping = s.lost;
   energy.load_work = s.load_work;
   return energy;
@@ -230,9 +239,10 @@ void CondensedSolid::save(std::ostream &out) const
     out.write(reinterpret_cast<const char *>(values.data()),
               static_cast<std::streamsize>(sizeof(double)) * n);
   };
-  const State &s = *state;
-  for (const VectorXd *values : {&s.q, &s.speed, &s.acceleration, &s.braking,
-                                 &s.braking_change, &s.load})
+  State &s = *state;
+  s.close_step();
+  for (const VectorXd *values :
+       {&s.q, &s.speed, &s.elastic, &s.momentum, &s.load})
     write(*values);
   write(Eigen::Vector2d(s.load_work, s.lost));
 }
@@ -253,14 +263,14 @@ void CondensedSolid::load(std::istream &in)
   };
   State &s = *state;
   const Index size = s.q.size();
-  for (VectorXd *values :
-       {&s.q, &s.speed, &s.acceleration, &s.braking, &s.braking_change})
+  for (VectorXd *values : {&s.q, &s.speed, &s.elastic, &s.momentum})
     read(*values, size);
   read(s.load, s.load.size());
   VectorXd sums;
   read(sums, 2);
   s.load_work = sums(0);
   s.lost = sums(1);
+  s.is_open = false;
   s.send_out(s.q, s.displacement);
   s.send_out(s.speed, s.velocity);
 }
