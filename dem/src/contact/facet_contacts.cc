@@ -179,9 +179,9 @@ void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
   std::fill(surface.load.begin(), surface.load.end(), Vec3::Zero());
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
+    if (batch.load[k].force.isZero(0.))
+      continue; // it may never have met anything
     const FacetSpot &spot = candidates.spot[k];
-    if (spot.triangle < 0)
-      continue; // it has never met anything
     const auto &corner =
         surface.triangles[static_cast<std::size_t>(spot.triangle)];
     for (std::size_t c = 0; c < 3; ++c)

@@ -62,8 +62,12 @@ void TriangleBins::file_triangles()
   const auto for_triangles = [this](const auto &visit)
   {
     for (std::size_t t = 0; t < centre.size(); ++t)
-      for_cells(centre[t] - half_width[t], centre[t] + half_width[t],
-                [&](std::size_t cell) { visit(t, cell); });
+      for_rows(centre[t] - half_width[t], centre[t] + half_width[t],
+               [&](std::size_t cell, std::size_t end)
+               {
+                 for (; cell < end; ++cell)
+                   visit(t, cell);
+               });
   };
   for_triangles([this](std::size_t, std::size_t cell)
                 { ++row_start[cell + 1]; });
@@ -81,14 +85,14 @@ void TriangleBins::gather(const Vec3 &x, double reach,
 {
   found.clear();
   const Vec3 around = Vec3::Constant(reach);
-  for_cells(
-      x - around, x + around,
-      [&](std::size_t cell)
-      {
-        for (std::int32_t k = row_start[cell]; k < row_start[cell + 1]; ++k)
-          if (gap_of_box(triangle[index(k)], x).squaredNorm() < reach * reach)
-            found.push_back(triangle[index(k)]);
-      });
+  for_rows(x - around, x + around,
+           [&](std::size_t cell, std::size_t end)
+           {
+             for (std::int32_t k = row_start[cell]; k < row_start[end]; ++k)
+               if (gap_of_box(triangle[index(k)], x).squaredNorm() <
+                   reach * reach)
+                 found.push_back(triangle[index(k)]);
+           });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
@@ -114,13 +118,15 @@ Vec3 TriangleBins::gap_of_box(std::int32_t triangle_number, const Vec3 &x) const
 }
 
 template <class Visit>
-void TriangleBins::for_cells(const Vec3 &lower, const Vec3 &upper,
-                             const Visit &visit) const
+void TriangleBins::for_rows(const Vec3 &lower, const Vec3 &upper,
+                            const Visit &visit) const
 {
   const Cell first = cell_of(lower), last = cell_of(upper);
   for (std::int32_t z = first[2]; z <= last[2]; ++z)
     for (std::int32_t y = first[1]; y <= last[1]; ++y)
-      for (std::int32_t x = first[0]; x <= last[0]; ++x)
-        visit(index(x) + index(n[0]) * (index(y) + index(n[1]) * index(z)));
+    {
+      const std::size_t row = index(n[0]) * (index(y) + index(n[1]) * index(z));
+      visit(row + index(first[0]), row + index(last[0]) + 1);
+    }
 }
 } // namespace dem

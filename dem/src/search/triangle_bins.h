@@ -26,9 +26,9 @@ private:
   void file_triangles();
   Cell cell_of(const Vec3 &x) const;
   Vec3 gap_of_box(std::int32_t triangle, const Vec3 &x) const;
+  /// Calls visit(cell, end) for the cells of each row along x between corners.
   template <class Visit>
-  void for_cells(const Vec3 &lower, const Vec3 &upper,
-                 const Visit &visit) const;
+  void for_rows(const Vec3 &lower, const Vec3 &upper, const Visit &visit) const;
 
   std::vector<Vec3> centre, half_width; ///< of the boxes of triangles [m]
   Vec3 origin = Vec3::Zero();           ///< lowest corner of the grid [m]
