@@ -1,4 +1,5 @@
 #include "errors.h"
+#include "gmsh_file.h"
 #include "subgrade/ground.h"
 #include "subgrade/ground_file.h"
 
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace
 {
@@ -19,21 +19,15 @@ namespace fs = std::filesystem;
 void write_gmsh(const fem::SolidMesh &mesh, const fs::path &path)
 {
   const auto n_layers = 1 + *std::ranges::max_element(mesh.layer);
-  std::ofstream file(path);
-  file.precision(17);
-  file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
-       << mesh.nodes.size() << "\n";
-  for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
-    file << k + 1 << " " << mesh.nodes[k].transpose() << "\n";
-  file << "$EndNodes\n$Elements\n" << mesh.cells.size() << "\n";
+  std::vector<std::string> elements;
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
   {
-    file << k + 1 << " 5 2 " << n_layers - mesh.layer[k] << " 1";
+    elements.push_back("5 2 " + std::to_string(n_layers - mesh.layer[k]) +
+                       " 1");
     for (const std::size_t v : {2, 3, 7, 6, 0, 1, 5, 4})
-      file << " " << mesh.cells[k][v] + 1;
-    file << "\n";
+      elements.back() += " " + std::to_string(mesh.cells[k][v] + 1);
   }
-  file << "$EndElements\n";
+  support::write_gmsh(path, mesh.nodes, elements);
 }
 
 /// A block of two layers of three cells across and more down.

@@ -1,4 +1,5 @@
 #include "errors.h"
+#include "gmsh_file.h"
 #include "specimen/specimen.h"
 
 #include <gtest/gtest.h>
@@ -20,24 +21,17 @@ const Vector low(0.1, 0.2, 0.3), high(0.16, 0.26, 0.4);
 /// As gmsh writes it, every other quad the other way round.
 void write_gmsh(const fem::SurfaceMesh &mesh, const fs::path &path)
 {
-  std::ofstream file(path);
-  file.precision(17);
-  file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
-       << mesh.nodes.size() << "\n";
-  for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
-    file << k + 1 << " " << mesh.nodes[k].transpose() << "\n";
-  file << "$EndNodes\n$Elements\n" << mesh.quads.size() << "\n";
+  std::vector<std::string> elements;
   for (std::size_t k = 0; k < mesh.quads.size(); ++k)
   {
     auto quad = mesh.quads[k];
     if (k % 2 == 1)
       std::ranges::reverse(quad);
-    file << k + 1 << " 3 2 1 1";
+    elements.emplace_back("3 2 1 1");
     for (const std::int32_t node : quad)
-      file << " " << node + 1;
-    file << "\n";
+      elements.back() += " " + std::to_string(node + 1);
   }
-  file << "$EndElements\n";
+  support::write_gmsh(path, mesh.nodes, elements);
 }
 
 class SheetFile : public testing::Test
