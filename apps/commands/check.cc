@@ -202,9 +202,11 @@ void check_lab(const Case &parameters, const std::string &preparations)
     test->advance();
     return test->share_done() < 1.;
   };
-  if (const auto seen =
-          steps_from_store(store, parameters.threads, *test, advance))
+  if (auto seen = steps_from_store(store, parameters.threads, *test, advance))
+  {
+    seen->cost += test->unseen_cost();
     print_predicted(test->duration(), *seen);
+  }
   else
     test->print_forecast();
   print_memory();

@@ -76,6 +76,9 @@ public:
   /// Prints what `spall check` says besides stones, step and memory: how long
   /// it will take.
   virtual void print_forecast();
+  /// Of a step of the run, what steps just after the preparation do not show
+  /// [s].
+  virtual double unseen_cost() { return 0.; }
 
   /// The row of history.csv now: what the test measures, then counts and
   /// energies.

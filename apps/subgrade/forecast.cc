@@ -56,6 +56,16 @@ double window_cost(coupling::Body &body, double window)
 }
 } // namespace
 
+/// The ground, which is held while stones are placed.
+double Subgrade::unseen_cost()
+{
+  const double window = window_of(parameters, time_step());
+  // A pass predicts and corrects; with every_step it is done once.
+  const int passes =
+      joined->rule() == coupling::ExchangeRule::every_step ? 1 : 2;
+  return passes * window_cost(*ground, window) * time_step() / window;
+}
+
 void Subgrade::print_forecast()
 {
   std::printf("in a corner      %.4g s (the same stone on three walls)\n",
@@ -68,10 +78,7 @@ void Subgrade::print_forecast()
               pulses.duration(), pulses.impulse(),
               parameters.subgrade.pulse.rest);
   const double window = window_of(parameters, time_step());
-  // A pass predicts and corrects; with every_step it is done once.
-  const double ground_cost =
-      window_cost(*ground, window) *
-      (joined->rule() == coupling::ExchangeRule::every_step ? 1. : 2.);
+  const double ground_cost = unseen_cost() * window / time_step();
   const double stone_cost = packed_cost(parameters);
   const double steps = duration() / time_step();
   std::printf("predicted time   %.3g s for %.4g steps of the loading (%.3g ms "

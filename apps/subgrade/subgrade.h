@@ -39,6 +39,7 @@ public:
   std::vector<NamedText> take_files() override;
   const dem::Particles &all_stones() const override { return scene.all; }
   void print_forecast() override;
+  double unseen_cost() override;
   int steps_in_move() const override;
 
 private:
