@@ -1,7 +1,6 @@
 #include <coupling/seam.h>
 
 #include <cmath>
-#include <limits>
 
 namespace coupling
 {
@@ -16,6 +15,7 @@ double tangent(const dem::ContactBatch &batch, std::size_t k,
   return batch.layout.is_hertz ? 1.5 * batch.normal_force[k] / batch.overlap[k]
                                : material.normal_stiffness;
 }
+
 /// Every node that carries contact k, with its share of the load.
 template <class Visit>
 void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
@@ -30,19 +30,6 @@ void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
       if (share.body >= 0)
         visit(static_cast<std::size_t>(share.body),
               spot.weight[c] * share.weight);
-}
-
-/// Effective mass of the point of a facet contact [kg].
-double mass_at(const dem::FacetSurface &surface, const dem::FacetSpot &spot)
-{
-  const auto &corner =
-      surface.triangles[static_cast<std::size_t>(spot.triangle)];
-  double over_mass = 0.;
-  for (std::size_t c = 0; c < 3; ++c)
-    over_mass += spot.weight[c] * spot.weight[c] /
-                 surface.mass[static_cast<std::size_t>(corner[c])];
-  return over_mass > 0. ? 1. / over_mass
-                        : std::numeric_limits<double>::infinity();
 }
 
 /// A dashpot may hold the spring back, never pull: then the contact gives
@@ -67,7 +54,9 @@ ContactSprings springs_of(const dem::SurfaceContacts &facets, std::size_t k,
   const dem::WallMaterial &m = facets.material;
   const dem::FacetSpot &spot = facets.candidates.spot[k];
   const double stone = stones.mass(static_cast<std::size_t>(batch.a[k]));
-  const double mass = 1. / (1. / stone + 1. / mass_at(facets.surface, spot));
+  const double mass =
+      1. /
+      (1. / stone + dem::facet_row(facets.surface, spot, spot).inverse_mass);
   const double shear =
       Vector(batch.shear.x[k], batch.shear.y[k], batch.shear.z[k]).norm();
   const bool slides = shear > 0.999 * m.friction * batch.normal_force[k];

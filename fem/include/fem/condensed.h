@@ -32,7 +32,7 @@ public:
   /// Equilibrium under these loads on the interface [N]; at rest afterwards.
   void settle(std::span<const Eigen::Vector3d> load);
   /// From now on this load acts, until the next is given [N]: the next step
-  /// starts with the acceleration that it makes.
+  /// starts with it.
   void set_load(std::span<const Eigen::Vector3d> load);
   /// One implicit step to loads that hold at its end.
   void advance(std::span<const Eigen::Vector3d> load);
