@@ -1,4 +1,5 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
+#include "fetch_ahead.h"
 #include "placed_lanes.h"
 #include "surface_lanes.h"
 
@@ -6,10 +7,7 @@ namespace dem::kernel
 {
 namespace
 {
-/// Lanes that are worked on in turn make one block of 8 for every instruction
-/// set, and losses are summed by place in the block: same digits everywhere.
-constexpr int block = 8;
-constexpr int n_parts = block / n_lanes;
+constexpr int n_parts = lane_block / n_lanes;
 using BlockLosses = Losses<Lanes>[n_parts];
 
 /// What the lanes have lost, place by place in the block.
@@ -36,7 +34,10 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
 {
   const Target target{task.contacts.a[first], sum};
   BlockLosses lost;
-  for (std::int64_t k = first; k < last; k += block)
+  for (std::int64_t k = first; k < last; k += lane_block)
+  {
+    if (task.ahead.n > 0)
+      fetch_ahead(task, k, last);
     for (int part = 0; part < n_parts; ++part)
     {
       const std::int64_t from = k + part * n_lanes;
@@ -45,6 +46,7 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
       if (n_valid > 0)
         advance(task, from, static_cast<int>(n_valid), lost[part], target);
     }
+  }
   sum_losses(lost, sum.lost);
 }
 } // namespace

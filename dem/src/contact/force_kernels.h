@@ -61,6 +61,16 @@ struct Contacts
   std::uint8_t *event;
 };
 
+/// Columns that the loops ask for before they come to them; none where all
+/// contacts fit into the cache.
+struct ColumnsAhead
+{
+  static constexpr int n_most = 64;
+  int n = 0;
+  const char *start[n_most];
+  std::int64_t entry_size[n_most]; ///< [bytes]
+};
+
 /// What is rare and costly, done contact by contact outside of the lanes.
 struct Surfaces
 {
@@ -72,6 +82,10 @@ struct Surfaces
   /// Looks anew for the place of contact k, which its steps have lost.
   void (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
 };
+
+/// Lanes that are worked on in turn make one block for every instruction set,
+/// and losses are summed by place in the block: same digits everywhere.
+inline constexpr std::int64_t lane_block = 8;
 
 /// WallRow in numbers.
 inline constexpr int wall_row = 16;
@@ -89,6 +103,7 @@ struct Task
 {
   Stones stones;
   Contacts contacts;
+  ColumnsAhead ahead;
   Surfaces surfaces;
   ContactCoefficients coefficients;
   double time_step;

@@ -95,6 +95,28 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.event.data()};
 }
 
+/// Contacts beyond this many bytes do not stay in a core's own cache.
+constexpr std::size_t own_cache = std::size_t{1} << 20;
+
+/// All but what is read rarely.
+kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
+{
+  kernel::ColumnsAhead ahead;
+  std::size_t bytes = 0;
+  const auto add = [&]<class Entry>(bool is_there, std::vector<Entry> &column)
+  {
+    if (!is_there || std::is_same_v<Entry, SideCurvature>)
+      return;
+    ahead.start[ahead.n] = reinterpret_cast<const char *>(column.data());
+    ahead.entry_size[ahead.n++] = sizeof(Entry);
+    bytes += column.size() * sizeof(Entry);
+  };
+  ContactBatch::visit(batch.layout, add, batch);
+  if (bytes < own_cache)
+    ahead.n = 0;
+  return ahead;
+}
+
 static_assert(sizeof(StoneState) == kernel::stone_row * sizeof(double));
 static_assert(sizeof(StoneLoad) == kernel::load_row * sizeof(double));
 
@@ -111,6 +133,7 @@ kernel::Task make_task(SurfaceOwner &owner,
   kernel::Task task{};
   task.stones = stones_view(context.particles);
   task.contacts = contacts_view(owner.batch);
+  task.ahead = columns_ahead(owner.batch);
   task.surfaces = {&owner, renew, mix, relocate};
   task.coefficients = coefficients;
   task.coefficients.limit_damping =
