@@ -95,8 +95,8 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.event.data()};
 }
 
-/// Contacts beyond this many bytes do not stay in a core's own cache.
-constexpr std::size_t own_cache = std::size_t{1} << 20;
+/// Contacts up to this many bytes stay in the caches: asking ahead only costs.
+constexpr std::size_t cached_bytes = std::size_t{4} << 20;
 
 /// All but what is read rarely.
 kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
@@ -112,7 +112,7 @@ kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
     bytes += column.size() * sizeof(Entry);
   };
   ContactBatch::visit(batch.layout, add, batch);
-  if (bytes < own_cache)
+  if (bytes < cached_bytes)
     ahead.n = 0;
   return ahead;
 }
