@@ -1,6 +1,7 @@
 #include "solid_state.h"
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/grid/reference_cell.h>
 
 #include <fstream>
 #include <stdexcept>
@@ -22,6 +23,8 @@ Patch make_patch(const SolidMesh &mesh, const SolidFields &fields,
                  std::size_t cell)
 {
   Patch patch;
+  // Cells of a patch that does not say what it is are left out of the file.
+  patch.reference_cell = dealii::ReferenceCells::Hexahedron;
   patch.patch_index = static_cast<unsigned int>(cell);
   patch.data.reinit(static_cast<unsigned int>(names.size()), 8);
   for (unsigned int v = 0; v < 8; ++v)

@@ -254,7 +254,8 @@ void write_contacts(const std::string &path,
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
-  grid->SetCells(VTK_LINE, cells);
+  if (!contacts.empty()) // readers mistrust a list of no cells
+    grid->SetCells(VTK_LINE, cells);
   add_contact_fields(grid, contacts);
   write_grid(path, grid);
 }
