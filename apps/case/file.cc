@@ -1,6 +1,7 @@
 #include "case/file.h"
 
 #include "case/checks.h"
+#include "case/data_folders.h"
 #include "case/fields.h"
 #include "case/source.h"
 #include "errors.h"
@@ -9,7 +10,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -114,10 +114,8 @@ void take_file(dealii::ParameterHandler &handler, const std::string &file,
 
 std::vector<fs::path> search_folders(const Case &parameters)
 {
-  std::vector<fs::path> folders = {fs::path(parameters.file).parent_path()};
-  if (const char *folder = std::getenv("SPALL_DATA_DIR"))
-    folders.emplace_back(folder);
-  folders.emplace_back(SPALL_DATA_DIR);
+  std::vector<fs::path> folders = data_folders();
+  folders.insert(folders.begin(), fs::path(parameters.file).parent_path());
   return folders;
 }
 

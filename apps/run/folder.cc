@@ -34,8 +34,8 @@ bool is_result(const std::string &name)
 {
   constexpr std::array files = {
       "history.csv", "events.csv", "ledger.csv",   "cycles.csv", "transfer.csv",
-      "profile.csv", "bowl.csv",   "summary.json", "run.pvd",    "report.html",
-      "frames",      "checkpoint", "log.txt"};
+      "profile.csv", "bowl.csv",   "summary.json", "run.pvd",    "view.py",
+      "report.html", "frames",     "checkpoint",   "log.txt"};
   return std::ranges::find(files, name) != files.end() ||
          name.starts_with("roundness_") ||
          name.starts_with("boundary_profile_");

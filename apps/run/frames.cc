@@ -1,5 +1,6 @@
 #include "run/frames.h"
 
+#include "case/data_folders.h"
 #include "run/whole_file.h"
 
 #include <dem/measure/network.h>
@@ -43,12 +44,27 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
     add(facets.batch, dem::ContactKind::stone_facet);
   return lines;
 }
+
+void copy_view(const std::filesystem::path &folder)
+{
+  for (const std::filesystem::path &data : data_folders())
+  {
+    const std::filesystem::path script = data / "paraview" / "view.py";
+    std::error_code status; // frames are worth having without it
+    if (std::filesystem::copy_file(
+            script, folder / "view.py",
+            std::filesystem::copy_options::overwrite_existing, status))
+      return;
+  }
+}
 } // namespace
 
 void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
                  const FrameParts &parts, int number,
                  std::vector<dem::FrameEntry> &entries)
 {
+  if (entries.empty())
+    copy_view(folder);
   const dem::Particles &stones = engine.particles();
   std::vector<double> loss(stones.size());
   for (std::size_t i = 0; i < loss.size(); ++i)

@@ -27,7 +27,8 @@ struct FrameParts
 };
 
 /// Writes frames/*_NNNNN.vtu of a run folder and run.pvd with all `entries`,
-/// to which the new ones are added.
+/// to which the new ones are added; with the first of them view.py, which
+/// shows them in ParaView.
 void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
                  const FrameParts &parts, int number,
                  std::vector<dem::FrameEntry> &entries);

@@ -1,10 +1,10 @@
 #include "reference_table.h"
 
 #include "../errors.h"
+#include "case/data_folders.h"
 #include "case/parameter.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -18,9 +18,7 @@ namespace fs = std::filesystem;
 
 std::string find_file(const std::string &file)
 {
-  const char *chosen = std::getenv("SPALL_DATA_DIR");
-  for (const fs::path &folder :
-       {fs::path(chosen ? chosen : SPALL_DATA_DIR), fs::path(SPALL_DATA_DIR)})
+  for (const fs::path &folder : data_folders())
     if (fs::exists(folder / "reference" / file))
       return (folder / "reference" / file).string();
   throw InputError("verify: reference/" + file + ": no such file in " +

@@ -12,6 +12,7 @@ import tempfile
 import time
 
 from lab import near, resumed_faults, spall_run, write_prm
+from run_views import view_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary)
 
@@ -201,6 +202,7 @@ def main():
                     "--threads", 1, *options]
         spall_run(words("whole"))
         faults = number_faults(root / "whole", sys.argv[2])
+        faults += view_faults(root / "whole")
         # A checkpoint of the filling, and one of the vibration.
         spall_run(words("until", "--until", 2, "--preparations",
                         root / "fillings"))

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 
+from run_views import view_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary, summary_faults)
 
@@ -103,6 +104,7 @@ def single_particle(spall, root):
     faults += near("first event of the true surface",
                    summary(root / "true")["first_event_force_N"], 446., 2e-3)
     faults += loss_faults(root / "cube", found)
+    faults += view_faults(root / "cube")
     history = rows(root / "cube", "history.csv")[1]
     # At rest but for the speed of the platen, some time after an event.
     events = [e["displacement_m"] for e in rows(root / "cube",
@@ -152,7 +154,7 @@ def los_angeles(spall, root):
 
     go("whole")
     found = summary(root / "whole")
-    faults = loss_faults(root / "whole", found)
+    faults = loss_faults(root / "whole", found) + view_faults(root / "whole")
     # 0.4 kg to half a smallest stone of 11 g.
     faults += near("initial_mass_kg", found["initial_mass_kg"], 0.4, 0.02)
     faults += near("turns_1", found["turns_1"], 2., 1e-4)

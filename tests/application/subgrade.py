@@ -13,6 +13,7 @@ import tempfile
 import time
 
 from lab import near, resumed_faults, spall_run, write_prm
+from run_views import view_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary, summary_faults)
 
@@ -168,6 +169,7 @@ def quick(spall, root):
     faults = balance_faults(root / "whole", weight)
     faults += energy_faults(root / "whole")
     faults += output_faults(root / "whole")
+    faults += view_faults(root / "whole")
     # Cut off while pouring, placing and loading, gone on with.
     faults += stop_faults([*words, root / "cut"], root / "cut", "0")
     for stage in ("1", "2"):

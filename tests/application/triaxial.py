@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 
+from run_views import view_faults
 from triaxial_runs import (CASE, DATA, LATERALS, report_faults, rows, run,
                            summary)
 
@@ -304,7 +305,7 @@ def main():
                 reference_faults(found, json.loads(path.read_text())) +
                 promise_faults(found) + file_faults(folder, found) +
                 row_faults(folder, found) + cycle_faults(folder, found) +
-                reread_faults(spall, folder))
+                reread_faults(spall, folder) + view_faults(folder))
             faults += [f"{lateral}: {fault}" for fault in found_faults]
         faults += report_is_written(spall, folders,
                                     pathlib.Path(name) / "report.html")
