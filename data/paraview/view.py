@@ -229,6 +229,10 @@ def main():
                  "run folder with frames")
 
     def times(frames):
+        n = len(frames.times)
+        if not -n <= options.frame < n:
+            sys.exit(f"view.py: --frame {options.frame}: must be a whole "
+                     f"number from {-n} to {n - 1}")
         return [frames.times[options.frame]] if options.picture \
             else frames.times
     view = show(folder, times)
