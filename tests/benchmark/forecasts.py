@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""What `spall check` predicts against what the run takes, as a table.
+
+    forecasts.py SPALL [CASE ...]
+
+Time is that of the processor on one thread, after the preparation: the run
+that is timed takes its stones from those kept by one before (--preparations).
+CASE is a name of the table; all of them take a quarter of an hour.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from bench_runs import table
+
+CASES = pathlib.Path(__file__).resolve().parents[2] / "data" / "cases"
+SETTINGS = {
+    "dynamic_triaxial_quick": [],
+    "triaxial_cylinder_quick": [],
+    "vibratory_compaction_quick": [],
+    "subgrade_quick": [],
+    "single_particle": [],
+    "los_angeles": ["Drum/turns=5"],
+}
+UNPREPARED = ("single_particle", "los_angeles")
+
+
+def call(spall, *words):
+    """Output, seconds of the processor and MiB at the peak of one call."""
+    with subprocess.Popen(
+            [str(spall), *map(str, words)], text=True, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            env={**os.environ, "OMP_NUM_THREADS": "1"}) as process:
+        said = process.stdout.read()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        sys.exit(f"forecasts.py: spall {' '.join(map(str, words))}:\n{said}")
+    return said, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def number(label, said):
+    return float(re.search(label + r"\s+([\d.e+-]+)", said)[1])
+
+
+def forecast(spall, words):
+    said = call(spall, "check", *words)[0]
+    return number("predicted time", said), number("memory", said)
+
+
+def ratio(predicted, taken):
+    return f"{predicted:.3g} ({predicted / taken:.2f})"
+
+
+def row(spall, name, folder):
+    """Forecasts of one case and what the run after its preparation took."""
+    words = [CASES / f"{name}.prm", "--set", "Run/threads=1",
+             *[word for setting in SETTINGS[name]
+               for word in ("--set", setting)]]
+    time, memory = forecast(spall, words)
+    kept = None
+    if name not in UNPREPARED:
+        words += ["--preparations", f"{folder}/store"]
+        call(spall, "run", *words, "--out", f"{folder}/first")
+        kept, _ = forecast(spall, words)
+    _, taken, peak = call(spall, "run", *words, "--out", f"{folder}/run")
+    return [name, f"{taken:.3g}", ratio(time, taken),
+            ratio(kept, taken) if kept else "", f"{peak:.0f}",
+            ratio(memory, peak)]
+
+
+def main():
+    spall, *names = sys.argv[1:]
+    rows = []
+    for name in names or SETTINGS:
+        with tempfile.TemporaryDirectory() as folder:
+            rows.append(row(spall, name, folder))
+    print(table(["case", "run, s", "forecast (ratio)",
+                 "forecast from kept stones (ratio)", "peak, MiB",
+                 "forecast (ratio)"], rows))
+
+
+if __name__ == "__main__":
+    main()
