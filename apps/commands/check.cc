@@ -1,45 +1,28 @@
 #include "case/file.h"
 #include "commands/commands.h"
 #include "errors.h"
-#include "laboratory/test.h"
+#include "laboratory/recorder.h"
 #include "run/cost.h"
+#include "run/folder.h"
 #include "run/forecast.h"
 #include "run/preparation_store.h"
+#include "run/scratch_folder.h"
+#include "run/thread_choice.h"
 #include "triaxial/preparation.h"
-#include "triaxial/triaxial.h"
+#include "triaxial/recorder.h"
 
 #include <dem/integrate/contact_springs.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
+#include <memory>
+#include <omp.h>
 #include <optional>
 
 namespace spall
 {
 namespace
 {
-/// Steps of a test that goes on from its preparation, if that is kept in the
-/// store [s]; says so.
-template <class Test>
-std::optional<MeanStep>
-steps_from_store(const std::optional<PreparationStore> &store, int threads,
-                 Test &test, const std::function<bool()> &advance)
-{
-  std::string said;
-  if (!store)
-    return {};
-  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
-  {
-    std::printf("preparation      %s\n", store->path().c_str());
-    return time_steps(test.engine(), threads, advance);
-  }
-  std::printf("preparation      %s\n",
-              said.empty() ? "none of this kept" : said.c_str());
-  return {};
-}
-
 /// Where `--preparations` says, if there is such a folder.
 std::optional<PreparationStore> find_store(const std::string &folder,
                                            const std::string &text)
@@ -49,51 +32,56 @@ std::optional<PreparationStore> find_store(const std::string &folder,
   return PreparationStore(folder, text);
 }
 
-/// Cost of one step of the stones when they are packed [s]: the cloud is
-/// drawn together to the expected solid fraction and evaluated in place.
-double packed_step_cost(const Case &parameters)
+/// A folder for a run that is over soon and then forgotten.
+std::filesystem::path run_folder_in(const ScratchFolder &scratch)
 {
-  Case quiet = parameters;
-  quiet.breakage.is_active = false;
-  Specimen specimen = make_specimen(quiet);
-  dem::Engine &engine = *specimen.engine;
-  const double shrink = std::cbrt(parameters.specimen.initial_solid_fraction /
-                                  parameters.specimen.solid_fraction);
-  for (dem::StoneState &stone : engine.particles().state)
-    stone.position *= shrink;
-  for (dem::Plane &plane : engine.planes())
-    plane.point *= shrink;
-  if (dem::Drum side = engine.drum(); side.is_there())
+  RunOptions options;
+  options.out = scratch.path();
+  prepare_run_folder(options);
+  return scratch.path();
+}
+
+/// What steps take with all that is written meanwhile; at the end what a run
+/// leaves is written, so that memory has been as high as it will be.
+template <class Test, class Writer>
+MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
+                     const std::function<bool()> &is_over)
+{
+  const auto advance = [&]
   {
-    side.centre *= shrink;
-    side.radius *= shrink;
-    engine.set_drum(side);
-  }
-  return still_step_cost(engine, parameters.threads);
+    try
+    {
+      test.advance();
+    }
+    catch (const coupling::GuardStop &)
+    {
+      return false; // stones that are packed roughly may come to that
+    }
+    writer.after_step(test);
+    return !is_over();
+  };
+  const MeanStep step = time_steps(test.engine(), parameters.threads, advance);
+  writer.finish(test);
+  return step;
 }
 
-/// Cost of one step of the membrane alone [s].
-double membrane_step_cost(const Case &parameters)
+/// Takes the preparation if it is kept in the store, and says so.
+template <class Test>
+void take_kept(const std::optional<PreparationStore> &store, Test &test)
 {
-  fem::Membrane membrane(parameters.membrane,
-                         lateral_mesh(parameters, dem::Vec3::Zero(),
-                                      nominal_size(parameters.specimen)));
-  return still_step_cost(membrane);
-}
-
-/// That the membrane takes for a step of the stones; a pass over a window
-/// predicts and corrects.
-double membrane_steps(const Case &parameters)
-{
-  const CouplingParameters &c = parameters.coupling;
-  const double passes = c.exchange == ExchangeChoice::every_step ? 1. : 2.;
-  return passes * c.body_steps / c.rules.stone_steps;
+  if (!store)
+    return;
+  std::string said;
+  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
+    said = store->path();
+  std::printf("preparation      %s\n",
+              said.empty() ? "none of this kept" : said.c_str());
 }
 
 void print_memory()
 {
   std::printf("memory           %.0f MiB\n",
-              memory_use().now / (1024. * 1024.));
+              memory_use().peak / (1024. * 1024.));
 }
 
 void print_stones(const dem::Particles &stones)
@@ -150,41 +138,28 @@ void print_step(const Case &parameters, const Triaxial &test)
     print_exchange(test.setup_step(), parameters.coupling.rules.stone_steps);
 }
 
-/// A step by the lists of stones and membrane as they are packed.
-MeanStep still_step(const Case &parameters, const Triaxial &test)
-{
-  double cost = packed_step_cost(parameters);
-  if (test.gain())
-    cost += membrane_step_cost(parameters) * membrane_steps(parameters);
-  return {test.setup_step().step, cost};
-}
-
-void print_cost(const Case &parameters, Triaxial &test,
-                const std::string &preparations)
-{
-  const double duration = test.period() * parameters.loading.n_cycles() +
-                          parameters.loading.consolidation_time;
-  const auto store =
-      find_store(preparations, preparation_text(parameters, test.shapes()));
-  const auto advance = [&test]
-  {
-    test.advance();
-    return test.stage() != Stage::done;
-  };
-  const std::optional<MeanStep> seen =
-      steps_from_store(store, parameters.threads, test, advance);
-  print_memory();
-  print_predicted(duration, seen ? *seen : still_step(parameters, test));
-  if (parameters.cycle_jump.is_on())
-    std::printf("                 less what CycleJump skips\n");
-}
-
 void check_triaxial(const Case &parameters, const std::string &preparations)
 {
   Triaxial test(parameters);
   print_stones(test.engine().particles());
   print_step(parameters, test);
-  print_cost(parameters, test, preparations);
+  take_kept(
+      find_store(preparations, preparation_text(parameters, test.shapes())),
+      test);
+  omp_set_num_threads(thread_candidates(parameters.threads).back());
+  const ScratchFolder scratch;
+  Recorder recorder(parameters, run_folder_in(scratch));
+  recorder.start();
+  test.hasten();
+  const MeanStep step =
+      run_a_while(parameters, test, recorder,
+                  [&test] { return test.stage() == Stage::done; });
+  print_predicted(test.period() * parameters.loading.n_cycles() +
+                      parameters.loading.consolidation_time,
+                  step);
+  if (parameters.cycle_jump.is_on())
+    std::printf("                 less what CycleJump skips\n");
+  print_memory();
 }
 
 void check_lab(const Case &parameters, const std::string &preparations)
@@ -196,19 +171,16 @@ void check_lab(const Case &parameters, const std::string &preparations)
               test->step_limit().reason.c_str());
   if (const SetupStep *setup = test->setup_step(); setup && setup->gain)
     print_exchange(*setup, parameters.coupling.rules.stone_steps);
-  const auto store = find_store(preparations, test->preparation_text());
-  const auto advance = [&test]
-  {
-    test->advance();
-    return test->share_done() < 1.;
-  };
-  if (auto seen = steps_from_store(store, parameters.threads, *test, advance))
-  {
-    seen->cost += test->unseen_cost();
-    print_predicted(test->duration(), *seen);
-  }
-  else
-    test->print_forecast();
+  test->describe();
+  take_kept(find_store(preparations, test->preparation_text()), *test);
+  omp_set_num_threads(thread_candidates(parameters.threads).back());
+  const ScratchFolder scratch;
+  LabRecorder recorder(parameters, run_folder_in(scratch));
+  recorder.start(*test);
+  test->hasten();
+  print_predicted(test->duration(),
+                  run_a_while(parameters, *test, recorder,
+                              [&test] { return test->share_done() >= 1.; }));
   print_memory();
 }
 } // namespace

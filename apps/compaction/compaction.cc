@@ -82,7 +82,7 @@ void Compaction::fill(double time_step)
   if (!pouring.is_done())
     return;
   say_prepared();
-  hand_over();
+  hand_over(height_above_layers());
 }
 
 std::string Compaction::preparation_text() const
@@ -93,23 +93,25 @@ std::string Compaction::preparation_text() const
 void Compaction::take_prepared(std::istream &in)
 {
   restore(in);
-  hand_over();
+  hand_over(height_above_layers());
 }
 
-/// From the tamper to the plate.
-void Compaction::hand_over()
+/// The plate comes as the tamper did, from where that had touched [m].
+double Compaction::height_above_layers() const
+{
+  return pouring.layers().back().height + 1e-3 * scene.room.width_x;
+}
+
+/// From the tamper to the plate, which comes from this height [m].
+void Compaction::hand_over(double plate_height)
 {
   if (fills_by_own_steps())
     change_steps(parameters.time, step_limit().step);
-  // The plate comes as the tamper did, from where that had touched.
-  const dem::Vec3 above =
-      (pouring.layers().back().height + 1e-3 * scene.room.width_x) *
-      dem::Vec3::UnitZ();
   engine().set_local_damping(parameters.time.local_damping);
   now.stage = Stage::seating;
   if (parameters.plate.form != PlateKind::rigid)
-    return join(above.z());
-  engine().place_plane(pouring.tamper(), above);
+    return join(plate_height);
+  engine().place_plane(pouring.tamper(), plate_height * dem::Vec3::UnitZ());
 }
 
 /// Until the stones carry it. The last of its speed is too small to shake it.
@@ -120,7 +122,7 @@ void Compaction::lower_plate(double time_step)
   if (carried >= 1.)
   {
     join(plate_plane().point.z());
-    return let_go();
+    return let_go(engine().time());
   }
   engine().planes()[pouring.tamper()].velocity =
       -parameters.plate.seating_speed * std::clamp(1. - carried, slowest, 1.) *
@@ -142,9 +144,10 @@ void Compaction::join(double plate_height)
   build_plate();
 }
 
-void Compaction::let_go()
+/// The guide, which has held the plate until this time [s].
+void Compaction::let_go(double time)
 {
-  now.let_go_time = engine().time();
+  now.let_go_time = time;
   plate->let_go(now.let_go_time - now.join_time);
   if (parameters.lateral() == Lateral::rigid)
     return;
@@ -192,15 +195,18 @@ void Compaction::step_joined(double time_step)
   if (now.let_go_time == 0.)
   {
     if (plate->is_carried(engine()))
-      let_go();
+      let_go(engine().time());
   }
   else if (engine().time() >= now.let_go_time + parameters.plate.seating_time)
-  {
-    now.stage = Stage::vibration;
-    now.start_height = height();
-    engine().set_breaking(parameters.breakage.is_active);
-    report(0.);
-  }
+    start_vibration();
+}
+
+void Compaction::start_vibration()
+{
+  now.stage = Stage::vibration;
+  now.start_height = height();
+  engine().set_breaking(parameters.breakage.is_active);
+  report(0.);
 }
 
 void Compaction::follow_vibration(double window, double impulse)

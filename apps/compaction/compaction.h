@@ -37,7 +37,7 @@ public:
   std::vector<NamedText> take_files() override;
   const dem::Particles &all_stones() const override { return scene.all; }
   int steps_in_move() const override;
-  void print_forecast() override;
+  void hasten() override;
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int periods) override;
   bool ends_early() const override
@@ -84,11 +84,14 @@ private:
   std::vector<dem::BreakageEvent> fresh_events() override;
 
   void fill(double time_step);
-  void hand_over();
+  void pack();
+  double height_above_layers() const;
+  void hand_over(double plate_height);
   bool fills_by_own_steps() const { return parameters.filling.safety > 0.; }
   void lower_plate(double time_step);
   void join(double height);
-  void let_go();
+  void let_go(double time);
+  void start_vibration();
   void build_plate();
   void build_tube();
   bool has_windows() const; ///< Coupling says how stones and bodies meet

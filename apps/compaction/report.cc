@@ -91,10 +91,11 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
                       {"tamper_pressure_Pa", layer.pressure},
                       {"strokes", layer.strokes},
                       {"time_s", layer.time}});
-  const double reached =
-      pouring.layers().empty() ? 0. : pouring.layers().back().density;
+  dem::Pouring::Layer top;
+  if (!pouring.layers().empty())
+    top = pouring.layers().back();
   summary["filling"] = {{"density_asked_kg_per_m3", parameters.filling.density},
-                        {"density_reached_kg_per_m3", reached},
+                        {"density_reached_kg_per_m3", top.density},
                         {"unbalanced_ratio_1", pouring.unbalanced_ratio()},
                         {"layers", layers}};
   const VibrationParameters &v = parameters.vibration;
@@ -103,9 +104,7 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   summary["exciter_force_N"] =
       v.eccentric_mass * v.eccentricity * omega * omega;
   summary["seating_settlement_m"] =
-      now.stage == Stage::vibration
-          ? pouring.layers().back().height - now.start_height
-          : 0.;
+      now.stage == Stage::vibration ? top.height - now.start_height : 0.;
   summary["vibration_s"] = vibrated();
   summary["settlement_m"] =
       now.stage == Stage::vibration ? now.start_height - height() : 0.;

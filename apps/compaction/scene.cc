@@ -10,12 +10,10 @@
 
 #include <coupling/cell_body.h>
 #include <dem/packing/gradation.h>
-#include <dem/packing/insertion.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace spall
 {
@@ -142,51 +140,6 @@ dem::PouringParameters pouring_parameters(const FillingParameters &f)
   p.unbalanced_ratio = f.unbalanced_ratio;
   p.max_time = f.max_time;
   return p;
-}
-
-namespace
-{
-/// A cloud of this solid fraction, as wide as the container and as dense as
-/// asked when it has shrunk.
-std::unique_ptr<dem::Engine> shrunk_cloud(const Case &parameters,
-                                          const CompactionScene &scene,
-                                          double solid_fraction)
-{
-  const double dense = parameters.filling.density / parameters.stone.density;
-  const double shrink = std::cbrt(solid_fraction / dense);
-  const double width = scene.room.width_x / shrink;
-  dem::InsertionBox cloud;
-  cloud.lower = {-0.5 * width, -0.5 * width, 0.};
-  cloud.upper = {0.5 * width, 0.5 * width,
-                 parameters.container.height / shrink};
-  cloud.is_round = true;
-  dem::Random random(1);
-  const std::vector<dem::Body> &stones = scene.all.body;
-  const auto places = dem::insert_stones(stones, cloud, random);
-  auto engine = empty_container(engine_settings(parameters), scene.all,
-                                0.5 * scene.room.width_x);
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    engine->add_stone(stones[i], shrink * places[i].position,
-                      places[i].orientation);
-  return engine;
-}
-} // namespace
-
-std::unique_ptr<dem::Engine> packed_engine(const Case &parameters,
-                                           const CompactionScene &scene)
-{
-  constexpr double thinner = 0.8, thinnest = 0.01; // solid fractions [-]
-  for (double fraction = parameters.filling.solid_fraction;;
-       fraction *= thinner)
-    try
-    {
-      return shrunk_cloud(parameters, scene, fraction);
-    }
-    catch (const std::runtime_error &)
-    {
-      if (fraction < thinnest)
-        throw;
-    }
 }
 
 fem::Membrane make_tube(const Case &parameters)

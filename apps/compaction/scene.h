@@ -26,11 +26,6 @@ CompactionScene make_compaction_scene(const Case &parameters);
 
 dem::PouringParameters pouring_parameters(const FillingParameters &filling);
 
-/// All stones in the container, at random and not free of overlap, about as
-/// dense as asked: to measure what a step costs. Throws std::runtime_error.
-std::unique_ptr<dem::Engine> packed_engine(const Case &parameters,
-                                           const CompactionScene &scene);
-
 /// The flexible tube as it is built. Its flat sides touch the cylinder.
 fem::Membrane make_tube(const Case &parameters);
 

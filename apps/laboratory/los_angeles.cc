@@ -173,10 +173,11 @@ double LosAngeles::duration() const
          60. * last_turn / parameters.drum.turns_per_minute;
 }
 
-/// The stones have fallen, and the first of them are on their way up.
-double LosAngeles::settling_time() const
+/// Until the stones have fallen, and the drum turns.
+void LosAngeles::hasten()
 {
-  return parameters.drum.settling_time;
+  while (!is_turning)
+    advance();
 }
 
 std::string LosAngeles::phase() const

@@ -14,7 +14,7 @@ public:
 
   double share_done() const override;
   double duration() const override;
-  double settling_time() const override;
+  void hasten() override;
   std::string phase() const override;
   Due due() const override;
   double progress_at(double time) const override; ///< turns [-]

@@ -6,15 +6,12 @@
 #include "laboratory/los_angeles.h"
 #include "laboratory/single_particle.h"
 #include "run/contact_places.h"
-#include "run/forecast.h"
-#include "run/thread_choice.h"
 #include "subgrade/subgrade.h"
 
 #include <dem/io/binary.h>
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <utility>
 
 namespace spall
@@ -50,15 +47,18 @@ LabTest::LabTest(const Case &c, ShapeLibrary library,
 void LabTest::advance()
 {
   if (watch.is_due(engine().n_steps() / steps_in_move()))
-  {
-    watch.look(engine(), surroundings(), step);
-    if (!watch.is_fixed())
-      step = watch.state().longest;
-  }
+    look_at_contacts();
   watch.note_used(step);
   move(step);
   if (!stopped_by.empty())
     throw coupling::GuardStop(std::exchange(stopped_by, {}));
+}
+
+void LabTest::look_at_contacts()
+{
+  watch.look(engine(), surroundings(), step);
+  if (!watch.is_fixed())
+    step = watch.state().longest;
 }
 
 void LabTest::begin_steps(const TimeParameters &rule, double cap)
@@ -88,29 +88,6 @@ try
 catch (const coupling::GuardStop &stop)
 {
   stopped_by = stop.what();
-}
-
-/// The first steps are run to see how fast simulated time goes by.
-void LabTest::print_forecast()
-{
-  constexpr int n_steps = 20000;
-  ThreadChoice threads(parameters.threads);
-  const auto step_on = [&]
-  {
-    threads.before_step();
-    advance();
-  };
-  while (engine().time() < settling_time() && share_done() < 1.)
-    step_on();
-  const double from = engine().time();
-  const Stopwatch stopwatch;
-  for (int k = 0; k < n_steps && share_done() < 1.; ++k)
-    step_on();
-  const double spent = stopwatch.seconds();
-  const double done = engine().time() - from;
-  std::printf("predicted time   %.3g s for %.4g s of the test (%.3g s of it "
-              "from %.3g s on took %.3g s)\n",
-              spent * duration() / done, duration(), done, from, spent);
 }
 
 void LabTest::stop_after(int)

@@ -71,14 +71,12 @@ public:
   {
     return engine().particles();
   }
-  /// What comes before is no measure of the cost of the test [s].
-  virtual double settling_time() const { return 0.; }
-  /// Prints what `spall check` says besides stones, step and memory: how long
-  /// it will take.
-  virtual void print_forecast();
-  /// Of a step of the run, what steps just after the preparation do not show
-  /// [s].
-  virtual double unseen_cost() { return 0.; }
+  /// Prints what `spall check` says besides stones, step, memory and time.
+  virtual void describe() const {}
+  /// On to what a step costs for most of duration(), from the beginning or from
+  /// where the stones are prepared, and by shortcuts: what is measured from
+  /// then on is worth nothing. Throws as advance() does.
+  virtual void hasten() {}
 
   /// The row of history.csv now: what the test measures, then counts and
   /// energies.
@@ -140,6 +138,8 @@ protected:
   void change_steps(const TimeParameters &rule, double cap);
   /// The first steps of a test, likewise.
   void begin_steps(const TimeParameters &rule, double cap);
+  /// Steps as the contacts allow them now: at once, where a scene has changed.
+  void look_at_contacts();
   void say_prepared() const;
   /// The boundaries take their speed and the engine a step, or
   /// steps_in_move() of them.

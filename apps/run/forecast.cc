@@ -5,26 +5,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
-#include <omp.h>
 
 namespace spall
 {
-namespace
-{
-constexpr double frozen = 1e-15; // step [s]: nothing moves
-constexpr int n_steps = 200;
-
-template <class Step>
-double mean_cost(const Step &step)
-{
-  const Stopwatch watch;
-  for (int k = 0; k < n_steps; ++k)
-    step();
-  return watch.seconds() / n_steps;
-}
-} // namespace
-
 Stopwatch::Stopwatch()
     : started(std::chrono::steady_clock::now()), processor(processor_seconds())
 {
@@ -67,29 +50,5 @@ void print_predicted(double duration, const MeanStep &step)
   std::printf("predicted time   %.3g s for %.4g steps of %.3g s after the "
               "preparation (%.3g ms each)\n",
               step.cost * n, n, step.length, 1e3 * step.cost);
-}
-
-double still_step_cost(dem::Engine &engine, int threads)
-{
-  engine.advance_unseen(frozen); // makes the lists
-  double least = std::numeric_limits<double>::infinity();
-  for (const int n : thread_candidates(threads))
-  {
-    omp_set_num_threads(n);
-    least = std::min(least, mean_cost([&] { engine.advance_unseen(frozen); }));
-  }
-  return least;
-}
-
-double still_step_cost(fem::Membrane &membrane)
-{
-  const std::vector<Eigen::Vector3d> load(membrane.n_nodes(),
-                                          Eigen::Vector3d::Zero());
-  return mean_cost(
-      [&]
-      {
-        membrane.begin_step(frozen);
-        membrane.end_step(load, frozen);
-      });
 }
 } // namespace spall

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <dem/engine.h>
-#include <fem/membrane.h>
 
 #include <chrono>
 #include <functional>
@@ -36,11 +35,4 @@ MeanStep time_steps(const dem::Engine &engine, int threads,
 
 /// The line for a test of this length after its preparation [s].
 void print_predicted(double duration, const MeanStep &step);
-
-/// Cost of one step of stones as they lie, nothing moves, with so many
-/// threads; 0: as many as are fastest [s].
-double still_step_cost(dem::Engine &engine, int threads);
-
-/// Cost of one step of the membrane alone [s].
-double still_step_cost(fem::Membrane &membrane);
 } // namespace spall

@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "subgrade/ground.h"
 
+#include <dem/integrate/contact_springs.h>
 #include <fem/disc_mesh.h>
 
 #include <algorithm>
@@ -322,6 +323,19 @@ void Subgrade::note_due(double before)
       has_passed(is_loading ? r.row_interval : patience * r.row_interval);
   due_now.frame = is_loading && has_passed(r.frame_interval);
   due_now.checkpoint = has_passed(r.checkpoint_interval);
+}
+
+void Subgrade::describe() const
+{
+  std::printf("in a corner      %.4g s (the same stone on three walls)\n",
+              dem::corner_step(engine().parameters(), scene.all));
+  std::printf("subgrade         %zu cells, %zu nodes, %s\n", mesh_size.first,
+              mesh_size.second,
+              solid ? "full" : "condensed on the nodes of its top");
+  std::printf("loading          %.4g s of pulses, impulse %.4g N s, then %.4g "
+              "s of rest\n",
+              pulses.duration(), pulses.impulse(),
+              parameters.subgrade.pulse.rest);
 }
 
 double Subgrade::plate_settlement() const

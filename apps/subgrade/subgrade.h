@@ -38,8 +38,8 @@ public:
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
   const dem::Particles &all_stones() const override { return scene.all; }
-  void print_forecast() override;
-  double unseen_cost() override;
+  void describe() const override;
+  void hasten() override;
   int steps_in_move() const override;
 
 private:
@@ -81,6 +81,7 @@ private:
   void build_axis(const fem::SolidMesh &mesh);
   void build_plate(double height);
   void pour(double time_step);
+  void pack();
   void set_plate_down();
   void place(double time_step);
   void load_plate(double time_step);

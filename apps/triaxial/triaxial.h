@@ -113,6 +113,9 @@ public:
   {
     call_prepared = std::move(call);
   }
+  /// Past the preparation by shortcuts, to see what steps cost: what is
+  /// measured from then on is worth nothing.
+  void hasten();
   /// The specimen at that moment, bit for bit, and back from there into any
   /// test of the same preparation_text(): the test goes on with the
   /// consolidation as if it had prepared itself.

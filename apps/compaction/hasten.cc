@@ -1,0 +1,40 @@
+#include "compaction/compaction.h"
+#include "run/rough_packing.h"
+
+namespace spall
+{
+namespace
+{
+constexpr double slippery = 0.05; // friction [-]
+}
+
+void Compaction::hasten()
+{
+  const auto at_plate = [this] { return plate_plane().point.z(); };
+  if (now.stage == Stage::filling)
+  {
+    pack();
+    hand_over(at_plate());
+  }
+  if (!joined)
+    join(at_plate());
+  let_go(engine().time() - parameters.plate.seating_time);
+  start_vibration();
+  look_at_contacts();
+}
+
+/// What the filling would come to, about.
+void Compaction::pack()
+{
+  const std::vector<dem::Body> &bodies = scene.all.body;
+  const auto places = crowd(bodies, scene.room, parameters.container.height,
+                            parameters.filling.solid_fraction);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    engine().add_stone(bodies[i], places[i].position, places[i].orientation);
+  relax(engine(), time_step());
+  // Strokes on every layer pack denser than one press would.
+  engine().set_friction(slippery);
+  press(engine(), pouring.tamper(), weight(), time_step());
+  engine().set_friction(parameters.stone.friction);
+}
+} // namespace spall

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <dem/engine.h>
+#include <dem/packing/insertion.h>
+#include <dem/packing/pouring.h>
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace spall
+{
+// Stones packed in seconds, to see what steps cost: what is measured in such a
+// packing is worth nothing.
+
+/// Places at random in a room that is full up to a height [m], not free of
+/// overlap: of a cloud of this solid fraction, or a thinner one if stones do
+/// not find a place, drawn together. Throws std::runtime_error if none does.
+std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
+                                  const dem::Room &room, double height,
+                                  double solid_fraction);
+
+/// Overlaps of a random packing go until hardly any are left; steps are as long
+/// as contacts allow and at most this long [s].
+void relax(dem::Engine &engine, double longest_step);
+
+/// Steps like those of relax() until it is over, or for forty seconds; `steer`
+/// comes before each with its length [s].
+void run_roughly(dem::Engine &engine, double longest_step,
+                 const std::function<void(double)> &steer,
+                 const std::function<bool()> &is_over);
+
+/// A plane comes down from above the stones until they carry the load [N], and
+/// stays there.
+void press(dem::Engine &engine, std::size_t plane, double load,
+           double longest_step);
+} // namespace spall

@@ -1,0 +1,37 @@
+#include "case/gravity.h"
+#include "run/rough_packing.h"
+#include "subgrade/subgrade.h"
+
+namespace spall
+{
+void Subgrade::hasten()
+{
+  if (now.stage == Stage::pouring)
+  {
+    pack();
+    set_plate_down();
+  }
+  if (now.stage == Stage::placing)
+    start_loading();
+  look_at_contacts();
+}
+
+/// What the pouring would come to, about, as far as the plate presses on it.
+void Subgrade::pack()
+{
+  const LayerParameters &l = parameters.subgrade.layer;
+  const LoadPlateParameters &p = parameters.subgrade.plate;
+  const std::vector<dem::Body> &bodies = scene.all.body;
+  const double height =
+      solid_volume(scene.all) / (scene.room.section() * l.solid_fraction);
+  const auto places =
+      crowd(bodies, scene.room, height, l.initial_solid_fraction);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    engine().add_stone(bodies[i], places[i].position, places[i].orientation);
+  relax(engine(), time_step());
+  press(engine(), pouring.tamper(), p.mass * gravity + p.static_load,
+        time_step());
+  engine().deactivate_plane(pouring.tamper());
+  engine().set_friction(parameters.stone.friction);
+}
+} // namespace spall
