@@ -32,7 +32,7 @@ summary = json.loads((folder / "summary.json").read_text())
 for name, key, text in (
         ("permanent axial strain", "permanent_axial_strain_1", "{:.4%}"),
         ("settlement", "settlement_m", "{:.4g} m"),
-        ("density", "density_kg_m3", "{:.1f} kg/m^3"),
+        ("density", "density_kg_per_m3", "{:.1f} kg/m^3"),
         ("settlement of the plate", "plate_settlement_m", "{:.4g} m"),
         ("settlement of the ground", "subgrade_settlement_m", "{:.4g} m"),
         ("force at the first event", "first_event_force_N", "{:.4g} N"),

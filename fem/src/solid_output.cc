@@ -13,10 +13,12 @@ namespace
 using Patch = dealii::DataOutBase::Patch<3, 3>;
 
 const std::vector<std::string> names{
-    "displacement_m", "displacement_m", "displacement_m", "velocity_m_s",
-    "velocity_m_s",   "velocity_m_s",   "load_N",         "load_N",
-    "load_N",         "stress_xx_Pa",   "stress_yy_Pa",   "stress_zz_Pa",
-    "stress_yz_Pa",   "stress_zx_Pa",   "stress_xy_Pa",   "layer_1"};
+    "displacement_m",   "displacement_m",   "displacement_m",
+    "velocity_m_per_s", "velocity_m_per_s", "velocity_m_per_s",
+    "load_N",           "load_N",           "load_N",
+    "stress_xx_Pa",     "stress_yy_Pa",     "stress_zz_Pa",
+    "stress_yz_Pa",     "stress_zx_Pa",     "stress_xy_Pa",
+    "layer_1"};
 
 /// Every cell by itself: hanging nodes need no care.
 Patch make_patch(const SolidMesh &mesh, const SolidFields &fields,
@@ -58,7 +60,7 @@ void write_solid_vtu(const std::string &path, const SolidMesh &mesh,
       dealii::DataComponentInterpretation::component_is_part_of_vector;
   dealii::DataOutBase::write_vtu(patches, names,
                                  {{0, 2, "displacement_m", vector},
-                                  {3, 5, "velocity_m_s", vector},
+                                  {3, 5, "velocity_m_per_s", vector},
                                   {6, 8, "load_N", vector}},
                                  dealii::DataOutBase::VtkFlags(), file);
   if (!file)
