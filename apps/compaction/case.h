@@ -33,7 +33,8 @@ struct FillingParameters
   double density = 1760.; ///< mass of stones over volume of container [kg/m^3]
   int layers = 4;
   double solid_fraction = 0.2;    ///< of the cloud that falls [-]
-  double friction = 0.5;          ///< stone on stone while filling [-]
+  double friction = 1.2;          ///< stone on stone while filling [-]
+  double friction_decay = 0.7;    ///< left by strokes that do not do [-]
   double local_damping = 0.5;     ///< D_a while filling [-]
   double tamper_speed = 0.1;      ///< [m/s]
   double tamper_pressure = 300e3; ///< at which the tamper turns back [Pa]

@@ -43,8 +43,15 @@ void add_filling(List &list, FillingParameters &f)
   list.add({"solid_fraction", "-", "Of the cloud of a layer that falls in.",
             "random insertion jams above"},
            f.solid_fraction, above(0., 0.35));
-  list.add({"friction", "-", "Stone on stone while filling; low is dense."},
-           f.friction, between(0., 10.));
+  list.add(
+      {"friction", "-",
+       "Stone on stone while filling, to begin with: high is loose, and the "
+       "tamper makes dense what is looser than asked."},
+      f.friction, between(0., 10.));
+  list.add({"friction_decay", "-",
+            "Share of it left by each stroke that meets tamper_pressure above "
+            "the density, when all stones are in; 1: the friction stays."},
+           f.friction_decay, above(0., 1.));
   list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while filling."},
            f.local_damping, below(0., 1.));
   list.add({"tamper_speed", "m/s", "Of the tamper, down and up."},

@@ -90,6 +90,7 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
                       {"density_kg_per_m3", layer.density},
                       {"tamper_pressure_Pa", layer.pressure},
                       {"strokes", layer.strokes},
+                      {"friction_1", layer.friction},
                       {"time_s", layer.time}});
   dem::Pouring::Layer top;
   if (!pouring.layers().empty())

@@ -15,6 +15,8 @@ namespace
 constexpr std::int64_t rest_interval = 200;
 /// Over which the pressure of the tamper is averaged [s].
 constexpr double averaging_time = 2e-4;
+/// Below which stones might as well slide freely [-].
+constexpr double least_friction = 0.01;
 /// Of the tamper above what it does not touch, over the width of the room [-].
 constexpr double clearance = 1e-3;
 
@@ -235,15 +237,32 @@ void Pouring::lift(Engine &engine)
   if (tamper.force.z() != 0. || height < now.level + clearance * room.width_x)
     return;
   engine.deactivate_plane(plane);
+  if (goes_on(engine))
+    return enter(Stage::settling, engine);
+  close_layer(engine);
+}
+
+/// Another stroke on a layer that is too loose: deeper, or with less friction.
+bool Pouring::goes_on(Engine &engine)
+{
   const double missing = now.level - goal();
-  if (missing > parameters.tolerance * goal() &&
-      now.peak < parameters.tamper_pressure &&
-      now.strokes < parameters.max_strokes)
+  if (missing <= parameters.tolerance * goal())
+    return false;
+  if (now.peak < parameters.tamper_pressure)
   {
     now.depth -= missing;
-    return enter(Stage::settling, engine);
+    return now.strokes < parameters.max_strokes + now.decays;
   }
-  close_layer(engine);
+  const double friction =
+      parameters.friction_decay * engine.parameters().stone.friction;
+  if (parameters.friction_decay == 1. || finished.size() + 1 < bodies.size() ||
+      friction < least_friction)
+    return false;
+  engine.set_friction(friction);
+  ++now.decays;
+  now.peak = 0.;
+  now.depth = goal();
+  return true;
 }
 
 void Pouring::close_layer(Engine &engine)
@@ -251,6 +270,7 @@ void Pouring::close_layer(Engine &engine)
   Layer layer;
   layer.mass = now.mass;
   layer.time = engine.time();
+  layer.friction = engine.parameters().stone.friction;
   if (parameters.density > 0.)
   {
     layer.height = now.level;

@@ -183,6 +183,32 @@ TEST(Pouring, CylinderIsFilledToTheDensity)
       << e.gravity_work << " " << e.plane_work;
 }
 
+// Rough stones under a gentle tamper stay too loose, until they are less rough.
+TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
+{
+  dem::PouringParameters how = to_density();
+  how.friction = 0.6;
+  how.tamper_pressure = 2e4;
+  Scene rough(cylinder, how, stones(), 0.4);
+  rough.run();
+  EXPECT_LT(rough.pouring.layers()[2].density, 0.985 * how.density);
+  EXPECT_EQ(rough.pouring.layers()[2].friction, 0.6);
+
+  how.friction_decay = 0.6;
+  Scene scene(cylinder, how, stones(), 0.4);
+  scene.run();
+  const auto layers = scene.pouring.layers();
+  std::printf("%.5g, then %.5g kg/m^3 after %d strokes, friction %.4g\n",
+              rough.pouring.layers()[2].density, layers[2].density,
+              static_cast<int>(layers[2].strokes), layers[2].friction);
+  // Lower layers are left as they are.
+  EXPECT_EQ(layers[1].friction, 0.6);
+  EXPECT_EQ(layers[1].density, rough.pouring.layers()[1].density);
+  EXPECT_NEAR(layers[2].density, how.density, 5e-3 * how.density);
+  EXPECT_LT(layers[2].friction, 0.5);
+  EXPECT_EQ(scene.engine.parameters().stone.friction, 0.4);
+}
+
 TEST(Pouring, GoesOnBitForBit)
 {
   const auto make = []

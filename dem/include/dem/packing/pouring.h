@@ -32,7 +32,10 @@ struct PouringParameters
   double tamper_pressure = 2e5; ///< at which the tamper turns back [Pa]
   double level_pressure = 5e3;  ///< under which the height is taken [Pa]
   int max_strokes = 4;          ///< of the tamper on one layer
-  double tolerance = 2e-3;      ///< of the density; no more strokes [-]
+  /// Share of the friction left by each stroke that meets its pressure above
+  /// the density, when all stones are in; 1: the friction stays [-].
+  double friction_decay = 1.;
+  double tolerance = 2e-3; ///< of the density; no more strokes [-]
   /// Of stones at rest: sum of the resultant forces over the weight; before the
   /// tamper comes ten times as much will do [-].
   double unbalanced_ratio = 1e-3;
@@ -47,8 +50,9 @@ std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n);
 /// to rest, and is tamped by a plane that comes down until it is felt and the
 /// density is reached (a stroke that springs back is followed by a deeper one)
 /// or its pressure is at the limit. Layers thinner than their largest stones
-/// may stay looser than the whole becomes, and stones that slide easily may be
-/// denser than asked before the tamper comes: Layer says what was reached. At
+/// may stay looser than the whole becomes; if the whole is looser than asked,
+/// strokes go on with less and less friction. Stones that slide easily may be
+/// denser than asked before the tamper comes. Layer says what was reached. At
 /// last the stones get their friction back and come to rest. Gravity, damping
 /// and steps are the caller's.
 class Pouring
@@ -72,6 +76,7 @@ public:
     double density = 0.;  ///< mass over room [kg/m^3]
     double pressure = 0.; ///< largest of the tamper, mean of 0.2 ms [Pa]
     double time = 0.;     ///< when it was done [s]
+    double friction = 0.; ///< of the stones under the last stroke [-]
     std::int64_t strokes = 0;
   };
 
@@ -108,6 +113,7 @@ private:
   void lower_tamper(Engine &engine);
   void tamp(Engine &engine);
   void lift(Engine &engine);
+  bool goes_on(Engine &engine);
   void close_layer(Engine &engine);
   void enter(Stage next, const Engine &engine);
   void follow_pressure(const Engine &engine, double time_step);
@@ -118,6 +124,7 @@ private:
   {
     Stage stage = Stage::waiting;
     std::int32_t strokes = 0; ///< on the present layer
+    std::int64_t decays = 0;  ///< of the friction
     double since = 0.;        ///< when the stage began [s]
     double mass = 0.;         ///< of the stones so far [kg]
     double depth = 0.;        ///< that a stroke goes to above the floor [m]
