@@ -95,6 +95,12 @@ LanePlanar operator*(const LaneMatrix &m, const LanePlanar &v)
   return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y};
 }
 
+/// None in the other lanes.
+LanePlanar only(const LaneMask &mask, const LanePlanar &v)
+{
+  return {select(mask, v.x, Lanes(0.)), select(mask, v.y, Lanes(0.))};
+}
+
 Lanes dot(const LanePlanar &u, const LanePlanar &v)
 {
   return u.x * v.x + u.y * v.y;

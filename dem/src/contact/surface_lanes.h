@@ -126,11 +126,13 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
     relocate(task, k, is_lost, sum);
     pair = approach_pair(task, k, a, b);
   }
-  const LaneStep &step = pair.step;
-  const LaneMask is_there = is_valid && step.is_sound;
+  // A contact that ends here gets no step: its old force works where it was.
+  const LaneMask is_there = is_valid && pair.step.is_sound;
+  const LaneStep step{only(is_there, pair.step.on_a),
+                      only(is_there, pair.step.on_b),
+                      select(is_there, pair.step.overlap, Lanes(0.)), is_there};
   SurfaceGeometry geometry;
-  geometry.overlap =
-      counted_overlap(task, k, select(is_there, step.overlap, Lanes(0.)));
+  geometry.overlap = counted_overlap(task, k, step.overlap);
   const LanePlanar turn = pair.bend_a.matrix * step.on_a;
   geometry.normal =
       normalised(pair.on_a.normal + planar_in_world(pair.frame, turn));
@@ -279,9 +281,10 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
     at = approach_wall(task, k, a, wall);
   }
   const LaneMask is_there = is_near && at.is_sound;
+  at.step = only(is_there, at.step);
+  at.overlap = select(is_there, at.overlap, Lanes(0.));
   SupportGeometry geometry;
-  geometry.overlap =
-      counted_overlap(task, k, select(is_there, at.overlap, Lanes(0.)));
+  geometry.overlap = counted_overlap(task, k, at.overlap);
   const LaneVector aside = at.on_a.arm + planar_in_world(at.frame, at.step);
   // On the normal the contact is half way into the wall.
   geometry.arm =
