@@ -34,7 +34,7 @@ struct FillingParameters
   int layers = 4;
   double solid_fraction = 0.2;    ///< of the cloud that falls [-]
   double friction = 1.2;          ///< stone on stone while filling [-]
-  double friction_decay = 0.7;    ///< left by strokes that do not do [-]
+  double friction_decay = 0.7;    ///< per stroke on what stays loose [-]
   double local_damping = 0.5;     ///< D_a while filling [-]
   double tamper_speed = 0.1;      ///< [m/s]
   double tamper_pressure = 300e3; ///< at which the tamper turns back [Pa]

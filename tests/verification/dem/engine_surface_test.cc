@@ -93,8 +93,6 @@ TEST(Surface, CollisionsKeepMomentaAndEnergy)
   }
 }
 
-// Two ellipsoids pole to pole: Hertz with A = B sums of known curvatures. At
-// rest under a given overlap the force is C_H delta^(3/2).
 // At 40 m/s stones go so deep that contacts lose their place and end: what they
 // held is booked, and nothing else (half of the energy was, for one of these).
 TEST(Surface, ContactsThatLoseTheirPlaceKeepTheBooks)
@@ -120,6 +118,8 @@ TEST(Surface, ContactsThatLoseTheirPlaceKeepTheBooks)
   EXPECT_LT(worst, 3e-3);
 }
 
+// Two ellipsoids pole to pole: Hertz with A = B sums of known curvatures. At
+// rest under a given overlap the force is C_H delta^(3/2).
 TEST(Surface, ForceOnThePoleIsHertz)
 {
   const Vec3 axes(0.012, 0.010, 0.008);

@@ -196,6 +196,9 @@ TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
 
   how.friction_decay = 0.6;
   Scene scene(cylinder, how, stones(), 0.4);
+  while (scene.engine.parameters().stone.friction > 0.6 * 0.5)
+    scene.advance();
+  const std::string kept = state_of(scene); // friction has fallen twice
   scene.run();
   const auto layers = scene.pouring.layers();
   std::printf("%.5g, then %.5g kg/m^3 after %d strokes, friction %.4g\n",
@@ -207,6 +210,13 @@ TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
   EXPECT_NEAR(layers[2].density, how.density, 5e-3 * how.density);
   EXPECT_LT(layers[2].friction, 0.5);
   EXPECT_EQ(scene.engine.parameters().stone.friction, 0.4);
+
+  Scene resumed(cylinder, how, stones(), 0.4);
+  std::istringstream in(kept, std::ios::binary);
+  resumed.pouring.restore(in);
+  resumed.engine.restore(in, {});
+  resumed.run();
+  EXPECT_EQ(state_of(resumed), state_of(scene));
 }
 
 TEST(Pouring, GoesOnBitForBit)
