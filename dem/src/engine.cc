@@ -67,8 +67,10 @@ double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
   return std::sqrt(square);
 }
 
-/// Fewer stones lie in the cache in any order.
-constexpr std::size_t sorted_from = 2048;
+/// From here on stones are put in order of place: neighbours lie near each
+/// other in the caches, and few loads go to stones of other ranges of contacts
+/// and other threads.
+constexpr std::size_t sorted_from = 128;
 
 /// Steps that a rebuild of the lists is worth.
 constexpr double rebuild_of_centres = 8., rebuild_of_surfaces = 50.;

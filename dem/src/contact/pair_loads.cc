@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace dem
 {
@@ -45,7 +46,9 @@ std::vector<Foreign> find_foreign(const ContactBatch &pairs)
 std::int64_t range_size(std::int64_t n_contacts)
 {
   constexpr auto block = static_cast<std::int64_t>(ContactBatch::block);
-  const std::int64_t size = std::clamp<std::int64_t>(n_contacts / 32, 64, 8192);
+  const std::int64_t least = std::clamp<std::int64_t>(n_contacts / 8, 64, 256);
+  const std::int64_t size =
+      std::clamp<std::int64_t>(n_contacts / 32, least, 8192);
   return (size + block - 1) / block * block;
 }
 
@@ -72,22 +75,17 @@ void PairLoads::prepare(ContactBatch &pairs)
   halo.assign(static_cast<std::size_t>(n_rows), StoneLoad{});
 }
 
-void PairLoads::clear()
-{
-  std::fill(halo.begin(), halo.end(), StoneLoad{});
-}
-
-void PairLoads::add_halo(std::vector<StoneLoad> &load) const
+void PairLoads::add_halo(std::vector<StoneLoad> &load)
 {
   const auto n = static_cast<std::int64_t>(stone.size());
   // A few rows are added sooner than threads are woken.
-#pragma omp parallel for schedule(static) if (n >= 2000)
+#pragma omp parallel for schedule(static) if (n >= 256)
   for (std::int64_t s = 0; s < n; ++s)
   {
     const auto entry = static_cast<std::size_t>(s);
     StoneLoad &sum = load[static_cast<std::size_t>(stone[entry])];
     for (std::int32_t row = start[entry]; row < start[entry + 1]; ++row)
-      sum += halo[static_cast<std::size_t>(row)];
+      sum += std::exchange(halo[static_cast<std::size_t>(row)], StoneLoad{});
   }
 }
 } // namespace dem

@@ -11,8 +11,9 @@ namespace
 {
 static_assert(sizeof(TurningFrame) == kernel::frame_row * sizeof(double));
 
-/// Stones that one thread moves in turn; fewer are moved by one thread.
-constexpr std::int64_t range = 1024;
+/// Stones that one thread moves in turn, and how many are worth threads: those
+/// that a thread loads and moves are still in its cache.
+constexpr std::int64_t range = 64, n_worth_threads = 256;
 
 template <class Row>
 double *numbers(std::vector<Row> &rows)
@@ -47,7 +48,7 @@ Speeds move_all(const kernel::Motion &motion, std::size_t n_stones)
   double moving = 0., closing = 0.;
 #pragma omp parallel for schedule(static)                                      \
     reduction(max                                                              \
-              : moving, closing) if (n > range)
+              : moving, closing) if (n >= n_worth_threads)
   for (std::int64_t first = 0; first < n; first += range)
   {
     const kernel::Fastest fastest =

@@ -19,11 +19,9 @@ public:
   /// Sets ContactBatch::target: a stone, or -1 - row of the halo.
   void prepare(ContactBatch &pairs);
 
-  /// Sets the rows of the halo to zero.
-  void clear();
   StoneLoad *halo_rows() { return halo.data(); }
-  /// Adds the halo to the loads of the stones.
-  void add_halo(std::vector<StoneLoad> &load) const;
+  /// Adds the halo to the loads of the stones; it is zero then.
+  void add_halo(std::vector<StoneLoad> &load);
 
 private:
   std::vector<StoneLoad> halo;
@@ -31,7 +29,8 @@ private:
   std::vector<std::int32_t> start; ///< their first row, and the number of rows
 };
 
-/// Contacts of a range: some 32 ranges, neither so short that their ends cost
-/// nor so long that a thread gets none; a multiple of ContactBatch::block.
+/// Contacts of a range: some 32 ranges, of few contacts eight, neither so short
+/// that their ends and halos cost nor so long that a thread gets none; a
+/// multiple of ContactBatch::block.
 std::int64_t range_size(std::int64_t n_contacts);
 } // namespace dem
