@@ -54,12 +54,14 @@ void CellGrid::visit_box(const Vec3 &lower, const Vec3 &upper,
   const auto from = cell_of(lower), to = cell_of(upper);
   for (std::int64_t z = from[2]; z <= to[2]; ++z)
     for (std::int64_t y = from[1]; y <= to[1]; ++y)
-      for (std::int64_t x = from[0]; x <= to[0]; ++x)
-      {
-        const auto cell = static_cast<std::size_t>((z * n[1] + y) * n[0] + x);
-        for (std::int32_t m = start[cell]; m < start[cell + 1]; ++m)
-          visit(member[static_cast<std::size_t>(m)],
-                place[static_cast<std::size_t>(m)]);
-      }
+    {
+      // Cells side by side along x: so are their members.
+      const std::int64_t row = (z * n[1] + y) * n[0];
+      const auto first = static_cast<std::size_t>(row + from[0]),
+                 end = static_cast<std::size_t>(row + to[0] + 1);
+      for (std::int32_t m = start[first]; m < start[end]; ++m)
+        visit(member[static_cast<std::size_t>(m)],
+              place[static_cast<std::size_t>(m)]);
+    }
 }
 } // namespace dem
