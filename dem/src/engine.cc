@@ -73,7 +73,7 @@ double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
 constexpr std::size_t sorted_from = 128;
 
 /// Steps that a rebuild of the lists is worth.
-constexpr double rebuild_of_centres = 8., rebuild_of_surfaces = 50.;
+constexpr double rebuild_of_centres = 8., rebuild_of_surfaces = 25.;
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -278,6 +278,7 @@ void Engine::rebuild_lists()
   for (SurfaceContacts &facets : facet_surfaces)
     rebuild_facet_list(facets);
   facets_are_stale = false;
+  std::fill(pair_batch.wake.begin(), pair_batch.wake.end(), 0.);
   pair_loads.prepare(pair_batch);
   steepest = branch_steepness();
   lists_are_stale = false;
@@ -366,7 +367,8 @@ double Engine::branch_steepness() const
 
 ForceContext Engine::context(double time_step)
 {
-  return {settings, elasticity, stones, time_step, travelled, stride};
+  return {settings,  elasticity, stones,     time_step,
+          travelled, stride,     travel.gaps};
 }
 
 bool Engine::evaluate_contacts(double time_step)

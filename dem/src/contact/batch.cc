@@ -1,5 +1,9 @@
 #include <dem/contact/batch.h>
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 namespace dem
 {
 namespace
@@ -26,6 +30,30 @@ double SideColumns::local_radius(std::size_t k,
   return radius[k] + dot(gradient[k], w) +
          0.5 * (h(0) * w.x * w.x + h(1) * w.y * w.y + h(2) * w.z * w.z) +
          h(3) * w.x * w.y + h(4) * w.x * w.z + h(5) * w.y * w.z;
+}
+
+/// A counting sort by A of short rows.
+std::vector<std::int32_t> ContactBatch::by_pair() const
+{
+  const std::int32_t n_stones =
+      n == 0 ? 0 : 1 + *std::max_element(a.begin(), a.begin() + n);
+  std::vector<std::int32_t> start(static_cast<std::size_t>(n_stones) + 1, 0);
+  for (std::size_t k = 0; k < n; ++k)
+    ++start[static_cast<std::size_t>(a[k]) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::int32_t> order(n);
+  std::vector<std::int32_t> next(start.begin(), start.end() - 1);
+  for (std::size_t k = 0; k < n; ++k)
+    order[static_cast<std::size_t>(next[static_cast<std::size_t>(a[k])]++)] =
+        static_cast<std::int32_t>(k);
+  const auto key = [this](std::int32_t k)
+  { return std::pair(b[static_cast<std::size_t>(k)], k); };
+  for (std::int32_t i = 0; i < n_stones; ++i)
+    std::sort(order.begin() + start[static_cast<std::size_t>(i)],
+              order.begin() + start[static_cast<std::size_t>(i) + 1],
+              [&key](std::int32_t k, std::int32_t l)
+              { return key(k) < key(l); });
+  return order;
 }
 
 ContactHistory<double> ContactBatch::history(std::size_t k) const

@@ -21,8 +21,10 @@ inline constexpr int load_row = 8, at_moment = 3;
 struct Stones
 {
   const double *state;
-  double *load; ///< StoneLoad
-  double *halo; ///< StoneLoad, rows of PairLoads
+  const double *travelled; ///< Particles::travelled, null: spheres
+  double gaps_travelled;   ///< Travel::gaps, of any two spheres [m]
+  double *load;            ///< StoneLoad
+  double *halo;            ///< StoneLoad, rows of PairLoads
 };
 
 template <class Number>
@@ -49,7 +51,7 @@ struct Contacts
   Vectors<float> dashpot;
   double *load; ///< StoneLoad, against walls
   const std::int32_t *target;
-  double *overlap, *normal_force, *shear_compliance, *rolling_compliance;
+  double *overlap, *wake, *normal_force, *shear_compliance, *rolling_compliance;
   Side side_a, side_b;
   const double *normal_prefactor, *shear_prefactor;
   float *twist;

@@ -7,12 +7,47 @@ namespace dem::kernel
 {
 namespace
 {
+/// How far the stones of each pair have travelled, both together.
+Lanes travel_of_pairs(const Task &task, std::int64_t k)
+{
+  const double *travelled = task.stones.travelled;
+  if (!travelled)
+    return Lanes(task.stones.gaps_travelled);
+  const std::int32_t *a = task.contacts.a + k, *b = task.contacts.b + k;
+  return Lanes([=](auto lane)
+               { return travelled[a[lane]] + travelled[b[lane]]; });
+}
+
+/// Contacts that cannot touch yet. Nothing of them changes, whatever the lanes
+/// beside them do.
+LaneMask asleep(const Task &task, std::int64_t k)
+{
+  const Lanes wake = load(task.contacts.wake + k);
+  const LaneMask sleeps = wake > 0.;
+  return any(sleeps) ? sleeps && travel_of_pairs(task, k) < wake : sleeps;
+}
+
+/// Lets those that are awake, and apart by more than 0, sleep until their
+/// stones have travelled so far.
+void fall_asleep(const Task &task, std::int64_t k, const LaneMask &is_awake,
+                 const Lanes &apart)
+{
+  const Lanes wake = load(task.contacts.wake + k);
+  const LaneMask is_open = is_awake && apart > 0.;
+  if (any(is_open || (is_awake && wake > 0.)))
+    store(select(is_awake,
+                 select(is_open, travel_of_pairs(task, k) + apart, Lanes(0.)),
+                 wake),
+          task.contacts.wake + k);
+}
+
 /// Contacts of one set of lanes as they lie.
 struct PairGeometry
 {
   LaneVector normal;
   Lanes inverse_distance;   ///< of the centres; 0 where they coincide
   Lanes radius_a, radius_b; ///< towards each other
+  Lanes gap;                ///< < 0: an overlap
   Lanes overlap;            ///< 0 where open
 
   /// From the centres to the middle of the overlap.
@@ -21,7 +56,7 @@ struct PairGeometry
 };
 
 PairGeometry locate_pairs(const Task &task, std::int64_t k, const StoneLanes &a,
-                          const StoneLanes &b)
+                          const StoneLanes &b, const LaneMask &is_awake)
 {
   const LaneQuad ball_a = a.quad(at_position), ball_b = b.quad(at_position);
   const LaneVector branch = ball_b.vector - ball_a.vector;
@@ -37,8 +72,9 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k, const StoneLanes &a,
   {
     const LaneVector on_a = side_direction(a, pair.normal);
     const LaneVector on_b = side_direction(b, -pair.normal);
-    refresh_side(task, task.contacts.side_a, k, 0, on_a, is_apart);
-    refresh_side(task, task.contacts.side_b, k, 1, on_b, is_apart);
+    const LaneMask is_looked_at = is_apart && is_awake;
+    refresh_side(task, task.contacts.side_a, k, 0, on_a, is_looked_at);
+    refresh_side(task, task.contacts.side_b, k, 1, on_b, is_looked_at);
     if (task.is_radial)
     {
       pair.radius_a = expanded_radius(task.contacts.side_a, k, on_a);
@@ -50,9 +86,9 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k, const StoneLanes &a,
     pair.radius_a = ball_a.number;
     pair.radius_b = ball_b.number;
   }
-  pair.overlap = select(
-      is_apart, stdx::max(pair.radius_a + pair.radius_b - distance, Lanes(0.)),
-      Lanes(0.));
+  pair.gap = -(pair.radius_a + pair.radius_b - distance);
+  pair.overlap =
+      select(is_apart && is_awake, stdx::max(-pair.gap, Lanes(0.)), Lanes(0.));
   return pair;
 }
 
@@ -147,9 +183,13 @@ NormalSpring<Lanes> pair_spring(const Task &task, std::int64_t k,
                                     const Target &target)
 {
   const Contacts &contacts = task.contacts;
+  const LaneMask is_awake = !asleep(task, k);
+  if (!any(is_awake))
+    return;
   const StoneLanes a(task.stones.state, contacts.a + k),
       b(task.stones.state, contacts.b + k);
-  const PairGeometry pair = locate_pairs(task, k, a, b);
+  const PairGeometry pair = locate_pairs(task, k, a, b, is_awake);
+  fall_asleep(task, k, is_awake, pair.gap);
   const Lanes overlap_before = load(contacts.overlap + k);
   if (!any(pair.overlap > 0. || overlap_before > 0.))
     return; // all is zero and stays so

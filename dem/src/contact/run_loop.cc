@@ -77,6 +77,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           numbers(batch.load),
           batch.target.data(),
           batch.overlap.data(),
+          batch.wake.data(),
           batch.normal_force.data(),
           batch.shear_compliance.data(),
           batch.rolling_compliance.data(),
@@ -120,9 +121,12 @@ kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
 static_assert(sizeof(StoneState) == kernel::stone_row * sizeof(double));
 static_assert(sizeof(StoneLoad) == kernel::load_row * sizeof(double));
 
-kernel::Stones stones_view(Particles &stones)
+kernel::Stones stones_view(const ForceContext &context)
 {
-  return {numbers(stones.state), numbers(stones.load), nullptr};
+  Particles &stones = context.particles;
+  return {numbers(stones.state),
+          stones.has_shapes ? stones.travelled.data() : nullptr,
+          context.gaps_travelled, numbers(stones.load), nullptr};
 }
 } // namespace
 
@@ -131,7 +135,7 @@ kernel::Task make_task(SurfaceOwner &owner,
 {
   const ForceContext &context = owner.context;
   kernel::Task task{};
-  task.stones = stones_view(context.particles);
+  task.stones = stones_view(context);
   task.contacts = contacts_view(owner.batch);
   task.ahead = columns_ahead(owner.batch);
   task.surfaces = {&owner, renew, mix, relocate};

@@ -72,7 +72,8 @@ struct SurfaceGeometry
 {
   LaneVector normal, normal_before;
   LaneVector arm_a, arm_b; ///< from the centres to the contact
-  Lanes overlap;           ///< counted; 0 where open
+  Lanes apart;   ///< the surfaces, where the place is open and known; else 0
+  Lanes overlap; ///< counted; 0 where open
 };
 
 /// Two surfaces before the Newton step.
@@ -132,6 +133,7 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
                       only(is_there, pair.step.on_b),
                       select(is_there, pair.step.overlap, Lanes(0.)), is_there};
   SurfaceGeometry geometry;
+  geometry.apart = stdx::max(-step.overlap, Lanes(0.));
   geometry.overlap = counted_overlap(task, k, step.overlap);
   const LanePlanar turn = pair.bend_a.matrix * step.on_a;
   geometry.normal =
@@ -179,16 +181,30 @@ ContactMotion<Lanes> surface_motion(const StoneLanes &a, const StoneLanes &b,
   return motion;
 }
 
+/// How far stones may travel before an open place is followed again: so little
+/// that it is found from where it was.
+Lanes until_looked_at(const SurfaceGeometry &pair, const StoneLanes &a,
+                      const StoneLanes &b)
+{
+  const Lanes radius =
+      stdx::min(a.quad(at_position).number, b.quad(at_position).number);
+  return stdx::min(0.25 * pair.apart, 0.25 * longest_follow * radius);
+}
+
 /// One step of `n_valid` contacts from k.
 [[gnu::flatten]] void advance_surface_pairs(const Task &task, std::int64_t k,
                                             int n_valid, Losses<Lanes> &lost,
                                             const Target &target)
 {
   const Contacts &contacts = task.contacts;
+  const LaneMask is_awake = valid_lanes(n_valid) && !asleep(task, k);
+  if (!any(is_awake))
+    return;
   const StoneLanes a(task.stones.state, contacts.a + k),
       b(task.stones.state, contacts.b + k);
   const SurfaceGeometry pair =
-      locate_surface_pairs(task, k, a, b, valid_lanes(n_valid), target.sum);
+      locate_surface_pairs(task, k, a, b, is_awake, target.sum);
+  fall_asleep(task, k, is_awake, until_looked_at(pair, a, b));
   const Lanes overlap_before = load(contacts.overlap + k);
   if (!any(pair.overlap > 0. || overlap_before > 0.))
     return; // all is zero and stays so
@@ -200,7 +216,7 @@ ContactMotion<Lanes> surface_motion(const StoneLanes &a, const StoneLanes &b,
   else
   {
     const ContactMotion<Lanes> motion = surface_motion(a, b, pair);
-    refresh_prefactors(task, k, {pair.normal, {}, {}, {}, pair.overlap},
+    refresh_prefactors(task, k, {pair.normal, {}, {}, {}, {}, pair.overlap},
                        dot(motion.spin, pair.normal));
     force = advance_contact(motion,
                             hertz_spring(load(contacts.normal_prefactor + k),

@@ -33,27 +33,27 @@ ContactNetwork contact_network(const Particles &particles,
   std::vector<int> n_of(particles.size(), 0);
   ContactNetwork network;
   double sum = 0.;
-  for (std::size_t k = 0; k < pairs.size();)
-  {
-    // Places of one pair stand together and count as one contact.
-    const std::size_t first = k;
-    Vec3 force = Vec3::Zero();
-    bool is_touching = false;
-    for (; k < pairs.size() && pairs.a[k] == pairs.a[first] &&
-           pairs.b[k] == pairs.b[first];
-         ++k)
-      if (pairs.is_touching(k))
-      {
-        is_touching = true;
-        force += pair_force(particles, pairs, k);
-      }
-    if (!is_touching)
-      continue;
-    ++network.n_contacts;
-    ++n_of[static_cast<std::size_t>(pairs.a[first])];
-    ++n_of[static_cast<std::size_t>(pairs.b[first])];
-    sum += force.norm();
-  }
+  // Places of one pair count as one contact.
+  for_each_pair(pairs,
+                [&](std::span<const std::int32_t> places)
+                {
+                  Vec3 force = Vec3::Zero();
+                  bool is_touching = false;
+                  for (const std::int32_t place : places)
+                    if (const auto k = static_cast<std::size_t>(place);
+                        pairs.is_touching(k))
+                    {
+                      is_touching = true;
+                      force += pair_force(particles, pairs, k);
+                    }
+                  if (!is_touching)
+                    return;
+                  const auto first = static_cast<std::size_t>(places.front());
+                  ++network.n_contacts;
+                  ++n_of[static_cast<std::size_t>(pairs.a[first])];
+                  ++n_of[static_cast<std::size_t>(pairs.b[first])];
+                  sum += force.norm();
+                });
   std::int64_t n_without = 0, n_with_one = 0;
   for (const int n : n_of)
   {

@@ -65,16 +65,18 @@ bool is_at_limit(const EngineParameters &parameters, const ContactBatch &pairs,
          at_limit * parameters.stone.friction * pressing;
 }
 
-/// Contacts k to `end` are of one pair of stones; false if none touches.
-bool join_places(const Engine &engine, std::size_t k, std::size_t end,
+/// `places` are of one pair of stones; false if none touches.
+bool join_places(const Engine &engine, std::span<const std::int32_t> places,
                  PairContact &contact)
 {
   const ContactBatch &pairs = engine.pairs();
-  contact = {pairs.a[k],   pairs.b[k],   Vec3::Zero(),
-             Vec3::Zero(), Vec3::Zero(), true};
+  const auto first = static_cast<std::size_t>(places.front());
+  contact = {pairs.a[first], pairs.b[first], Vec3::Zero(),
+             Vec3::Zero(),   Vec3::Zero(),   true};
   double weight = 0.;
-  for (; k < end; ++k)
+  for (const std::int32_t entry : places)
   {
+    const auto k = static_cast<std::size_t>(entry);
     if (!pairs.is_touching(k))
       continue;
     const Place place = place_of(engine, k);
@@ -120,17 +122,14 @@ Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
 
 Network contact_network_of(const Engine &engine)
 {
-  const ContactBatch &pairs = engine.pairs();
   Network network;
   PairContact contact;
-  for (std::size_t k = 0, end = 0; k < pairs.size(); k = end)
-  {
-    for (end = k; end < pairs.size() && pairs.a[end] == pairs.a[k] &&
-                  pairs.b[end] == pairs.b[k];)
-      ++end;
-    if (join_places(engine, k, end, contact))
-      network.pairs.push_back(contact);
-  }
+  for_each_pair(engine.pairs(),
+                [&](std::span<const std::int32_t> places)
+                {
+                  if (join_places(engine, places, contact))
+                    network.pairs.push_back(contact);
+                });
   add_walls(engine, engine.on_planes(), false, network.walls);
   add_walls(engine, engine.on_drum(), false, network.walls);
   for (const SurfaceContacts &facets : engine.surfaces())

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <dem/contact/batch.h>
+#include <dem/contact/pair_loads.h>
 #include <dem/particles.h>
 #include <dem/search/near_pairs.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace dem
 {
@@ -32,5 +36,27 @@ std::vector<std::int32_t> match(const std::vector<PairKey> &old_keys,
   for (; old < old_keys.size(); ++old)
     retire(old);
   return source;
+}
+
+/// Contacts that touch before those that do not, so that blocks of open ones
+/// can be passed over: window by window, so that neighbours stay near in
+/// memory. The first of a range has the lowest stone and stays, see PairLoads.
+template <class Touches>
+std::vector<std::int32_t> touching_first(std::size_t n, const Touches &touches)
+{
+  constexpr std::int64_t window = 512;
+  std::vector<std::int32_t> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  const auto end = static_cast<std::int64_t>(n);
+  const std::int64_t range = range_size(end);
+  for (std::int64_t first = 0; first < end; first += range)
+  {
+    const std::int64_t last = std::min(first + range, end);
+    for (std::int64_t from = first; from < last; from += window)
+      std::stable_partition(order.begin() + std::max(from, first + 1),
+                            order.begin() + std::min(from + window, last),
+                            touches);
+  }
+  return order;
 }
 } // namespace dem

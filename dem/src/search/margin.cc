@@ -8,7 +8,7 @@ namespace dem
 namespace
 {
 /// Cost of a listed pair that does not touch over that of one that does.
-constexpr double open_cost = 0.3;
+constexpr double open_cost = 0.15;
 /// Widths allowed and the first, over the usual one.
 constexpr double narrowest = 0.05, widest = 2., first = 0.25;
 

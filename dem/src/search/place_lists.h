@@ -7,6 +7,8 @@
 #include <dem/search/wall_places.h>
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <utility>
 
 /// Lists of places by pair of bodies: what those of stones and of walls have in
@@ -26,11 +28,8 @@ struct Row
   FacetSpot foot;           ///< on drums and facets
 };
 
-/// Entries of one pair as they were: [first, last).
-struct OldRows
-{
-  std::size_t first = 0, last = 0;
-};
+/// Numbers of the entries of one pair as they were.
+using OldRows = std::span<const std::int32_t>;
 
 /// What the entries of a batch are listed by: `b`, or what it stands for.
 using SecondOf = std::int32_t (*)(std::int32_t b);
@@ -39,29 +38,32 @@ using SecondOf = std::int32_t (*)(std::int32_t b);
 class OldList
 {
 public:
-  OldList(const ContactBatch &sorted, SecondOf second_body)
-      : batch(sorted), second_of(second_body)
+  /// `in_order`: their numbers by key.
+  OldList(const ContactBatch &its_batch, SecondOf second_body, OldRows in_order)
+      : batch(its_batch), second_of(second_body), order(in_order)
   {
   }
 
   OldRows next(const PairKey &key)
   {
-    while (at < batch.size() && key_of(at) < key)
+    while (at < order.size() && key_of(at) < key)
       ++at;
     const std::size_t first = at;
-    while (at < batch.size() && key_of(at) == key)
+    while (at < order.size() && key_of(at) == key)
       ++at;
-    return {first, at};
+    return order.subspan(first, at - first);
   }
 
 private:
-  PairKey key_of(std::size_t k) const
+  PairKey key_of(std::size_t place) const
   {
+    const std::size_t k = row_of(order[place]);
     return {batch.a[k], second_of(batch.b[k])};
   }
 
   const ContactBatch &batch;
   SecondOf second_of;
+  OldRows order;
   std::size_t at = 0;
 };
 
@@ -128,8 +130,9 @@ inline std::vector<std::size_t> alive_first(const ContactBatch &batch,
 {
   std::vector<std::size_t> alive;
   for (const bool is_touching : {true, false})
-    for (std::size_t k = old.first; k < old.last; ++k)
-      if (batch.is_touching(k) == is_touching &&
+    for (const std::int32_t entry : old)
+      if (const std::size_t k = row_of(entry);
+          batch.is_touching(k) == is_touching &&
           batch.slack[k] < kernel::closed_slack)
         alive.push_back(k);
   return alive;
@@ -140,18 +143,16 @@ inline PairList unchanged(const OldRows &old)
 {
   PairList list;
   list.is_new = false;
-  for (std::size_t k = old.first; k < old.last; ++k)
-    list.rows.push_back({static_cast<std::int32_t>(k), {}, {}});
+  for (const std::int32_t k : old)
+    list.rows.push_back({k, {}, {}});
   return list;
 }
 
 /// Makes the lists of all pairs: `make(pair, old)` that of one which is due.
 template <class Make>
 std::vector<PairList> make_lists(const std::vector<WatchedPair> &pairs,
-                                 const ContactBatch &batch, SecondOf second_of,
-                                 const Make &make)
+                                 OldList old_list, const Make &make)
 {
-  OldList old_list(batch, second_of);
   std::vector<OldRows> old;
   old.reserve(pairs.size());
   for (const WatchedPair &pair : pairs)
@@ -165,21 +166,22 @@ std::vector<PairList> make_lists(const std::vector<WatchedPair> &pairs,
 
 inline bool have_strayed(const ContactBatch &batch, const OldRows &old)
 {
-  for (std::size_t k = old.first; k < old.last; ++k)
-    if (has_strayed(batch, k))
+  for (const std::int32_t k : old)
+    if (has_strayed(batch, row_of(k)))
       return true;
   return false;
 }
 
 inline bool has_open_places(const ContactBatch &batch, const OldRows &old)
 {
-  for (std::size_t k = old.first; k < old.last; ++k)
-    if (!batch.is_touching(k))
+  for (const std::int32_t k : old)
+    if (!batch.is_touching(row_of(k)))
       return true;
   return false;
 }
 
-/// Places of the entries as they will stand, in the order of the pairs.
+/// Places of the entries as they will stand, in the order of the pairs until
+/// they are put in another one.
 struct Arrangement
 {
   std::vector<std::int32_t> source;
@@ -198,14 +200,22 @@ struct Arrangement
       }
   }
 
-  bool changes(const ContactBatch &batch) const
+  /// Whether they are others than those of `old`, in the order of the pairs.
+  bool changes(OldRows old) const { return !std::ranges::equal(source, old); }
+
+  /// Those that touch before those that do not, see touching_first().
+  void put_touching_first(const ContactBatch &batch)
   {
-    if (source.size() != batch.size())
-      return true;
-    for (std::size_t k = 0; k < source.size(); ++k)
-      if (source[k] != static_cast<std::int32_t>(k))
-        return true;
-    return false;
+    const std::vector<std::int32_t> order =
+        touching_first(source.size(),
+                       [&](std::int32_t k)
+                       {
+                         const std::int32_t from = source[row_of(k)];
+                         return from >= 0 && batch.is_touching(row_of(from));
+                       });
+    reorder_column(source, order);
+    reorder_column(key, order);
+    reorder_column(row, order);
   }
 };
 
@@ -284,6 +294,18 @@ struct Watch
   SecondOf second_of;
 };
 
+/// Numbers of the entries by what they are listed by; those on walls stand in
+/// that order.
+inline std::vector<std::int32_t> entries_by_key(const ContactBatch &batch,
+                                                bool has_partners)
+{
+  if (has_partners)
+    return batch.by_pair();
+  std::vector<std::int32_t> order(batch.size());
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
 /// `b` is the stone or the plane itself.
 inline std::int32_t itself(std::int32_t b)
 {
@@ -298,8 +320,10 @@ SpotEvents renew(const SpotSearchInput &input, const Watch<Travelled> &watch,
                  const Arranged &arranged)
 {
   std::vector<WatchedPair> &pairs = watch.pairs;
+  const std::vector<std::int32_t> old_order =
+      entries_by_key(batch, input.layout.has_partners);
   const std::vector<PairList> lists = make_lists(
-      pairs, batch, watch.second_of,
+      pairs, OldList(batch, watch.second_of, old_order),
       [&](const WatchedPair &pair, const OldRows &old)
       {
         const bool is_due =
@@ -319,12 +343,14 @@ SpotEvents renew(const SpotSearchInput &input, const Watch<Travelled> &watch,
       pairs[p].between = lists[p].between;
     }
   }
-  const Arrangement to(pairs, lists);
-  if (!to.changes(batch) && is_same_layout(input.layout, batch.layout))
+  Arrangement to(pairs, lists);
+  if (!to.changes(old_order) && is_same_layout(input.layout, batch.layout))
   {
     std::fill(batch.strayed.begin(), batch.strayed.end(), std::uint8_t{0});
     return events;
   }
+  if (input.layout.has_partners)
+    to.put_touching_first(batch);
   retire_dropped(to, batch, retired);
   arrange(input, to, batch);
   arranged(to);

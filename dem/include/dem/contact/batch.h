@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace dem
@@ -104,6 +106,9 @@ struct ContactBatch
   /// Stone against stone: where the load on B is added, see PairLoads.
   std::vector<std::int32_t> target;
   std::vector<double> overlap; ///< last; 0: open [m]
+  /// Stone against stone: an open contact cannot touch before its stones have
+  /// travelled this far (both together), and sleeps till then [m].
+  std::vector<double> wake;
   /// Elastic, last; where a linear contact has just ended < 0 [N]
   std::vector<double> normal_force;
   std::vector<double> shear_compliance;   ///< 1 / k_s, last [m/N]
@@ -124,6 +129,8 @@ struct ContactBatch
   std::vector<std::uint8_t> event;
 
   std::size_t size() const { return n; }
+  /// Numbers of the contacts by (a, b); those of one pair keep their order.
+  std::vector<std::int32_t> by_pair() const;
   bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
 
   /// Springs of contact k, as the last step left them.
@@ -153,6 +160,25 @@ private:
   std::size_t n = 0;
 };
 
+/// Calls call(contacts) with the numbers of all contacts of each pair of
+/// stones.
+template <class Call>
+void for_each_pair(const ContactBatch &pairs, const Call &call)
+{
+  const std::vector<std::int32_t> order = pairs.by_pair();
+  const auto key = [&](std::size_t place)
+  {
+    const auto k = static_cast<std::size_t>(order[place]);
+    return std::pair(pairs.a[k], pairs.b[k]);
+  };
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end)
+  {
+    for (end = first + 1; end < order.size() && key(end) == key(first);)
+      ++end;
+    call(std::span(order).subspan(first, end - first));
+  }
+}
+
 template <class Visit, class... Batches>
 void ContactBatch::visit(const BatchLayout &has, const Visit &call,
                          Batches &...batches)
@@ -167,6 +193,7 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(!has.has_partners, batches.load...);
   call(has.has_partners, batches.target...);
   call(true, batches.overlap...);
+  call(has.has_partners, batches.wake...);
   call(true, batches.normal_force...);
   call(true, batches.shear_compliance...);
   call(has.has_rolling, batches.rolling_compliance...);

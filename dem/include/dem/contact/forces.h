@@ -35,6 +35,9 @@ struct ForceContext
   /// closed a gap [m].
   double travelled = 0.;
   double stride = 0.; ///< of it, in the last step [m]
+  /// Travel::gaps: of any two spheres. Where there are shapes
+  /// Particles::travelled says it by stone.
+  double gaps_travelled = 0.;
   /// Forces stay as the last step left them, only loads are added: after some
   /// contacts were reset.
   bool adds_loads_only = false;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <shape/test_shapes.h>
 #include <sstream>
 
@@ -114,6 +115,52 @@ void expect_same(const dem::Engine &a, const dem::Engine &b)
   EXPECT_EQ(a.n_rebuilds(), b.n_rebuilds());
   EXPECT_TRUE(is_same(a, b));
 }
+
+/// The walls come nearer, so that many stones meet.
+void close_in(dem::Engine &engine)
+{
+  for (dem::Plane &plane : engine.planes())
+    plane.velocity = 3. * plane.normal;
+}
+
+/// From the centres, or from radii that the series gives [m].
+double overlap_along_branch(const dem::Engine &engine, std::int32_t i,
+                            std::int32_t j)
+{
+  const dem::Particles &stones = engine.particles();
+  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+  const dem::Vec3 branch = stones.position(b) - stones.position(a);
+  const auto reach = [&stones](std::size_t k, const dem::Vec3 &direction)
+  {
+    const dem::Body &body = stones.body[k];
+    return body.series
+               ? body.scale *
+                     dem::radius(*body.series,
+                                 stones.orientation(k).conjugate() * direction)
+               : stones.radius(k);
+  };
+  const dem::Vec3 normal = branch.normalized();
+  return reach(a, normal) + reach(b, -normal) - branch.norm();
+}
+
+/// Apart by some hundred micrometres along x, at rest.
+dem::Engine two_stones(Kind kind)
+{
+  dem::EngineParameters p;
+  if (kind == Kind::surface)
+    p.geometry.geometry = dem::ContactGeometry::surface;
+  p.breakage.is_active = false;
+  const auto series =
+      std::make_shared<const dem::Coefficients>(dem::test::random_stone(12, 8));
+  const dem::Body body = kind == Kind::spheres ? dem::make_sphere(4e-3)
+                                               : dem::make_body(series, 4e-3);
+  const double reach = body.circumscribed_radius;
+  dem::Engine engine(p);
+  for (const double side : {-1., 1.})
+    engine.add_stone(body, dem::Vec3(side * (reach + 1e-5), 0., 0.),
+                     dem::Quaternion::Identity());
+  return engine;
+}
 } // namespace
 
 TEST(ContactLoops, EveryInstructionSetGivesTheSameDigits)
@@ -176,6 +223,69 @@ TEST(ContactLoops, PairsPushBothStonesAlike)
     sum += plane.force;
   ASSERT_GT(size, 0.);
   EXPECT_LT(sum.norm(), 1e-12 * size);
+}
+
+// Open pairs sleep until they could touch. Every pair that overlaps is a
+// contact with that overlap: of spheres to round-off, of radii along the branch
+// to what their expansions are wrong by.
+TEST(ContactLoops, NoPairTouchesInItsSleep)
+{
+  for (const Kind kind : {Kind::spheres, Kind::radial})
+  {
+    dem::Engine engine = shaken_box(kind, 150);
+    close_in(engine);
+    std::int64_t n_touching = 0, n_asleep = 0;
+    for (int round = 0; round < 100; ++round)
+    {
+      support::advance(engine, 2e-6, 10);
+      const dem::ContactBatch &pairs = engine.pairs();
+      std::map<std::pair<std::int32_t, std::int32_t>, double> found;
+      for (std::size_t k = 0; k < pairs.size(); ++k)
+      {
+        found[{pairs.a[k], pairs.b[k]}] = pairs.overlap[k];
+        n_asleep += pairs.wake[k] > 0.;
+      }
+      const auto n = static_cast<std::int32_t>(engine.particles().size());
+      for (std::int32_t i = 0; i < n; ++i)
+        for (std::int32_t j = i + 1; j < n; ++j)
+          if (const double overlap = overlap_along_branch(engine, i, j);
+              overlap > 1e-7)
+          {
+            ++n_touching;
+            const auto pair = found.find({i, j});
+            ASSERT_NE(pair, found.end());
+            EXPECT_NEAR(pair->second, overlap,
+                        kind == Kind::spheres ? 1e-15 : 1e-7);
+          }
+    }
+    EXPECT_GT(n_touching, 300);
+    EXPECT_GT(n_asleep, 1000);
+  }
+}
+
+// Two stones that fly at each other without spin come nearer as fast as any two
+// can: a contact that slept one per cent too long would begin with an overlap
+// of many steps.
+TEST(ContactLoops, StonesThatMeetHeadOnWakeInTime)
+{
+  constexpr double speed = 1., step = 5e-9;
+  for (const Kind kind : {Kind::spheres, Kind::radial, Kind::surface})
+  {
+    dem::Engine engine = two_stones(kind);
+    for (int d = 0; d < 2; ++d)
+      engine.particles().velocity(d).x() = d == 0 ? speed : -speed;
+    double width = 0.; // of the gap in its sleep
+    while (engine.pairs().size() == 0 || !engine.pairs().is_touching(0))
+    {
+      ASSERT_LT(engine.n_steps(), 600000);
+      engine.advance(step);
+      if (engine.pairs().size() > 0)
+        width = std::max(width,
+                         engine.pairs().wake[0] - 2. * speed * engine.time());
+    }
+    EXPECT_GT(width, 1e-6);
+    EXPECT_LT(engine.pairs().overlap[0], 2.01 * speed * step);
+  }
 }
 
 // A step that nobody looks at leaves its last half kick to the next.
