@@ -68,7 +68,9 @@ def promise_faults(found, line):
 
 def curve_faults(line):
     """A dense specimen shrinks and then dilates; the peak is not at the end.
-    Limits: half of what three specimens have at least."""
+    Limits: half of what three specimens have at least, each prepared twice
+    with sums in another order, which makes other specimens of them: behind the
+    peak they lose 2 to 22 % in sleeves, 21 to 46 % between rigid sides."""
     faults = []
     ratio, volume = ratio_of(line), line["volumetric_strain_1"]
     strain = line["axial_strain_1"]
@@ -77,7 +79,7 @@ def curve_faults(line):
         faults.append(f"peak stress ratio {ratio[top]}")
     if not 0.005 < strain[top] < 0.95 * STRAIN:
         faults.append(f"peak at a strain of {strain[top]}")
-    if not ratio[-1] < 0.97 * ratio[top]:
+    if not ratio[-1] < 0.99 * ratio[top]:
         faults.append(f"stress ratio {ratio[-1]} after a peak of {ratio[top]}")
     least = volume.index(max(volume))
     if not (volume[least] > 1e-3 and strain[least] < strain[top]):
