@@ -72,8 +72,9 @@ double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
 /// and other threads.
 constexpr std::size_t sorted_from = 128;
 
-/// Steps that a rebuild of the lists is worth.
-constexpr double rebuild_of_centres = 8., rebuild_of_surfaces = 25.;
+/// Open pairs sleep; those of stones with shapes hold more memory.
+constexpr SearchMargin::Cost list_of_spheres{8., 0.15}, list_of_shapes{8., 0.3},
+    list_of_surfaces{50., 0.3};
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -256,10 +257,12 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
 
 SearchMargin::Lists Engine::list_counts() const
 {
+  const bool is_surface = pair_geometry() == ContactGeometry::surface;
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
           count_touching(pair_batch),
-          pair_geometry() == ContactGeometry::surface ? rebuild_of_surfaces
-                                                      : rebuild_of_centres};
+          is_surface          ? list_of_surfaces
+          : stones.has_shapes ? list_of_shapes
+                              : list_of_spheres};
 }
 
 void Engine::rebuild_lists()

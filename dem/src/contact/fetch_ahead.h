@@ -33,13 +33,24 @@ DEM_LANE_INLINE void fetch_partners(const Task &task, std::int64_t k)
   }
 }
 
+/// Whether the block from contact k was asleep when it was looked at: nearly
+/// always it still is, and nothing of it will be read.
+DEM_LANE_INLINE bool seems_asleep(const Task &task, std::int64_t k)
+{
+  const double *wake = task.contacts.wake;
+  return wake && wake[k] > 0. && wake[k + lane_block - 1] > 0.;
+}
+
 /// What the blocks after the one from contact k read; `last` ends the range.
 DEM_LANE_INLINE void fetch_ahead(const Task &task, std::int64_t k,
                                  std::int64_t last)
 {
-  fetch_columns(task.ahead, k + columns_ahead * lane_block);
+  const std::int64_t columns = k + columns_ahead * lane_block;
+  if (columns + lane_block > last || !seems_asleep(task, columns))
+    fetch_columns(task.ahead, columns);
   const std::int64_t partners = k + partners_ahead * lane_block;
-  if (task.contacts.target && partners + lane_block <= last)
+  if (task.contacts.target && partners + lane_block <= last &&
+      !seems_asleep(task, partners))
     fetch_partners(task, partners);
 }
 } // namespace

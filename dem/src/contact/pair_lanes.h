@@ -86,9 +86,10 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k, const StoneLanes &a,
     pair.radius_a = ball_a.number;
     pair.radius_b = ball_b.number;
   }
-  pair.gap = -(pair.radius_a + pair.radius_b - distance);
+  const Lanes depth = pair.radius_a + pair.radius_b - distance;
+  pair.gap = -depth;
   pair.overlap =
-      select(is_apart && is_awake, stdx::max(-pair.gap, Lanes(0.)), Lanes(0.));
+      select(is_apart && is_awake, stdx::max(depth, Lanes(0.)), Lanes(0.));
   return pair;
 }
 

@@ -7,8 +7,6 @@ namespace dem
 {
 namespace
 {
-/// Cost of a listed pair that does not touch over that of one that does.
-constexpr double open_cost = 0.15;
 /// Widths allowed and the first, over the usual one.
 constexpr double narrowest = 0.05, widest = 2., first = 0.25;
 
@@ -24,14 +22,15 @@ double density(const SearchMargin::Lists &lists, double width)
 } // namespace
 
 // With u the motion per step and p the open pairs per touching one and metre,
-// a step costs open_cost p w + rebuild_cost u / w, least at
-// w^2 = rebuild_cost u / (open_cost p).
+// a step costs open_pair p w + rebuild u / w, least at
+// w^2 = rebuild u / (open_pair p).
 double SearchMargin::best_width(const Lists &now) const
 {
   const double motion =
       (width - left) /
       static_cast<double>(std::max<std::int64_t>(now.step - built_at, 1));
-  return std::sqrt(now.rebuild_cost * motion / (open_cost * open_pairs));
+  return std::sqrt(now.cost.rebuild * motion /
+                   (now.cost.open_pair * open_pairs));
 }
 
 void SearchMargin::renew(double usual, const Lists &old)
@@ -53,8 +52,8 @@ bool SearchMargin::is_too_wide(const Lists &now)
   if (open_pairs <= 0.)
     return false;
   const double best = best_width(now);
-  const double waste = open_cost * open_pairs * (width - best) *
+  const double waste = now.cost.open_pair * open_pairs * (width - best) *
                        static_cast<double>(now.step - built_at);
-  return best < 0.5 * width && waste > 2. * now.rebuild_cost;
+  return best < 0.5 * width && waste > 2. * now.cost.rebuild;
 }
 } // namespace dem

@@ -15,11 +15,18 @@ struct SearchMargin
   double open_pairs = 0.;    ///< per touching one and metre of width [1/m]
   std::int64_t built_at = 0; ///< step
 
+  /// What lists cost.
+  struct Cost
+  {
+    double rebuild = 0.;   ///< in steps
+    double open_pair = 0.; ///< over that of a pair that touches [-]
+  };
+
   /// What the lists of this step look like.
   struct Lists
   {
     std::int64_t step = 0, n_listed = 0, n_touching = 0;
-    double rebuild_cost = 0.; ///< in steps
+    Cost cost;
   };
 
   /// The lists will be made anew: finds their width. `usual` is a width of the
