@@ -72,9 +72,9 @@ double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
 /// and other threads.
 constexpr std::size_t sorted_from = 128;
 
-/// Open pairs sleep; those of stones with shapes hold more memory.
-constexpr SearchMargin::Cost list_of_spheres{8., 0.15}, list_of_shapes{8., 0.3},
-    list_of_surfaces{50., 0.3};
+/// Open pairs sleep, so they cost little.
+constexpr SearchMargin::Cost list_of_centres{8., 0.15},
+    list_of_surfaces{25., 0.15};
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -260,9 +260,7 @@ SearchMargin::Lists Engine::list_counts() const
   const bool is_surface = pair_geometry() == ContactGeometry::surface;
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
           count_touching(pair_batch),
-          is_surface          ? list_of_surfaces
-          : stones.has_shapes ? list_of_shapes
-                              : list_of_spheres};
+          is_surface ? list_of_surfaces : list_of_centres};
 }
 
 void Engine::rebuild_lists()
