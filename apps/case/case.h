@@ -109,7 +109,9 @@ struct BoundaryParameters
   int elements_around = 36;   ///< of a cylinder: membrane quads round it [-]
   /// of the servo of rigid sides: an error falls to 1/e in it [s]
   double servo_response_time = 5e-4;
-  double plate_mass = 5.; ///< top plate [kg]
+  double servo_yielding = 0.3; ///< ServoParameters::yielding [-]
+  double servo_dead_band = 0.; ///< ServoParameters::dead_band [-]
+  double plate_mass = 5.;      ///< top plate [kg]
 };
 
 /// What the top plate does.

@@ -147,6 +147,15 @@ void add_boundary(List &list, BoundaryParameters &b)
   list.add({"servo_response_time", "s",
             "Of servo planes: a stress error falls to 1/e in it."},
            b.servo_response_time, above(0., 1.));
+  list.add({"servo_yielding", "-",
+            "Of rigid sides under load: the rate at which they give way over "
+            "that at which the plate shortens the specimen; 0: they wait for "
+            "an error."},
+           b.servo_yielding, between(0., 0.5));
+  list.add({"servo_dead_band", "-",
+            "Of rigid sides under load: errors up to this share of the "
+            "pressure do not move them."},
+           b.servo_dead_band, between(0., 0.5));
   list.add({"plate_mass", "kg", "Of the top plate."}, b.plate_mass,
            above(0., 1e6));
 }

@@ -13,7 +13,7 @@
 namespace spall
 {
 /// Names the layout of states in files: another one, another number.
-inline constexpr std::uint64_t state_layout = 0x314c4c4150530a0e;
+inline constexpr std::uint64_t state_layout = 0x314c4c4150530a0f;
 
 /// What the files of a run had come to at a checkpoint.
 struct Progressed

@@ -17,7 +17,8 @@ dem::ServoParameters servo_parameters(const Case &c)
 {
   const dem::Vec3 size = nominal_size(c.specimen);
   return {c.boundary.servo_response_time, c.preparation.wall_speed,
-          size / size.maxCoeff()};
+          size / size.maxCoeff(), c.boundary.servo_yielding,
+          c.boundary.servo_dead_band};
 }
 
 double haversine(double phase)
@@ -183,7 +184,7 @@ void Triaxial::consolidate()
     start_height = cell->plate().height() - lower.z();
     start_volume = volume();
     engine().set_breaking(parameters.breakage.is_active);
-    servo.sum_errors();
+    servo.follow_load();
     watch.report(engine(), surroundings());
     if (parameters.loading.form == LoadForm::compression)
       hold_plate();

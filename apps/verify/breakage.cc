@@ -43,7 +43,7 @@ double load(double start, double end, int n_steps)
   {
     const double before = start + (end - start) * (i - 1) / n_steps;
     const double now = start + (end - start) * i / n_steps;
-    factor = dem::damage_step(factor, energy(before), energy(now),
+    factor = dem::damage_step(factor, energy(now) - energy(before), energy(now),
                               breakage_energy(now))
                  .factor;
   }
@@ -64,8 +64,9 @@ FirstEvent load_until_event(int n_steps)
   for (int i = 1; i <= n_steps; ++i)
   {
     const double before = end * (i - 1) / n_steps, now = end * i / n_steps;
-    const dem::DamageStep<double> step = dem::damage_step(
-        factor, energy(before), energy(now), breakage_energy(now));
+    const dem::DamageStep<double> step =
+        dem::damage_step(factor, energy(now) - energy(before), energy(now),
+                         breakage_energy(now));
     factor = step.factor;
     if (dem::mode_of(step) != dem::BreakageMode::none)
       return {stiffness * std::pow(now, 1.5), dem::mode_of(step)};
@@ -115,17 +116,18 @@ std::vector<Row> step_dependence()
 double noise_damage(double mean, double amplitude, double band)
 {
   constexpr int n_cycles = 20, n_steps = 2000;
-  double turn = energy(overlap_at(mean + amplitude)), factor = 0.;
+  float turn = static_cast<float>(energy(overlap_at(mean + amplitude)));
+  double factor = 0.;
   for (int i = 0; i <= n_cycles * n_steps; ++i)
   {
     const double overlap =
         overlap_at(mean + amplitude * std::cos(2. * pi * i / n_steps));
-    const dem::CountedEnergy<double> counted =
-        dem::count_energy(turn, energy(overlap), band);
-    factor = dem::damage_step(factor, counted.from, energy(overlap),
-                              breakage_energy(overlap))
+    const double before = turn;
+    turn =
+        static_cast<float>(dem::turn_of_energy(before, energy(overlap), band));
+    factor = dem::damage_step(factor, dem::counted_rise<double>(before, turn),
+                              energy(overlap), breakage_energy(overlap))
                  .factor;
-    turn = counted.turn;
   }
   return factor / n_cycles;
 }

@@ -73,8 +73,22 @@ double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
 constexpr std::size_t sorted_from = 128;
 
 /// Open pairs sleep, so they cost little.
-constexpr SearchMargin::Cost list_of_centres{8., 0.15},
-    list_of_surfaces{25., 0.15};
+constexpr SearchMargin::Cost list_of_spheres{8., 0.15},
+    list_of_expansions{8., 0.3}, list_of_surfaces{50., 0.3};
+
+const SearchMargin::Cost &cost_of_list(ContactGeometry geometry)
+{
+  switch (geometry)
+  {
+  case ContactGeometry::ball:
+    return list_of_spheres;
+  case ContactGeometry::radial:
+    return list_of_expansions;
+  case ContactGeometry::surface:
+    break;
+  }
+  return list_of_surfaces;
+}
 } // namespace
 
 Engine::Engine(const EngineParameters &parameters)
@@ -257,10 +271,8 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
 
 SearchMargin::Lists Engine::list_counts() const
 {
-  const bool is_surface = pair_geometry() == ContactGeometry::surface;
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
-          count_touching(pair_batch),
-          is_surface ? list_of_surfaces : list_of_centres};
+          count_touching(pair_batch), cost_of_list(pair_geometry())};
 }
 
 void Engine::rebuild_lists()

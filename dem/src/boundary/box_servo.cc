@@ -138,6 +138,25 @@ BoxServo::Pair BoxServo::pair(const Engine &engine, int d) const
           stiffness[d]};
 }
 
+/// At which the ends come together, over their distance [1/s].
+double BoxServo::rate_of_load(const Engine &engine) const
+{
+  const auto &[lower, upper] = walls.planes[2];
+  return (engine.planes()[lower].velocity.z() -
+          engine.planes()[upper].velocity.z()) /
+         box_size(engine, walls).z();
+}
+
+/// What is left of the error beside the dead band [Pa].
+double BoxServo::heeded_error(int d) const
+{
+  const double error = target[d] - average[d];
+  if (!follows_load)
+    return error;
+  const double band = parameters.dead_band * std::abs(target[d]);
+  return error - std::clamp(error, -band, band);
+}
+
 void BoxServo::update(Engine &engine, double time_step)
 {
   if (engine.n_steps() % 20 == 0)
@@ -152,13 +171,15 @@ void BoxServo::update(Engine &engine, double time_step)
     const double per_length =
         std::max(moved.stiffness / (moved.length * moved.length),
                  50. * std::abs(target[d]) * moved.area / moved.length);
-    const double error = target[d] - average[d];
-    const double wanted =
-        (error + summed[d]) * moved.area / moved.n_moving /
-        std::max(per_length * parameters.response_time, 1e-12);
+    const double error = heeded_error(d);
+    double wanted = (error + summed[d]) * moved.area / moved.n_moving /
+                    std::max(per_length * parameters.response_time, 1e-12);
+    if (follows_load && d < 2)
+      wanted -= parameters.yielding * rate_of_load(engine) * moved.length /
+                moved.n_moving;
     const double fastest = parameters.speed_share[d] * parameters.max_speed;
     // A wall that is as fast as it may be would only sum up its delay.
-    if (sums_errors && std::abs(wanted) < fastest)
+    if (follows_load && std::abs(wanted) < fastest)
       summed[d] += 0.5 * time_step / parameters.response_time * error;
     set_speed(engine, d, std::clamp(wanted, -fastest, fastest));
   }
@@ -170,7 +191,7 @@ void BoxServo::save(std::ostream &out) const
   write_value(out, target);
   write_value(out, average);
   write_value(out, stiffness);
-  write_value(out, sums_errors);
+  write_value(out, follows_load);
   write_value(out, summed);
 }
 
@@ -180,7 +201,7 @@ void BoxServo::restore(std::istream &in)
   read_value(in, target);
   read_value(in, average);
   read_value(in, stiffness);
-  read_value(in, sums_errors);
+  read_value(in, follows_load);
   read_value(in, summed);
 }
 } // namespace dem

@@ -135,24 +135,33 @@ struct Loading
   Lanes overlap, energy_before, energy;
 };
 
-/// Eqs. 4 and 5 for one side of the contacts; an open contact loses its factor.
-/// `bit` names the side in the events.
-void damage_side(const Task &task, std::int64_t k, const Loading &loading,
+/// What the criterion compares.
+struct Damage
+{
+  Lanes overlap, rise, energy;
+  LaneMask ends; ///< contacts that open and lose their factors
+};
+
+/// Eqs. 4 and 5 for one side of the contacts. Most are no corner or are not
+/// loaded further: their factors are not even read. `bit` names the side in
+/// the events.
+void damage_side(const Task &task, std::int64_t k, const Damage &damage,
                  const float *corner, double *factor, unsigned bit,
                  RangeSum &sum)
 {
-  const LaneMask is_touching = loading.overlap > 0.;
-  const Lanes slope = load(corner + k), old = load(factor + k);
-  const LaneMask is_at_risk = is_touching && slope > 0.;
-  if (!any(is_at_risk) && !any(!is_touching && old != 0.))
+  const Lanes fracture_energy =
+      task.fracture_energy * load(corner + k) * damage.overlap;
+  const LaneMask is_loaded =
+      fracture_energy > 0. &&
+      (damage.rise > 0. || damage.energy > fracture_energy);
+  if (!any(is_loaded || damage.ends))
     return;
-  const DamageStep<Lanes> step = damage_step(
-      old, loading.energy_before, loading.energy,
-      select(is_at_risk, task.fracture_energy * slope * loading.overlap,
-             Lanes(1.)));
-  const LaneMask is_kept = is_touching || LaneMask(task.keeps_factors);
-  const LaneMask grows = is_at_risk && LaneMask(task.repetitions > 0.);
-  store(select(grows, step.factor, select(is_kept, old, Lanes(0.))),
+  const Lanes old = load(factor + k);
+  const DamageStep<Lanes> step =
+      damage_step(old, damage.rise, damage.energy,
+                  select(is_loaded, fracture_energy, Lanes(1.)));
+  const LaneMask grows = is_loaded && LaneMask(task.repetitions > 0.);
+  store(select(grows, step.factor, select(damage.ends, Lanes(0.), old)),
         factor + k);
   const LaneMask breaks = grows && (step.factor > 1. || step.energy_ratio > 1.);
   if (!any(breaks))
@@ -166,37 +175,29 @@ void damage_side(const Task &task, std::int64_t k, const Loading &loading,
     }
 }
 
-/// The energies that the criterion compares, where they are not those of the
-/// normal spring in the last step and in this one.
-Loading counted_loading(const Task &task, std::int64_t k,
-                        const Loading &loading)
+/// With the energy of the shear spring, and swings that do not count let pass.
+void count_turns(const Task &task, std::int64_t k, Damage &damage)
 {
   const Contacts &contacts = task.contacts;
-  Loading counted = loading;
   if (task.counts_shear)
   {
     const LaneVector shear = load_vector(contacts.shear, k);
-    counted.energy +=
+    damage.energy +=
         0.5 * dot(shear, shear) * load(contacts.shear_compliance + k);
   }
-  const CountedEnergy<Lanes> passed =
-      count_energy(load(contacts.turn + k), counted.energy, task.hysteresis);
-  counted.energy_before = passed.from;
-  store(passed.turn, contacts.turn + k);
-  return counted;
+  const Lanes before = load(contacts.turn + k);
+  store(turn_of_energy(before, damage.energy, task.hysteresis),
+        contacts.turn + k);
+  damage.rise = counted_rise(before, load(contacts.turn + k));
 }
 
-/// The same with rises beyond the peak that count many times.
-Loading repeated_loading(const Task &task, std::int64_t k,
-                         const Loading &loading)
+/// Rises beyond the peak count many times.
+void repeat_peaks(const Task &task, std::int64_t k, Damage &damage)
 {
   const Lanes peak = load(task.contacts.peak + k);
-  const Lanes reached = max(peak, loading.energy);
-  const Lanes fresh = loading.energy - max(peak, loading.energy_before);
-  Loading repeated = loading;
-  repeated.energy_before -= (task.repetitions - 1.) * max(Lanes(0.), fresh);
-  store(reached, task.contacts.peak + k);
-  return repeated;
+  const Lanes fresh = damage.energy - max(peak, damage.energy - damage.rise);
+  damage.rise += (task.repetitions - 1.) * max(Lanes(0.), fresh);
+  store(max(peak, damage.energy), task.contacts.peak + k);
 }
 
 /// Marks the contacts that begin or end.
@@ -222,13 +223,16 @@ void find_damage(const Task &task, std::int64_t k, const Loading &last,
   const Contacts &contacts = task.contacts;
   if (task.keeps_factors)
     mark_switched(task, k, last, sum);
-  Loading loading = contacts.turn ? counted_loading(task, k, last) : last;
+  Damage damage{last.overlap, last.energy - last.energy_before, last.energy,
+                LaneMask(!task.keeps_factors) && last.overlap <= 0. &&
+                    last.energy_before > 0.};
+  if (contacts.turn)
+    count_turns(task, k, damage);
   if (contacts.peak)
-    loading = repeated_loading(task, k, loading);
-  damage_side(task, k, loading, contacts.corner_a, contacts.factor_a, 1u, sum);
+    repeat_peaks(task, k, damage);
+  damage_side(task, k, damage, contacts.corner_a, contacts.factor_a, 1u, sum);
   if (contacts.corner_b)
-    damage_side(task, k, loading, contacts.corner_b, contacts.factor_b, 2u,
-                sum);
+    damage_side(task, k, damage, contacts.corner_b, contacts.factor_b, 2u, sum);
 }
 } // namespace
 } // namespace dem::kernel

@@ -58,7 +58,7 @@ struct Contacts
   double *slack; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
   const float *corner_a, *corner_b;
-  double *turn;
+  float *turn;
   double *peak;
   std::uint8_t *event;
 };

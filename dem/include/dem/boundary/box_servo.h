@@ -55,6 +55,11 @@ struct ServoParameters
   /// Share of `max_speed` that the planes of each axis may take: slender
   /// specimens keep their form while they are loose [-].
   Vec3 speed_share = Vec3::Ones();
+  /// Where a load is followed: rate at which x and y give way when it shortens
+  /// z, over the rate of that (Poisson's ratio of the aggregate) [-],
+  double yielding = 0.3;
+  /// and the share of the target up to which errors move no wall [-].
+  double dead_band = 0.;
 };
 
 /// Moves the planes of chosen axes so that their stress follows a target:
@@ -73,9 +78,11 @@ public:
   void follow(int d, double stress);
   /// Axis d is left alone from now on; its planes stop.
   void release(Engine &engine, int d);
-  /// From now on errors are summed, too, over twice the response time: what
-  /// moves the stress away for longer, a load that rises, is found out and met.
-  void sum_errors() { sums_errors = true; }
+  /// From now on the sides meet a load on the ends: errors are summed, too,
+  /// over twice the response time, so what moves the stress away for longer is
+  /// found out; and x and y go along with z as `yielding` says, before there is
+  /// an error at all.
+  void follow_load() { follows_load = true; }
   /// Sets the speeds of the planes for the next step; the stiffness is taken
   /// anew every 20 steps.
   void update(Engine &engine, double time_step);
@@ -93,6 +100,8 @@ private:
     double stiffness = 0.; ///< affine, for the strain of `length` [N m]
   };
   Pair pair(const Engine &engine, int d) const;
+  double rate_of_load(const Engine &engine) const;
+  double heeded_error(int d) const;
   void set_speed(Engine &engine, int d, double inward) const;
 
   SpecimenWalls walls;
@@ -101,7 +110,7 @@ private:
   Vec3 target = Vec3::Zero();    ///< [Pa]
   Vec3 average = Vec3::Zero();   ///< stress, running [Pa]
   Vec3 stiffness = Vec3::Zero(); ///< affine_stiffness, last taken [N m]
-  bool sums_errors = false;
+  bool follows_load = false;
   Vec3 summed = Vec3::Zero(); ///< errors over the integral time [Pa]
 };
 } // namespace dem

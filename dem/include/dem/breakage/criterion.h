@@ -37,52 +37,50 @@ struct DamageStep
   Real energy_ratio = Real(0.);
 };
 
-/// `energy_before`, `energy` are the elastic energies at the old and the new
-/// step [J], `fracture_energy` > 0 is G_c A_i of the new step [J].
+/// `rise` is what the elastic energy has gained in the step [J] (a loss counts
+/// as nothing), `energy` what it is now [J], `fracture_energy` > 0 is G_c A_i
+/// now [J].
 template <class Real>
 DEM_LANE_INLINE DamageStep<Real>
-damage_step(const Real &factor, const Real &energy_before, const Real &energy,
+damage_step(const Real &factor, const Real &rise, const Real &energy,
             const Real &fracture_energy)
 {
   using std::max;
   const Real share = 1. / fracture_energy;
-  return {factor + max(Real(0.), Real((energy - energy_before) * share)),
-          energy * share};
+  return {factor + max(Real(0.), Real(rise * share)), energy * share};
 }
 
 /// Where both conditions hold, the one that takes precedence.
 BreakageMode mode_of(const DamageStep<double> &step,
                      ModePrecedence precedence = ModePrecedence::instantaneous);
 
-/// Energy of a contact as the cumulative factor counts it.
+/// Where the energy of a contact turned last: its maximum while it counts,
+/// minus its minimum while it has fallen and waits [J]. Lets pass swings of the
+/// energy below the share `hysteresis` = h of it: energy that has fallen from
+/// its maximum by more than h of that counts again once it has risen from its
+/// minimum by more than h of itself, then all of the rise. Larger swings count
+/// in full; with h = 0 all do (Eq. 4).
 template <class Real>
-struct CountedEnergy
-{
-  Real from = Real(0.); ///< what rises above this counts [J]
-  /// Where the energy turned last: its maximum while it counts; minus its
-  /// minimum while it has fallen and waits [J]
-  Real turn = Real(0.);
-};
-
-/// Lets pass swings of the energy below the share `hysteresis` = h of it:
-/// energy that has fallen from its maximum by more than h of that counts
-/// again once it has risen from its minimum by more than h of itself, then all
-/// of the rise. Larger swings count in full; with h = 0 all do (Eq. 4).
-template <class Real>
-DEM_LANE_INLINE CountedEnergy<Real>
-count_energy(const Real &turn, const Real &energy, double hysteresis)
+DEM_LANE_INLINE Real turn_of_energy(const Real &turn, const Real &energy,
+                                    double hysteresis)
 {
   using std::abs;
   using std::max;
   using std::min;
   const auto was_counting = turn >= 0.;
   const Real extreme = abs(turn), rest = Real(1. - hysteresis);
-  const auto counts = (was_counting && energy >= rest * extreme) ||
-                      (!was_counting && rest * energy > extreme);
-  const Real lowest = select(was_counting, energy, min(extreme, energy));
-  const Real highest = select(was_counting, max(extreme, energy), energy);
-  return {select(was_counting || counts, extreme, energy),
-          select(counts, highest, -lowest)};
+  return select(was_counting,
+                select(energy >= rest * extreme, max(extreme, energy), -energy),
+                select(rest * energy > extreme, energy, -min(extreme, energy)));
+}
+
+/// What counts of a step that moved the turn [J]; < 0: nothing. Turns may be
+/// rounded: what one step counts too much the next counts too little.
+template <class Real>
+DEM_LANE_INLINE Real counted_rise(const Real &turn_before, const Real &turn)
+{
+  using std::abs;
+  return turn - abs(turn_before);
 }
 
 /// Eq. 6: mode I takes one off, mode II sets to zero.

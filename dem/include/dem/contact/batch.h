@@ -123,7 +123,7 @@ struct ContactBatch
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<float> corner_a, corner_b;
-  std::vector<double> turn; ///< CountedEnergy::turn [J]
+  std::vector<float> turn;  ///< turn_of_energy [J]
   std::vector<double> peak; ///< of the counted energy, since there is one [J]
   /// Bit 0: side A breaks, bit 1: side B, bit 2: the contact began or ended.
   std::vector<std::uint8_t> event;

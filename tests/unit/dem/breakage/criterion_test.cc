@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 using namespace dem;
@@ -21,18 +22,20 @@ TEST(Cap, IsTheParaboloidOfTheModel)
 TEST(DamageStep, AddsOnlyWhatTheEnergyGains)
 {
   EXPECT_DOUBLE_EQ(damage_step(0.25, 1., 2., 4.).factor, 0.5);
-  EXPECT_DOUBLE_EQ(damage_step(0.25, 2., 1., 4.).factor, 0.25);
+  EXPECT_DOUBLE_EQ(damage_step(0.25, -1., 1., 4.).factor, 0.25);
   EXPECT_EQ(mode_of(damage_step(0.25, 1., 2., 4.)), BreakageMode::none);
 }
 
 TEST(DamageStep, ModesAreStrictAndTwoPrecedesOne)
 {
-  EXPECT_EQ(mode_of(damage_step(0.5, 1., 3., 4.)), BreakageMode::none);
-  EXPECT_EQ(mode_of(damage_step(0.75, 1., 3., 4.)), BreakageMode::cumulative);
-  EXPECT_EQ(mode_of(damage_step(0., 4., 4., 4.)), BreakageMode::none);
-  EXPECT_EQ(mode_of(damage_step(0., 4., 4.1, 4.)), BreakageMode::instantaneous);
-  EXPECT_EQ(mode_of(damage_step(5., 1., 4.1, 4.)), BreakageMode::instantaneous);
-  EXPECT_EQ(mode_of(damage_step(5., 8., 3., 4.)), BreakageMode::cumulative);
+  EXPECT_EQ(mode_of(damage_step(0.5, 2., 3., 4.)), BreakageMode::none);
+  EXPECT_EQ(mode_of(damage_step(0.75, 2., 3., 4.)), BreakageMode::cumulative);
+  EXPECT_EQ(mode_of(damage_step(0., 0., 4., 4.)), BreakageMode::none);
+  EXPECT_EQ(mode_of(damage_step(0., 0.1, 4.1, 4.)),
+            BreakageMode::instantaneous);
+  EXPECT_EQ(mode_of(damage_step(5., 3.1, 4.1, 4.)),
+            BreakageMode::instantaneous);
+  EXPECT_EQ(mode_of(damage_step(5., -5., 3., 4.)), BreakageMode::cumulative);
 }
 
 TEST(FactorAfter, IsEquationSix)
@@ -60,9 +63,9 @@ double counted(double turn, const std::vector<double> &energies, double band)
   double sum = 0.;
   for (const double energy : energies)
   {
-    const CountedEnergy<double> now = count_energy(turn, energy, band);
-    sum += std::max(0., energy - now.from);
-    turn = now.turn;
+    const double before =
+        std::exchange(turn, turn_of_energy(turn, energy, band));
+    sum += std::max(0., counted_rise(before, turn));
   }
   return sum;
 }
@@ -94,6 +97,21 @@ TEST(CountEnergy, WithoutBandEveryRiseCounts)
     before = energy;
   }
   EXPECT_DOUBLE_EQ(counted(1., energies, 0.), rises);
+}
+
+// What is rounded off the turn in one step counts in the next.
+TEST(CountEnergy, KeepsSlowRisesThoughTurnsAreRounded)
+{
+  constexpr int n_steps = 1'000'000;
+  float turn = 1.f;
+  double sum = 0.;
+  for (int i = 1; i <= n_steps; ++i)
+  {
+    const double before = turn, energy = 1. + 1e-3 * i / n_steps;
+    turn = static_cast<float>(turn_of_energy(before, energy, 0.01));
+    sum += counted_rise<double>(before, turn);
+  }
+  EXPECT_NEAR(sum, 1e-3, 1e-7);
 }
 
 TEST(BreakageParameters, OnlySomeChoicesNeedATurn)
