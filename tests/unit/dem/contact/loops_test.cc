@@ -10,6 +10,7 @@
 #include <map>
 #include <shape/test_shapes.h>
 #include <sstream>
+#include <vector>
 
 // The loops over contacts and stones: one set of digits for all instruction
 // sets, with a look at every step or none, and loads that come together in any
@@ -265,7 +266,7 @@ TEST(ContactLoops, NoPairTouchesInItsSleep)
 
 // Two stones that fly at each other without spin come nearer as fast as any two
 // can: a contact that slept one per cent too long would begin with an overlap
-// of many steps.
+// of many steps. Places of true surfaces sleep for a quarter of their gap.
 TEST(ContactLoops, StonesThatMeetHeadOnWakeInTime)
 {
   constexpr double speed = 1., step = 5e-9;
@@ -274,17 +275,34 @@ TEST(ContactLoops, StonesThatMeetHeadOnWakeInTime)
     dem::Engine engine = two_stones(kind);
     for (int d = 0; d < 2; ++d)
       engine.particles().velocity(d).x() = d == 0 ? speed : -speed;
-    double width = 0.; // of the gap in its sleep
+    const auto closed = [&] { return 2. * speed * engine.time(); };
+    const auto travelled = [&]
+    {
+      const dem::Particles &stones = engine.particles();
+      return kind == Kind::spheres ? closed()
+                                   : stones.travelled[0] + stones.travelled[1];
+    };
+    struct Sleep
+    {
+      double closed, length, wake; // [m]
+    };
+    std::vector<Sleep> sleeps;
     while (engine.pairs().size() == 0 || !engine.pairs().is_touching(0))
     {
       ASSERT_LT(engine.n_steps(), 600000);
       engine.advance(step);
-      if (engine.pairs().size() > 0)
-        width = std::max(width,
-                         engine.pairs().wake[0] - 2. * speed * engine.time());
+      if (engine.pairs().size() == 0)
+        continue;
+      const double wake = engine.pairs().wake[0];
+      if (sleeps.empty() || wake != sleeps.back().wake)
+        sleeps.push_back({closed(), wake - travelled(), wake});
     }
-    EXPECT_GT(width, 1e-6);
     EXPECT_LT(engine.pairs().overlap[0], 2.01 * speed * step);
+    double longest = 0.; // share of the gap
+    for (const Sleep &sleep : sleeps)
+      if (const double gap = closed() - sleep.closed; gap > 2e-6)
+        longest = std::max(longest, sleep.length / gap);
+    EXPECT_NEAR(longest, kind == Kind::surface ? 0.25 : 1., 0.01);
   }
 }
 
