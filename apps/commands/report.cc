@@ -2,6 +2,7 @@
 #include "errors.h"
 #include "report/figures.h"
 #include "report/page.h"
+#include "report/render_ground.h"
 #include "report/render_network.h"
 #include "run/whole_file.h"
 
@@ -84,6 +85,23 @@ std::vector<Picture> draw_networks(std::span<const RunData> runs)
   return pictures;
 }
 
+/// One scale of settlements for all runs.
+std::vector<Picture> draw_grounds(std::span<const RunData> runs)
+{
+  std::vector<std::vector<GroundFiles>> grounds;
+  double max_settlement = 0.;
+  for (const RunData &run : runs)
+  {
+    grounds.push_back(find_grounds(run.folder));
+    max_settlement = std::max(max_settlement, settlement_scale(grounds.back()));
+  }
+  std::vector<Picture> pictures;
+  for (const auto &files : grounds)
+    pictures.push_back(files.empty() ? Picture{}
+                                     : render_ground(files, max_settlement));
+  return pictures;
+}
+
 void write_figures(const Report &report, const fs::path &folder)
 {
   std::error_code error;
@@ -104,6 +122,9 @@ void write_figures(const Report &report, const fs::path &folder)
     if (!report.networks[k].png.empty())
       write_asked(folder / ("contacts" + number + ".png"),
                   report.networks[k].png);
+    if (!report.grounds[k].png.empty())
+      write_asked(folder / ("subgrade" + number + ".png"),
+                  report.grounds[k].png);
   }
 }
 } // namespace
@@ -113,7 +134,7 @@ int report_command(Words words)
   const Options options = parse(words);
   const std::vector<RunData> runs = read_runs(options.folders);
   const Report report{runs, make_charts(runs), draw_specimens(runs),
-                      draw_networks(runs)};
+                      draw_networks(runs), draw_grounds(runs)};
   fs::path page = "report.html";
   if (!options.out.empty())
     page = options.out;

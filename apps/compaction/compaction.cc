@@ -283,8 +283,7 @@ std::string Compaction::phase() const
   else if (now.stage == Stage::seating)
     std::snprintf(text, sizeof text, "seating of the plate");
   else
-    std::snprintf(text, sizeof text, "%.2f s, settled %.3f mm", vibrated(),
-                  1e3 * (now.start_height - height()));
+    std::snprintf(text, sizeof text, "vibrated %.2f s", vibrated());
   return text;
 }
 

@@ -4,11 +4,15 @@
 #include "run/options.h"
 #include "run/preparation_store.h"
 #include "run/progress.h"
+#include "run/quantity_name.h"
+#include "run/refusals.h"
 #include "run/thread_choice.h"
 #include "run/to_end.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <string_view>
 
 namespace spall
 {
@@ -62,12 +66,37 @@ void use_store(const std::optional<PreparationStore> &store, LabTest &test,
     progress.say(said);
 }
 
+/// What a test of each kind is run for, of its row of the history.
+constexpr const char *live_columns[] = {
+    "force_N",           "settlement_m", "plate_settlement_m",
+    "density_kg_per_m3", "laa_percent",  "n_events_1"};
+
+std::string live_numbers(const LabTest &test)
+{
+  std::string numbers;
+  for (const Quantity &one : test.row())
+  {
+    if (std::ranges::find(live_columns, std::string_view(one.name)) ==
+        std::end(live_columns))
+      continue;
+    const QuantityName name = quantity_name(one.name);
+    char text[80];
+    std::snprintf(text, sizeof text, "%s%s %.4g%s%s",
+                  numbers.empty() ? "" : ", ", name.words.c_str(), one.value,
+                  name.unit == "–" ? "" : " ",
+                  name.unit == "–" ? "" : name.unit.c_str());
+    numbers += text;
+  }
+  return numbers;
+}
+
 /// Steps until the test is done or a stop is asked for.
 void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
               ThreadChoice &threads)
 {
   using Clock = std::chrono::steady_clock;
   auto since = Clock::now();
+  Refusals refusals(test.engine());
   std::int64_t steps_before = test.engine().n_steps();
   while (test.share_done() < 1. && !is_stop_asked())
   {
@@ -76,13 +105,16 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
     recorder.after_step(test);
     for (const std::string &note : test.take_notes())
       progress.say(note);
+    if (const std::string news = refusals.news(test.engine()); !news.empty())
+      progress.say(news);
     if (test.engine().n_steps() % 64 != 0 || !progress.is_due())
       continue;
     const double seconds =
         std::chrono::duration<double>(Clock::now() - since).count();
     progress.show(test.phase(), test.share_done(),
                   static_cast<double>(test.engine().n_steps() - steps_before) /
-                      seconds);
+                      seconds,
+                  live_numbers(test));
     since = Clock::now();
     steps_before = test.engine().n_steps();
   }

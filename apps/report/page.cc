@@ -91,6 +91,11 @@ constexpr const char *network_caption =
     "their normal force; 99 % of the contacts lie within the colour bar. A "
     "membrane is coloured by how far it has come outward of where it was put.";
 
+constexpr const char *ground_caption =
+    "The subgrade behind the section through its middle, coloured by how far "
+    "it has settled since its first frame and bent by many times that. The "
+    "plate is where it is.";
+
 std::string figure_of(const Report &report, std::size_t k,
                       const Picture &picture, const std::string &caption)
 {
@@ -114,6 +119,8 @@ std::string specimens(const Report &report)
     // What is missing has been said once.
     if (!report.networks[k].png.empty())
       out += figure_of(report, k, report.networks[k], network_caption);
+    if (!report.grounds[k].png.empty())
+      out += figure_of(report, k, report.grounds[k], ground_caption);
   }
   return out + "</section>\n";
 }

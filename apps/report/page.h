@@ -10,13 +10,14 @@
 
 namespace spall
 {
-/// Everything of a page; pictures[k] and networks[k] belong to runs[k].
+/// Everything of a page; pictures[k] and so on belong to runs[k].
 struct Report
 {
   std::span<const RunData> runs;
   std::vector<Chart> charts;
   std::vector<Picture> pictures; ///< of the stones
   std::vector<Picture> networks; ///< of contact forces and bulge
+  std::vector<Picture> grounds;  ///< of the settled subgrade
 };
 
 /// An HTML page in the style of the reports: `body` is HTML, the rest text.

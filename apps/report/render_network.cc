@@ -164,39 +164,10 @@ vtkNew<vtkRenderer> force_panel(const NetworkFiles &files, vtkPolyData *lines,
 vtkNew<vtkRenderer> bulge_panel(vtkPolyData *faces, vtkLookupTable *colours)
 {
   vtkNew<vtkRenderer> renderer = white_renderer();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(faces);
-  mapper->SetScalarModeToUsePointData();
-  mapper->SetLookupTable(colours);
-  mapper->UseLookupTableScalarRangeOn();
-  vtkNew<vtkActor> sheet;
-  sheet->SetMapper(mapper);
-  sheet->GetProperty()->EdgeVisibilityOn();
-  sheet->GetProperty()->SetEdgeColor(0.35, 0.35, 0.35);
-  sheet->GetProperty()->SetLineWidth(PictureSheet::fineness);
-  // The colours are to be read: little shade.
-  sheet->GetProperty()->SetAmbient(0.75);
-  sheet->GetProperty()->SetDiffuse(0.3);
-  renderer->AddActor(sheet);
+  add_coloured_faces(renderer, faces, colours);
   add_lights(renderer);
   add_title(renderer, "membrane");
   return renderer;
-}
-
-void add_panel(PictureSheet &sheet, EglWindow *window, vtkRenderer *renderer,
-               vtkCamera *camera)
-{
-  renderer->SetActiveCamera(camera);
-  renderer->ResetCameraClippingRange();
-  sheet.add(window, renderer, panel_width);
-}
-
-void add_bar_panel(PictureSheet &sheet, EglWindow *window,
-                   vtkLookupTable *colours, const std::string &title)
-{
-  const vtkNew<vtkRenderer> bar = white_renderer();
-  add_bar(bar, colours, title);
-  sheet.add(window, bar, bar_width);
 }
 } // namespace
 

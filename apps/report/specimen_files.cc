@@ -3,7 +3,6 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
-#include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
@@ -21,15 +20,10 @@ namespace fs = std::filesystem;
 template <class Add>
 vtkNew<vtkPolyData> read_cells(const std::string &path, const Add &add)
 {
-  const int shows_warnings = vtkObject::GetGlobalWarningDisplay();
-  vtkObject::GlobalWarningDisplayOff();
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkObject::SetGlobalWarningDisplay(shows_warnings);
-  vtkUnstructuredGrid *grid = reader->GetOutput();
+  vtkNew<vtkUnstructuredGrid> grid;
+  read_grid(path, grid);
   vtkNew<vtkPolyData> cells;
-  if (grid && grid->GetNumberOfCells() > 0)
+  if (grid->GetNumberOfCells() > 0)
   {
     cells->SetPoints(grid->GetPoints());
     add(cells, grid->GetCells());
@@ -54,6 +48,18 @@ std::map<int, std::string> frames_of(const std::string &folder,
       files[std::atoi(stem.c_str() + name.size() + 1)] = entry.path().string();
   }
   return files;
+}
+
+void read_grid(const std::string &path, vtkUnstructuredGrid *grid)
+{
+  const int shows_warnings = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkObject::SetGlobalWarningDisplay(shows_warnings);
+  if (reader->GetOutput())
+    grid->ShallowCopy(reader->GetOutput());
 }
 
 vtkNew<vtkPolyData> read_faces(const std::string &path)

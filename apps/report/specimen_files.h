@@ -2,6 +2,7 @@
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <map>
 #include <span>
@@ -26,6 +27,9 @@ double loss_scale(std::span<const SpecimenFiles> specimens);
 /// NAME_00012.vtu in the frames of a run folder by number.
 std::map<int, std::string> frames_of(const std::string &folder,
                                      const std::string &name);
+
+/// The cells of a .vtu file with their data; empty if it cannot be read.
+void read_grid(const std::string &path, vtkUnstructuredGrid *grid);
 
 /// Faces, or lines, of a .vtu file with their data; none if it cannot be read.
 vtkNew<vtkPolyData> read_faces(const std::string &path);

@@ -150,6 +150,25 @@ void add_sheet(vtkRenderer *renderer, vtkPolyData *faces)
   renderer->AddActor(mesh);
 }
 
+void add_coloured_faces(vtkRenderer *renderer, vtkPolyData *faces,
+                        vtkLookupTable *colours)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(faces);
+  mapper->SetScalarModeToUsePointData();
+  mapper->SetLookupTable(colours);
+  mapper->UseLookupTableScalarRangeOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->EdgeVisibilityOn();
+  actor->GetProperty()->SetEdgeColor(0.35, 0.35, 0.35);
+  actor->GetProperty()->SetLineWidth(fineness);
+  // The colours are to be read: little shade.
+  actor->GetProperty()->SetAmbient(0.75);
+  actor->GetProperty()->SetDiffuse(0.3);
+  renderer->AddActor(actor);
+}
+
 void add_bar(vtkRenderer *renderer, vtkLookupTable *colours,
              const std::string &title)
 {
@@ -174,4 +193,19 @@ void add_bar(vtkRenderer *renderer, vtkLookupTable *colours,
   renderer->AddViewProp(bar);
 }
 
+void add_panel(PictureSheet &sheet, EglWindow *window, vtkRenderer *renderer,
+               vtkCamera *camera)
+{
+  renderer->SetActiveCamera(camera);
+  renderer->ResetCameraClippingRange();
+  sheet.add(window, renderer, panel_width);
+}
+
+void add_bar_panel(PictureSheet &sheet, EglWindow *window,
+                   vtkLookupTable *colours, const std::string &title)
+{
+  const vtkNew<vtkRenderer> bar = white_renderer();
+  add_bar(bar, colours, title);
+  sheet.add(window, bar, bar_width);
+}
 } // namespace spall

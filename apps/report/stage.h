@@ -40,6 +40,15 @@ void add_title(vtkRenderer *renderer, const std::string &title);
 void add_lights(vtkRenderer *renderer);
 /// A membrane or plate, half transparent, with its mesh.
 void add_sheet(vtkRenderer *renderer, vtkPolyData *faces);
+/// Faces with their mesh, coloured by the scalars of their points.
+void add_coloured_faces(vtkRenderer *renderer, vtkPolyData *faces,
+                        vtkLookupTable *colours);
 void add_bar(vtkRenderer *renderer, vtkLookupTable *colours,
              const std::string &title);
+
+/// The next panel of a sheet, and one for the colours.
+void add_panel(PictureSheet &sheet, EglWindow *window, vtkRenderer *renderer,
+               vtkCamera *camera);
+void add_bar_panel(PictureSheet &sheet, EglWindow *window,
+                   vtkLookupTable *colours, const std::string &title);
 } // namespace spall

@@ -3,12 +3,16 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 #include <unistd.h>
 
 namespace spall
 {
 namespace
 {
+/// Of the line before, where it was longer.
+constexpr const char *clear_rest = "\x1b[K";
+
 std::string in_minutes(double seconds)
 {
   char text[32];
@@ -20,7 +24,7 @@ std::string in_minutes(double seconds)
 
 Progress::Progress(const std::string &log_file)
     : log(log_file, std::ios::app), is_terminal(isatty(STDOUT_FILENO) == 1),
-      phase_start(Clock::now()), last_shown(phase_start)
+      started(Clock::now()), last_shown(started)
 {
 }
 
@@ -36,26 +40,35 @@ bool Progress::is_due() const
          (is_terminal ? 0.5 : 10.);
 }
 
-void Progress::show(const std::string &phase, double share, double rate)
+/// NaN where nothing has grown yet.
+double Progress::seconds_left(double share)
+{
+  shown.push_back({last_shown, share});
+  const auto half = (last_shown - started) / 2;
+  while (shown.size() > 2 && last_shown - shown[1].at > half)
+    shown.pop_front();
+  const Shown &first = shown.front();
+  const double grown = share - first.share;
+  return grown > 0.
+             ? std::chrono::duration<double>(last_shown - first.at).count() *
+                   (1. - share) / grown
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+void Progress::show(const std::string &phase, double share, double rate,
+                    const std::string &numbers)
 {
   last_shown = Clock::now();
-  if (phase != phase_before)
-  {
-    phase_before = phase;
-    phase_start = last_shown;
-    share_before = share;
-  }
   char text[160];
   std::snprintf(text, sizeof text, "%-13s %5.1f %%  %8.0f steps/s",
                 phase.c_str(), 100. * share, rate);
   std::string line = text;
-  const double spent =
-      std::chrono::duration<double>(last_shown - phase_start).count();
-  if (share > share_before && spent > 0.)
-    line += "  " + in_minutes(spent * (1. - share) / (share - share_before)) +
-            " left";
+  if (const double left = seconds_left(share); std::isfinite(left))
+    line += "  " + in_minutes(left) + " left";
+  if (!numbers.empty())
+    line += "  " + numbers;
   if (is_terminal)
-    std::cout << '\r' << line << "      " << std::flush;
+    std::cout << '\r' << line << clear_rest << std::flush;
   else
     std::cout << line << std::endl;
   has_open_line = is_terminal;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <fstream>
 #include <string>
 
@@ -20,9 +21,11 @@ public:
 
   /// True when show() would print: ask before gathering what it needs.
   bool is_due() const;
-  /// `share` of the whole that is done, 0 to 1; `rate` in steps per second
-  /// since the start of the phase.
-  void show(const std::string &phase, double share, double rate);
+  /// `share` of the whole that is done, 0 to 1; `rate` in steps per second;
+  /// `numbers`: what the test has come to, as it is to be read. The time left
+  /// goes by how the share grew over the last half of the time so far.
+  void show(const std::string &phase, double share, double rate,
+            const std::string &numbers);
   /// A line that stays.
   void say(const std::string &line);
 
@@ -31,8 +34,14 @@ private:
   std::ofstream log;
   bool is_terminal;
   bool has_open_line = false;
-  std::string phase_before;
-  double share_before = 0.;
-  Clock::time_point phase_start, last_shown;
+  struct Shown
+  {
+    Clock::time_point at;
+    double share;
+  };
+  double seconds_left(double share);
+
+  Clock::time_point started, last_shown;
+  std::deque<Shown> shown; ///< over the last half of the time
 };
 } // namespace spall

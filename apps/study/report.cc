@@ -3,6 +3,7 @@
 #include "report/page.h"
 #include "report/text.h"
 #include "run/folder.h"
+#include "run/quantity_name.h"
 #include "study/tables.h"
 
 #include <algorithm>
@@ -34,7 +35,14 @@ Abscissa abscissa_of(const SweptKey &key, const std::vector<Level> &levels)
   const bool is_wide = !key.is_variant() && !levels.empty() &&
                        levels.front().x > 0. &&
                        levels.back().x > many_times * levels.front().x;
-  return {(is_wide ? "log10 of " : "") + key.name(), is_wide};
+  return {(is_wide ? "log10 of " : "") + key_label(key.name(), key.unit),
+          is_wide};
+}
+
+/// A value with the unit of its key.
+std::string named_value(const SweptKey &key, const std::string &value)
+{
+  return key.unit.empty() || key.unit == "-" ? value : value + " " + key.unit;
 }
 
 /// Means with error bars of one standard deviation, and the single cases.
@@ -48,7 +56,7 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
               name + " over " + key.name() +
                   ": means, one standard deviation up and down, and the single "
                   "cases (grey).",
-              along.label, name};
+              along.label, axis_label(name)};
   const double gap = std::numeric_limits<double>::quiet_NaN();
   Curve means, bars, cases;
   means.marker = Marker::dot;
@@ -92,7 +100,7 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
   Chart chart{"curve_" + study.keys[k].id(),
               study.curve_y + " over " + study.curve_x + " for values of " +
                   study.keys[k].name() + ", all seeds.",
-              study.curve_x, study.curve_y};
+              axis_label(study.curve_x), axis_label(study.curve_y)};
   std::size_t n_levels = 0;
   for (const Level &level : levels_of(data, Cut(k), 0))
   {
@@ -110,7 +118,7 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
       if (x && y)
       {
         Curve curve;
-        curve.name = is_named ? "" : level.value;
+        curve.name = is_named ? "" : named_value(study.keys[k], level.value);
         curve.colour = palette_colour(n_levels);
         curve.dash = palette_dash(n_levels);
         curve.line_width = 0.9;
@@ -134,8 +142,9 @@ Chart price_chart(const StudyData &data)
               "cost over that of the base case. The line joins what nothing "
               "else is both cheaper and nearer than; below the dashed line an "
               "error is less than half the spread.",
-              data.study.cost + " over the base case",
-              "worst error / spread of seeds"};
+              quantity_name(data.study.cost).words +
+                  " over that of the base case (–)",
+              "worst error over the spread of seeds (–)"};
   chart.has_log_x = chart.has_log_y = true;
   Curve front, half;
   front.line_width = 1.;

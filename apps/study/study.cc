@@ -97,8 +97,11 @@ void take_sweep(const Assignment &a, Study &study)
   const std::size_t slash = a.key.find('/');
   if (slash == std::string::npos)
     refuse(a, "must be Section/key = values");
-  study.keys.push_back(
-      {a.key.substr(0, slash), a.key.substr(slash + 1), list_of(a), a.place});
+  study.keys.push_back({a.key.substr(0, slash),
+                        a.key.substr(slash + 1),
+                        list_of(a),
+                        a.place,
+                        {}});
 }
 
 void take_base(const Assignment &a, Study &study)
@@ -123,7 +126,7 @@ void take_variant(const Assignment &a, Study &study)
     variant.settings.push_back(parse_override(setting));
   }
   if (study.variants.empty())
-    study.keys.insert(study.keys.begin(), {variant_key, "", {}, a.place});
+    study.keys.insert(study.keys.begin(), {variant_key, "", {}, a.place, {}});
   study.keys.front().values.push_back(variant.name);
   study.variants.push_back(variant);
 }
@@ -236,6 +239,26 @@ std::string seed_key_of(CaseKind kind)
   return "Specimen/seed";
 }
 
+/// Null if the case has no such key.
+const Parameter *find_key(const std::vector<Parameter> &list,
+                          const SweptKey &key)
+{
+  const auto found = std::ranges::find_if(
+      list, [&](const Parameter &p)
+      { return p.section == key.section && p.key == key.key; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// Kind and units are those of the base case.
+void take_base_case(Case base, Study &study)
+{
+  study.seed_key = seed_key_of(base.kind);
+  const std::vector<Parameter> list = parameters_of(base);
+  for (SweptKey &key : study.keys)
+    if (const Parameter *parameter = find_key(list, key))
+      key.unit = parameter->unit;
+}
+
 using Row = std::vector<std::string>;
 
 /// Values of the swept keys in a case, which is of this variant.
@@ -250,10 +273,8 @@ Row values_in(const Study &study, Case parameters, const std::string &variant)
       values.push_back(variant);
       continue;
     }
-    const auto found = std::ranges::find_if(
-        list, [&](const Parameter &p)
-        { return p.section == key.section && p.key == key.key; });
-    if (found == list.end())
+    const Parameter *found = find_key(list, key);
+    if (!found)
       throw InputError(key.place + ": Sweep/" + key.name() +
                        ": no parameter of this name");
     values.push_back(same_text(value_text(*found)));
@@ -394,7 +415,7 @@ Study read_study(const std::string &file,
                 "Variants or Expect");
   study.base.insert(study.base.end(), overrides.begin(), overrides.end());
   check_study(study);
-  study.seed_key = seed_key_of(read_case(study.case_file, study.base).kind);
+  take_base_case(read_case(study.case_file, study.base), study);
   return study;
 }
 

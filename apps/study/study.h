@@ -18,6 +18,7 @@ struct SweptKey
   std::string section, key; ///< key is empty for variants
   std::vector<std::string> values;
   std::string place; ///< in the study file
+  std::string unit;  ///< of the key, "-" if none; empty for variants
 
   bool is_variant() const { return section == variant_key; }
   /// Of a figure.

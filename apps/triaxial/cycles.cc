@@ -38,6 +38,16 @@ const std::vector<CycleColumn> cycle_columns = {
     {"rolling_dissipation_J", [](const CycleRow &row) { return row.rolling; }},
     {"damping_dissipation_J", [](const CycleRow &row) { return row.damping; }},
     {"breakage_energy_J", [](const CycleRow &row) { return row.breakage; }},
+    {"external_work_J", [](const CycleRow &row) { return row.external_work; }},
+    {"shape_work_J", [](const CycleRow &row) { return row.shape_work; }},
+    {"energy_residual_J",
+     [](const CycleRow &row) { return row.energy_residual; }},
+    {"elastic_energy_J",
+     [](const CycleRow &row) { return row.end.elastic_energy; }},
+    {"kinetic_energy_J",
+     [](const CycleRow &row) { return row.end.kinetic_energy; }},
+    {"membrane_strain_energy_J",
+     [](const CycleRow &row) { return row.end.membrane_strain_energy; }},
     {"stands_for_1", [](const CycleRow &row) { return row.stands_for; }}};
 
 std::string cycles_header()
@@ -76,10 +86,10 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
   {
     state.start = network_state(test);
     state.skin = skin_of(test);
-    state.porosity_start = note_profile(test, "boundary_profile_start.csv");
+    state.packed_start = note_profile(test, "boundary_profile_start.csv");
     return begin_cycle(row);
   }
-  state.porosity_end = {}; // that of a loading that goes on
+  state.packed_end = {}; // that of a loading that goes on
   state.loop.add(row.axial_strain, deviator(row));
   if (test.ticks() % test.ticks_per_cycle() != 0)
     return;
@@ -117,6 +127,9 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
   last.rolling = row.rolling - state.begun.rolling;
   last.damping = row.damping - state.begun.damping;
   last.breakage = row.breakage - state.begun.breakage;
+  last.external_work = row.external_work - state.begun.external_work;
+  last.shape_work = row.shape_work - state.begun.shape_work;
+  last.energy_residual = row.energy_residual - state.begun.energy_residual;
   last.peak = state.peak;
   last.rest = network_state(test);
   ++state.n_cycles;
@@ -131,17 +144,18 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
   file.write_row(values);
 }
 
-CycleRecorder::Porosity CycleRecorder::note_profile(const Triaxial &test,
-                                                    const char *name) const
+CycleRecorder::Packed CycleRecorder::note_profile(const Triaxial &test,
+                                                  const char *name) const
 {
   const dem::BoundaryProfile profile = boundary_profile(test);
   write_profile(folder / name, profile);
-  return {profile.porosity_skin, profile.porosity_inside};
+  return {profile.porosity_skin, profile.porosity_inside,
+          profile.coordination_skin, profile.coordination_inside};
 }
 
 void CycleRecorder::finish(const Triaxial &test)
 {
-  state.porosity_end = note_profile(test, "boundary_profile_end.csv");
+  state.packed_end = note_profile(test, "boundary_profile_end.csv");
 }
 
 void CycleRecorder::add_to(nlohmann::ordered_json &summary) const
@@ -178,12 +192,16 @@ void CycleRecorder::add_to(nlohmann::ordered_json &summary) const
       add(column.label("peak"), last.peak.*column.value);
   }
   add("skin_m", state.skin);
-  add("porosity_skin_start_1", state.porosity_start.skin);
-  add("porosity_inside_start_1", state.porosity_start.inside);
-  if (state.porosity_end.inside > 0.)
+  add("porosity_skin_start_1", state.packed_start.porosity_skin);
+  add("porosity_inside_start_1", state.packed_start.porosity_inside);
+  add("coordination_skin_start_1", state.packed_start.coordination_skin);
+  add("coordination_inside_start_1", state.packed_start.coordination_inside);
+  if (state.packed_end.porosity_inside > 0.)
   {
-    add("porosity_skin_1", state.porosity_end.skin);
-    add("porosity_inside_1", state.porosity_end.inside);
+    add("porosity_skin_1", state.packed_end.porosity_skin);
+    add("porosity_inside_1", state.packed_end.porosity_inside);
+    add("coordination_skin_1", state.packed_end.coordination_skin);
+    add("coordination_inside_1", state.packed_end.coordination_inside);
   }
 }
 

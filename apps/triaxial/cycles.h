@@ -19,6 +19,8 @@ struct CycleRow
   double n_events = 0.; ///< in the cycle [-]
   /// Lost in the cycle [J].
   double friction = 0., rolling = 0., damping = 0., breakage = 0.;
+  /// Of the cycle, signs as in history.csv [J].
+  double external_work = 0., shape_work = 0., energy_residual = 0.;
   NetworkState peak, rest; ///< half through the cycle and at its end
 };
 
@@ -49,12 +51,13 @@ private:
   void end_cycle(const Triaxial &test, const Sample &row);
 
   /// Next to the lateral boundary and inside [-].
-  struct Porosity
+  struct Packed
   {
-    double skin = 0., inside = 0.;
+    double porosity_skin = 0., porosity_inside = 0.;
+    double coordination_skin = 0., coordination_inside = 0.;
   };
   /// Writes the profile of this moment to a file.
-  Porosity note_profile(const Triaxial &test, const char *name) const;
+  Packed note_profile(const Triaxial &test, const char *name) const;
 
   /// Plain data for the checkpoint.
   struct State
@@ -66,7 +69,7 @@ private:
     NetworkState peak;  ///< of the present cycle; NaN before
     CycleRow last;      ///< the last complete one
     double n_cycles = 0.;
-    Porosity porosity_start, porosity_end;
+    Packed packed_start, packed_end;
   };
 
   bool is_cyclic;

@@ -3,6 +3,7 @@
 #include "run/options.h"
 #include "run/preparation_store.h"
 #include "run/progress.h"
+#include "run/refusals.h"
 #include "run/thread_choice.h"
 #include "run/to_end.h"
 #include "triaxial/preparation.h"
@@ -15,9 +16,19 @@ namespace spall
 {
 namespace
 {
+/// What the loading has come to by the last row of the history.
+std::string numbers_of(const Sample &last)
+{
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "strain %.3f %%, LAA %.5f %%, coordination number %.2f",
+                100. * last.axial_strain, last.laa, last.coordination_number);
+  return text;
+}
+
 /// Share of the whole run that is done and the name of its phase.
-void show_progress(Progress &progress, const Triaxial &test, int cycles,
-                   double rate)
+void show_progress(Progress &progress, const Triaxial &test, const Sample &last,
+                   int cycles, double rate)
 {
   char phase[40];
   if (test.stage() == Stage::preparation)
@@ -28,7 +39,8 @@ void show_progress(Progress &progress, const Triaxial &test, int cycles,
     std::snprintf(phase, sizeof phase, "cycle %.2f/%d", test.cycle(), cycles);
   const double share =
       test.stage() < Stage::loading ? 0. : test.cycle() / cycles;
-  progress.show(phase, share, rate);
+  progress.show(phase, share, rate,
+                test.stage() < Stage::loading ? "" : numbers_of(last));
 }
 
 void describe(Progress &progress, const Triaxial &test)
@@ -111,6 +123,7 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
 {
   using Clock = std::chrono::steady_clock;
   auto since = Clock::now();
+  Refusals refusals(test.engine());
   std::int64_t steps_before = test.engine().n_steps(), n_windows = 0;
   while (test.stage() != Stage::done && !is_stop_asked())
   {
@@ -121,13 +134,15 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
     recorder.follow_jumps(test);
     for (const std::string &note : test.take_notes())
       progress.say(note);
+    if (const std::string news = refusals.news(test.engine()); !news.empty())
+      progress.say(news);
     if (was_preparing && test.stage() != Stage::preparation)
       describe_preparation(progress, test);
     if (++n_windows % 64 != 0 || !progress.is_due())
       continue;
     const double seconds =
         std::chrono::duration<double>(Clock::now() - since).count();
-    show_progress(progress, test, cycles,
+    show_progress(progress, test, recorder.end(), cycles,
                   static_cast<double>(test.engine().n_steps() - steps_before) /
                       seconds);
     since = Clock::now();

@@ -63,7 +63,8 @@ public:
   void attach_surface(FacetSurface surface);
 
   /// One velocity Verlet step [s]. Velocities of planes and the motion of
-  /// facet surfaces (already at the end of the step) are set before.
+  /// facet surfaces (already at the end of the step) are set before. Throws
+  /// std::runtime_error where stones leap by a hundred radii: too long a step.
   void advance(double time_step);
   /// The same for one who goes on without a look at the stones: the last half
   /// kick waits for the first of the next step, one pass over the stones for

@@ -200,32 +200,39 @@ struct Tally
   }
 };
 
+/// Stones and the contacts of those that bear (two or more).
+struct StoneTally
+{
+  std::int64_t n = 0, n_bearing = 0, n_contacts = 0;
+
+  void add(int its_contacts)
+  {
+    ++n;
+    if (its_contacts < 2)
+      return;
+    ++n_bearing;
+    n_contacts += its_contacts;
+  }
+  double coordination() const { return share(n_contacts, n_bearing); }
+};
+
 /// Sums over the layers along one distance.
 struct Layers
 {
   double thickness;
   std::vector<Tally> points;
-  std::vector<std::int64_t> n_stones, n_bearing, n_contacts;
+  std::vector<StoneTally> stones;
 
   Layers(double each, double reach)
       : thickness(each),
         points(static_cast<std::size_t>(std::ceil(reach / each))),
-        n_stones(points.size(), 0), n_bearing(n_stones), n_contacts(n_stones)
+        stones(points.size())
   {
   }
   std::size_t at(double distance) const
   {
     return std::min(static_cast<std::size_t>(distance / thickness),
                     points.size() - 1);
-  }
-  void add_stone(double distance, int its_contacts)
-  {
-    const std::size_t layer = at(distance);
-    ++n_stones[layer];
-    if (its_contacts < 2)
-      return;
-    ++n_bearing[layer];
-    n_contacts[layer] += its_contacts;
   }
   LayerProfile profile() const
   {
@@ -234,8 +241,8 @@ struct Layers
     {
       profile.distance.push_back((static_cast<double>(k) + 0.5) * thickness);
       profile.porosity.push_back(points[k].porosity());
-      profile.coordination.push_back(share(n_contacts[k], n_bearing[k]));
-      profile.n_stones.push_back(static_cast<double>(n_stones[k]));
+      profile.coordination.push_back(stones[k].coordination());
+      profile.n_stones.push_back(static_cast<double>(stones[k].n));
     }
     return profile;
   }
@@ -325,6 +332,7 @@ BoundaryProfile boundary_profile(const Particles &stones,
         if (depth.lateral >= widths.skin)
           platens.points[platens.at(depth.platen)].add(holds);
       }
+  StoneTally stones_skin, stones_inside;
   const std::vector<int> n_of = contacts_of_stones(stones, network);
   for (std::size_t s = 0; s < stones.size(); ++s)
   {
@@ -332,11 +340,19 @@ BoundaryProfile boundary_profile(const Particles &stones,
     if (!depth.is_inside())
       continue;
     if (depth.platen >= widths.skin)
-      lateral.add_stone(depth.lateral, n_of[s]);
+    {
+      lateral.stones[lateral.at(depth.lateral)].add(n_of[s]);
+      (depth.lateral < widths.skin ? stones_skin : stones_inside).add(n_of[s]);
+    }
     if (depth.lateral >= widths.skin)
-      platens.add_stone(depth.platen, n_of[s]);
+      platens.stones[platens.at(depth.platen)].add(n_of[s]);
   }
-  return {lateral.profile(), platens.profile(), all.porosity(), skin.porosity(),
-          inside.porosity()};
+  return {lateral.profile(),
+          platens.profile(),
+          all.porosity(),
+          skin.porosity(),
+          inside.porosity(),
+          stones_skin.coordination(),
+          stones_inside.coordination()};
 }
 } // namespace dem

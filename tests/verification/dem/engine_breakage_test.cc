@@ -260,7 +260,8 @@ TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
   Press often(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
   often.engine.set_repetitions(5.);
   EXPECT_TRUE(often.load_to(share * first_event()).empty());
-  EXPECT_NEAR(factor(often), 5. * factor(once), 1e-12);
+  // Turns of the energy are in single precision.
+  EXPECT_NEAR(factor(often), 5. * factor(once), 1e-6);
   const auto events = often.load_to(first_event());
   ASSERT_FALSE(events.empty());
   EXPECT_NEAR(events[0].force_before, 0.2 * first_event(),

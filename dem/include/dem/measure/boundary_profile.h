@@ -41,6 +41,8 @@ struct BoundaryProfile
   double porosity = 0.; ///< of all [-]
   /// Next to the lateral boundary and away from all boundaries [-].
   double porosity_skin = 0., porosity_inside = 0.;
+  /// Of the stones with their centres there, as Eq. 31 counts; NaN: none [-].
+  double coordination_skin = 0., coordination_inside = 0.;
 };
 
 struct ProfileWidths

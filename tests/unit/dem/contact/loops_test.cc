@@ -10,6 +10,7 @@
 #include <map>
 #include <shape/test_shapes.h>
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 // The loops over contacts and stones: one set of digits for all instruction
@@ -304,6 +305,26 @@ TEST(ContactLoops, StonesThatMeetHeadOnWakeInTime)
         longest = std::max(longest, sleep.length / gap);
     EXPECT_NEAR(longest, kind == Kind::surface ? 0.25 : 1., 0.01);
   }
+}
+
+// A step far beyond what contacts bear throws the stones out: that is said
+// before their places are no numbers.
+TEST(MotionLoops, StonesThatLeapStopTheRun)
+{
+  dem::Engine engine = shaken_box(Kind::spheres, 60);
+  try
+  {
+    for (int step = 0; step < 1000; ++step)
+      engine.advance(1e-2);
+    FAIL() << "no word of it";
+  }
+  catch (const std::runtime_error &stopped)
+  {
+    EXPECT_NE(std::string(stopped.what()).find("the step is too long"),
+              std::string::npos);
+  }
+  for (std::size_t k = 0; k < engine.particles().size(); ++k)
+    EXPECT_TRUE(engine.particles().position(k).allFinite());
 }
 
 // A step that nobody looks at leaves its last half kick to the next.

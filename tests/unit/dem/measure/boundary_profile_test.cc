@@ -104,6 +104,9 @@ TEST(BoundaryProfile, OfASimpleCubicPacking)
   EXPECT_NEAR(profile.porosity, porosity, 1e-3);
   EXPECT_NEAR(profile.porosity_inside, porosity, 2e-3);
   EXPECT_NEAR(profile.porosity_skin, porosity, 2e-3);
+  // The skin at the side without those at the platens: one stone deep.
+  EXPECT_NEAR(profile.coordination_skin, (16. * 5. + 4. * 4.) / 20., 1e-12);
+  EXPECT_NEAR(profile.coordination_inside, 6., 1e-12);
 }
 
 TEST(BoundaryProfile, OfAFaceCentredPackingIsItsPorosity)

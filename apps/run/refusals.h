@@ -1,0 +1,25 @@
+#pragma once
+
+#include <dem/engine.h>
+
+#include <string>
+
+namespace spall
+{
+/// Watches for breakage events that are refused, because a stone would have
+/// lost r > 0: those stones keep their shape.
+class Refusals
+{
+public:
+  explicit Refusals(const dem::Engine &engine)
+      : known(engine.n_refused_events())
+  {
+  }
+
+  /// What there is to say since the last call; empty: nothing.
+  std::string news(const dem::Engine &engine);
+
+private:
+  int known;
+};
+} // namespace spall

@@ -1,0 +1,221 @@
+#include "phase_timer.h"
+
+#include <dem/engine.h>
+#include <dem/integrate/verlet.h>
+#include <dem/search/space_order.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+// The lists of contacts: kept as long as no stone can have come to a new one.
+namespace dem
+{
+namespace
+{
+std::int64_t count_touching(const ContactBatch &batch)
+{
+  std::int64_t n = 0;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    n += batch.is_touching(k);
+  return n;
+}
+
+/// The fastest point of planes and drum towards a stone [m/s].
+double fastest_wall(const std::vector<Plane> &planes, const Drum &drum)
+{
+  double square = 0.;
+  for (const Plane &plane : planes)
+    if (plane.is_active)
+      square = std::max(square, plane.velocity.squaredNorm());
+  // Of a drum that turns the shelf alone comes nearer to a stone.
+  const double rim = drum.shelf_height > 0. ? drum.spin * drum.radius : 0.;
+  return std::sqrt(std::max(square, rim * rim + drum.widening * drum.widening));
+}
+
+double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
+{
+  double square = 0.;
+  for (const SurfaceContacts &facets : surfaces)
+    for (const Vec3 &velocity : facets.surface.velocity)
+      square = std::max(square, velocity.squaredNorm());
+  return std::sqrt(square);
+}
+
+/// From here on stones are put in order of place: neighbours lie near each
+/// other in the caches, and few loads go to stones of other ranges of contacts
+/// and other threads.
+constexpr std::size_t sorted_from = 128;
+
+/// Open pairs sleep, so they cost little.
+constexpr SearchMargin::Cost list_of_spheres{8., 0.15},
+    list_of_expansions{8., 0.3}, list_of_surfaces{50., 0.3};
+
+const SearchMargin::Cost &cost_of_list(ContactGeometry geometry)
+{
+  switch (geometry)
+  {
+  case ContactGeometry::ball:
+    return list_of_spheres;
+  case ContactGeometry::radial:
+    return list_of_expansions;
+  case ContactGeometry::surface:
+    break;
+  }
+  return list_of_surfaces;
+}
+
+/// Throws std::runtime_error where stones leap, before they are lost to all
+/// lists and their places to numbers.
+void require_sane(double fastest, double time_step, double largest_radius)
+{
+  constexpr double most = 100.; // radii in one step
+  if (fastest * time_step <= most * largest_radius)
+    return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "stones leap by %.3g m in a step of %.3g s, more than a "
+                "hundred of their radii: the step is too long",
+                fastest * time_step, time_step);
+  throw std::runtime_error(text);
+}
+} // namespace
+
+void Engine::keep_lists(const Speeds &fastest, double time_step)
+{
+  require_sane(fastest.moving, time_step, stones.largest_radius());
+  const double rigid = fastest_wall(walls, barrel),
+               sheet = fastest_vertex(facet_surfaces),
+               boundary = std::max(rigid, sheet);
+  walls_travelled += rigid * time_step;
+  sheets_travelled += sheet * time_step;
+  stride = (fastest.moving + boundary) * time_step;
+  travelled += stride;
+  // Stones that follow facets have lists of their own for them.
+  const double watched = follows_walls() ? rigid : boundary;
+  margin.left -=
+      (fastest.closing + std::max(fastest.closing, watched)) * time_step;
+  facets_left -= (fastest.closing + sheet) * time_step;
+  travel.centres += 2. * fastest.moving * time_step;
+  travel.gaps += 2. * fastest.closing * time_step;
+  // Seldom, since it counts the contacts.
+  constexpr std::int64_t check_interval = 256;
+  const bool is_checked = (step_count - margin.built_at) % check_interval == 0;
+  if (lists_are_stale || margin.left < 0. ||
+      (is_checked && margin.is_too_wide(list_counts())))
+    rebuild_lists();
+  else if (follows_walls() && !facet_surfaces.empty() &&
+           (facets_are_stale || facets_left < 0.))
+    look_at_facets();
+}
+
+SearchMargin::Lists Engine::list_counts() const
+{
+  return {step_count, static_cast<std::int64_t>(pair_batch.size()),
+          count_touching(pair_batch), cost_of_list(pair_geometry())};
+}
+
+void Engine::rebuild_lists()
+{
+  const PhaseTimer timer(spent.search);
+  margin.renew(settings.search_margin, list_counts());
+  if (stones.size() >= sorted_from)
+    sort_in_space();
+  if (pair_layout(settings, stones).has_spots ||
+      wall_layout(settings, settings.wall, stones).has_spots)
+    maps.update(stones);
+  rebuild_pair_list();
+  rebuild_plane_list();
+  if (barrel.is_there())
+    rebuild_drum_list();
+  for (SurfaceContacts &facets : facet_surfaces)
+    rebuild_facet_list(facets);
+  facets_are_stale = false;
+  std::fill(pair_batch.wake.begin(), pair_batch.wake.end(), 0.);
+  pair_loads.prepare(pair_batch);
+  steepest = branch_steepness();
+  lists_are_stale = false;
+  ++rebuild_count;
+}
+
+/// The lists of places on facets alone.
+void Engine::look_at_facets()
+{
+  const PhaseTimer timer(spent.search);
+  for (SurfaceContacts &facets : facet_surfaces)
+    rebuild_facet_list(facets);
+  facets_are_stale = false;
+  ++rebuild_count;
+}
+
+ContactGeometry Engine::pair_geometry() const
+{
+  return stones.has_shapes ? settings.geometry.geometry : ContactGeometry::ball;
+}
+
+SpotSearchInput Engine::spot_search(const ForceContext &still,
+                                    const BatchLayout &layout) const
+{
+  // Searched somewhat farther than the next look at the lists needs, so that
+  // only stones that move are searched again then.
+  constexpr double reserve = 1.25;
+  return {still,        maps,
+          layout,       reserve * margin.width,
+          margin.width, rebuild_count == 0};
+}
+
+void Engine::rebuild_pair_list()
+{
+  const BatchLayout layout = pair_layout(settings, stones);
+  if (layout.has_spots)
+  {
+    const ForceContext still = context(0.);
+    spots.renew_pairs(spot_search(still, layout), travel, pair_batch, lost);
+    return;
+  }
+  rebuild_pairs(stones, layout,
+                pair_finder.find(stones, pair_geometry(), margin.width, travel),
+                pair_batch, lost);
+}
+
+void Engine::sort_in_space()
+{
+  // Anew when stones may have changed places with their neighbours.
+  const double diameter = 2. * stones.largest_radius();
+  if (rebuild_count > 0 && travelled - travelled_sorted < diameter)
+    return;
+  travelled_sorted = travelled;
+  const std::vector<std::int32_t> order =
+      space_order(stones.column(&StoneState::position));
+  stones.reorder(order);
+  pair_finder.forget();
+  spots.renumber(places(order));
+  reorder_column(work.damped, order);
+  reorder_column(work.lifted, order);
+  const std::vector<std::int32_t> place = places(order);
+  renumber_pairs(place, pair_batch);
+  renumber_planes(place, plane_batch);
+  if (follows_walls())
+  {
+    renumber_drum_places(place, drum_batch, drum_walls);
+    for (SurfaceContacts &facets : facet_surfaces)
+    {
+      renumber_facet_places(place, facets.candidates, facets.batch);
+      renumber_watched(place, facets.watched);
+      facets.watch = {}; // rows take other numbers
+    }
+    return;
+  }
+  renumber_planes(place, drum_batch);
+  for (SurfaceContacts &facets : facet_surfaces)
+    renumber_facets(place, facets.candidates, facets.batch);
+}
+
+double Engine::branch_steepness() const
+{
+  return settings.geometry.geometry == ContactGeometry::radial
+             ? steepness(stones)
+             : 0.;
+}
+} // namespace dem
