@@ -75,7 +75,9 @@ HEADERS = {
          "resilient_modulus_Pa", "damping_ratio_1", "laa_percent",
          "roundness_1", "n_events_1", "friction_dissipation_J",
          "rolling_dissipation_J", "damping_dissipation_J",
-         "breakage_energy_J", "stands_for_1",
+         "breakage_energy_J", "external_work_J", "shape_work_J",
+         "energy_residual_J", "elastic_energy_J", "kinetic_energy_J",
+         "membrane_strain_energy_J", "stands_for_1",
          *(f"{name}{when}_{unit}" for when in ("", "_peak")
            for name, unit in NETWORK)]),
     "boundary_profile_end.csv":
@@ -230,9 +232,13 @@ def cycle_faults(folder, found):
             "mean_contact_force_N": last["mean_contact_force_N"],
             "wall_axial_stress_Pa": last["axial_stress_Pa"],
             "n_events_1": last["n_events_1"] - first["n_events_1"],
-            "friction_dissipation_J": last["friction_dissipation_J"] -
-                                      first["friction_dissipation_J"],
         }
+        pairs.update({key: last[key] - first[key] for key in (
+            "friction_dissipation_J", "rolling_dissipation_J",
+            "damping_dissipation_J", "external_work_J", "shape_work_J")})
+        pairs.update({key: last[key] for key in (
+            "elastic_energy_J", "kinetic_energy_J",
+            "membrane_strain_energy_J")})
         faults += [f"cycle {n}: {key} = {row[key]}, from the history {value}"
                    for key, value in pairs.items()
                    if not (math.isnan(row[key]) and math.isnan(value)) and
@@ -244,6 +250,9 @@ def cycle_faults(folder, found):
                 "sliding_fraction_1", "inside_axial_stress_Pa"):
         if found[key] != cycles[-1][key]:
             faults.append(f"{key}: not that of the last cycle")
+    faults += [f"{key} = {found[key]}" for key in
+               ("coordination_skin_1", "coordination_inside_1")
+               if not 2. <= found[key] < 9.]
     # Between a dense packing with sizes and a loose one of single stones.
     if not 0.3 < found["porosity_inside_1"] < 0.55:
         faults.append(f"porosity inside {found['porosity_inside_1']}")
