@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace spall
 {
@@ -188,17 +189,20 @@ std::vector<NetworkFiles> find_networks(const std::string &folder)
   if (contacts.size() == 1)
     return networks;
   // The last but one is half through the last cycle; some runs have their end
-  // twice.
-  auto most = contacts.rbegin();
+  // twice, some no frames but the first and the last.
+  const auto last = contacts.rbegin(), first = std::prev(contacts.rend());
+  auto most = last;
   double largest = -1.;
-  auto frame = contacts.rbegin();
-  for (int k = 0; k < 3 && frame != contacts.rend(); ++k, ++frame)
+  int n_seen = 0;
+  for (auto frame = last; frame != first && n_seen < 3; ++frame, ++n_seen)
     if (const double sum = sum_of_forces(frame->second); sum > largest)
     {
       largest = sum;
       most = frame;
     }
-  networks.push_back(network("contact forces, under load", *most));
+  networks.push_back(network(most == last ? "contact forces, after loading"
+                                          : "contact forces, under load",
+                             *most));
   return networks;
 }
 
