@@ -11,15 +11,15 @@ namespace spall
 class Refusals
 {
 public:
-  explicit Refusals(const dem::Engine &engine)
-      : known(engine.n_refused_events())
+  explicit Refusals(const dem::Engine &engine) : said(engine.n_refused_events())
   {
   }
 
-  /// What there is to say since the last call; empty: nothing.
+  /// What there is to say, the first time and whenever their number has
+  /// doubled since; else empty.
   std::string news(const dem::Engine &engine);
 
 private:
-  int known;
+  int said;
 };
 } // namespace spall
