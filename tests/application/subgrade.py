@@ -191,6 +191,8 @@ def quick(spall, root):
     for word in ("settlement", "transfer", "stress"):
         if word not in page:
             faults.append(f"the report has no {word}")
+    if "no EGL" not in page and "The subgrade behind the section" not in page:
+        faults.append("the report has no picture of the subgrade")
     return faults
 
 
