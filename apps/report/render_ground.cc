@@ -59,28 +59,35 @@ void read_ground(const std::string &path, Ground &ground)
   }
 }
 
-/// What the nodes of `files` have moved since the first frame; read into
-/// `ground`.
-Nodes moved_since_start(const GroundFiles &files, Ground &ground)
+/// What the nodes have moved since they had moved by `start`; empty if those
+/// are of another mesh.
+Nodes moved_since(const Nodes &start, const Ground &ground)
 {
-  Ground start;
-  read_ground(files.start, start);
-  read_ground(files.ground, ground);
-  if (start.moved.size() != ground.moved.size())
+  if (start.size() != ground.moved.size())
     return {};
   Nodes since = ground.moved;
   for (std::size_t k = 0; k < since.size(); ++k)
     for (std::size_t d = 0; d < 3; ++d)
-      since[k][d] -= start.moved[k][d];
+      since[k][d] -= start[k][d];
   return since;
 }
 
-/// What all nodes but those right under single stones stay below.
-double settlement_of(const Nodes &since)
+Nodes start_of(const std::string &path)
+{
+  Ground ground;
+  read_ground(path, ground);
+  return ground.moved;
+}
+
+/// What all nodes of a frame but those right under single stones have settled
+/// by at most [m].
+double settlement_of(const Nodes &start, const std::string &frame)
 {
   constexpr double share = 0.995;
+  Ground ground;
+  read_ground(frame, ground);
   std::vector<double> settled;
-  for (const auto &node : since)
+  for (const auto &node : moved_since(start, ground))
     settled.push_back(std::max(0., -node[2]));
   std::ranges::sort(settled);
   return settled.empty()
@@ -180,10 +187,11 @@ std::vector<GroundFiles> find_grounds(const std::string &folder)
     return GroundFiles{title, frames.begin()->second, frame.second,
                        plate == plates.end() ? "" : plate->second};
   };
+  const Nodes start = start_of(frames.begin()->second);
   auto most = frames.rbegin();
   double deepest = -1.;
   for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame)
-    if (const double settled = settlement_scale(std::array{ground("", *frame)});
+    if (const double settled = settlement_of(start, frame->second);
         settled > deepest)
     {
       deepest = settled;
@@ -200,8 +208,7 @@ double settlement_scale(std::span<const GroundFiles> grounds)
   double most = 0.;
   for (const GroundFiles &files : grounds)
   {
-    Ground ground;
-    most = std::max(most, settlement_of(moved_since_start(files, ground)));
+    most = std::max(most, settlement_of(start_of(files.start), files.ground));
   }
   return most;
 }
@@ -221,7 +228,8 @@ Picture render_ground(std::span<const GroundFiles> grounds,
   for (const GroundFiles &files : grounds)
   {
     Ground ground;
-    const Nodes since = moved_since_start(files, ground);
+    read_ground(files.ground, ground);
+    const Nodes since = moved_since(start_of(files.start), ground);
     if (since.empty())
       return {"", files.ground + " cannot be read or is of another mesh."};
     times = std::max(1., round_down(drawn_settlement *

@@ -10,8 +10,10 @@ namespace spall
 {
 namespace
 {
-/// Of the line before, where it was longer.
-constexpr const char *clear_rest = "\x1b[K";
+/// A line that renews itself must not run over the edge of the terminal, and
+/// clears what is left of the one before.
+constexpr const char *cut_at_edge = "\r\x1b[?7l",
+                     *clear_rest = "\x1b[K\x1b[?7h";
 
 std::string in_minutes(double seconds)
 {
@@ -43,6 +45,9 @@ bool Progress::is_due() const
 /// NaN where nothing has grown yet.
 double Progress::seconds_left(double share)
 {
+  // What stood still before, a preparation, says nothing of the rest.
+  if (!shown.empty() && shown.back().share >= share)
+    shown.clear();
   shown.push_back({last_shown, share});
   const auto half = (last_shown - started) / 2;
   while (shown.size() > 2 && last_shown - shown[1].at > half)
@@ -68,7 +73,7 @@ void Progress::show(const std::string &phase, double share, double rate,
   if (!numbers.empty())
     line += "  " + numbers;
   if (is_terminal)
-    std::cout << '\r' << line << clear_rest << std::flush;
+    std::cout << cut_at_edge << line << clear_rest << std::flush;
   else
     std::cout << line << std::endl;
   has_open_line = is_terminal;

@@ -23,7 +23,8 @@ public:
   bool is_due() const;
   /// `share` of the whole that is done, 0 to 1; `rate` in steps per second;
   /// `numbers`: what the test has come to, as it is to be read. The time left
-  /// goes by how the share grew over the last half of the time so far.
+  /// goes by how the share grew over the last half of the time so far, since
+  /// it last stood still.
   void show(const std::string &phase, double share, double rate,
             const std::string &numbers);
   /// A line that stays.
