@@ -163,10 +163,11 @@ std::string stones(const Json &summary)
          " breakable)";
 }
 
-std::string coordination(const Json &summary)
+/// A number of the summary at the start and at the end of the loading.
+std::string start_to_end(const Json &summary, const std::string &name)
 {
-  return number_of(summary, "coordination_start_1", 1., 3) + " → " +
-         number_of(summary, "coordination_end_1", 1., 3);
+  return number_of(summary, name + "_start_1", 1., 3) + " → " +
+         number_of(summary, name + "_end_1", 1., 3);
 }
 
 /// Two numbers of the summary in one cell.
@@ -217,8 +218,10 @@ std::vector<Row> summary_rows()
        { return format(permanent_strain_percent(run), 4); }},
       {"Abrasion LAA (%)",
        [](const RunData &run) { return format(abrasion_percent(run), 4); }},
-      {"Coordination number, start → end (–)",
-       [](const RunData &run) { return coordination(run.summary); }},
+      {"Porosity, start → end (–)", [](const RunData &run)
+       { return start_to_end(run.summary, "porosity"); }},
+      {"Coordination number, start → end (–)", [](const RunData &run)
+       { return start_to_end(run.summary, "coordination"); }},
       number_row("Resilient axial strain, last cycle (%)",
                  "resilient_axial_strain_1", 100.),
       number_row("Resilient modulus, last cycle (MPa)", "resilient_modulus_Pa",

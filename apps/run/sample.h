@@ -10,7 +10,7 @@ struct Sample
   double time = 0., stage = 0., cycle = 0.;
   double axial_stress = 0., lateral_stress = 0.;
   double membrane_axial_stress = 0., membrane_lateral_stress = 0.;
-  double axial_strain = 0., volumetric_strain = 0.;
+  double axial_strain = 0., volumetric_strain = 0., porosity = 0.;
   double laa = 0., coordination_number = 0., mean_contact_force = 0.;
   double roundness = 0., n_contacts = 0., n_events = 0.;
   double unbalanced_force_ratio = 0.;
@@ -26,7 +26,7 @@ struct SampleColumn
   double Sample::*value;
 };
 
-inline constexpr std::array<SampleColumn, 26> sample_columns = {
+inline constexpr std::array<SampleColumn, 27> sample_columns = {
     {{"time_s", &Sample::time},
      {"stage_1", &Sample::stage},
      {"cycle_1", &Sample::cycle},
@@ -52,5 +52,6 @@ inline constexpr std::array<SampleColumn, 26> sample_columns = {
      {"membrane_strain_energy_J", &Sample::membrane_strain_energy},
      {"energy_residual_J", &Sample::energy_residual},
      {"membrane_axial_stress_Pa", &Sample::membrane_axial_stress},
-     {"membrane_lateral_stress_Pa", &Sample::membrane_lateral_stress}}};
+     {"membrane_lateral_stress_Pa", &Sample::membrane_lateral_stress},
+     {"porosity_1", &Sample::porosity}}};
 } // namespace spall

@@ -69,8 +69,7 @@ void Triaxial::densify()
 /// Now [-].
 double Triaxial::porosity() const
 {
-  return 1. - solid_volume(engine().particles()) /
-                  dem::box_volume(engine(), specimen.walls);
+  return 1. - solid_volume(engine().particles()) / volume();
 }
 
 void Triaxial::finish_preparation()

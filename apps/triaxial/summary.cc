@@ -103,6 +103,8 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["permanent_axial_strain_1"] = record.end.axial_strain;
   out["permanent_volumetric_strain_1"] = record.end.volumetric_strain;
   out["laa_percent"] = record.end.laa;
+  out["porosity_start_1"] = record.start.porosity;
+  out["porosity_end_1"] = record.end.porosity;
   out["coordination_start_1"] = record.start.coordination_number;
   out["coordination_end_1"] = record.end.coordination_number;
   out["coordination_change_1"] =

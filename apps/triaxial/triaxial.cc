@@ -326,6 +326,7 @@ Sample Triaxial::sample(double roundness) const
     s.axial_strain = 1. - (cell->plate().height() - lower.z()) / start_height;
     s.volumetric_strain = 1. - volume() / start_volume;
   }
+  s.porosity = porosity();
   s.laa = 100. * dem::abrasion(stones);
   s.coordination_number = network.coordination_number;
   s.mean_contact_force = network.mean_force;

@@ -259,13 +259,14 @@ void band_table(const std::string &file)
 /// only where all contacts do.
 struct Rest
 {
-  const char *geometry, *contacts, *lateral, *damping, *hysteresis;
+  const char *geometry, *walls, *contacts, *lateral, *damping, *hysteresis;
 };
 
 /// Its damage per second and side at risk in each fifth of 200 ms.
 void rest(const Rest &keys, const std::string &file)
 {
   Triaxial test(case_with(file, {{"Contact", "geometry", keys.geometry},
+                                 {"Contact", "wall_geometry", keys.walls},
                                  {"Breakage", "contacts", keys.contacts},
                                  {"Boundary", "lateral", keys.lateral},
                                  {"Coupling", "exchange", "every_step"},
@@ -325,11 +326,13 @@ void rest_table(const std::string &file)
               "|---|---|---|---|---|---|---|---|---|---|\n");
   for (const char *hysteresis : {"0", "0.01"})
     for (const Rest &keys :
-         {Rest{"radial", "seen", "rigid", "0.5", hysteresis},
-          Rest{"radial", "seen", "rigid", "0", hysteresis},
-          Rest{"radial", "seen", "membrane", "0.5", hysteresis},
-          Rest{"ball", "all", "rigid", "0.5", hysteresis},
-          Rest{"ball", "all", "membrane", "0.5", hysteresis}})
+         {Rest{"surface", "surface", "seen", "rigid", "0.5", hysteresis},
+          Rest{"surface", "surface", "seen", "membrane", "0.5", hysteresis},
+          Rest{"radial", "ball", "seen", "rigid", "0.5", hysteresis},
+          Rest{"radial", "ball", "seen", "rigid", "0", hysteresis},
+          Rest{"radial", "ball", "seen", "membrane", "0.5", hysteresis},
+          Rest{"ball", "ball", "all", "rigid", "0.5", hysteresis},
+          Rest{"ball", "ball", "all", "membrane", "0.5", hysteresis}})
       rest(keys, file);
 }
 } // namespace

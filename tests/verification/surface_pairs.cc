@@ -7,6 +7,7 @@
 #include "brute_force.h"
 
 #include <dem/packing/random.h>
+#include <dem/search/spot_lists.h>
 #include <dem/search/spots.h>
 
 #include <algorithm>
@@ -154,12 +155,14 @@ Start deepest_from(const Pair &pair, const Start &from)
   return {-least, nearest_on_b(on_a[0]).at};
 }
 
+constexpr double apart = 0.15; ///< between nodes or places of their own [rad]
+
 /// The best nodes, none of them beside a better one.
-std::vector<Start> distinct_starts(const Pair &pair, std::size_t n)
+std::vector<Start> distinct_starts(const std::vector<Start> &nodes,
+                                   std::size_t n)
 {
-  constexpr double apart = 0.15; // [rad]
   std::vector<Start> chosen;
-  for (const Start &start : nearest_nodes(pair))
+  for (const Start &start : nodes)
   {
     const auto is_beside = [&start](const Start &better)
     { return (start.at[0] - better.at[0]).norm() < apart; };
@@ -171,20 +174,96 @@ std::vector<Start> distinct_starts(const Pair &pair, std::size_t n)
   return chosen;
 }
 
+/// Nodes within `reach` with none better beside them.
+std::vector<Start> least_starts(const std::vector<Start> &nodes, double reach)
+{
+  std::vector<Start> chosen;
+  for (std::size_t k = 0; k < nodes.size() && nodes[k].value < reach; ++k)
+  {
+    const auto is_beside = [&](const Start &better)
+    { return (nodes[k].at[0] - better.at[0]).norm() < apart; };
+    if (std::none_of(nodes.begin(),
+                     nodes.begin() + static_cast<std::ptrdiff_t>(k), is_beside))
+      chosen.push_back(nodes[k]);
+  }
+  return chosen;
+}
+
+Start downhill(const Pair &pair, const Start &start, bool is_apart)
+{
+  return is_apart ? nearest_from(pair, start) : deepest_from(pair, start);
+}
+
 /// The best place from the best nodes: nearest, or deepest.
-Start best_place(const Pair &pair, bool is_apart)
+Start best_place(const Pair &pair, const std::vector<Start> &nodes,
+                 bool is_apart)
 {
   const std::size_t n_starts = is_apart ? 8 : 4;
   Start best{-1e9, {}};
-  for (const Start &start : distinct_starts(pair, n_starts))
+  for (const Start &start : distinct_starts(nodes, n_starts))
   {
-    const Start place =
-        is_apart ? nearest_from(pair, start) : deepest_from(pair, start);
+    const Start place = downhill(pair, start, is_apart);
     if (place.value > best.value)
       best = place;
   }
   return best;
 }
+
+/// Whether a place of the brute force is one of those of the search.
+bool is_among(const Start &place, const std::vector<dem::Spot> &spots)
+{
+  return std::any_of(spots.begin(), spots.end(),
+                     [&](const dem::Spot &spot)
+                     { return (spot.on_a - place.at[0]).norm() < apart; });
+}
+
+/// Further places, beside the deepest, and how many of them are missed.
+struct Further
+{
+  int n = 0, n_missed = 0;
+  double largest = -1.;   ///< missed overlap over the diameter
+  std::size_t n_most = 0; ///< places of one pair, by the search
+  int n_beyond = 0;       ///< pairs with more than are followed
+
+  void look(const Pair &pair, const std::vector<Start> &nodes, bool is_apart,
+            double margin, const std::vector<dem::Spot> &spots)
+  {
+    n_most = std::max(n_most, spots.size());
+    n_beyond += spots.size() > dem::most_spots;
+    std::vector<Start> seen;
+    for (const Start &start : least_starts(nodes, 0.08 * diameter(pair)))
+    {
+      const Start place = downhill(pair, start, is_apart);
+      const auto is_known = [&](const Start &other)
+      { return (other.at[0] - place.at[0]).norm() < apart; };
+      if (place.value < (is_apart ? -margin : 0.) ||
+          (!spots.empty() &&
+           (spots.front().on_a - place.at[0]).norm() < apart) ||
+          std::any_of(seen.begin(), seen.end(), is_known))
+        continue;
+      seen.push_back(place);
+      ++n;
+      if (is_among(place, spots))
+        continue;
+      ++n_missed;
+      largest = std::max(largest, place.value / diameter(pair));
+      const dem::Spot polished = dem::polish(
+          pair.a, pair.b, pair.pose, {place.at[0], place.at[1], 0., true});
+      std::fprintf(stderr,
+                   "further place, %s: brute force %.3e, search from "
+                   "there %s %.3e, %.2f rad from it\n",
+                   is_apart ? "apart" : "overlapping",
+                   place.value / diameter(pair),
+                   polished.is_found ? "found" : "lost",
+                   polished.overlap / diameter(pair),
+                   (polished.on_a - place.at[0]).norm());
+    }
+  }
+  static double diameter(const Pair &pair)
+  {
+    return 2. * dem::mean_radius(pair.b);
+  }
+};
 
 dem::SpotSearch search(const dem::MappedPair &pair, double margin)
 {
@@ -235,7 +314,8 @@ void report(int number, const Pair &pair, const dem::Spot &found,
       polished.is_found ? "" : ", lost", (found.on_a - exact.at[0]).norm());
 }
 
-void compare(int number, const dem::MappedPair &pair, Tally &tally)
+void compare(int number, const dem::MappedPair &pair, Tally &tally,
+             Further &further)
 {
   const double size = dem::mean_radius(pair.b.body);
   const double before = processor_time();
@@ -246,7 +326,10 @@ void compare(int number, const dem::MappedPair &pair, Tally &tally)
                               ? dem::Spot{.overlap = -0.02 * size}
                               : search_result.spots.front();
   const Pair both{pair.a.body, pair.b.body, pair.pose};
-  const Start exact = best_place(both, found.overlap <= 0.);
+  const std::vector<Start> nodes = nearest_nodes(both);
+  const bool is_apart = found.overlap <= 0.;
+  const Start exact = best_place(both, nodes, is_apart);
+  further.look(both, nodes, is_apart, 0.02 * size, search_result.spots);
   if (!tally.add(exact.value / (2. * size), found.overlap / (2. * size)))
     report(number, both, found, exact);
 }
@@ -265,6 +348,7 @@ int main(int argc, char **argv)
       stones.emplace_back(shape.coefficients);
   dem::Random random(std::stoull(argv[2]));
   std::array<Tally, 2> tallies;
+  std::array<Further, 2> further;
   for (int k = 0; k < std::stoi(argv[1]); ++k)
   {
     const auto pick = [&]
@@ -287,7 +371,7 @@ int main(int argc, char **argv)
     compare(k,
             approach({{a, one.map}, {b, other.map}, {reach * along, rotation}},
                      overlap),
-            tallies[is_apart ? 0 : 1]);
+            tallies[is_apart ? 0 : 1], further[is_apart ? 0 : 1]);
   }
   std::printf(
       "| pairs | number | search misses the nearest place | brute force "
@@ -300,4 +384,13 @@ int main(int argc, char **argv)
                 tallies[k].n_missed, tallies[k].n_beaten, tallies[k].worst,
                 100. * tallies[k].n_several / std::max(1, tallies[k].n),
                 1e6 * tallies[k].seconds / std::max(1, tallies[k].n));
+  std::printf("\n| pairs | further places | of them missed | largest missed "
+              "over the diameter | most places of one pair | pairs with more "
+              "than %zu |\n|---|---|---|---|---|---|\n",
+              dem::most_spots);
+  for (std::size_t k = 0; k < 2; ++k)
+    std::printf("| %s | %d | %d | %.1e | %zu | %d |\n",
+                k == 0 ? "apart" : "overlapping", further[k].n,
+                further[k].n_missed, further[k].largest, further[k].n_most,
+                further[k].n_beyond);
 }

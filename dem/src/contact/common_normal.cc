@@ -9,10 +9,15 @@ namespace dem
 {
 namespace
 {
-/// No step leads farther than this part of the radius.
-constexpr double longest_step = 0.1;
-/// A search that takes more steps leads nowhere.
-constexpr int most_steps = 40;
+/// A climb to a place.
+struct Pace
+{
+  double longest_step = 0.; ///< no step leads farther, of the radius [-]
+  int most_steps = 0;       ///< a climb that takes more leads nowhere
+};
+constexpr Pace usual{0.1, 40};
+/// Where long steps leap to and fro over a lens.
+constexpr Pace careful{0.03, 100};
 /// Steps below this part of the radius are none.
 constexpr double converged = 1e-10;
 /// Of a lens, times the radius: what is flatter is climbed like this.
@@ -85,21 +90,23 @@ SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation)
           rotation * point.bend * rotation.transpose()};
 }
 
-Spot polish(const Body &a, const Body &b, const RelativePose &pose,
-            const Spot &start)
+namespace
+{
+Spot climb(const Body &a, const Body &b, const RelativePose &pose,
+           const Spot &start, const Pace &pace)
 {
   const double size = std::min(mean_radius(a), mean_radius(b));
   const double floor = lowest_curvature / size;
   Spot spot = start;
   spot.is_found = false;
-  for (int step = 0; step < most_steps && !spot.is_found; ++step)
+  for (int step = 0; step < pace.most_steps && !spot.is_found; ++step)
   {
     const SurfacePoint on_a = surface_point(a, spot.on_a);
     SurfacePoint on_b = turned(surface_point(b, spot.on_b), pose.rotation);
     on_b.position += pose.position;
     const NormalStep newton = step_to_common_normal(on_a, on_b, floor);
-    const Vec3 along_a = shortened(newton.on_a, longest_step * size);
-    const Vec3 along_b = shortened(newton.on_b, longest_step * size);
+    const Vec3 along_a = shortened(newton.on_a, pace.longest_step * size);
+    const Vec3 along_b = shortened(newton.on_b, pace.longest_step * size);
     spot.on_a = (on_a.position + along_a).normalized();
     spot.on_b =
         (pose.rotation.transpose() * (on_b.position + along_b - pose.position))
@@ -110,6 +117,14 @@ Spot polish(const Body &a, const Body &b, const RelativePose &pose,
   }
   return spot;
 }
+} // namespace
+
+Spot polish(const Body &a, const Body &b, const RelativePose &pose,
+            const Spot &start)
+{
+  const Spot spot = climb(a, b, pose, start, usual);
+  return spot.is_found ? spot : climb(a, b, pose, start, careful);
+}
 
 Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start)
 {
@@ -117,14 +132,14 @@ Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start)
   const Frame frame = tangents(normal);
   Support support;
   support.direction = start;
-  for (int step = 0; step < most_steps && !support.is_found; ++step)
+  for (int step = 0; step < usual.most_steps && !support.is_found; ++step)
   {
     const SurfacePoint at = surface_point(body, support.direction);
     const Mat2 bend = frame.transpose() * at.bend * frame;
     const Vec2 along = floored(bend, lowest_curvature / size)
                            .llt()
                            .solve(-frame.transpose() * at.normal);
-    const Vec3 climb = shortened(frame * along, longest_step * size);
+    const Vec3 climb = shortened(frame * along, usual.longest_step * size);
     support.direction = (at.position + climb).normalized();
     support.height = at.position.dot(normal) + 0.5 * along.dot(bend * along);
     support.is_found = bend.trace() > 0. && bend.determinant() > 0. &&

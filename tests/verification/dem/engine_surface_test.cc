@@ -88,7 +88,7 @@ TEST(Surface, CollisionsKeepMomentaAndEnergy)
     EXPECT_LT((after.angular - before.angular).norm(),
               1e-9 * before.angular.norm());
     // Second order in the step: 5e-5 at most.
-    EXPECT_NEAR((support::energy_residual(engine) + start) / start, 0., 2e-4);
+    EXPECT_NEAR((support::energy_residual(engine) + start) / start, 0., 1e-4);
     EXPECT_LT(std::abs(engine.energy().shape_work), 0.03 * start);
   }
 }
@@ -206,62 +206,4 @@ TEST(Surface, InertiaIsThatOfTheEllipsoid)
     EXPECT_NEAR(engine.particles().angular_momentum(0)[d],
                 mass / 5. * (e * e + f * f), 1e-5 * mass * e * e);
   }
-}
-
-// Two stones pressed together and rolled over each other for 1e5 steps: the
-// contact is, at every look, where a careful search from scratch finds it.
-TEST(Surface, ContactIsTrackedWhileStonesRoll)
-{
-  dem::EngineParameters p = surface_parameters();
-  p.stone.friction = 0.6;
-  p.stone.normal_damping = p.stone.shear_damping = 0.3;
-  // The error of the expansions goes with its third power: at the default of
-  // 5e-3 it is 6e-6 of the diameter here.
-  p.geometry.refresh_tolerance = 1e-3;
-  dem::Engine engine(p);
-  const dem::Body a = stone(3, 0.01), b = stone(8, 0.01);
-  engine.add_stone(a, Vec3::Zero(), dem::Quaternion::Identity());
-  engine.add_stone(b, {0., 0., 0.0205}, dem::Quaternion::Identity());
-  double worst = 0.;
-  Vec3 last = Vec3::Zero();
-  double longest = 0.;
-  int n_looks = 0;
-  for (int step = 0; step < 100000; ++step)
-  {
-    // Held together by a force between the centres, and driven about x and y.
-    dem::Particles &stones = engine.particles();
-    const Vec3 branch = stones.position(1) - stones.position(0);
-    const Vec3 pull = 20. * branch.normalized() * 2e-6;
-    stones.velocity(0) += pull / stones.mass(0);
-    stones.velocity(1) -= pull / stones.mass(1);
-    stones.spin(0) = {8., 3., 0.};
-    stones.spin(1) = {-8., 2., 0.};
-    engine.advance(2e-6);
-    const std::size_t k = support::only_touch(engine.pairs());
-    if (k == engine.pairs().size())
-    {
-      last = Vec3::Zero();
-      continue;
-    }
-    const Vec3 here = engine.pairs().side_a.spot(k);
-    if (!last.isZero(0.))
-      longest = std::max(longest, (here - last).norm());
-    last = here;
-    if (step % 500 != 0)
-      continue;
-    ++n_looks;
-    const dem::Mat3 to_a = stones.rotation(0).transpose();
-    const dem::Spot exact =
-        dem::polish(stones.body[0], stones.body[1],
-                    {to_a * (stones.position(1) - stones.position(0)),
-                     to_a * stones.rotation(1)},
-                    {here, engine.pairs().side_b.spot(k), 0., false});
-    ASSERT_TRUE(exact.is_found);
-    worst = std::max(worst, std::abs(exact.overlap - engine.pairs().overlap[k] -
-                                     engine.pairs().slack[k]));
-  }
-  EXPECT_GT(n_looks, 50);
-  EXPECT_LT(worst, 1e-6 * 0.02); // of the diameter
-  // Steps of the contact without a counted jump are short.
-  EXPECT_TRUE(longest < 0.05 || engine.spot_events().n_jumps > 0);
 }

@@ -58,8 +58,9 @@ NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
 
 /// Follows the common normal of two stones (x_A - x_B = delta n, n_A = -n_B =
 /// n) from a start by Newton steps with both shape operators, as
-/// long as a lens T(y) = delta - y.(K_A + K_B) y / 2 needs it. Not found if
-/// there is no lens of positive curvature near the start.
+/// long as a lens T(y) = delta - y.(K_A + K_B) y / 2 needs it; once more by
+/// shorter steps if they lead nowhere. Not found if there is no lens of
+/// positive curvature near the start.
 Spot polish(const Body &a, const Body &b, const RelativePose &pose,
             const Spot &start);
 
