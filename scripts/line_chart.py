@@ -7,9 +7,11 @@ COLOURS = ("#0b5394", "#cc4125", "#38761d", "#b45f06", "#674ea7", "#444444")
 
 
 def line_chart(curves, x_label, y_label):
-    """SVG of {name: {x: y}}, y above zero."""
-    xs = sorted({x for curve in curves.values() for x in curve})
-    ys = [y for curve in curves.values() for y in curve.values()]
+    """SVG of {name: [{x: y}, ...]}, curves of one name in one colour; y above
+    zero."""
+    every = [curve for group in curves.values() for curve in group]
+    xs = sorted({x for curve in every for x in curve})
+    ys = [y for curve in every for y in curve.values()]
     low = math.floor(math.log10(min(ys)))
     high = math.ceil(math.log10(max(ys)))
 
@@ -28,15 +30,16 @@ def line_chart(curves, x_label, y_label):
         parts += [f'<path d="M{x:.1f} {y:.1f}H{WIDTH - RIGHT}" '
                   'stroke="#ddd"/>', text(x - 6, y + 4, f"{10.**power:g}",
                                           "end")]
-    for x in xs:
+    for x in xs[::1 + len(xs) // 16]:
         parts.append(text(at(x, 1.)[0], HEIGHT - BOTTOM + 18, x))
-    for i, (name, curve) in enumerate(curves.items()):
+    for i, (name, group) in enumerate(curves.items()):
         colour = COLOURS[i % len(COLOURS)]
-        path = "L".join("{:.1f} {:.1f}".format(*at(*point))
-                        for point in sorted(curve.items()))
-        parts += [f'<path d="M{path}" fill="none" stroke="{colour}" '
-                  'stroke-width="2"/>',
-                  text(WIDTH - RIGHT + 12, TOP + 14 + 20 * i, name, "start",
+        for curve in group:
+            path = "L".join("{:.1f} {:.1f}".format(*at(*point))
+                            for point in sorted(curve.items()))
+            parts.append(f'<path d="M{path}" fill="none" stroke="{colour}" '
+                         f'stroke-width="{2 if len(group) == 1 else 1}"/>')
+        parts += [text(WIDTH - RIGHT + 12, TOP + 14 + 20 * i, name, "start",
                        f' fill="{colour}"')]
     middle = TOP + (HEIGHT - TOP - BOTTOM) / 2
     parts += [text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, x_label),

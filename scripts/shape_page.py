@@ -21,19 +21,15 @@ from line_chart import line_chart
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "verification" / "shapes.md"
+EVERY = PAGE.with_name("shape_fit_error.csv")
 PICTURE = ROOT / "docs" / "pictures" / "shape_fit_error.svg"
 SAMPLE = [ROOT / "data" / "shapes" / name
           for name in ("limestone", "limestone_blocky")]
-ORDERS = (4, 8, 12, 16, 20, 30)
+ORDERS = range(1, 31)
+SHOWN = (1, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 30)
 METRES = {"m": 1., "mm": 1e-3, "um": 1e-6}
-DRAWN = {"nist_vcctl_sh/mesh5120/MA111-7-coarse-00009_n14_5120.stl":
-         "limestone 00009",
-         "nist_vcctl_sh/mesh5120/Ottawa-sand-20076_n14_5120.stl":
-         "Ottawa sand",
-         "ibois_quarry_scraps/low_res_E22.ply": "quarry scrap E22",
-         "ibois_quarry_scraps/mesh_073ac15d.ply": "quarry stone 073ac15d",
-         "eesd_epfl_rubble/scan_05.ply": "rubble scan 05",
-         "eesd_epfl_rubble/savaas_S02.ply": "stone S02"}
+SOURCES = {"nist_vcctl_sh": "NIST", "ibois_quarry_scraps": "IBOIS",
+           "eesd_epfl_rubble": "EESD"}
 
 
 def table(head, rows):
@@ -79,6 +75,7 @@ def catalogue(meshes):
 def fits_table(tool, meshes):
     """Residual against order, and all that a fit of order 20 says."""
     errors, at_20, drawn = [], [], {}
+    every = [["mesh", *(f"order_{order}_percent" for order in ORDERS)]]
     for row in catalogue(meshes):
         name = row["file"]
         fits = {order: tool.fit(meshes / name, order, row["units_guess"])
@@ -89,9 +86,11 @@ def fits_table(tool, meshes):
         print(label, rms, flush=True)
         errors.append([label, row["triangles"],
                        *(f"{rms[order]:.3f}" if order in rms else "-"
-                         for order in ORDERS)])
-        if name in DRAWN:
-            drawn[DRAWN[name]] = rms
+                         for order in SHOWN)])
+        every.append([label, *(f"{rms[order]:.4f}" if order in rms else ""
+                               for order in ORDERS)])
+        if rms:
+            drawn.setdefault(SOURCES[name.split("/")[0]], []).append(rms)
         if not fits[20]:
             continue
         mesh, series = fits[20]["mesh"], fits[20]["series"]
@@ -103,7 +102,8 @@ def fits_table(tool, meshes):
             f"{series['convexity_1']:.3f}", f"{mesh['time_s']:.3f}"])
     PICTURE.write_text(line_chart(
         drawn, "order of the series", "rms residual / mean radius, %"))
-    return (table(["mesh", "triangles", *(f"order {n}" for n in ORDERS)],
+    EVERY.write_text("\n".join(map(",".join, every)) + "\n")
+    return (table(["mesh", "triangles", *map(str, SHOWN)],
                   errors) + "\n\nOrder 20:\n\n" +
             table(["mesh", "largest residual, %", "volume, %", "area, %",
                    "overhang, %", "saddles, %", "ringing, %", "convexity",

@@ -30,7 +30,8 @@ constexpr Figure figures[] = {{"elongation_1", "I / L"},
                               {"sphericity_1", "sphericity (Wadell)"},
                               {"roundness_1", "roundness (R_g)"},
                               {"corner_fraction_1", "share of corners"},
-                              {"saddle_fraction_1", "share of kappa_min < 0"}};
+                              {"saddle_fraction_1", "share of kappa_min < 0"},
+                              {"largest_curvature_1", "largest kappa r_mean"}};
 constexpr std::size_t n_figures = std::size(figures);
 
 /// One row per stone.
@@ -46,7 +47,8 @@ std::array<double, n_figures> figures_of(const dem::Coefficients &shape)
           of.sphericity,
           of.roundness,
           of.corner_fraction,
-          of.saddle_fraction};
+          of.saddle_fraction,
+          of.max_curvature * of.mean_radius};
 }
 
 /// Mean and standard deviation of one figure over the stones.

@@ -74,6 +74,8 @@ void add_form(const dem::Coefficients &coefficients,
         of.corner_fraction},
        {"saddle_fraction_1", "share of directions, kappa_min < 0", "-",
         of.saddle_fraction},
+       {"largest_curvature_1", "largest kappa_max r_mean", "-",
+        of.max_curvature * of.mean_radius},
        {"ringing_rms_1", "ringing, rms / mean radius", "-", ringing.rms},
        {"ringing_largest_1", "ringing, largest / mean radius", "-",
         ringing.largest}});

@@ -1,4 +1,4 @@
-// What the ways to say where two stones meet cost, and what they miss: table
+// What the ways to say where two stones meet cost, and what they miss: tables
 // and figures of docs/verification/geometry_cost.md.
 //
 //   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
@@ -43,8 +43,9 @@ struct Errors
     }
     ++n;
     gap += std::pow((found.overlap - exact.overlap) / diameter, 2);
-    const double cosine = std::min(1., found.normal.dot(exact.normal));
-    angle += std::pow(std::acos(cosine) * 180. / std::numbers::pi, 2);
+    const double turn = std::atan2(found.normal.cross(exact.normal).norm(),
+                                   found.normal.dot(exact.normal));
+    angle += std::pow(turn * 180. / std::numbers::pi, 2);
     const Vec3 lever = found.arm.cross(found.normal),
                right = exact.arm.cross(exact.normal);
     arm += std::pow((lever - right).norm() / ball_radius, 2);
@@ -53,13 +54,23 @@ struct Errors
   {
     return std::sqrt(this->*sum / std::max(1, n));
   }
+  Errors &operator+=(const Errors &more)
+  {
+    gap += more.gap;
+    angle += more.angle;
+    arm += more.arm;
+    n += more.n;
+    n_lost += more.n_lost;
+    return *this;
+  }
 };
 
 struct Row
 {
   std::string method;
   double nanoseconds = 0.; ///< per contact and step
-  Errors errors;
+  Errors errors;           ///< beside the true contact
+  Errors cache;            ///< beside the same geometry without a cache
 };
 
 /// Pairs of one shape that just touch.
@@ -108,7 +119,7 @@ Row time_alone(
     const Pairs &pairs, const std::string &name, double base,
     const std::function<Meeting(const dem::MappedPair &, std::size_t)> &method)
 {
-  Row row{name, 0., {}};
+  Row row{name, 0., {}, {}};
   std::vector<Meeting> found(pairs.poses.size());
   const double begun = processor_time();
   int n = 0;
@@ -125,12 +136,11 @@ Row time_alone(
 }
 
 /// The engine with each pair far from all others, turning at 4 rad/s, in
-/// contacts too soft to move it. The distances are such that pairs overlap by
-/// 0.2 % of the diameter in the geometry of the engine.
-dem::Engine turning_pairs(const Pairs &pairs, dem::ContactGeometry geometry,
-                          double tolerance)
+/// contacts too soft to move it; `p` has the law. The distances are such that
+/// pairs overlap by 0.2 % of the diameter in the geometry of the engine.
+dem::Engine turning_pairs(const Pairs &pairs, dem::EngineParameters p,
+                          dem::ContactGeometry geometry, double tolerance)
 {
-  dem::EngineParameters p;
   p.stone.shear_modulus = 1e-3;
   p.breakage.is_active = false;
   p.geometry.geometry = geometry;
@@ -181,59 +191,95 @@ Meeting exactly(const Pairs &pairs, const dem::Engine &engine, std::size_t c)
   return {};
 }
 
-/// Of the places where two stones touch, the deepest; stone A is in no other
-/// pair.
-std::vector<std::size_t> deepest_contacts(const dem::ContactBatch &batch)
+/// Of the places where two stones touch, the deepest, and how many there are;
+/// stone A is in no other pair.
+struct Touch
 {
-  std::map<std::int32_t, std::size_t> deepest;
+  std::size_t deepest = 0;
+  int n = 0;
+};
+
+std::map<std::int32_t, Touch> touches(const dem::ContactBatch &batch)
+{
+  std::map<std::int32_t, Touch> of;
   for (std::size_t c = 0; c < batch.size(); ++c)
     if (batch.is_touching(c))
     {
-      const auto [entry, is_new] = deepest.try_emplace(batch.a[c], c);
-      if (batch.overlap[c] > batch.overlap[entry->second])
-        entry->second = c;
+      Touch &touch = of[batch.a[c]];
+      if (touch.n++ == 0 || batch.overlap[c] > batch.overlap[touch.deepest])
+        touch.deepest = c;
     }
-  std::vector<std::size_t> contacts;
-  for (const auto &[stone, contact] : deepest)
-    contacts.push_back(contact);
-  return contacts;
+  return of;
 }
 
-/// Contacts of the engine through 5000 steps of 1e-6 s: their time, and the
-/// error of the cache beside the exact series.
+/// Where the engine has two stones that touch once meet: normal and lever arm
+/// from the force and the moment that act on A, springs alone.
+Meeting by_engine(const dem::Engine &engine, std::size_t c)
+{
+  const auto a = static_cast<std::size_t>(engine.pairs().a[c]);
+  const dem::StoneLoad &load = engine.particles().load[a];
+  const dem::Mat3 into_a = engine.particles().rotation(a).transpose();
+  const double force = load.force.norm();
+  Meeting meeting;
+  meeting.overlap = engine.pairs().overlap[c];
+  meeting.normal = -(into_a * load.force) / force;
+  // arm x normal = -moment / force.
+  meeting.arm = meeting.normal.cross(-(into_a * load.moment) / force);
+  return meeting;
+}
+
+constexpr int n_steps = 5000; ///< of 1e-6 s
+
+/// What the cache of the engine is wrong by after all steps.
+Errors cache_errors(const Pairs &pairs, dem::ContactGeometry geometry,
+                    double tolerance)
+{
+  dem::EngineParameters springs;
+  springs.stone.friction = springs.stone.rolling_friction = 0.;
+  springs.stone.normal_damping = springs.stone.shear_damping = 0.;
+  dem::Engine engine = turning_pairs(pairs, springs, geometry, tolerance);
+  for (int step = 0; step < n_steps; ++step)
+    engine.advance(1e-6);
+  Errors errors;
+  for (const auto &[stone, touch] : touches(engine.pairs()))
+  {
+    const Meeting exact = exactly(pairs, engine, touch.deepest);
+    const double overlap = engine.pairs().overlap[touch.deepest];
+    // Beyond what any cache may be wrong by, it is another place.
+    if (std::abs(overlap - exact.overlap) > 1e-4 * diameter)
+      ++errors.n_lost;
+    else if (touch.n == 1)
+      errors.add(by_engine(engine, touch.deepest), exact);
+  }
+  return errors;
+}
+
+/// Contacts of the engine with the default law: their time, and the error of
+/// the cache.
 Row time_engine(const Pairs &pairs, const std::string &name,
                 dem::ContactGeometry geometry, double tolerance)
 {
-  dem::Engine engine = turning_pairs(pairs, geometry, tolerance);
+  dem::Engine engine = turning_pairs(pairs, {}, geometry, tolerance);
   spall::measure(engine, 200, 1e-6);
-  const spall::BenchSample sample = spall::measure(engine, 5000, 1e-6);
+  const spall::BenchSample sample = spall::measure(engine, n_steps, 1e-6);
   const dem::EngineClock &p = sample.phases;
   const double share =
       (p.contacts + p.search) / (p.contacts + p.search + p.breakage + p.motion);
-  Row row{name, 1e9 * sample.cpu * share / sample.updates(), {}};
-  for (const std::size_t c : deepest_contacts(engine.pairs()))
-  {
-    const Meeting exact = exactly(pairs, engine, c);
-    Meeting cached = exact;
-    cached.overlap = engine.pairs().overlap[c];
-    // Beyond what any cache may be wrong by, it is another place.
-    if (std::abs(cached.overlap - exact.overlap) < 1e-4 * diameter)
-      row.errors.add(cached, exact);
-    else
-      ++row.errors.n_lost;
-  }
-  return row;
+  return {name,
+          1e9 * sample.cpu * share / sample.updates(),
+          {},
+          cache_errors(pairs, geometry, tolerance)};
 }
 
 /// What a way of the engine has for errors: those of the geometry, and those
-/// of the cache in the gap.
+/// of the cache.
 Row with_cache(const Row &geometry, const Row &cached)
 {
   Row row = cached;
   row.errors = geometry.errors;
-  row.errors.n_lost = cached.errors.n_lost;
-  const double cache = cached.errors.of(&Errors::gap);
-  row.errors.gap += row.errors.n * cache * cache;
+  row.errors.n_lost = cached.cache.n_lost;
+  for (double Errors::*sum : {&Errors::gap, &Errors::angle, &Errors::arm})
+    row.errors.*sum += row.errors.n * std::pow(cached.cache.of(sum), 2);
   return row;
 }
 
@@ -270,14 +316,62 @@ std::vector<Row> measure_all(const Pairs &pairs)
   return rows;
 }
 
-void print(const std::string &shape, int order, const std::vector<Row> &rows)
+/// The rows of all shapes of one order, way by way.
+using ByOrder = std::map<int, std::vector<std::vector<Row>>>;
+
+/// One way over all shapes: mean time, sums of errors.
+Row over_shapes(const std::vector<std::vector<Row>> &shapes, std::size_t way)
 {
-  for (const Row &row : rows)
-    std::printf("| %s | %d | %s | %.0f | %.1e | %.2g | %.2g | %d |\n",
-                shape.c_str(), order, row.method.c_str(), row.nanoseconds,
-                row.errors.of(&Errors::gap), row.errors.of(&Errors::angle),
-                row.errors.of(&Errors::arm), row.errors.n_lost);
-  std::fflush(stdout);
+  Row sum = shapes.front()[way];
+  for (std::size_t k = 1; k < shapes.size(); ++k)
+  {
+    sum.nanoseconds += shapes[k][way].nanoseconds;
+    sum.errors += shapes[k][way].errors;
+    sum.cache += shapes[k][way].cache;
+  }
+  sum.nanoseconds /= static_cast<double>(shapes.size());
+  return sum;
+}
+
+void print_errors(const Row &row)
+{
+  std::printf("%.0f | %.1e | %.1e | %.1e | %d |\n", row.nanoseconds,
+              row.errors.of(&Errors::gap), row.errors.of(&Errors::angle),
+              row.errors.of(&Errors::arm), row.errors.n_lost);
+}
+
+void print_ways(const ByOrder &all)
+{
+  std::printf("| order | way | ns per contact and step | gap error / diameter "
+              "| normal [deg] | lever arm / radius | lost |\n"
+              "|---|---|---|---|---|---|---|\n");
+  for (const auto &[order, shapes] : all)
+    for (std::size_t way = 0; way < shapes.front().size(); ++way)
+    {
+      const Row row = over_shapes(shapes, way);
+      std::printf("| %d | %s | ", order, row.method.c_str());
+      print_errors(row);
+    }
+}
+
+/// What the tolerance of the cache costs and saves, over all orders.
+void print_cache(const ByOrder &all)
+{
+  std::printf("\n| way | ns per contact and step | error of the cache: gap / "
+              "diameter | normal [deg] | lever arm / radius | lost |\n"
+              "|---|---|---|---|---|---|\n");
+  std::vector<std::vector<Row>> every;
+  for (const auto &[order, shapes] : all)
+    every.insert(every.end(), shapes.begin(), shapes.end());
+  for (std::size_t way = 0; way < every.front().size(); ++way)
+  {
+    Row row = over_shapes(every, way);
+    if (row.cache.n == 0)
+      continue;
+    row.errors = row.cache;
+    std::printf("| %s | ", row.method.c_str());
+    print_errors(row);
+  }
 }
 
 /// Smaller errors are drawn as this.
@@ -336,10 +430,8 @@ int main(int argc, char **argv)
     return 1;
   }
   omp_set_num_threads(1);
-  std::printf("| shape | order | way | ns per contact and step | gap error / "
-              "diameter | normal [deg] | lever arm / radius | lost |\n"
-              "|---|---|---|---|---|---|---|---|\n");
-  std::vector<Row> all;
+  ByOrder all;
+  std::vector<Row> dots;
   for (int k = 3; k < argc; ++k)
   {
     const spall::ShapeFile shape = spall::read_shape(argv[k]);
@@ -353,9 +445,11 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "%s, order %d: %d pairs left out, flat on flat\n",
                      shape.name.c_str(), order, pairs.n_left_out);
       const std::vector<Row> rows = measure_all(pairs);
-      print(shape.name, order, rows);
-      all.insert(all.end(), rows.begin(), rows.end());
+      all[order].push_back(rows);
+      dots.insert(dots.end(), rows.begin(), rows.end());
     }
   }
-  draw_all(argv[2], all);
+  print_ways(all);
+  print_cache(all);
+  draw_all(argv[2], dots);
 }

@@ -189,29 +189,30 @@ void list_rebuild(State &state)
                           static_cast<std::int64_t>(batch.size()));
 }
 
-/// One frozen step of the engine; an item is one touching pair.
-void step_engine(State &state, bool is_breaking)
+/// Frozen steps of an engine; an item is one touching pair.
+void step_engine(State &state, dem::Engine &engine)
 {
-  const auto engine = benchmark_scenes::lattice(
-      static_cast<int>(state.range(0)), kind_of(state));
-  engine->set_breaking(is_breaking);
   std::int64_t n_touching = 0;
-  for (std::size_t k = 0; k < engine->pairs().size(); ++k)
-    n_touching += engine->pairs().is_touching(k);
+  for (std::size_t k = 0; k < engine.pairs().size(); ++k)
+    n_touching += engine.pairs().is_touching(k);
   for (auto _ : state)
-    engine->advance(benchmark_scenes::frozen_step);
+    engine.advance(benchmark_scenes::frozen_step);
   state.SetItemsProcessed(state.iterations() * n_touching);
 }
 
 void engine_step(State &state)
 {
-  step_engine(state, false);
+  step_engine(state, *benchmark_scenes::lattice(
+                         static_cast<int>(state.range(0)), kind_of(state)));
 }
 
-/// The same with breakage switched on; nothing breaks.
-void engine_step_breakage(State &state)
+/// 500 stones with breakage switched on; nothing breaks.
+void engine_step_breakage(State &state, dem::BreakageParameters choice)
 {
-  step_engine(state, true);
+  choice.is_active = true;
+  choice.fracture_energy = 1e12;
+  step_engine(state, *benchmark_scenes::lattice(
+                         500, benchmark_scenes::Stones::shapes, choice));
 }
 
 void sizes(benchmark::internal::Benchmark *kernel)
@@ -222,10 +223,25 @@ void sizes(benchmark::internal::Benchmark *kernel)
 }
 BENCHMARK(list_rebuild)->Apply(sizes);
 BENCHMARK(engine_step)->Apply(sizes);
-BENCHMARK(engine_step_breakage)
-    ->Args({500, 1})
-    ->Args({5000, 1})
-    ->ArgNames({"stones", "shapes"})
+
+// The choices of the criterion, one by one.
+BENCHMARK_CAPTURE(engine_step_breakage, default, {})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(engine_step_breakage, energy_with_shear,
+                  {.energy = dem::CriterionEnergy::with_shear})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(engine_step_breakage, curvature_relative,
+                  {.curvature = dem::CapCurvature::relative})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(engine_step_breakage, share_compliance,
+                  {.share = dem::EnergyShare::compliance})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(engine_step_breakage, memory_patch,
+                  {.memory = dem::FactorMemory::patch})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(engine_step_breakage, repetitions_10, {.repetitions = 10.})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(engine_step_breakage, hysteresis_0, {.hysteresis = 0.})
     ->Unit(benchmark::kMicrosecond);
 } // namespace
 

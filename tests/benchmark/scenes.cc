@@ -40,13 +40,13 @@ dem::Body rounded_cube(double radius)
   return dem::make_body(series, radius);
 }
 
-std::unique_ptr<dem::Engine> lattice(int n, Stones kind)
+std::unique_ptr<dem::Engine> lattice(int n, Stones kind,
+                                     const dem::BreakageParameters &breakage)
 {
   constexpr double radius = 5e-3, overlap = 1e-5;
   constexpr int n_steps = 3;
   dem::EngineParameters parameters;
-  parameters.breakage.is_active = false;
-  parameters.breakage.fracture_energy = 1e12; // once it is on: nothing breaks
+  parameters.breakage = breakage;
   parameters.search_margin = 5e-4;
   parameters.wall.normal_stiffness = 3e5;
   parameters.wall.shear_stiffness = 3e5;

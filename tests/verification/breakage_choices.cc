@@ -265,15 +265,23 @@ struct Rest
 /// Its damage per second and side at risk in each fifth of 200 ms.
 void rest(const Rest &keys, const std::string &file)
 {
-  Triaxial test(case_with(file, {{"Contact", "geometry", keys.geometry},
-                                 {"Contact", "wall_geometry", keys.walls},
-                                 {"Breakage", "contacts", keys.contacts},
-                                 {"Boundary", "lateral", keys.lateral},
-                                 {"Coupling", "exchange", "every_step"},
-                                 {"Loading", "amplitude", "0"},
-                                 {"Loading", "cycles", "20"},
-                                 {"Time", "local_damping", keys.damping},
-                                 {"Breakage", "hysteresis", keys.hysteresis}}));
+  std::vector<Override> overrides = {
+      {"Contact", "geometry", keys.geometry},
+      {"Contact", "wall_geometry", keys.walls},
+      {"Breakage", "contacts", keys.contacts},
+      {"Boundary", "lateral", keys.lateral},
+      {"Coupling", "exchange", "every_step"},
+      {"Loading", "amplitude", "0"},
+      {"Loading", "cycles", "20"},
+      {"Time", "local_damping", keys.damping},
+      {"Breakage", "hysteresis", keys.hysteresis}};
+  // True surfaces need more room than balls and no rolling resistance.
+  if (std::string(keys.geometry) == "surface")
+    overrides.insert(overrides.end(),
+                     {{"Specimen", "initial_solid_fraction", "0.12"},
+                      {"Stone", "rolling_friction", "0"},
+                      {"Time", "fixed_step", "7e-7"}});
+  Triaxial test(case_with(file, overrides));
   while (test.stage() != Stage::loading)
     test.advance();
   test.take_events();

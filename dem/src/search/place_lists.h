@@ -102,19 +102,22 @@ struct PairList
       rows.push_back(row);
   }
 
-  /// Adds new contacts, the nearest first.
+  /// Adds new contacts. Of too many the farthest go, be they new or old, and
+  /// the list is complete until those could touch.
   void add(const std::vector<Spot> &found, bool is_first)
   {
     for (const Spot &spot : found)
-    {
-      if (rows.size() >= most_spots)
-      {
-        ++events.n_unlisted;
-        continue;
-      }
-      events.n_late += spot.overlap > 0. && !is_first;
       rows.push_back({-1, spot, {}});
+    while (rows.size() > most_spots)
+    {
+      const auto farthest = std::ranges::min_element(
+          rows, {}, [](const Row &row) { return row.spot.overlap; });
+      clear = std::min(clear, std::max(0., -farthest->spot.overlap));
+      rows.erase(farthest);
+      ++events.n_unlisted;
     }
+    for (const Row &row : rows)
+      events.n_late += row.source < 0 && row.spot.overlap > 0. && !is_first;
   }
 };
 

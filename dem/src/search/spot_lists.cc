@@ -43,9 +43,11 @@ PairList list_pair(const SpotSearchInput &input, const WatchedPair &watched,
   list.events.n_scans = 1;
   for (const std::size_t k : alive_first(batch, old))
   {
-    const Spot spot = spot_of(batch, k);
-    if (batch.is_touching(k) ||
-        gap_at(particles, pair, pose, spot) < input.margin)
+    Spot spot = spot_of(batch, k);
+    spot.overlap = batch.is_touching(k)
+                       ? batch.overlap[k]
+                       : -gap_at(particles, pair, pose, spot);
+    if (spot.overlap > -input.margin)
       list.keep({static_cast<std::int32_t>(k), spot, {}});
   }
   SpotSearch search = find_spots(mapped, separation,
@@ -77,10 +79,13 @@ PairList list_support(const SpotSearchInput &input, const PairKey &key,
   list.events.n_scans = 1;
   for (const std::size_t k : alive_first(batch, old))
   {
-    const Spot spot{batch.side_a.spot(k), Vec3::UnitZ(), 0., true};
-    const double height =
-        surface_point(particles.body[i], spot.on_a).position.dot(normal);
-    if (batch.is_touching(k) || distance - height < input.margin)
+    Spot spot{batch.side_a.spot(k), Vec3::UnitZ(), 0., true};
+    spot.overlap =
+        batch.is_touching(k)
+            ? batch.overlap[k]
+            : surface_point(particles.body[i], spot.on_a).position.dot(normal) -
+                  distance;
+    if (spot.overlap > -input.margin)
       list.keep({static_cast<std::int32_t>(k), spot, {}});
   }
   if (list.clear == input.margin)

@@ -18,6 +18,7 @@ struct CornerSums
   double corner_radius = 0.; ///< area times 1 / kappa_max there [m^3]
   double saddle_angle = 0.;  ///< of nodes with kappa_min < 0 [sr]
   double max_slope = 0.;     ///< [m]
+  double max_curvature = 0.; ///< [1/m]
 };
 
 CornerSums corner_sums(std::span<const double> coefficients,
@@ -37,6 +38,7 @@ CornerSums corner_sums(std::span<const double> coefficients,
     sums.area += area;
     sums.saddle_angle += kappa.minimum < 0. ? rule.weight[k] : 0.;
     sums.max_slope = std::max(sums.max_slope, slope);
+    sums.max_curvature = std::max(sums.max_curvature, curvature);
     if (is_corner(curvature, inscribed_radius))
     {
       sums.corner_area += area;
@@ -87,6 +89,7 @@ ShapeMeasures measure_shape(std::span<const double> coefficients,
   const CornerSums sums = corner_sums(coefficients, rule, *lowest);
   measures.area = sums.area;
   measures.max_slope = sums.max_slope;
+  measures.max_curvature = sums.max_curvature;
   measures.sphericity =
       std::cbrt(36. * std::numbers::pi * std::pow(measures.volume, 2)) /
       sums.area;

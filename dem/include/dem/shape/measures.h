@@ -17,6 +17,7 @@ struct ShapeMeasures
   double circumscribed_radius = 0.; ///< max of r over the nodes [m]
   double mean_radius = 0.;          ///< a_00 / sqrt(4 pi) [m]
   double max_slope = 0.;            ///< max of |grad_S r| over the nodes [m]
+  double max_curvature = 0.;        ///< max of kappa_max over the nodes [1/m]
   double sphericity = 0.;           ///< Wadell: (36 pi V^2)^(1/3) / S [-]
   double saddle_fraction = 0.;      ///< share of directions, kappa_min < 0 [-]
   double corner_fraction = 0.;      ///< share of the area with g = 1 [-]

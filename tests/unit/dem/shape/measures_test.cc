@@ -34,6 +34,7 @@ TEST(Measures, OfASphere)
   EXPECT_NEAR(of.circumscribed_radius, r, 1e-14);
   EXPECT_NEAR(of.mean_radius, r, 1e-14);
   EXPECT_NEAR(of.max_slope, 0., 1e-12 * r);
+  EXPECT_NEAR(of.max_curvature * r, 1., 1e-10);
   EXPECT_NEAR(of.sphericity, 1., 1e-12);
 }
 
@@ -61,6 +62,8 @@ TEST(Measures, OfAnOblateSpheroid)
       2. * pi * a * a + pi * c * c / e * std::log((1. + e) / (1. - e));
   EXPECT_NEAR(of.volume, volume, 1e-8 * volume);
   EXPECT_NEAR(of.area, area, 1e-7 * area);
+  // On the equator, beside which the nodes are.
+  EXPECT_NEAR(of.max_curvature, a / (c * c), 3e-3 * a / (c * c));
 }
 
 TEST(Measures, InertiaOfAnEllipsoid)
