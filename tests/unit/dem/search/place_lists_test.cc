@@ -8,8 +8,8 @@ namespace
 dem::Spot place(int number, double gap)
 {
   const double angle = 0.5 * number;
-  return {{std::cos(angle), std::sin(angle), 0.}, dem::Vec3::UnitZ(), -gap,
-          true};
+  return {
+      {std::cos(angle), std::sin(angle), 0.}, dem::Vec3::UnitZ(), -gap, true};
 }
 
 /// As many old places as a pair may have, 1e-5 m and more from touching.
