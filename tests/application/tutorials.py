@@ -3,12 +3,16 @@
 
     tutorials.py SPALL PAGE.md
 
-The head of the table says the command, `spall run CASE ...` in backticks; each
-row a key of summary.json (a/b: b of a), and the least and the largest value.
+The head of the table says the command in backticks; each row the least and the
+largest value. Of `spall run CASE ...` a row names a key of summary.json (a/b: b
+of a), of `spall study STUDY ...` a column of study.csv: its mean over the cases
+in which other columns have given values (column=value, blanks between).
 """
+import csv
 import json
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -16,14 +20,37 @@ import tempfile
 from triaxial_runs import report_faults
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-HEAD = re.compile(r"^\| `spall run ([^`]+)` +\| from \| to \|$", re.M)
-ROW = re.compile(r"^\| `([^`]+)` \| (\S+) \| (\S+) \|", re.M)
+HEAD = re.compile(r"^\| `spall (run|study) ([^`]+)` +\| from \| to \|$", re.M)
+ROW = re.compile(r"^\| `([^`]+)`(?: with `([^`]+)`)? \| (\S+) \| (\S+) \|",
+                 re.M)
 
 
-def value_of(found, key):
-    for name in key.split("/"):
-        found = found[name]
-    return found
+class Run:
+    """summary.json of a run."""
+
+    def __init__(self, folder):
+        self.summary = json.loads((folder / "summary.json").read_text())
+
+    def value(self, key, _):
+        found = self.summary
+        for name in key.split("/"):
+            found = found[name]
+        return found
+
+
+class Study:
+    """study.csv of a study."""
+
+    def __init__(self, folder):
+        with open(folder / "study.csv", newline="", encoding="utf-8") as file:
+            self.cases = list(csv.DictReader(file))
+
+    def value(self, key, conditions):
+        wanted = dict(pair.split("=") for pair in conditions.split())
+        return statistics.mean(
+            float(case[key]) for case in self.cases
+            if all(float(case[name]) == float(value)
+                   for name, value in wanted.items()))
 
 
 def faults_of(spall, page):
@@ -35,13 +62,15 @@ def faults_of(spall, page):
     if not promised:
         return [f"the table of {page.name} has no rows"]
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([spall, "run", *head[1].split(), "--out", folder,
-                        "--overwrite"], cwd=ROOT, check=True,
+        options = ["--overwrite"] if head[1] == "run" else []
+        subprocess.run([spall, head[1], *head[2].split(), "--out", folder,
+                        *options], cwd=ROOT, check=True,
                        stdout=subprocess.DEVNULL)
-        found = json.loads((pathlib.Path(folder) / "summary.json").read_text())
-    return [f"{page.name}: {key} = {value_of(found, key)}: not from {low} "
-            f"to {high}" for key, low, high in promised
-            if not float(low) <= value_of(found, key) <= float(high)]
+        found = {"run": Run, "study": Study}[head[1]](pathlib.Path(folder))
+    return [f"{page.name}: {key} {conditions} = {found.value(key, conditions)}:"
+            f" not from {low} to {high}"
+            for key, conditions, low, high in promised
+            if not float(low) <= found.value(key, conditions) <= float(high)]
 
 
 if __name__ == "__main__":
