@@ -19,9 +19,9 @@ inline constexpr double frozen_step = 1e-12;
 
 /// Body-centred lattice of about `n` touching stones, 10 mm wide, in a box of
 /// its own; advanced by a few frozen steps.
-std::unique_ptr<dem::Engine>
-lattice(int n, Stones kind,
-        const dem::BreakageParameters &breakage = {.is_active = false});
+std::unique_ptr<dem::Engine> lattice(int n, Stones kind,
+                                     const dem::BreakageParameters &breakage = {
+                                         .is_active = false});
 
 /// A cube with rounded edges, series of order 20, ball radius `radius` [m].
 dem::Body rounded_cube(double radius);

@@ -44,9 +44,8 @@ PairList list_pair(const SpotSearchInput &input, const WatchedPair &watched,
   for (const std::size_t k : alive_first(batch, old))
   {
     Spot spot = spot_of(batch, k);
-    spot.overlap = batch.is_touching(k)
-                       ? batch.overlap[k]
-                       : -gap_at(particles, pair, pose, spot);
+    spot.overlap = batch.is_touching(k) ? batch.overlap[k]
+                                        : -gap_at(particles, pair, pose, spot);
     if (spot.overlap > -input.margin)
       list.keep({static_cast<std::int32_t>(k), spot, {}});
   }
