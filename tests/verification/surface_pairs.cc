@@ -157,6 +157,11 @@ Start deepest_from(const Pair &pair, const Start &from)
 
 constexpr double apart = 0.15; ///< between nodes or places of their own [rad]
 
+bool are_beside(const Vec3 &one, const Vec3 &other)
+{
+  return (one - other).norm() < apart;
+}
+
 /// The best nodes, none of them beside a better one.
 std::vector<Start> distinct_starts(const std::vector<Start> &nodes,
                                    std::size_t n)
@@ -165,7 +170,7 @@ std::vector<Start> distinct_starts(const std::vector<Start> &nodes,
   for (const Start &start : nodes)
   {
     const auto is_beside = [&start](const Start &better)
-    { return (start.at[0] - better.at[0]).norm() < apart; };
+    { return are_beside(start.at[0], better.at[0]); };
     if (std::none_of(chosen.begin(), chosen.end(), is_beside))
       chosen.push_back(start);
     if (chosen.size() == n)
@@ -181,7 +186,7 @@ std::vector<Start> least_starts(const std::vector<Start> &nodes, double reach)
   for (std::size_t k = 0; k < nodes.size() && nodes[k].value < reach; ++k)
   {
     const auto is_beside = [&](const Start &better)
-    { return (nodes[k].at[0] - better.at[0]).norm() < apart; };
+    { return are_beside(nodes[k].at[0], better.at[0]); };
     if (std::none_of(nodes.begin(),
                      nodes.begin() + static_cast<std::ptrdiff_t>(k), is_beside))
       chosen.push_back(nodes[k]);
@@ -214,7 +219,7 @@ bool is_among(const Start &place, const std::vector<dem::Spot> &spots)
 {
   return std::any_of(spots.begin(), spots.end(),
                      [&](const dem::Spot &spot)
-                     { return (spot.on_a - place.at[0]).norm() < apart; });
+                     { return are_beside(spot.on_a, place.at[0]); });
 }
 
 /// Further places, beside the deepest, and how many of them are missed.
@@ -235,10 +240,9 @@ struct Further
     {
       const Start place = downhill(pair, start, is_apart);
       const auto is_known = [&](const Start &other)
-      { return (other.at[0] - place.at[0]).norm() < apart; };
+      { return are_beside(other.at[0], place.at[0]); };
       if (place.value < (is_apart ? -margin : 0.) ||
-          (!spots.empty() &&
-           (spots.front().on_a - place.at[0]).norm() < apart) ||
+          (!spots.empty() && are_beside(spots.front().on_a, place.at[0])) ||
           std::any_of(seen.begin(), seen.end(), is_known))
         continue;
       seen.push_back(place);
@@ -389,8 +393,11 @@ int main(int argc, char **argv)
               "than %zu |\n|---|---|---|---|---|---|\n",
               dem::most_spots);
   for (std::size_t k = 0; k < 2; ++k)
-    std::printf("| %s | %d | %d | %.1e | %zu | %d |\n",
-                k == 0 ? "apart" : "overlapping", further[k].n,
-                further[k].n_missed, further[k].largest, further[k].n_most,
-                further[k].n_beyond);
+  {
+    std::printf("| %s | %d | %d | ", k == 0 ? "apart" : "overlapping",
+                further[k].n, further[k].n_missed);
+    if (further[k].n_missed > 0)
+      std::printf("%.1e", further[k].largest);
+    std::printf(" | %zu | %d |\n", further[k].n_most, further[k].n_beyond);
+  }
 }

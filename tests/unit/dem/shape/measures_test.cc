@@ -62,7 +62,7 @@ TEST(Measures, OfAnOblateSpheroid)
       2. * pi * a * a + pi * c * c / e * std::log((1. + e) / (1. - e));
   EXPECT_NEAR(of.volume, volume, 1e-8 * volume);
   EXPECT_NEAR(of.area, area, 1e-7 * area);
-  // On the equator, beside which the nodes are.
+  // On the equator; the nearest nodes, half a ring aside, have 3.1e-3 less.
   EXPECT_NEAR(of.max_curvature, a / (c * c), 5e-3 * a / (c * c));
 }
 
