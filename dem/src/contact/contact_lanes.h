@@ -122,11 +122,11 @@ double *partner_load(const Task &task, std::int32_t target)
                   : task.stones.halo + load_row * (-1 - row);
 }
 
-/// Adds force and moment to a row.
-void add_load(const double *load, double *row)
+/// Adds force and moment to a row: the first four numbers and the other two.
+void add_load(const double *four, const double *two, double *row)
 {
-  store_pack(load_pack<4>(row) + load_pack<4>(load), row);
-  store_pack(load_pack<2>(row + 4) + load_pack<2>(load + 4), row + 4);
+  store_pack(load_pack<4>(row) + load_pack<4>(four), row);
+  store_pack(load_pack<2>(row + 4) + load_pack<2>(two), row + 4);
 }
 
 /// Overlap and elastic energy of a set of lanes, now and in the last step.

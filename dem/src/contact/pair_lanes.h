@@ -122,16 +122,17 @@ struct PairLoad
 void scatter_pairs(const Task &task, std::int64_t k, int n_valid,
                    const PairLoad &load, const Target &target)
 {
+  // What is read in one piece was written in one: it need not wait for memory.
   LaneTable<12> table;
   table.set(0, {load.force_a, load.moment_a.x});
-  table.set(
-      4, {{load.moment_a.y, load.moment_a.z, load.force_b.x}, load.force_b.y});
-  table.set(
-      8, {{load.force_b.z, load.moment_b.x, load.moment_b.y}, load.moment_b.z});
+  table.set(4, {load.force_b, load.moment_b.x});
+  table.set(8, {{load.moment_a.y, load.moment_a.z, load.moment_b.y},
+                load.moment_b.z});
   for (int lane = 0; lane < n_valid; ++lane)
   {
-    add_load(table.value[lane], target.row(task, task.contacts.a[k + lane]));
-    add_load(table.value[lane] + 6,
+    const double *of = table.value[lane];
+    add_load(of, of + 8, target.row(task, task.contacts.a[k + lane]));
+    add_load(of + 4, of + 10,
              partner_load(task, task.contacts.target[k + lane]));
   }
 }

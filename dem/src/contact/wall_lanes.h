@@ -81,7 +81,7 @@ void scatter_walls(const Task &task, std::int64_t k, int n_valid,
     double *kept = task.contacts.load + load_row * (k + lane);
     store_pack(load_pack<4>(load), kept);
     store_pack(load_pack<2>(load + 4), kept + 4);
-    add_load(load, target.row(task, task.contacts.a[k + lane]));
+    add_load(load, load + 4, target.row(task, task.contacts.a[k + lane]));
   }
 }
 

@@ -50,19 +50,36 @@ struct HalfAngle
   Real cosine, factor;
 };
 
-/// From the square of the angle [rad^2]; to round-off up to 1 rad, to 1e-10 up
-/// to half a turn.
-template <class Real>
-DEM_LANE_INLINE HalfAngle<Real> half_angle(const Real &square)
+/// The series from the square of the angle [rad^2] to the power `order` of the
+/// angle.
+template <int order, class Real>
+DEM_LANE_INLINE HalfAngle<Real> half_angle_series(const Real &square)
 {
   const Real h = 0.25 * square;
   Real cosine = Real(1.), sine = Real(1.);
-  for (int n = 14; n > 0; n -= 2)
+  for (int n = order; n > 0; n -= 2)
   {
     cosine = 1. - (1. / (n * (n - 1))) * (h * cosine);
     sine = 1. - (1. / (n * (n + 1))) * (h * sine);
   }
   return {cosine, 0.5 * sine};
+}
+
+/// From the square of the angle [rad^2]; to round-off up to 1 rad, to 1e-10 up
+/// to half a turn. What a stone turns by in a step is small: two terms are
+/// exact to the last digit up to 0.01 rad.
+template <class Real>
+DEM_LANE_INLINE HalfAngle<Real> half_angle(const Real &square)
+{
+  HalfAngle<Real> half = half_angle_series<4>(square);
+  const auto is_large = square > 1e-4;
+  if (any(is_large))
+  {
+    const HalfAngle<Real> large = half_angle_series<14>(square);
+    half.cosine = select(is_large, large.cosine, half.cosine);
+    half.factor = select(is_large, large.factor, half.factor);
+  }
+  return half;
 }
 
 /// exp(rotation vector) [rad].
