@@ -3,6 +3,7 @@
 #include "case/case.h"
 #include "run/sample.h"
 
+#include <dem/contact/narrow.h>
 #include <dem/io/vtk_output.h>
 
 #include <filesystem>
@@ -13,7 +14,8 @@
 namespace spall
 {
 /// Names the layout of states in files: another one, another number.
-inline constexpr std::uint64_t state_layout = 0x314c4c4150530a0f;
+inline constexpr std::uint64_t state_layout =
+    0x314c4c4150530a0f + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
 
 /// What the files of a run had come to at a checkpoint.
 struct Progressed

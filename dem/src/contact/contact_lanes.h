@@ -146,7 +146,7 @@ struct Damage
 /// loaded further: their factors are not even read. `bit` names the side in
 /// the events.
 void damage_side(const Task &task, std::int64_t k, const Damage &damage,
-                 const float *corner, double *factor, unsigned bit,
+                 const Narrow *corner, double *factor, unsigned bit,
                  RangeSum &sum)
 {
   const Lanes fracture_energy =

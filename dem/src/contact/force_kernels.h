@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/contact/narrow.h>
 #include <dem/contact/range_sum.h>
 
 #include <cstdint>
@@ -36,11 +37,11 @@ struct Vectors
 /// SideColumns, renewed by Surfaces.
 struct Side
 {
-  Vectors<const float> direction;
+  Vectors<const Narrow> direction;
   const double *radius;
-  Vectors<const float> gradient;
-  const float *hessian[6];
-  Vectors<float> offset; ///< null unless contacts follow their surfaces
+  Vectors<const Narrow> gradient;
+  const Narrow *hessian[6];
+  Vectors<Narrow> offset; ///< null unless contacts follow their surfaces
 };
 
 /// ContactBatch; columns that its layout leaves out are null.
@@ -48,17 +49,17 @@ struct Contacts
 {
   const std::int32_t *a, *b;
   Vectors<double> shear, rolling;
-  Vectors<float> dashpot;
+  Vectors<Narrow> dashpot;
   double *load; ///< StoneLoad, against walls
   const std::int32_t *target;
   double *overlap, *wake, *normal_force, *shear_compliance, *rolling_compliance;
   Side side_a, side_b;
   const double *normal_prefactor, *shear_prefactor;
-  float *twist;
+  Narrow *twist;
   double *slack; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
-  const float *corner_a, *corner_b;
-  float *turn;
+  const Narrow *corner_a, *corner_b;
+  Narrow *turn;
   double *peak;
   std::uint8_t *event;
 };

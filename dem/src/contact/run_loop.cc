@@ -46,10 +46,10 @@ auto *numbers(std::vector<Row> &rows)
 
 kernel::Side side_view(SideColumns &side)
 {
-  const auto vectors = [](const TripleColumn<float> &column)
+  const auto vectors = [](const TripleColumn<Narrow> &column)
   {
-    return kernel::Vectors<const float>{column.x.data(), column.y.data(),
-                                        column.z.data()};
+    return kernel::Vectors<const Narrow>{column.x.data(), column.y.data(),
+                                         column.z.data()};
   };
   kernel::Side view{
       vectors(side.direction),

@@ -8,10 +8,10 @@ namespace dem
 {
 namespace
 {
-std::array<float, 3> rounded(const Vec3 &v)
+std::array<Narrow, 3> rounded(const Vec3 &v)
 {
-  const Eigen::Vector3f f = v.cast<float>();
-  return {f.x(), f.y(), f.z()};
+  return {static_cast<Narrow>(v.x()), static_cast<Narrow>(v.y()),
+          static_cast<Narrow>(v.z())};
 }
 
 SurfaceSide sphere_side(const Body &body, const Vec3 &direction)

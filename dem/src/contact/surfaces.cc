@@ -7,7 +7,7 @@ namespace dem
 namespace
 {
 /// Marks prefactors as out of date; more than any tolerance [rad].
-constexpr float not_mixed = 10.f;
+constexpr Narrow not_mixed = 10;
 
 /// World direction of kappa_max of a side.
 Vec3 first_direction(const ForceContext &context, std::int32_t stone,
@@ -38,7 +38,7 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   const double entries[6] = {h(0, 0), h(1, 1), h(2, 2),
                              h(0, 1), h(0, 2), h(1, 2)};
   for (std::size_t c = 0; c < 6; ++c)
-    side.hessian[c][k] = static_cast<float>(entries[c]);
+    side.hessian[c][k] = static_cast<Narrow>(entries[c]);
   side.curvature[k] = fresh.curvature;
   if (batch.layout.has_spots)
     side.offset.set(k, {});
@@ -59,7 +59,8 @@ void note_corner(const Particles &particles, ContactBatch &batch, std::size_t k,
   const bool may_break =
       curvature.is_corner != 0 && particles.is_breakable[row_of(stone)] != 0;
   (is_a ? batch.corner_a : batch.corner_b)[k] =
-      may_break ? static_cast<float>(cap_slope(curvature.gaussian())) : 0.f;
+      may_break ? static_cast<Narrow>(cap_slope(curvature.gaussian()))
+                : Narrow(0);
 }
 
 void forget_side(ContactBatch &batch, std::size_t k, bool is_a)
@@ -97,12 +98,12 @@ void mix_prefactors(const ForceContext &context, ContactBatch &batch,
                        gap);
   batch.normal_prefactor[k] = prefactors.normal;
   batch.shear_prefactor[k] = prefactors.tangential;
-  batch.twist[k] = 0.f;
+  batch.twist[k] = 0;
   if (batch.layout.has_damage &&
       context.parameters.breakage.curvature == CapCurvature::relative)
-    for (float *corner : {&batch.corner_a[k], &batch.corner_b[k]})
-      if (*corner > 0.f)
-        *corner = static_cast<float>(cap_slope(4. * gap.a * gap.b));
+    for (Narrow *corner : {&batch.corner_a[k], &batch.corner_b[k]})
+      if (*corner > 0)
+        *corner = static_cast<Narrow>(cap_slope(4. * gap.a * gap.b));
 }
 
 void set_wall_prefactors(const ForceContext &context, ContactBatch &batch,

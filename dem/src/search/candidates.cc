@@ -89,7 +89,7 @@ void note_corners(const Particles &particles, ContactBatch &batch)
     if (batch.layout.has_partners && batch.side_b.is_known(k))
       note_corner(particles, batch, k, false);
     if (batch.layout.has_turn)
-      batch.turn[k] = static_cast<float>(batch.stored_energy(k));
+      batch.turn[k] = static_cast<Narrow>(batch.stored_energy(k));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/law.h>
+#include <dem/contact/narrow.h>
 #include <dem/contact/side.h>
 #include <dem/particles.h>
 #include <dem/vector.h>
@@ -55,14 +56,14 @@ struct BatchLayout
 /// where the contacts do not read the shape.
 struct SideColumns
 {
-  TripleColumn<float> direction;             ///< evaluated there, unit [-]
-  std::vector<double> radius;                ///< [m]
-  TripleColumn<float> gradient;              ///< surface gradient of r [m]
-  std::array<std::vector<float>, 6> hessian; ///< xx, yy, zz, xy, xz, yz [m]
+  TripleColumn<Narrow> direction;             ///< evaluated there, unit [-]
+  std::vector<double> radius;                 ///< [m]
+  TripleColumn<Narrow> gradient;              ///< surface gradient of r [m]
+  std::array<std::vector<Narrow>, 6> hessian; ///< xx, yy, zz, xy, xz, yz [m]
   std::vector<SideCurvature> curvature;
   /// Where the contact is now: at u + offset, u being `direction`, if contacts
   /// follow their surfaces [-]
-  TripleColumn<float> offset;
+  TripleColumn<Narrow> offset;
 
   bool is_known(std::size_t k) const
   {
@@ -77,14 +78,14 @@ struct SideColumns
   static void visit(const Visit &call, const BatchLayout &has, bool is_there,
                     Selves &...selves)
   {
-    TripleColumn<float>::visit(call, is_there, selves.direction...);
+    TripleColumn<Narrow>::visit(call, is_there, selves.direction...);
     call(is_there, selves.radius...);
-    TripleColumn<float>::visit(call, is_there, selves.gradient...);
+    TripleColumn<Narrow>::visit(call, is_there, selves.gradient...);
     for (std::size_t c = 0; c < 6; ++c)
       call(is_there, selves.hessian[c]...);
     call(is_there, selves.curvature...);
-    TripleColumn<float>::visit(call, is_there && has.has_spots,
-                               selves.offset...);
+    TripleColumn<Narrow>::visit(call, is_there && has.has_spots,
+                                selves.offset...);
   }
 };
 
@@ -101,7 +102,7 @@ struct ContactBatch
   std::vector<std::int32_t> b;         ///< stone, or row of the wall
   TripleColumn<double> shear, rolling; ///< springs, on A [N], [N m]
   /// Dashpots, force on A, last step [N]: read for the losses alone.
-  TripleColumn<float> dashpot;
+  TripleColumn<Narrow> dashpot;
   std::vector<StoneLoad> load; ///< against walls: on the stone; 0 if open
   /// Stone against stone: where the load on B is added, see PairLoads.
   std::vector<std::int32_t> target;
@@ -116,14 +117,14 @@ struct ContactBatch
   SideColumns side_a, side_b;
   /// Hertz with sides: C_H, k_s / sqrt(delta) [N/m^(3/2)]
   std::vector<double> normal_prefactor, shear_prefactor;
-  std::vector<float> twist; ///< turned about the normal since mixed [rad]
+  std::vector<Narrow> twist; ///< turned about the normal since mixed [rad]
   /// Overlap that the contact had when it was found: it does not count [m]
   std::vector<double> slack;
   std::vector<std::uint8_t> strayed;      ///< has come to another place
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
-  std::vector<float> corner_a, corner_b;
-  std::vector<float> turn;  ///< turn_of_energy [J]
+  std::vector<Narrow> corner_a, corner_b;
+  std::vector<Narrow> turn; ///< turn_of_energy [J]
   std::vector<double> peak; ///< of the counted energy, since there is one [J]
   /// Bit 0: side A breaks, bit 1: side B, bit 2: the contact began or ended.
   std::vector<std::uint8_t> event;
@@ -189,7 +190,7 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(true, batches.b...);
   TripleColumn<double>::visit(call, true, batches.shear...);
   TripleColumn<double>::visit(call, has.has_rolling, batches.rolling...);
-  TripleColumn<float>::visit(call, true, batches.dashpot...);
+  TripleColumn<Narrow>::visit(call, true, batches.dashpot...);
   call(!has.has_partners, batches.load...);
   call(has.has_partners, batches.target...);
   call(true, batches.overlap...);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/material.h>
+#include <dem/contact/narrow.h>
 #include <dem/shape/body.h>
 #include <dem/shape/patch.h>
 
@@ -12,10 +13,10 @@ namespace dem
 /// Principal curvatures of a stone at a contact.
 struct SideCurvature
 {
-  double first = 0.;                      ///< kappa_max, floored [1/m]
-  double second = 0.;                     ///< kappa_min, floored [1/m]
-  std::array<float, 3> first_direction{}; ///< of kappa_max, body frame [-]
-  std::int32_t is_corner = 0;             ///< g = 1 (Eq. 14, unfloored)
+  double first = 0.;                       ///< kappa_max, floored [1/m]
+  double second = 0.;                      ///< kappa_min, floored [1/m]
+  std::array<Narrow, 3> first_direction{}; ///< of kappa_max, body frame [-]
+  std::int32_t is_corner = 0;              ///< g = 1 (Eq. 14, unfloored)
 
   double gaussian() const { return first * second; }
 };
