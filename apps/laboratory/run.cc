@@ -96,7 +96,7 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
 {
   using Clock = std::chrono::steady_clock;
   auto since = Clock::now();
-  Refusals refusals(test.engine());
+  Refusals refusals(test.engine().n_refused_events());
   std::int64_t steps_before = test.engine().n_steps();
   while (test.share_done() < 1. && !is_stop_asked())
   {
@@ -105,7 +105,9 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
     recorder.after_step(test);
     for (const std::string &note : test.take_notes())
       progress.say(note);
-    if (const std::string news = refusals.news(test.engine()); !news.empty())
+    if (const std::string news = refusals.news(test.engine().n_refused_events(),
+                                               test.engine().time());
+        !news.empty())
       progress.say(news);
     if (test.engine().n_steps() % 64 != 0 || !progress.is_due())
       continue;

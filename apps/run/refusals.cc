@@ -4,9 +4,8 @@
 
 namespace spall
 {
-std::string Refusals::news(const dem::Engine &engine)
+std::string Refusals::news(int now, double time)
 {
-  const int now = engine.n_refused_events();
   if (now == said || now < 2 * said)
     return "";
   said = now;
@@ -14,7 +13,7 @@ std::string Refusals::news(const dem::Engine &engine)
   std::snprintf(text, sizeof text,
                 "by %.6g s %d breakage event%s refused, as the shape would not "
                 "have stayed star-shaped",
-                engine.time(), now, now > 1 ? "s were" : " was");
+                time, now, now > 1 ? "s were" : " was");
   return text;
 }
 } // namespace spall

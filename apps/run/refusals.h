@@ -1,7 +1,5 @@
 #pragma once
 
-#include <dem/engine.h>
-
 #include <string>
 
 namespace spall
@@ -11,13 +9,12 @@ namespace spall
 class Refusals
 {
 public:
-  explicit Refusals(const dem::Engine &engine) : said(engine.n_refused_events())
-  {
-  }
+  /// `n_before` are known already.
+  explicit Refusals(int n_before) : said(n_before) {}
 
-  /// What there is to say, the first time and whenever their number has
-  /// doubled since; else empty.
-  std::string news(const dem::Engine &engine);
+  /// What there is to say of `now` events by `time` [s], the first time and
+  /// whenever their number has doubled since; else empty.
+  std::string news(int now, double time);
 
 private:
   int said;

@@ -26,10 +26,25 @@ std::string numbers_of(const Sample &last)
   return text;
 }
 
+/// How near the preparation is to its rest.
+std::string numbers_of(const Triaxial::Prepared &so_far,
+                       const PreparationParameters &target)
+{
+  char text[120];
+  const dem::Vec3 stress = 1e-3 * so_far.stress;
+  std::snprintf(text, sizeof text,
+                "stress %.3g %.3g %.3g of %.3g kPa, unbalanced force ratio "
+                "%.1e of %.1e",
+                stress.x(), stress.y(), stress.z(), 1e-3 * target.pressure,
+                so_far.unbalanced_ratio, target.unbalanced_ratio);
+  return text;
+}
+
 /// Share of the whole run that is done and the name of its phase.
 void show_progress(Progress &progress, const Triaxial &test, const Sample &last,
-                   int cycles, double rate)
+                   const Case &parameters, double rate)
 {
+  const int cycles = test.last_cycle();
   char phase[40];
   if (test.stage() == Stage::preparation)
     std::snprintf(phase, sizeof phase, "preparation");
@@ -39,8 +54,12 @@ void show_progress(Progress &progress, const Triaxial &test, const Sample &last,
     std::snprintf(phase, sizeof phase, "cycle %.2f/%d", test.cycle(), cycles);
   const double share =
       test.stage() < Stage::loading ? 0. : test.cycle() / cycles;
-  progress.show(phase, share, rate,
-                test.stage() < Stage::loading ? "" : numbers_of(last));
+  std::string numbers;
+  if (test.stage() == Stage::preparation)
+    numbers = numbers_of(test.prepared(), parameters.preparation);
+  else if (test.stage() >= Stage::loading)
+    numbers = numbers_of(last);
+  progress.show(phase, share, rate, numbers);
 }
 
 void describe(Progress &progress, const Triaxial &test)
@@ -119,11 +138,11 @@ void describe_end(Progress &progress, const Recorder &recorder)
 
 /// Steps until the test is done or a stop is asked for.
 void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
-              ThreadChoice &threads, int cycles)
+              ThreadChoice &threads, const Case &parameters)
 {
   using Clock = std::chrono::steady_clock;
   auto since = Clock::now();
-  Refusals refusals(test.engine());
+  Refusals refusals(test.engine().n_refused_events());
   std::int64_t steps_before = test.engine().n_steps(), n_windows = 0;
   while (test.stage() != Stage::done && !is_stop_asked())
   {
@@ -134,7 +153,9 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
     recorder.follow_jumps(test);
     for (const std::string &note : test.take_notes())
       progress.say(note);
-    if (const std::string news = refusals.news(test.engine()); !news.empty())
+    if (const std::string news = refusals.news(test.engine().n_refused_events(),
+                                               test.engine().time());
+        !news.empty())
       progress.say(news);
     if (was_preparing && test.stage() != Stage::preparation)
       describe_preparation(progress, test);
@@ -142,7 +163,7 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
       continue;
     const double seconds =
         std::chrono::duration<double>(Clock::now() - since).count();
-    show_progress(progress, test, recorder.end(), cycles,
+    show_progress(progress, test, recorder.end(), parameters,
                   static_cast<double>(test.engine().n_steps() - steps_before) /
                       seconds);
     since = Clock::now();
@@ -182,7 +203,7 @@ void run_triaxial(const RunOptions &options, const Case &parameters)
              {
                ThreadChoice threads(
                    options.threads.value_or(parameters.threads));
-               run_loop(test, recorder, progress, threads, cycles);
+               run_loop(test, recorder, progress, threads, parameters);
                recorder.finish(test);
              });
   describe_end(progress, recorder);

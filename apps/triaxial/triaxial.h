@@ -58,6 +58,7 @@ public:
   void shorten_jump(const JumpPlan &refused);
   /// End of this many load cycles, whatever the case says.
   void stop_after(int cycles) { n_cycles = cycles; }
+  int last_cycle() const { return n_cycles; }
 
   /// The row of history.csv now; `roundness` is the caller's last value.
   Sample sample(double roundness) const;
@@ -84,7 +85,7 @@ public:
     return setup.gain;
   }
 
-  /// How the preparation ended.
+  /// How the preparation stands, and in the end how it ended.
   struct Prepared
   {
     dem::Vec3 stress = dem::Vec3::Zero(); ///< of each axis [Pa]
