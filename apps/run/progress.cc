@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <limits>
 #include <unistd.h>
 
 namespace spall
@@ -42,24 +41,6 @@ bool Progress::is_due() const
          (is_terminal ? 0.5 : 10.);
 }
 
-/// NaN where nothing has grown yet.
-double Progress::seconds_left(double share)
-{
-  // What stood still before, a preparation, says nothing of the rest.
-  if (!shown.empty() && shown.back().share >= share)
-    shown.clear();
-  shown.push_back({last_shown, share});
-  const auto half = (last_shown - started) / 2;
-  while (shown.size() > 2 && last_shown - shown[1].at > half)
-    shown.pop_front();
-  const Shown &first = shown.front();
-  const double grown = share - first.share;
-  return grown > 0.
-             ? std::chrono::duration<double>(last_shown - first.at).count() *
-                   (1. - share) / grown
-             : std::numeric_limits<double>::quiet_NaN();
-}
-
 void Progress::show(const std::string &phase, double share, double rate,
                     const std::string &numbers)
 {
@@ -68,7 +49,9 @@ void Progress::show(const std::string &phase, double share, double rate,
   std::snprintf(text, sizeof text, "%-13s %5.1f %%  %8.0f steps/s",
                 phase.c_str(), 100. * share, rate);
   std::string line = text;
-  if (const double left = seconds_left(share); std::isfinite(left))
+  const std::chrono::duration<double> so_far = last_shown - started;
+  if (const double left = time_left.after(so_far.count(), share);
+      std::isfinite(left))
     line += "  " + in_minutes(left) + " left";
   if (!numbers.empty())
     line += "  " + numbers;

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "run/time_left.h"
+
 #include <chrono>
-#include <deque>
 #include <fstream>
 #include <string>
 
@@ -22,9 +23,7 @@ public:
   /// True when show() would print: ask before gathering what it needs.
   bool is_due() const;
   /// `share` of the whole that is done, 0 to 1; `rate` in steps per second;
-  /// `numbers`: what the test has come to, as it is to be read. The time left
-  /// goes by how the share grew over the last half of the time so far, since
-  /// it last stood still.
+  /// `numbers`: what the test has come to, as it is to be read.
   void show(const std::string &phase, double share, double rate,
             const std::string &numbers);
   /// A line that stays.
@@ -35,14 +34,7 @@ private:
   std::ofstream log;
   bool is_terminal;
   bool has_open_line = false;
-  struct Shown
-  {
-    Clock::time_point at;
-    double share;
-  };
-  double seconds_left(double share);
-
   Clock::time_point started, last_shown;
-  std::deque<Shown> shown; ///< over the last half of the time
+  TimeLeft time_left;
 };
 } // namespace spall

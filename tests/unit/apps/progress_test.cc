@@ -1,14 +1,13 @@
 #include "run/progress.h"
 #include "run/refusals.h"
 #include "run/scratch_folder.h"
+#include "run/time_left.h"
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
+#include <cmath>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 namespace
 {
@@ -19,11 +18,6 @@ std::string printed(const Call &call)
   testing::internal::CaptureStdout();
   call();
   return testing::internal::GetCapturedStdout();
-}
-
-void wait(int milliseconds)
-{
-  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
 } // namespace
 
@@ -36,24 +30,22 @@ TEST(Progress, ShowsPhaseShareRateAndNumbers)
       "preparation     0.0 %      1234 steps/s  stress 3\n");
 }
 
-// A ten-thousandth in so many seconds: ten thousand times as many are left.
-TEST(Progress, TimeLeftGoesByWhatGrew)
+TEST(TimeLeft, GoesByWhatGrew)
 {
-  spall::Progress progress("/dev/null");
-  const auto shown = [&](double share)
-  { return printed([&] { progress.show("cycle", share, 1., ""); }); };
-  EXPECT_EQ(shown(0.).find("left"), std::string::npos);
-  wait(200);
-  EXPECT_EQ(shown(0.).find("left"), std::string::npos);
-  wait(40);
-  int minutes = 0, seconds = 0;
-  ASSERT_EQ(std::sscanf(shown(1e-4).c_str(),
-                        "cycle 0.0 %% 1 steps/s %d:%d left", &minutes,
-                        &seconds),
-            2);
-  EXPECT_GE(60 * minutes + seconds, 400);
-  // What stood still before would make it 2400.
-  EXPECT_LT(60 * minutes + seconds, 2000);
+  spall::TimeLeft left;
+  EXPECT_TRUE(std::isnan(left.after(0., 0.)));
+  EXPECT_DOUBLE_EQ(left.after(10., 0.25), 30.);
+  // Slower since: the last half of the time counts.
+  EXPECT_DOUBLE_EQ(left.after(21., 0.375), 11. * 0.625 / 0.125);
+}
+
+// A preparation says nothing of the rest.
+TEST(TimeLeft, BeginsAnewWhereNothingGrew)
+{
+  spall::TimeLeft left;
+  EXPECT_TRUE(std::isnan(left.after(0., 0.)));
+  EXPECT_TRUE(std::isnan(left.after(1000., 0.)));
+  EXPECT_DOUBLE_EQ(left.after(1010., 0.1), 90.);
 }
 
 TEST(Progress, KeepsWhatItSaysInTheLog)
