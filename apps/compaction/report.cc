@@ -106,6 +106,8 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
       v.eccentric_mass * v.eccentricity * omega * omega;
   summary["seating_settlement_m"] =
       now.stage == Stage::vibration ? top.height - now.start_height : 0.;
+  summary["seated_density_kg_per_m3"] =
+      reports.empty() ? 0. : reports.front().density;
   summary["vibration_s"] = vibrated();
   summary["settlement_m"] =
       now.stage == Stage::vibration ? now.start_height - height() : 0.;
