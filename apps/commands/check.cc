@@ -41,10 +41,12 @@ std::filesystem::path run_folder_in(const ScratchFolder &scratch)
   return scratch.path();
 }
 
-/// What steps take with all that is written meanwhile; at the end what a run
-/// leaves is written, so that memory has been as high as it will be.
+/// What steps of the whole test will take with all that is written meanwhile;
+/// at the end what a run leaves is written, so that memory has been as high as
+/// it will be.
 template <class Test, class Writer>
 MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
+                     const TestTimes &times,
                      const std::function<bool()> &is_over)
 {
   const auto advance = [&]
@@ -60,7 +62,8 @@ MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
     writer.after_step(test);
     return !is_over();
   };
-  const MeanStep step = time_steps(test.engine(), parameters.threads, advance);
+  const MeanStep step =
+      time_steps(test.engine(), times, parameters.threads, advance);
   writer.finish(test);
   return step;
 }
@@ -151,12 +154,12 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   Recorder recorder(parameters, run_folder_in(scratch));
   recorder.start();
   test.hasten();
-  const MeanStep step =
-      run_a_while(parameters, test, recorder,
-                  [&test] { return test.stage() == Stage::done; });
-  print_predicted(test.period() * parameters.loading.n_cycles() +
-                      parameters.loading.consolidation_time,
-                  step);
+  const double duration = test.period() * parameters.loading.n_cycles() +
+                          parameters.loading.consolidation_time;
+  print_predicted(duration,
+                  run_a_while(parameters, test, recorder,
+                              {duration, test.period()},
+                              [&test] { return test.stage() == Stage::done; }));
   if (parameters.cycle_jump.is_on())
     std::printf("                 less what CycleJump skips\n");
   print_memory();
@@ -180,6 +183,7 @@ void check_lab(const Case &parameters, const std::string &preparations)
   test->hasten();
   print_predicted(test->duration(),
                   run_a_while(parameters, *test, recorder,
+                              {test->duration(), test->period()},
                               [&test] { return test->share_done() >= 1.; }));
   print_memory();
 }

@@ -273,6 +273,11 @@ double Compaction::duration() const
   return parameters.plate.seating_time + last_time;
 }
 
+double Compaction::period() const
+{
+  return 1. / parameters.vibration.frequency;
+}
+
 std::string Compaction::phase() const
 {
   char text[60];

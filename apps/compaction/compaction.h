@@ -26,6 +26,7 @@ public:
 
   double share_done() const override;
   double duration() const override; ///< without the filling [s]
+  double period() const override;   ///< of the exciter [s]
   std::string phase() const override;
   Due due() const override;
   double progress_at(double time) const override; ///< of the vibration [s]

@@ -173,6 +173,11 @@ double LosAngeles::duration() const
          60. * last_turn / parameters.drum.turns_per_minute;
 }
 
+double LosAngeles::period() const
+{
+  return 60. / parameters.drum.turns_per_minute;
+}
+
 /// Until the stones have fallen, and the drum turns.
 void LosAngeles::hasten()
 {

@@ -14,6 +14,7 @@ public:
 
   double share_done() const override;
   double duration() const override;
+  double period() const override; ///< of a turn [s]
   void hasten() override;
   std::string phase() const override;
   Due due() const override;

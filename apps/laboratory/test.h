@@ -49,6 +49,8 @@ public:
   virtual double share_done() const = 0;
   /// Of the whole test [s].
   virtual double duration() const = 0;
+  /// In which its load or motion comes back; 0: none [s].
+  virtual double period() const { return 0.; }
   /// Where it is, in a few words.
   virtual std::string phase() const = 0;
   virtual Due due() const = 0;

@@ -4,10 +4,60 @@
 #include "run/thread_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace spall
 {
+namespace
+{
+/// Of each half, at most of one that goes on to a whole period, and what that
+/// may be expected to take when it is tried [s].
+constexpr double half = 5., longest_half = 30., hopeless = 120.;
+
+/// What has been run.
+struct Ran
+{
+  double time = 0.;  ///< simulated [s]
+  double spent = 0.; ///< by Stopwatch [s]
+  double n_steps = 0.;
+};
+
+Ran operator-(const Ran &a, const Ran &b)
+{
+  return {a.time - b.time, a.spent - b.spent, a.n_steps - b.n_steps};
+}
+
+/// By the engine and its clock since a start.
+class Meter
+{
+public:
+  explicit Meter(const dem::Engine &e) : engine(e), start(read()) {}
+  Ran ran() const { return read() - start; }
+
+private:
+  Ran read() const
+  {
+    return {engine.time(), watch.seconds(),
+            static_cast<double>(engine.n_steps())};
+  }
+
+  const dem::Engine &engine;
+  Stopwatch watch;
+  Ran start;
+};
+
+/// Simulated time after which the period that has begun is over; what has been
+/// run if that is not worth waiting for [s].
+double whole_periods(const Ran &ran, double period)
+{
+  if (period <= 0.)
+    return ran.time;
+  const double length = std::ceil(ran.time / period) * period;
+  return ran.spent * length / ran.time > hopeless ? ran.time : length;
+}
+} // namespace
+
 Stopwatch::Stopwatch()
     : started(std::chrono::steady_clock::now()), processor(processor_seconds())
 {
@@ -20,28 +70,42 @@ double Stopwatch::seconds() const
   return std::min(wall.count(), processor_seconds() - processor);
 }
 
-MeanStep time_steps(const dem::Engine &engine, int threads,
-                    const std::function<bool()> &advance)
+MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
+                    int threads, const std::function<bool()> &advance)
 {
-  constexpr double half = 5.; // [s]
   ThreadChoice choice(threads);
-  const Stopwatch watch;
-  double since = 0., from = engine.time();
-  std::int64_t steps_before = engine.n_steps();
-  bool is_on = true;
-  while (is_on && watch.seconds() < 2. * half)
+  const Meter meter(engine);
+  const auto run_until = [&](const std::function<bool()> &is_enough)
   {
-    if (since == 0. && watch.seconds() > half)
+    bool is_on = true;
+    while (is_on && !is_enough())
     {
-      since = watch.seconds();
-      from = engine.time();
-      steps_before = engine.n_steps();
+      choice.before_step();
+      is_on = advance();
     }
-    choice.before_step();
-    is_on = advance();
-  }
-  const auto n = static_cast<double>(engine.n_steps() - steps_before);
-  return {(engine.time() - from) / n, (watch.seconds() - since) / n};
+    return is_on;
+  };
+  const auto run_half = [&](const Ran &before)
+  {
+    const auto ran = [&] { return meter.ran() - before; };
+    if (!run_until([&] { return ran().spent > half; }))
+      return false;
+    const double length = whole_periods(ran(), test.period);
+    return run_until(
+        [&]
+        {
+          const Ran now = ran();
+          return now.time >= length || now.spent > longest_half;
+        });
+  };
+  Ran before;
+  if (run_half(before))
+    run_half(before = meter.ran());
+  const Ran all = meter.ran(), last = all - before;
+  const double left = std::max(0., test.duration - all.time) / last.time;
+  const double n = all.n_steps + left * last.n_steps;
+  return {(all.time + left * last.time) / n,
+          (all.spent + left * last.spent) / n};
 }
 
 void print_predicted(double duration, const MeanStep &step)

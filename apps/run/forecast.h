@@ -27,11 +27,21 @@ struct MeanStep
   double cost = 0.;   ///< by Stopwatch [s]
 };
 
-/// Steps of a test for ten seconds, or until `advance` says that it is over;
-/// the first half of the time, in which it gets going, does not count unless
-/// there is no other. `threads` as for ThreadChoice.
-MeanStep time_steps(const dem::Engine &engine, int threads,
-                    const std::function<bool()> &advance);
+/// Of a test after its preparation.
+struct TestTimes
+{
+  double duration = 0.; ///< [s]
+  double period = 0.;   ///< of its load or motion; 0: none [s]
+};
+
+/// Steps of a test for ten seconds, or until `advance` says that it is over,
+/// and from them the mean over its duration. What has been run takes what it
+/// took, and what is left costs as much as the second half of that. Either half
+/// goes on to a whole period, if one takes no more than half a minute: impacts
+/// and events have their times in it, and the first load breaks most. `threads`
+/// as for ThreadChoice.
+MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
+                    int threads, const std::function<bool()> &advance);
 
 /// The line for a test of this length after its preparation [s].
 void print_predicted(double duration, const MeanStep &step);

@@ -69,9 +69,8 @@ std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
     }
 }
 
-void relax(dem::Engine &engine, double longest_step)
+void relax(dem::Engine &engine, double longest_step, int n_rounds)
 {
-  constexpr int n_rounds = 60;
   constexpr double frozen = 1e-15; // [s]
   engine.advance_unseen(frozen);   // finds the contacts
   const Stopwatch spent;

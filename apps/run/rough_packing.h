@@ -22,7 +22,7 @@ std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
 
 /// Overlaps of a random packing go until hardly any are left; steps are as long
 /// as contacts allow and at most this long [s].
-void relax(dem::Engine &engine, double longest_step);
+void relax(dem::Engine &engine, double longest_step, int n_rounds = 60);
 
 /// Steps like those of relax() until it is over, or for forty seconds; `steer`
 /// comes before each with its length [s].

@@ -1,3 +1,4 @@
+#include "run/forecast.h"
 #include "run/rough_packing.h"
 #include "triaxial/triaxial.h"
 
@@ -5,33 +6,75 @@
 
 namespace spall
 {
+namespace
+{
+/// Of true surfaces: pulls that draw the cloud together, rounds of rest after
+/// each, and the unbalanced force ratio that is rest enough [-].
+constexpr int n_pulls = 40, n_rounds = 4;
+constexpr double unrest = 0.02;
+constexpr double patience = 40.; // for pulls [s]
+
+/// About the origin, stones and walls.
+void draw_together(dem::Engine &engine, double factor)
+{
+  for (dem::StoneState &stone : engine.particles().state)
+    stone.position *= factor;
+  for (dem::Plane &plane : engine.planes())
+    plane.point *= factor;
+  if (dem::Drum side = engine.drum(); side.is_there())
+  {
+    side.centre *= factor;
+    side.radius *= factor;
+    engine.set_drum(side);
+  }
+}
+
+/// In small pulls, until stones and walls press. Surfaces that lie deep in each
+/// other do not see each other any more.
+void draw_gently(dem::Engine &engine, double factor, double longest_step,
+                 const std::function<bool()> &is_pressing)
+{
+  const Stopwatch spent;
+  for (int pull = 0;
+       pull < n_pulls && !is_pressing() && spent.seconds() < patience; ++pull)
+  {
+    draw_together(engine, std::pow(factor, 1. / n_pulls));
+    relax(engine, longest_step, n_rounds);
+  }
+}
+} // namespace
+
 /// The cloud is drawn together to the solid fraction that is expected, and let
-/// come near to the pressure.
+/// come near to the pressure; true surfaces no further than until they press,
+/// and the walls do the rest.
 void Triaxial::hasten()
 {
   if (now != Stage::preparation)
     return;
   const SpecimenParameters &s = parameters.specimen;
   const double shrink = std::cbrt(s.initial_solid_fraction / s.solid_fraction);
-  for (dem::StoneState &stone : engine().particles().state)
-    stone.position *= shrink;
-  for (dem::Plane &plane : engine().planes())
-    plane.point *= shrink;
-  if (dem::Drum side = engine().drum(); side.is_there())
+  const bool has_surfaces = engine().particles().follows_surfaces;
+  const double target = parameters.preparation.pressure;
+  const auto stress = [this]
+  { return dem::box_stress(engine(), specimen.walls).mean(); };
+  if (has_surfaces)
+    draw_gently(engine(), shrink, time_step(),
+                [&] { return stress() >= target; });
+  else
   {
-    side.centre *= shrink;
-    side.radius *= shrink;
-    engine().set_drum(side);
+    draw_together(engine(), shrink);
+    relax(engine(), time_step());
   }
-  relax(engine(), time_step());
   run_roughly(
       engine(), time_step(),
       [this](double step) { servo.update(engine(), step); },
-      [this]
+      [&]
       {
-        const double share = dem::box_stress(engine(), specimen.walls).mean() /
-                             parameters.preparation.pressure;
-        return share > 0.5 && share < 2.;
+        const double share = stress() / target;
+        return share > 0.8 && share < 1.25 &&
+               (!has_surfaces ||
+                dem::unbalanced_force_ratio(engine().particles(),
+                                            engine().pairs()) < unrest);
       });
   watch.look(engine(), {}, time_step());
   hand_over();
