@@ -5,7 +5,9 @@
 
 Time is that of the processor on one thread, after the preparation: the run
 that is timed takes its stones from those kept by one before (--preparations).
-CASE is a name of the table; all of them take a quarter of an hour.
+CASE is a name of the table; without one those of the first list are run, half
+an hour in all. Those of the second take longer: surfaces in a membrane a
+quarter of an hour, the full subgrade an hour.
 """
 import os
 import pathlib
@@ -17,14 +19,30 @@ import tempfile
 from bench_runs import table
 
 CASES = pathlib.Path(__file__).resolve().parents[2] / "data" / "cases"
-SETTINGS = {
-    "dynamic_triaxial_quick": [],
-    "triaxial_cylinder_quick": [],
-    "vibratory_compaction_quick": [],
-    "subgrade_quick": [],
-    "single_particle": [],
-    "los_angeles": ["Drum/turns=5"],
+SURFACES = ["Contact/geometry=surface", "Contact/wall_geometry=surface",
+            "Stone/rolling_friction=0"]
+# As the base of data/studies/presets.prm.
+SMALL = ["CycleJump/tolerance=0", "Specimen/side=0.075",
+         "Specimen/initial_solid_fraction=0.2", "Boundary/lateral=rigid",
+         "Coupling/exchange=none", "Breakage/fracture_energy=2e3",
+         "Loading/cycles=3", "Output/frames_per_cycle=0",
+         "Output/surfaces=none"]
+# Name in the table: case, settings.
+USUAL = {
+    "dynamic_triaxial_quick": ("dynamic_triaxial_quick", []),
+    "triaxial_cylinder_quick": ("triaxial_cylinder_quick", []),
+    "vibratory_compaction_quick": ("vibratory_compaction_quick", []),
+    "subgrade_quick": ("subgrade_quick", []),
+    "single_particle": ("single_particle", []),
+    "los_angeles": ("los_angeles", ["Drum/turns=5"]),
+    "surfaces": ("dynamic_triaxial_quick", ["preset=standard", *SMALL]),
 }
+LONG = {
+    "surfaces_in_membrane": ("dynamic_triaxial_quick",
+                             [*SURFACES, "Loading/cycles=1"]),
+    "subgrade": ("subgrade", []),
+}
+ROWS = {**USUAL, **LONG}
 UNPREPARED = ("single_particle", "los_angeles")
 
 
@@ -57,9 +75,9 @@ def ratio(predicted, taken):
 
 def row(spall, name, folder):
     """Forecasts of one case and what the run after its preparation took."""
-    words = [CASES / f"{name}.prm", "--set", "Run/threads=1",
-             *[word for setting in SETTINGS[name]
-               for word in ("--set", setting)]]
+    case, settings = ROWS[name]
+    words = [CASES / f"{case}.prm", "--set", "Run/threads=1",
+             *[word for setting in settings for word in ("--set", setting)]]
     time, memory = forecast(spall, words)
     kept = None
     if name not in UNPREPARED:
@@ -75,7 +93,7 @@ def row(spall, name, folder):
 def main():
     spall, *names = sys.argv[1:]
     rows = []
-    for name in names or SETTINGS:
+    for name in names or USUAL:
         with tempfile.TemporaryDirectory() as folder:
             rows.append(row(spall, name, folder))
     print(table(["case", "run, s", "forecast (ratio)",
