@@ -5,8 +5,8 @@
 
 Time is that of the processor on one thread, after the preparation: the run
 that is timed takes its stones from those kept by one before (--preparations).
-CASE is a name of the table; without one those of the first list are run, half
-an hour in all. Those of the second take longer: surfaces in a membrane a
+CASE is a name of the table; without one those of the first list are run, a
+quarter of an hour. Those of the second take longer: surfaces in a membrane a
 quarter of an hour, the full subgrade an hour.
 """
 import os
