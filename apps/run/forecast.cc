@@ -11,8 +11,8 @@ namespace spall
 {
 namespace
 {
-/// Of each half, at most of one that goes on to a whole period, and what that
-/// may be expected to take when it is tried [s].
+/// What a half takes, what one that goes on to a whole period takes at most,
+/// and beyond which expectation that is not tried [s].
 constexpr double half = 5., longest_half = 30., hopeless = 120.;
 
 /// What has been run.
@@ -100,7 +100,10 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
   };
   Ran before;
   if (run_half(before))
-    run_half(before = meter.ran());
+  {
+    before = meter.ran();
+    run_half(before);
+  }
   const Ran all = meter.ran(), last = all - before;
   const double left = std::max(0., test.duration - all.time) / last.time;
   const double n = all.n_steps + left * last.n_steps;
