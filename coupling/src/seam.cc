@@ -16,20 +16,27 @@ double tangent(const dem::ContactBatch &batch, std::size_t k,
                                : material.normal_stiffness;
 }
 
+/// The same at facets: at most that of all that carry the contact.
+double tangent(const dem::SurfaceContacts &facets, std::size_t k)
+{
+  return static_cast<double>(facets.candidates.spot[k].shares.walls) *
+         tangent(facets.batch, k, facets.material);
+}
+
 /// Every node that carries contact k, with its share of the load.
 template <class Visit>
 void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
                     const InterfaceMap &map, const Visit &visit)
 {
-  const dem::FacetSpot &spot = facets.candidates.spot[k];
-  const auto &corner =
-      facets.surface.triangles[static_cast<std::size_t>(spot.triangle)];
-  for (std::size_t c = 0; c < 3; ++c)
-    for (const dem::FarShare &share :
-         map.shares(static_cast<std::size_t>(corner[c])))
-      if (share.body >= 0)
-        visit(static_cast<std::size_t>(share.body),
-              spot.weight[c] * share.weight);
+  dem::for_shares(facets.surface, facets.candidates.spot[k],
+                  [&](const dem::VertexShare &vertex)
+                  {
+                    for (const dem::FarShare &share :
+                         map.shares(static_cast<std::size_t>(vertex.vertex)))
+                      if (share.body >= 0)
+                        visit(static_cast<std::size_t>(share.body),
+                              vertex.weight * share.weight);
+                  });
 }
 
 /// A dashpot may hold the spring back, never pull: then the contact gives
@@ -60,7 +67,7 @@ ContactSprings springs_of(const dem::SurfaceContacts &facets, std::size_t k,
   const double shear =
       Vector(batch.shear.x[k], batch.shear.y[k], batch.shear.z[k]).norm();
   const bool slides = shear > 0.999 * m.friction * batch.normal_force[k];
-  const double along = tangent(batch, k, m);
+  const double along = tangent(facets, k);
   const double across = slides || !(batch.shear_compliance[k] > 0.)
                             ? 0.
                             : 1. / batch.shear_compliance[k];
@@ -112,7 +119,7 @@ void FacetSeam::add_stiffness(const dem::Engine &engine,
   {
     if (!facets.batch.is_touching(k))
       continue;
-    const double stiffness = tangent(facets.batch, k, facets.material);
+    const double stiffness = tangent(facets, k);
     for_each_share(facets, k, map,
                    [&](std::size_t node, double share)
                    { nodal[node] += stiffness * share; });

@@ -122,8 +122,8 @@ void Engine::meet_walls(double time_step)
       count_places(sum);
     }
     else
-      find_facets(moved, facets.surface, facets.topology, facets.batch,
-                  facets.candidates, facets.rows);
+      find_facets(moved, facets.mesh(), facets.batch, facets.candidates,
+                  facets.rows, facets.extra);
 }
 
 Walls Engine::walls_of_planes()
@@ -135,7 +135,7 @@ Walls Engine::walls_of_drum()
 {
   if (!follows_walls())
     return {settings.wall, drum_walls};
-  return {settings.wall, drum_walls, drum_overlap, [this](std::size_t k) {
+  return {settings.wall, drum_walls, drum_overlap, {}, [this](std::size_t k) {
             place_again(context(0.), placed_drum(), drum_batch, k);
           }};
 }
@@ -143,8 +143,11 @@ Walls Engine::walls_of_drum()
 Walls Engine::walls_of_facets(SurfaceContacts &facets)
 {
   if (!follows_walls())
-    return {facets.material, facets.rows};
-  return {facets.material, facets.rows, facets.overlap,
+    return {facets.material, facets.rows, {}, facets.extra, {}};
+  return {facets.material,
+          facets.rows,
+          facets.overlap,
+          {},
           [this, &facets](std::size_t k) {
             place_again(context(0.), placed_facets(facets), facets.batch, k);
           }};

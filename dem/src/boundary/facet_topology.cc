@@ -115,6 +115,21 @@ void fill_rows(const FacetSurface &surface, FacetTopology &topology)
           next[static_cast<std::size_t>(v)]++)] = static_cast<std::int32_t>(k);
 }
 
+/// FacetTopology::count.
+void fill_counts(const FacetSurface &surface, FacetTopology &topology)
+{
+  const std::size_t n = surface.position.size();
+  std::vector<std::int32_t> sides(n, 0); // each shared edge twice
+  for (std::size_t k = 0; k < surface.triangles.size(); ++k)
+    for (std::size_t which = 0; which < 3; ++which)
+      if (topology.neighbour[k][which] >= 0)
+        for (const std::size_t end : {which, (which + 1) % 3})
+          ++sides[static_cast<std::size_t>(surface.triangles[k][end])];
+  topology.count.resize(n);
+  for (std::size_t v = 0; v < n; ++v)
+    topology.count[v] =
+        1 - (topology.row_start[v + 1] - topology.row_start[v]) + sides[v] / 2;
+}
 } // namespace
 
 FacetTopology::FacetTopology(const FacetSurface &surface)
@@ -138,5 +153,6 @@ FacetTopology::FacetTopology(const FacetSurface &surface)
              [static_cast<std::size_t>(b.which)] = a.triangle;
   }
   fill_rows(surface, *this);
+  fill_counts(surface, *this);
 }
 } // namespace dem

@@ -14,14 +14,7 @@ SurfaceContacts::SurfaceContacts(std::string its_name, const WallMaterial &law,
 
 Vec3 SurfaceContacts::point_of(std::size_t k) const
 {
-  const FacetSpot &spot = candidates.spot[k];
-  const auto &corner =
-      surface.triangles[static_cast<std::size_t>(spot.triangle)];
-  Vec3 point = Vec3::Zero();
-  for (std::size_t c = 0; c < 3; ++c)
-    point +=
-        spot.weight[c] * surface.position[static_cast<std::size_t>(corner[c])];
-  return point;
+  return point_at(surface, candidates.spot[k]);
 }
 
 void SurfaceContacts::book_step(double time_step)

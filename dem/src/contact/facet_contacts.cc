@@ -18,11 +18,17 @@ Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
   Vec3 velocity = Vec3::Zero();
   if (spot.triangle < 0)
     return velocity;
-  const auto &corner =
-      surface.triangles[static_cast<std::size_t>(spot.triangle)];
-  for (std::size_t c = 0; c < 3; ++c)
-    velocity +=
-        spot.weight[c] * surface.velocity[static_cast<std::size_t>(corner[c])];
+  double along = 0.;
+  for_shares(surface, spot,
+             [&](const VertexShare &share)
+             {
+               const Vec3 &v =
+                   surface.velocity[static_cast<std::size_t>(share.vertex)];
+               velocity += share.weight * v;
+               along += share.along.dot(v);
+             });
+  if (spot.shares.size > 0)
+    velocity += (along - velocity.dot(spot.normal)) * spot.normal;
   return velocity;
 }
 
@@ -97,12 +103,42 @@ void find_near(const FacetSurface &surface, const Vec3 &centre, double reach,
   candidates.wake[row] = near.empty() ? first_wake : 0.;
 }
 
-/// Walls of all slots of the stone in this row.
-void find_row(const ForceContext &context, const FacetSurface &surface,
-              const FacetTopology &topology, const ContactBatch &batch,
-              std::size_t row, std::vector<FacetTouch> &touches,
-              FacetCandidates &candidates, std::vector<WallRow> &rows)
+/// Space to work in for one stone.
+struct Found
 {
+  std::vector<FacetTouch> near, touches;
+  std::vector<FacetShares> shares; ///< by touch
+};
+
+/// Where the stone touches the surface, and who carries it there.
+void find_touches(const ForceContext &context, const FacetMesh &mesh,
+                  const ContactBatch &batch, std::size_t stone, Found &found)
+{
+  const Particles &particles = context.particles;
+  const Vec3 &centre = particles.position(stone);
+  found.touches = found.near;
+  keep_minima(mesh.surface, mesh.topology, centre, found.touches);
+  found.shares.assign(found.touches.size(), {});
+  // The radius of a stone that is no ball turns with its direction.
+  const bool is_ball =
+      !particles.has_shapes ||
+      context.parameters.geometry.wall_geometry == ContactGeometry::ball;
+  const double radius = particles.radius(stone);
+  const auto n_pressed = std::count_if(found.near.begin(), found.near.end(),
+                                       [radius](const FacetTouch &touch)
+                                       { return touch.distance < radius; });
+  if (is_ball && n_pressed > 1)
+    share_patches(mesh, {centre, radius, batch.layout.is_hertz ? 1.5 : 1.},
+                  found.near, found.touches, found.shares);
+}
+
+/// Walls of all slots of the stone in this row.
+void find_row(const ForceContext &context, const FacetMesh &mesh,
+              const ContactBatch &batch, std::size_t row, Found &found,
+              FacetCandidates &candidates, std::vector<WallRow> &rows,
+              std::vector<double> &extra)
+{
+  const FacetSurface &surface = mesh.surface;
   if (candidates.wake[row] > context.travelled)
     return; // its walls are far
   const auto i = static_cast<std::size_t>(candidates.stone[row]);
@@ -112,10 +148,11 @@ void find_row(const ForceContext &context, const FacetSurface &surface,
   const double reach = wall_bound(context.particles, i,
                                   context.parameters.geometry.wall_geometry) +
                        context.stride;
-  touches.clear();
+  found.near.clear();
   find_near(surface, centre, reach, context.travelled, candidates, row,
-            touches);
-  keep_minima(surface, topology, centre, touches);
+            found.near);
+  find_touches(context, mesh, batch, i, found);
+  const std::vector<FacetTouch> &touches = found.touches;
   std::array<std::int32_t, slots_per_stone> slot_of;
   assign_slots(touches, batch, candidates.spot, first, slot_of);
   std::array<bool, slots_per_stone> is_used{};
@@ -125,17 +162,21 @@ void find_row(const ForceContext &context, const FacetSurface &surface,
     is_used[slot] = true;
     FacetSpot &spot = candidates.spot[first + slot];
     const FacetSpot now{touches[t].nearest.triangle, touches[t].nearest.weight,
-                        touches[t].direction};
+                        touches[t].direction, found.shares[t]};
     rows[first + slot] =
         facet_row(surface, now, batch.is_touching(first + slot) ? spot : now);
     rows[first + slot].point = touches[t].nearest.point;
+    extra[first + slot] = now.shares.extra;
     spot = now;
   }
   for (std::size_t s = 0; s < slots_per_stone; ++s)
     if (!is_used[s])
+    {
       rows[first + s] = batch.is_touching(first + s)
                             ? left_wall(surface, candidates.spot[first + s])
                             : no_wall;
+      extra[first + s] = 0.;
+    }
 }
 } // namespace
 
@@ -145,31 +186,33 @@ WallRow facet_row(const FacetSurface &surface, const FacetSpot &now,
   WallRow row{
       point_at(surface, now),       now.normal,    velocity_on(surface, now),
       velocity_on(surface, before), before.normal, 0.};
-  const auto &corner =
-      surface.triangles[static_cast<std::size_t>(now.triangle)];
-  for (std::size_t c = 0; c < 3; ++c)
-    row.inverse_mass += now.weight[c] * now.weight[c] /
-                        surface.mass[static_cast<std::size_t>(corner[c])];
+  for_shares(surface, now,
+             [&](const VertexShare &share)
+             {
+               row.inverse_mass +=
+                   share.along.squaredNorm() /
+                   surface.mass[static_cast<std::size_t>(share.vertex)];
+             });
   return row;
 }
 
-void find_facets(const ForceContext &context, const FacetSurface &surface,
-                 const FacetTopology &topology, const ContactBatch &batch,
-                 FacetCandidates &candidates, std::vector<WallRow> &rows)
+void find_facets(const ForceContext &context, const FacetMesh &mesh,
+                 const ContactBatch &batch, FacetCandidates &candidates,
+                 std::vector<WallRow> &rows, std::vector<double> &extra)
 {
   // Rows of a new list are all awake, those of a restored one far if asleep.
   const std::size_t n_slots = candidates.stone.size() * slots_per_stone;
   if (rows.size() != n_slots)
     rows.assign(n_slots, no_wall);
+  extra.resize(n_slots, 0.);
   const auto n = static_cast<std::int64_t>(candidates.stone.size());
-#pragma omp parallel
+#pragma omp parallel if (n >= 64)
   {
-    std::vector<FacetTouch> touches;
-    touches.reserve(64);
+    Found found;
 #pragma omp for schedule(static)
     for (std::int64_t row = 0; row < n; ++row)
-      find_row(context, surface, topology, batch, static_cast<std::size_t>(row),
-               touches, candidates, rows);
+      find_row(context, mesh, batch, static_cast<std::size_t>(row), found,
+               candidates, rows, extra);
   }
 }
 
@@ -182,11 +225,15 @@ void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
     if (batch.load[k].force.isZero(0.))
       continue; // it may never have met anything
     const FacetSpot &spot = candidates.spot[k];
-    const auto &corner =
-        surface.triangles[static_cast<std::size_t>(spot.triangle)];
-    for (std::size_t c = 0; c < 3; ++c)
-      surface.load[static_cast<std::size_t>(corner[c])] -=
-          spot.weight[c] * batch.load[k].force;
+    const Vec3 &force = batch.load[k].force;
+    const double pressing = force.dot(spot.normal);
+    const Vec3 across = force - pressing * spot.normal;
+    for_shares(surface, spot,
+               [&](const VertexShare &share)
+               {
+                 surface.load[static_cast<std::size_t>(share.vertex)] -=
+                     pressing * share.along + share.weight * across;
+               });
   }
 }
 } // namespace dem

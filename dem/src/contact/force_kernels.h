@@ -126,6 +126,7 @@ struct Task
   bool adds_loads_only; ///< forces are taken as the last step left them
   const double *walls;  ///< WallRow
   const double *wall_overlap; ///< by row; null unless places are found before
+  const double *wall_extra;   ///< Walls::extra; null if there is none
 };
 
 /// One step of the contacts [first, last); `first` is a multiple of the block.

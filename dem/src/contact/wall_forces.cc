@@ -23,6 +23,7 @@ kernel::Task wall_task(SurfaceOwner &owner, const Walls &walls)
                                 ContactGeometry::radial;
   task.walls = reinterpret_cast<const double *>(walls.rows.data());
   task.wall_overlap = walls.overlap.data();
+  task.wall_extra = walls.extra.data();
   return task;
 }
 

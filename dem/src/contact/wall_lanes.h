@@ -39,9 +39,14 @@ WallGeometry locate_walls(const Task &task, std::int64_t k, const StoneLanes &a,
     if (task.is_radial)
       geometry.reach = expanded_radius(task.contacts.side_a, k, direction);
   }
-  geometry.overlap =
-      select(is_valid, stdx::max(geometry.reach - geometry.distance, Lanes(0.)),
-             Lanes(0.));
+  Lanes overlap = geometry.reach - geometry.distance;
+  if (task.wall_extra)
+  {
+    const std::int32_t *row = task.contacts.b + k;
+    overlap +=
+        Lanes([&task, row](auto lane) { return task.wall_extra[row[lane]]; });
+  }
+  geometry.overlap = select(is_valid, stdx::max(overlap, Lanes(0.)), Lanes(0.));
   return geometry;
 }
 

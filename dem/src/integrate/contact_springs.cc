@@ -277,6 +277,8 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
     Contact c = wall_contact(facets.material, lever, spot.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k, batch.overlap[k], c);
+    // Several facets: on the vertices of the nearest, no softer than they are.
+    c.normal_stiffness *= static_cast<double>(spot.shares.walls);
     c.a = batch.a[k];
     double over_mass = 1. / stones.mass(static_cast<std::size_t>(c.a));
     const auto &corner =

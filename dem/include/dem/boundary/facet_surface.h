@@ -55,6 +55,10 @@ struct FacetTopology
   std::vector<std::array<std::int32_t, 3>> neighbour;
   /// Triangles round each vertex, in rows.
   std::vector<std::int32_t> row_start, row_triangle;
+  /// 1 - triangles + shared edges of each vertex: how it counts where pieces of
+  /// the surface are added up without counting what they share twice; 1 inside,
+  /// 0 at a rim [-].
+  std::vector<std::int32_t> count;
 };
 
 /// A surface with who shares what in it.
@@ -96,4 +100,47 @@ FacetTouch nearest_touch(const FacetSurface &surface, std::int32_t triangle,
 /// vertex numbers). At distance zero the direction is the outward normal.
 void keep_minima(const FacetSurface &surface, const FacetTopology &topology,
                  const Vec3 &x, std::vector<FacetTouch> &touches);
+
+/// Part of one vertex in a contact.
+struct VertexShare
+{
+  std::int64_t vertex = 0; ///< as wide as the rest: no gaps in a checkpoint
+  double weight = 0.;      ///< of forces across the normal; sum 1 [-]
+  /// Load by a unit of normal force, and normal velocity of the contact by one
+  /// of the vertex; sums to the normal [-].
+  Vec3 along = Vec3::Zero();
+};
+
+/// Most vertices that one contact may press on.
+inline constexpr std::size_t most_shares = 10;
+
+/// The vertices that carry a contact on several facets.
+struct FacetShares
+{
+  std::int64_t size = 0;  ///< 0: on the nearest facet alone
+  std::int64_t walls = 1; ///< facets that press, what they share taken off
+  /// Overlap beyond that with the plane through the touch's point [m].
+  double extra = 0.;
+  std::array<VertexShare, most_shares> of{};
+};
+
+/// A ball, and the exponent of its force in the overlap with the surface.
+struct PressedBall
+{
+  Vec3 centre = Vec3::Zero();
+  double radius = 0.; ///< [m]
+  double power = 1.;  ///< linear 1, Hertz 3/2 [-]
+};
+
+/// Lets all facets that the ball overlaps carry it, where these are several:
+/// its force on a patch is that of the energy of all of them, what they share
+/// counted once (docs/theory/facets.md). `near` has the nearest points of all
+/// triangles that it overlaps, `touches` what keep_minima leaves of these; of a
+/// touch that several carry, direction, point and distance of that along the
+/// direction are set anew, `shares` gets one row per touch. A touch over more
+/// vertices than most_shares stays on its nearest facet.
+void share_patches(const FacetMesh &mesh, const PressedBall &ball,
+                   const std::vector<FacetTouch> &near,
+                   std::vector<FacetTouch> &touches,
+                   std::vector<FacetShares> &shares);
 } // namespace dem

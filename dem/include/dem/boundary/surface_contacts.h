@@ -35,6 +35,7 @@ struct SurfaceContacts
   // Space to work in, kept from step to step.
   std::vector<WallRow> rows;
   std::vector<double> overlap; ///< of stones that follow their surfaces [m]
+  std::vector<double> extra;   ///< Walls::extra [m]
 
   FacetMesh mesh() const { return {surface, topology}; }
 

@@ -87,6 +87,9 @@ struct Walls
   /// Overlaps by row, where the places of stones that follow their surfaces
   /// were found before the forces (place_on_drum(), place_on_facets()) [m].
   std::span<const double> overlap = {};
+  /// By row, where several facets may carry a contact: overlap beyond that with
+  /// the plane of the row (FacetShares::extra) [m].
+  std::span<const double> extra = {};
   /// Finds the place of contact k anew, if they were.
   std::function<void(std::size_t)> replace = {};
 };
@@ -107,14 +110,36 @@ struct FacetSpot
   std::int64_t triangle = -1; ///< as wide as the rest: no gaps in a checkpoint
   std::array<double, 3> weight{}; ///< barycentric [-]
   Vec3 normal = Vec3::UnitX();    ///< from the stone to the surface [-]
+  FacetShares shares = {};        ///< of vertices, if several facets carry it
 };
+
+/// Calls call(share) for every vertex that carries the contact.
+template <class Call>
+void for_shares(const FacetSurface &surface, const FacetSpot &spot,
+                const Call &call)
+{
+  for (std::size_t s = 0; s < static_cast<std::size_t>(spot.shares.size); ++s)
+    call(spot.shares.of[s]);
+  if (spot.shares.size > 0)
+    return;
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    call(VertexShare{corner[c], spot.weight[c], spot.weight[c] * spot.normal});
+}
 
 /// Where that is now [m].
 inline Vec3 point_at(const FacetSurface &surface, const FacetSpot &spot)
 {
-  const auto corner = corners_of(surface, spot.triangle);
-  return spot.weight[0] * corner[0] + spot.weight[1] * corner[1] +
-         spot.weight[2] * corner[2];
+  Vec3 point = Vec3::Zero();
+  for_shares(surface, spot,
+             [&](const VertexShare &share)
+             {
+               point +=
+                   share.weight *
+                   surface.position[static_cast<std::size_t>(share.vertex)];
+             });
+  return point;
 }
 
 /// Stones near the facet surface with the triangles each may reach, and the
@@ -144,10 +169,12 @@ struct FacetCandidates
 
 /// Finds where the stones meet the facet surface, one slot per smooth patch;
 /// history stays with the patch, matched by direction, when the facet changes.
-/// `rows` gets the wall of every slot.
-void find_facets(const ForceContext &context, const FacetSurface &surface,
-                 const FacetTopology &topology, const ContactBatch &batch,
-                 FacetCandidates &candidates, std::vector<WallRow> &rows);
+/// Balls share their load between the facets that they overlap
+/// (share_patches()). `rows` gets the wall of every slot, `extra` its
+/// Walls::extra.
+void find_facets(const ForceContext &context, const FacetMesh &mesh,
+                 const ContactBatch &batch, FacetCandidates &candidates,
+                 std::vector<WallRow> &rows, std::vector<double> &extra);
 
 /// The surface at one of its spots, as a contact meets it that was `before` in
 /// the last step.
