@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 """What `spall check` predicts against what the run takes, as a table.
 
-    forecasts.py SPALL [CASE ...]
+    forecasts.py SPALL [--keep DIR] [CASE ...]
 
 Time is that of the processor on one thread, after the preparation: the run
 that is timed takes its stones from those kept by one before (--preparations).
 CASE is a name of the table; without one those of the first list are run, a
 quarter of an hour. Those of the second take longer: surfaces in a membrane a
-quarter of an hour, the full subgrade an hour.
+quarter of an hour, the full subgrade forty minutes. `--keep`: the runs stay in
+DIR/CASE/run.
 """
+import argparse
 import os
 import pathlib
 import re
@@ -27,7 +29,8 @@ SMALL = ["CycleJump/tolerance=0", "Specimen/side=0.075",
          "Coupling/exchange=none", "Breakage/fracture_energy=2e3",
          "Loading/cycles=3", "Output/frames_per_cycle=0",
          "Output/surfaces=none"]
-# Name in the table: case, settings.
+# Name in the table: case, settings, and those that shorten the run that does
+# nothing but prepare.
 USUAL = {
     "dynamic_triaxial_quick": ("dynamic_triaxial_quick", []),
     "triaxial_cylinder_quick": ("triaxial_cylinder_quick", []),
@@ -40,7 +43,8 @@ USUAL = {
 LONG = {
     "surfaces_in_membrane": ("dynamic_triaxial_quick",
                              [*SURFACES, "Loading/cycles=1"]),
-    "subgrade": ("subgrade", []),
+    "subgrade": ("subgrade", [], ["Pulse/form=haversine", "Pulse/cycles=1",
+                                  "Pulse/rest=0.01"]),
 }
 ROWS = {**USUAL, **LONG}
 UNPREPARED = ("single_particle", "los_angeles")
@@ -73,16 +77,20 @@ def ratio(predicted, taken):
     return f"{predicted:.3g} ({predicted / taken:.2f})"
 
 
+def sets(settings=()):
+    return [word for setting in settings for word in ("--set", setting)]
+
+
 def row(spall, name, folder):
     """Forecasts of one case and what the run after its preparation took."""
-    case, settings = ROWS[name]
-    words = [CASES / f"{case}.prm", "--set", "Run/threads=1",
-             *[word for setting in settings for word in ("--set", setting)]]
+    case, settings, *shorter = ROWS[name]
+    words = [CASES / f"{case}.prm", *sets(["Run/threads=1", *settings])]
     time, memory = forecast(spall, words)
     kept = None
     if name not in UNPREPARED:
         words += ["--preparations", f"{folder}/store"]
-        call(spall, "run", *words, "--out", f"{folder}/first")
+        call(spall, "run", *words, *sets(*shorter), "--out",
+             f"{folder}/first")
         kept, _ = forecast(spall, words)
     _, taken, peak = call(spall, "run", *words, "--out", f"{folder}/run")
     return [name, f"{taken:.3g}", ratio(time, taken),
@@ -91,11 +99,17 @@ def row(spall, name, folder):
 
 
 def main():
-    spall, *names = sys.argv[1:]
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("spall")
+    parser.add_argument("--keep")
+    parser.add_argument("cases", nargs="*", choices=[[], *ROWS])
+    given = parser.parse_args()
     rows = []
-    for name in names or USUAL:
+    for name in given.cases or USUAL:
         with tempfile.TemporaryDirectory() as folder:
-            rows.append(row(spall, name, folder))
+            if given.keep:
+                folder = f"{given.keep}/{name}"
+            rows.append(row(given.spall, name, folder))
     print(table(["case", "run, s", "forecast (ratio)",
                  "forecast from kept stones (ratio)", "peak, MiB",
                  "forecast (ratio)"], rows))
