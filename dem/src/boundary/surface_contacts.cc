@@ -17,6 +17,17 @@ Vec3 SurfaceContacts::point_of(std::size_t k) const
   return point_at(surface, candidates.spot[k]);
 }
 
+Mat3 SurfaceContacts::spread_of(std::size_t k) const
+{
+  Mat3 sum = Mat3::Zero();
+  const FacetSpot &spot = candidates.spot[k];
+  const Vec3 &force = batch.load[k].force, point = point_of(k);
+  for_loads(surface, spot, force,
+            [&](std::size_t vertex, const Vec3 &part)
+            { sum += part * (surface.position[vertex] - point).transpose(); });
+  return sum;
+}
+
 void SurfaceContacts::book_step(double time_step)
 {
   load_surface(candidates, batch, surface);

@@ -224,16 +224,9 @@ void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
   {
     if (batch.load[k].force.isZero(0.))
       continue; // it may never have met anything
-    const FacetSpot &spot = candidates.spot[k];
-    const Vec3 &force = batch.load[k].force;
-    const double pressing = force.dot(spot.normal);
-    const Vec3 across = force - pressing * spot.normal;
-    for_shares(surface, spot,
-               [&](const VertexShare &share)
-               {
-                 surface.load[static_cast<std::size_t>(share.vertex)] -=
-                     pressing * share.along + share.weight * across;
-               });
+    for_loads(surface, candidates.spot[k], batch.load[k].force,
+              [&surface](std::size_t vertex, const Vec3 &part)
+              { surface.load[vertex] -= part; });
   }
 }
 } // namespace dem

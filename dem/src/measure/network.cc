@@ -140,10 +140,12 @@ double strong_share(std::span<const PairContact> pairs)
 std::vector<Mat3> stone_stress(const Particles &stones, const Network &network)
 {
   std::vector<Mat3> sum(stones.size(), Mat3::Zero());
-  const auto add = [&](std::int32_t stone, const Vec3 &point, const Vec3 &force)
+  const auto add = [&](std::int32_t stone, const Vec3 &point, const Vec3 &force,
+                       const Mat3 &spread = Mat3::Zero())
   {
     const auto i = static_cast<std::size_t>(stone);
-    const Mat3 moment = force * (point - stones.position(i)).transpose();
+    const Mat3 moment =
+        force * (point - stones.position(i)).transpose() + spread;
     sum[i] -= 0.5 * (moment + moment.transpose()) / stones.body[i].volume;
   };
   for (const PairContact &contact : network.pairs)
@@ -152,7 +154,7 @@ std::vector<Mat3> stone_stress(const Particles &stones, const Network &network)
     add(contact.b, contact.point, -contact.force);
   }
   for (const WallContact &contact : network.walls)
-    add(contact.stone, contact.point, contact.force);
+    add(contact.stone, contact.point, contact.force, contact.spread);
   return sum;
 }
 

@@ -94,13 +94,16 @@ bool join_places(const Engine &engine, std::span<const std::int32_t> places,
   return true;
 }
 
-void add_walls(const Engine &engine, const ContactBatch &batch, bool is_facets,
-               std::vector<WallContact> &walls)
+/// `facets` that the batch is of; null: planes or drum.
+void add_walls(const Engine &engine, const ContactBatch &batch,
+               const SurfaceContacts *facets, std::vector<WallContact> &walls)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.is_touching(k) || !batch.load[k].force.isZero(0.))
       walls.push_back({batch.a[k], wall_contact_point(engine, batch, k),
-                       batch.load[k].force, is_facets});
+                       batch.load[k].force,
+                       facets ? facets->spread_of(k) : Mat3(Mat3::Zero()),
+                       facets != nullptr});
 }
 } // namespace
 
@@ -130,10 +133,10 @@ Network contact_network_of(const Engine &engine)
                   if (join_places(engine, places, contact))
                     network.pairs.push_back(contact);
                 });
-  add_walls(engine, engine.on_planes(), false, network.walls);
-  add_walls(engine, engine.on_drum(), false, network.walls);
+  add_walls(engine, engine.on_planes(), nullptr, network.walls);
+  add_walls(engine, engine.on_drum(), nullptr, network.walls);
   for (const SurfaceContacts &facets : engine.surfaces())
-    add_walls(engine, facets.batch, true, network.walls);
+    add_walls(engine, facets.batch, &facets, network.walls);
   return network;
 }
 } // namespace dem

@@ -144,7 +144,8 @@ Mat3 contact_virial(const Particles &stones, const Network &network)
   for (const PairContact &contact : network.pairs)
     sum -= contact.force * (at(contact.b) - at(contact.a)).transpose();
   for (const WallContact &contact : network.walls)
-    sum -= contact.force * (contact.point - at(contact.stone)).transpose();
+    sum -= contact.force * (contact.point - at(contact.stone)).transpose() +
+           contact.spread;
   return sum;
 }
 

@@ -41,6 +41,8 @@ struct SurfaceContacts
 
   /// Where contact k presses; it has touched [m].
   Vec3 point_of(std::size_t k) const;
+  /// WallContact::spread of contact k [N m].
+  Mat3 spread_of(std::size_t k) const;
   /// Loads on the vertices, what they do in a step of this length [s].
   void book_step(double time_step);
 };

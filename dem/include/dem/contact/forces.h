@@ -128,6 +128,22 @@ void for_shares(const FacetSurface &surface, const FacetSpot &spot,
     call(VertexShare{corner[c], spot.weight[c], spot.weight[c] * spot.normal});
 }
 
+/// Calls call(vertex, part) for every vertex with its part of a force of the
+/// contact [N].
+template <class Call>
+void for_loads(const FacetSurface &surface, const FacetSpot &spot,
+               const Vec3 &force, const Call &call)
+{
+  const double pressing = force.dot(spot.normal);
+  const Vec3 across = force - pressing * spot.normal;
+  for_shares(surface, spot,
+             [&](const VertexShare &share)
+             {
+               call(static_cast<std::size_t>(share.vertex),
+                    Vec3(pressing * share.along + share.weight * across));
+             });
+}
+
 /// Where that is now [m].
 inline Vec3 point_at(const FacetSurface &surface, const FacetSpot &spot)
 {

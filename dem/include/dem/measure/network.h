@@ -25,6 +25,9 @@ struct WallContact
   std::int32_t stone = 0;
   Vec3 point = Vec3::Zero(); ///< [m]
   Vec3 force = Vec3::Zero(); ///< on the stone [N]
+  /// Sum of force (x) point of the facets that carry it, less that of the whole
+  /// force at its point [N m].
+  Mat3 spread = Mat3::Zero();
   bool is_on_facets = false; ///< of a facet surface
 };
 
