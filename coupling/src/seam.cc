@@ -23,7 +23,8 @@ double tangent(const dem::SurfaceContacts &facets, std::size_t k)
          tangent(facets.batch, k, facets.material);
 }
 
-/// Every node that carries contact k, with its share of the load.
+/// Every node that carries contact k, with its share of the load; what facets
+/// share counts upwards, so that no node comes out softer than it is.
 template <class Visit>
 void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
                     const InterfaceMap &map, const Visit &visit)
@@ -35,7 +36,7 @@ void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
                          map.shares(static_cast<std::size_t>(vertex.vertex)))
                       if (share.body >= 0)
                         visit(static_cast<std::size_t>(share.body),
-                              vertex.weight * share.weight);
+                              std::abs(vertex.weight) * share.weight);
                   });
 }
 

@@ -7,7 +7,7 @@ Time is that of the processor on one thread, after the preparation: the run
 that is timed takes its stones from those kept by one before (--preparations).
 CASE is a name of the table; without one those of the first list are run, a
 quarter of an hour. Those of the second take longer: surfaces in a membrane a
-quarter of an hour, the full subgrade forty minutes. `--keep`: the runs stay in
+quarter of an hour, the full subgrade an hour. `--keep`: the runs stay in
 DIR/CASE/run.
 """
 import argparse
