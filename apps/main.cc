@@ -24,7 +24,7 @@ struct Command
 constexpr std::array<Command, 8> commands = {
     {{"template", "KIND", "print a commented case of a kind", template_command,
       false},
-     {"check", "CASE.prm [--set Section/key=value ...]",
+     {"check", "CASE.prm [--preparations DIR] [--set Section/key=value ...]",
       "validate; print particles, stable step, gain, memory, time",
       check_command, true},
      {"run",

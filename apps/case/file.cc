@@ -29,6 +29,21 @@ std::string hint(const std::string &word, const std::vector<std::string> &known)
   return near.empty() ? "" : ", did you mean " + near + "?";
 }
 
+/// What to do about a section that no case has.
+std::string section_hint(const std::string &name,
+                         const std::vector<std::string> &known)
+{
+  if (name == "Study")
+    return "; this is a study: spall study";
+  const std::string near = hint(name, known);
+  if (!near.empty())
+    return near;
+  std::string all;
+  for (const std::string &one : known)
+    all += (all.empty() ? ": must be one of " : ", ") + one;
+  return all;
+}
+
 /// Throws InputError unless section and key are in the list.
 void check_known(const Assignment &a, const std::vector<Parameter> &list)
 {
@@ -46,7 +61,7 @@ void check_known(const Assignment &a, const std::vector<Parameter> &list)
       a.place + ": " + a.section + "/" + a.key + " = " + a.value + ": ";
   if (keys.empty())
     throw InputError(start + "no section of this name" +
-                     hint(a.section, names));
+                     section_hint(a.section, names));
   throw InputError(start + "no key of this name in section " + a.section +
                    hint(a.key, keys));
 }

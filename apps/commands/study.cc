@@ -2,11 +2,13 @@
 
 #include "commands/commands.h"
 #include "errors.h"
+#include "report/run_data.h"
 #include "report/text_table.h"
 #include "run/folder.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iostream>
 #include <thread>
 
@@ -77,6 +79,42 @@ void make_folder(const fs::path &folder)
     throw InputError("study: --out " + folder.string() +
                      ": must be a folder that may be written");
 }
+/// Outcomes that no case gave, and columns of the curve that none has.
+std::vector<std::string> unknown_names(const StudyData &data,
+                                       const fs::path &folder)
+{
+  std::vector<std::string> unknown;
+  for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
+    if (std::ranges::none_of(data.results, [o](const PointResult &result)
+                             { return std::isfinite(result.outcomes[o]); }))
+      unknown.push_back("Study/outcomes = " + data.study.outcomes[o]);
+  for (const std::string &column : {data.study.curve_x, data.study.curve_y})
+    if (!column.empty() &&
+        std::ranges::none_of(
+            data.points,
+            [&](const StudyPoint &point)
+            {
+              const fs::path run = folder / point.folder;
+              return fs::exists(run / "history.csv") &&
+                     read_table(run / "history.csv").find(column);
+            }))
+      unknown.push_back("Study/curve = " + column);
+  return unknown;
+}
+
+/// Throws InputError where the study asks for what its cases do not have.
+void check_names(const StudyData &data, const fs::path &folder)
+{
+  if (std::ranges::none_of(data.results, &PointResult::is_done))
+    return;
+  std::string said;
+  for (const std::string &name : unknown_names(data, folder))
+    said += (said.empty() ? "" : ", ") + name;
+  if (!said.empty())
+    throw InputError(data.study.file + ": " + said +
+                     ": no case has it: must be keys of summary.json and "
+                     "columns of history.csv; the cases are kept");
+}
 } // namespace
 
 int study_command(Words words)
@@ -93,12 +131,12 @@ int study_command(Words words)
             << options.jobs << " at a time" << std::endl;
   const std::vector<PointResult> results =
       run_points(study, points, folder, options.jobs);
+  const StudyData data{study, points, results};
   write_study_table(study, points, results, folder / "study.csv");
-  write_text(folder / "report.html",
-             study_page({study, points, results}, folder, options.figures));
+  write_text(folder / "report.html", study_page(data, folder, options.figures));
   if (!options.page.empty())
     renew_page("study", options.page, "<!-- spall study --page -->",
-               study_markdown({study, points, results}));
+               study_markdown(data));
   std::cout << (folder / "study.csv").string() << '\n'
             << (folder / "report.html").string() << std::endl;
   const auto n_failed =
@@ -108,6 +146,7 @@ int study_command(Words words)
                      std::to_string(points.size()) +
                      " cases failed, see report.html; run again to try them "
                      "again");
+  check_names(data, folder);
   return 0;
 }
 } // namespace spall

@@ -82,7 +82,7 @@ void LabRecorder::resume(LabTest &test)
 void LabRecorder::after_step(LabTest &test)
 {
   if (!prepared_at && !test.is_preparing())
-    prepared_at = processor_seconds();
+    prepared_at = {processor_seconds(), elapsed()};
   const Due due = test.due();
   write_files(test);
   if (!due.row && !due.frame && !due.checkpoint)
@@ -153,8 +153,12 @@ std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
   seconds["total"] = elapsed();
   seconds["other"] = std::max(0., seconds["total"] - known);
   seconds[processor_time] = processor_seconds();
-  seconds[loading_processor_time] =
-      prepared_at ? processor_seconds() - *prepared_at : 0.;
+  if (prepared_at)
+  {
+    seconds[loading_processor_time] =
+        processor_seconds() - prepared_at->processor;
+    seconds[loading_wall_time] = elapsed() - prepared_at->wall;
+  }
   for (const auto &[phase, spent] : spent_before)
     seconds[phase] += spent;
   return seconds;

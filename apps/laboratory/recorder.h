@@ -50,7 +50,12 @@ private:
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   double output_seconds = 0.;
-  std::optional<double> prepared_at; ///< processor time, once prepared [s]
+  /// Once prepared [s].
+  struct Spent
+  {
+    double processor, wall;
+  };
+  std::optional<Spent> prepared_at;
   std::map<std::string, double> spent_before; ///< wall-clock before a restart
   std::chrono::steady_clock::time_point started;
 };

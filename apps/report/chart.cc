@@ -353,7 +353,7 @@ Axis decade_axis(double low, double high)
 
 std::string palette_colour(std::size_t k)
 {
-  static const std::array<std::string, 8> colours{
+  static const std::array<std::string, palette_size> colours{
       "#0072B2", "#D55E00", "#009E73", "#CC79A7",
       "#E69F00", "#56B4E9", "#222222", "#8C6D31"};
   return colours[k % colours.size()];

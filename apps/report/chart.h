@@ -53,6 +53,7 @@ Axis decade_axis(double low, double high);
 
 /// Colour-blind safe (Okabe and Ito), told apart by the dashes in print.
 std::string palette_colour(std::size_t k);
+inline constexpr std::size_t palette_size = 8; ///< then they come again
 std::string palette_dash(std::size_t k);
 
 /// An <svg> element for use inside a page; real text, no references.

@@ -33,9 +33,11 @@ void add_cost(std::map<std::string, double> seconds,
 {
   summary["processor_s"] = seconds[processor_time];
   summary["loading_processor_s"] = seconds[loading_processor_time];
+  summary["loading_wall_clock_s"] = seconds[loading_wall_time];
   summary["peak_memory_B"] = memory_use().peak;
   seconds.erase(processor_time);
   seconds.erase(loading_processor_time);
+  seconds.erase(loading_wall_time);
   summary["wall_clock_s"] = seconds;
 }
 } // namespace spall

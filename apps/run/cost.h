@@ -25,9 +25,11 @@ inline constexpr const char *processor_time = "processor";
 /// The same without the preparation: cases that share a specimen can be
 /// compared by it.
 inline constexpr const char *loading_processor_time = "loading_processor";
+/// Wall time without the preparation.
+inline constexpr const char *loading_wall_time = "loading_wall_clock";
 
-/// Writes processor_s, loading_processor_s, peak_memory_B and, as wall_clock_s,
-/// the phases.
+/// Writes processor_s, loading_processor_s, loading_wall_clock_s, peak_memory_B
+/// and, as wall_clock_s, the phases.
 void add_cost(std::map<std::string, double> seconds,
               nlohmann::ordered_json &summary);
 } // namespace spall

@@ -13,14 +13,6 @@ namespace
 /// clears what is left of the one before.
 constexpr const char *cut_at_edge = "\r\x1b[?7l",
                      *clear_rest = "\x1b[K\x1b[?7h";
-
-std::string in_minutes(double seconds)
-{
-  char text[32];
-  const long whole = std::lround(seconds);
-  std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
-  return text;
-}
 } // namespace
 
 Progress::Progress(const std::string &log_file)

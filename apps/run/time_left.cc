@@ -1,5 +1,7 @@
 #include "run/time_left.h"
 
+#include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace spall
@@ -16,5 +18,13 @@ double TimeLeft::after(double now, double share)
   const double grown = share - first.share;
   return grown > 0. ? (now - first.time) * (1. - share) / grown
                     : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string in_minutes(double seconds)
+{
+  char text[32];
+  const long whole = std::lround(seconds);
+  std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
+  return text;
 }
 } // namespace spall

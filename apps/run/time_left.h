@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <string>
 
 namespace spall
 {
@@ -20,4 +21,7 @@ private:
   };
   std::deque<Point> seen; ///< over the last half of the time
 };
+
+/// Minutes and seconds, "12:05".
+std::string in_minutes(double seconds);
 } // namespace spall

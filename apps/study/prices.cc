@@ -1,5 +1,8 @@
 #include "study/prices.h"
 
+#include "case/fields.h"
+#include "study/words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,10 +17,10 @@ constexpr double fine_share = 0.5;
 
 using BySeed = std::map<std::string, double>;
 
-std::size_t cost_place(const Study &study)
+std::size_t place_of_outcome(const Study &study, const std::string &outcome)
 {
-  return static_cast<std::size_t>(
-      std::ranges::find(study.outcomes, study.cost) - study.outcomes.begin());
+  return static_cast<std::size_t>(std::ranges::find(study.outcomes, outcome) -
+                                  study.outcomes.begin());
 }
 
 /// Outcome by seed of the cases that are taken.
@@ -71,24 +74,42 @@ double share_of(double error, double spread)
   return error == 0. ? 0. : std::abs(error) / spread;
 }
 
+std::string knob_of(const Study &study, const PricedLevel &level)
+{
+  const SweptKey &key = study.keys[level.key];
+  if (!key.is_variant())
+    return key.name();
+  const Variant &variant =
+      *std::ranges::find(study.variants, level.value, &Variant::name);
+  return variant.settings.empty() ? "" : key_name(variant.settings.front());
+}
+
 PricedLevel price_level(const StudyData &data, std::size_t key,
                         const std::string &value,
                         const std::vector<double> &spread)
 {
+  const Study &study = data.study;
   PricedLevel level;
   level.key = key;
   level.value = value;
-  const std::size_t cost = cost_place(data.study);
-  level.cost = estimate_of(in_pairs(of_level(data, cost, level),
-                                    of_reference(data, cost),
-                                    [](double a, double b) { return a / b; }))
-                   .mean;
-  for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
+  level.knob = knob_of(study, level);
+  level.is_control =
+      study.keys[key].is_variant() &&
+      std::ranges::find(study.controls, value) != study.controls.end();
+  for (const std::string &cost : study.costs)
+  {
+    const std::size_t o = place_of_outcome(study, cost);
+    level.costs.push_back(
+        estimate_of(in_pairs(of_level(data, o, level), of_reference(data, o),
+                             [](double a, double b) { return a / b; }))
+            .mean);
+  }
+  for (std::size_t o = 0; o < study.outcomes.size(); ++o)
   {
     level.errors.push_back(
         estimate_of(in_pairs(of_level(data, o, level), of_reference(data, o),
                              [](double a, double b) { return a - b; })));
-    if (o != cost)
+    if (!is_cost(study, study.outcomes[o]))
       level.worst =
           std::max(level.worst, share_of(level.errors.back().mean, spread[o]));
   }
@@ -97,24 +118,54 @@ PricedLevel price_level(const StudyData &data, std::size_t key,
 
 bool is_better(const PricedLevel &a, const PricedLevel &b)
 {
-  return a.cost <= b.cost && a.worst <= b.worst &&
-         (a.cost < b.cost || a.worst < b.worst);
+  return !a.is_control && a.cost() <= b.cost() && a.worst <= b.worst &&
+         (a.cost() < b.cost() || a.worst < b.worst);
 }
 
 void mark_cheapest(std::vector<PricedLevel> &levels)
 {
-  std::map<std::size_t, PricedLevel *> best;
+  std::map<std::string, PricedLevel *> best;
   for (PricedLevel &level : levels)
-    if (level.worst < fine_share && level.cost < 1.)
+    if (!level.is_control && level.worst < fine_share && level.cost() < 1.)
     {
-      PricedLevel *&chosen = best[level.key];
-      if (!chosen || level.cost < chosen->cost)
+      PricedLevel *&chosen = best[level.knob];
+      if (!chosen || level.cost() < chosen->cost())
         chosen = &level;
     }
-  for (auto &[key, level] : best)
+  for (auto &[knob, level] : best)
     level->is_cheapest_fine = true;
 }
+
+/// What a case has for this Section/key; empty if it has no such key.
+std::string value_in(Case of, const std::string &name)
+{
+  for (const Parameter &parameter : parameters_of(of))
+    if (parameter.section + "/" + parameter.key == name)
+      return same_text(value_text(parameter));
+  return "";
+}
+
+/// Whether the level leaves nothing but defaults: a value that is one, or a
+/// variant all of whose settings are.
+bool is_default(const Study &study, const PricedLevel &level,
+                const Case &defaults)
+{
+  if (!study.keys[level.key].is_variant())
+    return level.value == value_in(defaults, level.knob);
+  const auto variant =
+      std::ranges::find(study.variants, level.value, &Variant::name);
+  return std::ranges::all_of(variant->settings,
+                             [&](const Override &setting) {
+                               return same_text(setting.value) ==
+                                      value_in(defaults, key_name(setting));
+                             });
+}
 } // namespace
+
+bool is_cost(const Study &study, const std::string &outcome)
+{
+  return std::ranges::find(study.costs, outcome) != study.costs.end();
+}
 
 std::vector<double> reference_spread(const StudyData &data)
 {
@@ -132,7 +183,7 @@ std::vector<double> reference_spread(const StudyData &data)
 std::vector<PricedLevel> price_levels(const StudyData &data)
 {
   std::vector<PricedLevel> levels;
-  if (!data.study.has_reference)
+  if (!data.study.has_reference())
     return levels;
   const std::vector<double> spread = reference_spread(data);
   for (std::size_t k = 0; k < data.study.keys.size(); ++k)
@@ -143,10 +194,51 @@ std::vector<PricedLevel> price_levels(const StudyData &data)
         levels.push_back(price_level(data, k, one.value, spread));
   for (PricedLevel &level : levels)
     level.is_on_front =
-        std::isfinite(level.cost) && std::isfinite(level.worst) &&
+        !level.is_control && std::isfinite(level.cost()) &&
+        std::isfinite(level.worst) &&
         std::ranges::none_of(levels, [&](const PricedLevel &other)
                              { return is_better(other, level); });
   mark_cheapest(levels);
   return levels;
+}
+
+std::vector<DefaultPrice> price_defaults(const StudyData &data,
+                                         const std::vector<PricedLevel> &map)
+{
+  const Case reference = read_case(data.study.case_file, data.study.base);
+  Case defaults;
+  defaults.kind = reference.kind;
+  std::vector<DefaultPrice> prices;
+  for (const PricedLevel &level : map)
+  {
+    const std::string value = value_in(defaults, level.knob);
+    if (level.is_control || value.empty() ||
+        std::ranges::find(prices, level.knob, &DefaultPrice::knob) !=
+            prices.end())
+      continue;
+    DefaultPrice price;
+    price.knob = level.knob;
+    price.default_value = value;
+    price.is_cheapest = value == value_in(reference, level.knob);
+    if (!price.is_cheapest)
+      price.cost = price.worst = std::numeric_limits<double>::quiet_NaN();
+    for (const PricedLevel &other : map)
+    {
+      if (other.knob != level.knob || other.is_control)
+        continue;
+      const bool is_it = is_default(data.study, other, defaults);
+      if (is_it)
+      {
+        price.cost = other.cost();
+        price.worst = other.worst;
+      }
+      if (!other.is_cheapest_fine)
+        continue;
+      price.cheapest = other.value;
+      price.is_cheapest = is_it;
+    }
+    prices.push_back(price);
+  }
+  return prices;
 }
 } // namespace spall

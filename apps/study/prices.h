@@ -9,20 +9,42 @@ struct PricedLevel
 {
   std::size_t key = 0;
   std::string value;
-  double cost = 0.;             ///< over that of the reference [-]
+  /// What it is a choice of: its key, or the first key that a variant sets.
+  std::string knob;
+  bool is_control = false;      ///< see Study::controls
+  std::vector<double> costs;    ///< each over that of the reference [-]
   std::vector<Estimate> errors; ///< by outcome, in pairs with the same seed
   /// Largest mean error of any outcome over the spread of the reference [-].
   double worst = 0.;
   bool is_on_front = false; ///< nothing else is cheaper and nearer
-  /// The cheapest of its key, the reference among them, with all errors below
+  /// The cheapest of its knob, the reference among them, with all errors below
   /// half the spread.
   bool is_cheapest_fine = false;
+
+  double cost() const { return costs.front(); } ///< the one that counts
+};
+
+/// What the map says of the default of one knob.
+struct DefaultPrice
+{
+  std::string knob;
+  std::string default_value;          ///< of the program
+  double cost = 1., worst = 0.;       ///< NaN where the map does not have it
+  std::string cheapest = "reference"; ///< of those that are fine
+  bool is_cheapest = false;           ///< the default is that one
 };
 
 /// Spread of the reference over the seeds, by outcome: standard deviation.
 std::vector<double> reference_spread(const StudyData &data);
 
-/// Every value of every key that is not that of the reference; the cost is
-/// judged by itself and has no error. Empty without a reference.
+/// Every value of every key that is not that of the reference; costs are
+/// judged by themselves and have no error. Empty without a reference.
 std::vector<PricedLevel> price_levels(const StudyData &data);
+
+/// Of every knob whose key has a default: not of presets.
+std::vector<DefaultPrice> price_defaults(const StudyData &data,
+                                         const std::vector<PricedLevel> &map);
+
+/// Whether an outcome of the study is a cost.
+bool is_cost(const Study &study, const std::string &outcome);
 } // namespace spall

@@ -133,6 +133,13 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
   return chart;
 }
 
+/// Variants by name, values by their key.
+std::string curve_name(const Study &study, const PricedLevel &level)
+{
+  const SweptKey &key = study.keys[level.key];
+  return key.is_variant() ? level.value : key.name();
+}
+
 /// Error against cost on logarithmic axes, a colour for every key, the Pareto
 /// front as a line.
 Chart price_chart(const StudyData &data)
@@ -142,7 +149,7 @@ Chart price_chart(const StudyData &data)
               "cost over that of the base case. The line joins what nothing "
               "else is both cheaper and nearer than; below the dashed line an "
               "error is less than half the spread.",
-              quantity_name(data.study.cost).words +
+              quantity_name(data.study.costs.front()).words +
                   " over that of the base case (–)",
               "worst error over the spread of seeds (–)"};
   chart.has_log_x = chart.has_log_y = true;
@@ -153,28 +160,30 @@ Chart price_chart(const StudyData &data)
   half.dash = "5 4";
   std::vector<PricedLevel> levels = price_levels(data);
   std::ranges::sort(levels, {}, &PricedLevel::cost);
-  for (std::size_t k = 0; k < data.study.keys.size(); ++k)
+  for (const PricedLevel &level : levels)
   {
-    Curve curve;
-    curve.name = data.study.keys[k].name();
-    curve.colour = palette_colour(k);
-    curve.line_width = 0.;
-    curve.marker = Marker::dot;
-    for (const PricedLevel &level : levels)
-      if (level.key == k)
-      {
-        curve.x.push_back(level.cost);
-        curve.y.push_back(level.worst);
-      }
-    chart.curves.push_back(curve);
+    const std::string name = curve_name(data.study, level);
+    auto curve = std::ranges::find(chart.curves, name, &Curve::name);
+    if (curve == chart.curves.end())
+    {
+      Curve fresh;
+      fresh.name = name;
+      fresh.colour = palette_colour(chart.curves.size());
+      fresh.line_width = 0.;
+      fresh.marker =
+          chart.curves.size() < palette_size ? Marker::dot : Marker::ring;
+      curve = chart.curves.insert(curve, fresh);
+    }
+    curve->x.push_back(level.cost());
+    curve->y.push_back(level.worst);
   }
   for (const PricedLevel &level : levels)
   {
-    half.x.push_back(level.cost);
+    half.x.push_back(level.cost());
     half.y.push_back(0.5);
     if (level.is_on_front)
     {
-      front.x.push_back(level.cost);
+      front.x.push_back(level.cost());
       front.y.push_back(level.worst);
     }
   }
@@ -231,8 +240,9 @@ std::string study_page(const StudyData &data, const fs::path &folder,
 {
   const Study &study = data.study;
   std::string body = section(expectation_table(data));
-  if (study.has_reference)
-    body += section(price_table(data), figure(price_chart(data), figures));
+  if (study.has_reference())
+    body += section(price_table(data), figure(price_chart(data), figures)) +
+            section(default_table(data));
   body += section(failure_table(data));
   for (std::size_t k = 0; k < study.keys.size(); ++k)
     body += key_section(data, k, folder, figures);
@@ -246,8 +256,11 @@ std::string study_page(const StudyData &data, const fs::path &folder,
 std::string study_markdown(const StudyData &data)
 {
   std::vector<TextTable> tables = {expectation_table(data)};
-  if (data.study.has_reference)
+  if (data.study.has_reference())
+  {
     tables.push_back(price_table(data));
+    tables.push_back(default_table(data));
+  }
   for (std::size_t k = 0; k < data.study.keys.size(); ++k)
     tables.push_back(difference_table(data, k));
   tables.push_back(failure_table(data));

@@ -1,10 +1,12 @@
 #include "errors.h"
 #include "report/run_data.h"
 #include "run/folder.h"
+#include "run/time_left.h"
 #include "study/study.h"
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <fcntl.h>
 #include <fstream>
 #include <iostream>
@@ -98,6 +100,13 @@ int run_program(const std::vector<std::string> &words, const fs::path &log)
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// Whether the folder has this case, begun or ended.
+bool holds_case(const StudyPoint &point, const fs::path &run)
+{
+  return without_comments(text_of(run / "case.prm")) ==
+         without_comments(point.resolved);
+}
+
 /// Runs the case of a point, or goes on with it.
 PointResult run_point(const StudyPoint &point, const fs::path &folder)
 {
@@ -105,8 +114,7 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
   const fs::path run = folder / point.folder,
                  file = folder / (point.folder + ".prm"),
                  log = folder / (point.folder + ".log");
-  const bool is_same = without_comments(text_of(run / "case.prm")) ==
-                       without_comments(point.resolved);
+  const bool is_same = holds_case(point, run);
   if (!is_same || !holds_complete_run(run))
   {
     write_text(file, point.resolved);
@@ -125,6 +133,43 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
   result.is_done = true;
   return result;
 }
+
+/// How far the cases are, and how long those that are left will take: as long
+/// as those that were run, not found.
+class StudyProgress
+{
+public:
+  explicit StudyProgress(std::size_t n_cases) : n(n_cases) {}
+
+  /// Takes one case that has ended, `was_there` before or not.
+  void take(const StudyPoint &point, const PointResult &result, bool was_there)
+  {
+    const std::lock_guard lock(output);
+    ++n_done;
+    n_run += !was_there;
+    std::cout << n_done << "/" << n << " " << point.folder
+              << (result.is_done ? "" : " failed: ") << result.fault;
+    if (n_run > 0 && n_done < n)
+      std::cout << ", about "
+                << in_minutes(seconds() / static_cast<double>(n_run) *
+                              static_cast<double>(n - n_done))
+                << " left";
+    std::cout << std::endl;
+  }
+
+private:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         start)
+        .count();
+  }
+
+  std::size_t n, n_done = 0, n_run = 0;
+  std::chrono::steady_clock::time_point start =
+      std::chrono::steady_clock::now();
+  std::mutex output;
+};
 
 /// NaN where the summary has no such number.
 std::vector<double> outcomes_of(const Study &study, const fs::path &run)
@@ -164,12 +209,15 @@ std::vector<PointResult> run_points(const Study &study,
                                     const fs::path &folder, int jobs)
 {
   std::vector<PointResult> results(points.size());
-  std::atomic<std::size_t> next = 0, n_done = 0;
-  std::mutex output;
+  std::atomic<std::size_t> next = 0;
+  StudyProgress progress(points.size());
   const auto work = [&]
   {
     for (std::size_t k = next++; k < points.size(); k = next++)
     {
+      const fs::path run = folder / points[k].folder;
+      const bool was_there =
+          holds_case(points[k], run) && holds_complete_run(run);
       try
       {
         results[k] = run_point(points[k], folder);
@@ -178,11 +226,8 @@ std::vector<PointResult> run_points(const Study &study,
       {
         results[k].fault = error.what();
       }
-      results[k].outcomes = outcomes_of(study, folder / points[k].folder);
-      const std::lock_guard lock(output);
-      std::cout << ++n_done << "/" << points.size() << " " << points[k].folder
-                << (results[k].is_done ? "" : " failed: ") << results[k].fault
-                << std::endl;
+      results[k].outcomes = outcomes_of(study, run);
+      progress.take(points[k], results[k], was_there);
     }
   };
   std::vector<std::jthread> workers;

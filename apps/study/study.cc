@@ -1,36 +1,15 @@
 #include "study/study.h"
 
 #include "case/fields.h"
-#include "case/source.h"
 #include "errors.h"
+#include "study/words.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace spall
 {
 namespace
 {
-[[noreturn]] void refuse(const Assignment &a, const std::string &allowed)
-{
-  throw InputError(a.place + ": " + a.section + "/" + a.key + " = " + a.value +
-                   ": " + allowed);
-}
-
-std::vector<std::string> words_of(const std::string &text, char separator)
-{
-  std::vector<std::string> words;
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, separator);)
-  {
-    word.erase(0, word.find_first_not_of(" \t"));
-    word.erase(word.find_last_not_of(" \t") + 1);
-    if (!word.empty())
-      words.push_back(word);
-  }
-  return words;
-}
-
 std::vector<std::string> list_of(const Assignment &a)
 {
   std::vector<std::string> values = words_of(a.value, ',');
@@ -71,10 +50,9 @@ void take_study(const Assignment &a, Study &study)
         "must be means (5 % of the mean counts) or seeds (what exceeds its "
         "95 % interval over the seeds counts)");
   else if (a.key == "cost")
-  {
-    study.has_reference = true;
-    study.cost = a.value;
-  }
+    study.costs = list_of(a);
+  else if (a.key == "controls")
+    study.controls = list_of(a);
   else if (a.key == "seeds")
     study.seeds = list_of(a);
   else if (a.key == "outcomes")
@@ -89,7 +67,7 @@ void take_study(const Assignment &a, Study &study)
   }
   else
     refuse(a, "no key of this name: must be case, title, combine, judged_by, "
-              "cost, seeds, outcomes or curve");
+              "cost, controls, seeds, outcomes or curve");
 }
 
 void take_sweep(const Assignment &a, Study &study)
@@ -131,52 +109,12 @@ void take_variant(const Assignment &a, Study &study)
   study.variants.push_back(variant);
 }
 
-/// As the value reads back from a case: 5e8 is 5e+08.
-std::string same_text(const std::string &value)
+bool is_swept_value(const Study &study, const std::string &key_name,
+                    const std::string &value)
 {
-  try
-  {
-    return number_text(to_number(value));
-  }
-  catch (const std::invalid_argument &)
-  {
-    return value;
-  }
-}
-
-/// OUTCOME RELATION with Section/key [than Section/key]
-/// [where Section/key=value] [: what others found].
-void take_expectation(const Assignment &a, Study &study)
-{
-  const std::size_t colon = a.value.find(':');
-  const std::vector<std::string> words =
-      words_of(a.value.substr(0, colon), ' ');
-  const auto need = [&a](bool is_right)
-  {
-    if (!is_right)
-      refuse(a, "must be OUTCOME rises|falls|changes|stays|settles_low|"
-                "settles_high|is_positive|is_negative|answers_more with "
-                "Section/key [than Section/key] [where Section/key=value] "
-                "[: what others found]");
-  };
-  need(words.size() >= 4 && words.size() % 2 == 0 && words[2] == "with" &&
-       std::ranges::find(relations, words[1]) != relations.end());
-  Expectation expected{a.key, words[0], words[1], words[3], "", "", "", ""};
-  for (std::size_t k = 4; k < words.size(); k += 2)
-    if (words[k] == "than")
-      expected.than = words[k + 1];
-    else
-    {
-      const std::size_t equals = words[k + 1].find('=');
-      need(words[k] == "where" && equals != std::string::npos);
-      expected.where_key = words[k + 1].substr(0, equals);
-      expected.where_value = same_text(words[k + 1].substr(equals + 1));
-    }
-  need(expected.than.empty() == (expected.relation != "answers_more"));
-  if (colon != std::string::npos)
-    expected.reported = a.value.substr(
-        std::min(a.value.find_first_not_of(' ', colon + 1), a.value.size()));
-  study.expectations.push_back(expected);
+  const auto key = std::ranges::find(study.keys, key_name, &SweptKey::name);
+  return key != study.keys.end() &&
+         std::ranges::find(key->values, value, same_text) != key->values.end();
 }
 
 void check_study(const Study &study)
@@ -194,31 +132,33 @@ void check_study(const Study &study)
   {
     need(std::ranges::find(study.outcomes, e.outcome) != study.outcomes.end(),
          "Expect/" + e.name + ": " + e.outcome + " is not in Study/outcomes");
-    for (const std::string &name : {e.key, e.than, e.where_key})
+    for (const std::string &name : {e.key, e.than_key, e.where_key})
       need(name.empty() ||
                std::ranges::any_of(study.keys, [&](const SweptKey &key)
                                    { return key.name() == name; }),
            "Expect/" + e.name + ": " + name +
                " is not in section Sweep (or Variants)");
+    if (e.course != Course::plain)
+      need(is_swept_value(study, e.key, e.course_value),
+           "Expect/" + e.name + ": " + e.course_value +
+               " is no value of Sweep/" + e.key);
   }
   need(study.combine != Combine::each_variant || !study.variants.empty(),
        "Study/combine = each_variant needs a section Variants");
   for (const Variant &variant : study.variants)
     for (const Override &setting : variant.settings)
-      need(study.combine == Combine::each ||
-               std::ranges::none_of(study.keys,
-                                    [&](const SweptKey &key) {
-                                      return key.name() == setting.section +
-                                                               "/" +
-                                                               setting.key;
-                                    }),
-           "Variants/" + variant.name + " and Sweep both set " +
-               setting.section + "/" + setting.key);
-  need(!study.has_reference || study.combine == Combine::each,
+      need(
+          study.combine == Combine::each ||
+              std::ranges::none_of(study.keys, [&](const SweptKey &key)
+                                   { return key.name() == key_name(setting); }),
+          "Variants/" + variant.name + " and Sweep both set " +
+              key_name(setting));
+  for (const std::string &control : study.controls)
+    need(std::ranges::find(study.variants, control, &Variant::name) !=
+             study.variants.end(),
+         "Study/controls: " + control + " is not in section Variants");
+  need(!study.has_reference() || study.combine == Combine::each,
        "Study/cost needs combine = each");
-  need(!study.has_reference || std::ranges::find(study.outcomes, study.cost) !=
-                                   study.outcomes.end(),
-       "Study/cost = " + study.cost + " must be in Study/outcomes");
 }
 
 std::string seed_key_of(CaseKind kind)
@@ -325,7 +265,7 @@ std::vector<Row> rows_of(const Study &study, const Row &base)
   if (study.combine == Combine::grid)
     return grid_rows(study);
   std::vector<Row> rows;
-  if (study.has_reference)
+  if (study.has_reference())
     rows.push_back(base);
   if (study.combine == Combine::each)
     for (const Row &row : single_rows(study, base, 0))
@@ -360,6 +300,17 @@ bool is_swept(const Study &study, const Row &row, const Row &base,
                              { return same_text(value) == row[k]; });
 }
 
+/// A fault of a setting of this study, with its line where it has one.
+std::string place_fault(const Study &study, const std::string &fault)
+{
+  constexpr std::string_view start = "--set: ";
+  if (fault.starts_with(start))
+    for (const SweptKey &key : study.keys)
+      if (!key.is_variant() && fault.find(key.name() + " = ") == start.size())
+        return key.place + ": Sweep: " + fault.substr(start.size());
+  return study.file + ": " + fault;
+}
+
 /// What a row leaves as it is in the base may be another thing in a variant.
 StudyPoint make_point(const Study &study, const Row &row, const Row &base,
                       const std::string &seed, std::size_t number)
@@ -388,7 +339,7 @@ StudyPoint make_point(const Study &study, const Row &row, const Row &base,
   }
   catch (const InputError &error)
   {
-    throw InputError(study.file + ": " + error.what());
+    throw InputError(place_fault(study, error.what()));
   }
   return point;
 }
@@ -407,12 +358,15 @@ Study read_study(const std::string &file,
     else if (a.section == "Variants")
       take_variant(a, study);
     else if (a.section == "Expect")
-      take_expectation(a, study);
+      study.expectations.push_back(read_expectation(a));
     else if (a.section == "Base")
       take_base(a, study);
     else
       refuse(a, "no section of this name: must be Study, Base, Sweep, "
                 "Variants or Expect");
+  for (const std::string &cost : study.costs)
+    if (std::ranges::find(study.outcomes, cost) == study.outcomes.end())
+      study.outcomes.push_back(cost);
   study.base.insert(study.base.end(), overrides.begin(), overrides.end());
   check_study(study);
   take_base_case(read_case(study.case_file, study.base), study);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/file.h"
+#include "study/expectation.h"
 
 #include <filesystem>
 #include <span>
@@ -39,27 +40,6 @@ struct Variant
   std::vector<Override> settings;
 };
 
-/// What runs are expected to show: how an outcome goes with a parameter.
-struct Expectation
-{
-  std::string name;
-  std::string outcome;                ///< key of summary.json
-  std::string relation;               ///< one of `relations`
-  std::string key;                    ///< Section/key
-  std::string than;                   ///< the other key of answers_more
-  std::string where_key, where_value; ///< of the cases looked at; empty: all
-  std::string reported;               ///< what others found, as text
-};
-
-/// rises, falls: over the whole sweep, from value to value at most against it
-/// by what is noticeable; changes, stays: range above or below 5 % of the mean;
-/// settles_low, settles_high: the two smallest or largest values within 5 %;
-/// is_positive, is_negative: the outcome itself; answers_more: larger change
-/// over the whole sweep than over that of another key.
-inline const std::vector<std::string> relations = {
-    "rises",        "falls",       "changes",     "stays",       "settles_low",
-    "settles_high", "is_positive", "is_negative", "answers_more"};
-
 /// How the values of the keys are put together: each key by itself around the
 /// base case, that for every variant, or all combinations.
 enum class Combine
@@ -85,10 +65,12 @@ struct Study
   std::string title = "study";
   Combine combine = Combine::each;
   JudgedBy judged_by = JudgedBy::means;
-  /// Whether the base case is the reference of an error map, which then runs
-  /// too; an outcome is the cost.
-  bool has_reference = false;
-  std::string cost;           ///< empty without a reference
+  /// Outcomes that are costs, the first the one that counts. With them the base
+  /// case is the reference of an error map and runs too.
+  std::vector<std::string> costs;
+  /// Variants that are the base case but for last digits: they show what chaos
+  /// makes, and are no choice.
+  std::vector<std::string> controls;
   std::vector<Override> base; ///< settings of every case
   std::string seed_key;       ///< Section/key
   std::vector<std::string> seeds;
@@ -97,6 +79,8 @@ struct Study
   std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
   std::vector<Variant> variants;
   std::vector<Expectation> expectations;
+
+  bool has_reference() const { return !costs.empty(); }
 };
 
 /// One case of a study.

@@ -23,15 +23,6 @@ std::string in_words(Ruling ruling)
   return "not resolved";
 }
 
-std::string in_words(const Expectation &e)
-{
-  return e.outcome + " " + e.relation + " with " + e.key +
-         (e.than.empty() ? "" : " than " + e.than) +
-         (e.where_key.empty()
-              ? ""
-              : " where " + e.where_key + " = " + e.where_value);
-}
-
 std::string with_sign(double share)
 {
   return (share > 0. ? "+" : "") + format(100. * share, 2) + " %";
@@ -99,11 +90,14 @@ TextTable price_table(const StudyData &data)
       "Cost and errors against the base case, in pairs with the same seed; "
       "errors in their own unit with their 95 % interval, and in per cent of "
       "the standard deviation that the base case has over its seeds. Fine is "
-      "what stays below half of it in every outcome.",
-      {"key", "value", "cost", "worst error / spread", ""},
+      "what stays below half of it in every outcome; controls show what chaos "
+      "alone makes.",
+      {"key", "value"},
       {}};
+  table.head.insert(table.head.end(), study.costs.begin(), study.costs.end());
+  table.head.insert(table.head.end(), {"worst error / spread", ""});
   for (const std::string &outcome : study.outcomes)
-    if (outcome != study.cost)
+    if (!is_cost(study, outcome))
       table.head.push_back(outcome);
   const std::vector<double> spread = reference_spread(data);
   for (const PricedLevel &level : price_levels(data))
@@ -112,15 +106,40 @@ TextTable price_table(const StudyData &data)
     if (level.is_cheapest_fine)
       marks +=
           (marks.empty() ? "" : ", ") + std::string("cheapest that is fine");
-    Cells cells = {study.keys[level.key].name(), level.value,
-                   format(level.cost, 3), format(level.worst, 2), marks};
+    if (level.is_control)
+      marks = "control";
+    Cells cells = {study.keys[level.key].name(), level.value};
+    for (const double cost : level.costs)
+      cells.push_back(format(cost, 3));
+    cells.insert(cells.end(), {format(level.worst, 2), marks});
     for (std::size_t o = 0; o < study.outcomes.size(); ++o)
-      if (study.outcomes[o] != study.cost)
+      if (!is_cost(study, study.outcomes[o]))
         cells.push_back(
             in_words(level.errors[o], 0.) + " = " +
             with_sign(level.errors[o].mean / spread[o]) +
             (level.errors[o].is_resolved() ? "" : ", not resolved"));
     table.rows.push_back(cells);
+  }
+  return table;
+}
+
+TextTable default_table(const StudyData &data)
+{
+  TextTable table{
+      "Defaults",
+      "The default of the program against the cheapest value whose errors all "
+      "stay below half the spread of the seeds; reference where no cheaper one "
+      "does.",
+      {"key", "default", data.study.costs.front(), "worst error / spread",
+       "cheapest that is fine", "is the default"},
+      {}};
+  for (const DefaultPrice &price : price_defaults(data, price_levels(data)))
+  {
+    const bool is_there = std::isfinite(price.cost);
+    table.rows.push_back({price.knob, price.default_value,
+                          is_there ? format(price.cost, 3) : "not in this map",
+                          is_there ? format(price.worst, 2) : "",
+                          price.cheapest, price.is_cheapest ? "yes" : "no"});
   }
   return table;
 }

@@ -14,6 +14,8 @@ TextTable expectation_table(const StudyData &data);
 TextTable difference_table(const StudyData &data, std::size_t key);
 /// Error and cost of every value against the reference.
 TextTable price_table(const StudyData &data);
+/// What that says of the defaults of the program.
+TextTable default_table(const StudyData &data);
 TextTable failure_table(const StudyData &data);
 TextTable case_table(const StudyData &data);
 } // namespace spall

@@ -39,10 +39,12 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
   seconds["other"] = std::max(0., recorded.total - known);
   seconds["total"] = recorded.total;
   seconds[processor_time] = processor_seconds();
-  seconds[loading_processor_time] =
-      test.stage() == Stage::preparation
-          ? 0.
-          : processor_seconds() - recorded.preparation_processor;
+  if (test.stage() != Stage::preparation)
+  {
+    seconds[loading_processor_time] =
+        processor_seconds() - recorded.preparation_processor;
+    seconds[loading_wall_time] = recorded.total - recorded.preparation;
+  }
   for (const auto &[phase, spent] : before)
     seconds[phase] += spent;
   return seconds;

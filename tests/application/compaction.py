@@ -122,6 +122,8 @@ def number_faults(folder, form):
         faults.append(f"peak {found['peak_plate_load_N']} N, rows {seen} N")
     if not 0. < found["loading_processor_s"] < found["processor_s"]:
         faults.append(f"loading_processor_s {found['loading_processor_s']}")
+    if not 0. < found["loading_wall_clock_s"] < found["wall_clock_s"]["total"]:
+        faults.append(f"loading_wall_clock_s {found['loading_wall_clock_s']}")
     if not found["is_complete"] or len(found["reports"]) != 3:
         faults.append(f"reports {found['reports']}")
     for report, name in zip(found["reports"], FILES[3:]):

@@ -103,7 +103,7 @@ def main():
     parser.add_argument("spall")
     parser.add_argument("--keep")
     parser.add_argument("cases", nargs="*", choices=[[], *ROWS])
-    given = parser.parse_args()
+    given = parser.parse_intermixed_args()
     rows = []
     for name in given.cases or USUAL:
         with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,143 @@
+#include "errors.h"
+#include "study/prices.h"
+#include "study/tables.h"
+#include "study_file.h"
+
+namespace
+{
+using namespace spall;
+
+// Reference 10, 12, 14 at cost 4; a knob that halves the cost and is off by
+// 0.2 is fine, one that is off by 2 is not, one that costs more is on no front.
+TEST_F(StudyFile, PricesAreAgainstTheReference)
+{
+  const Study map = read_study(
+      write("m.prm", "subsection Study\n  set case = c.prm\n"
+                     "  set outcomes = n_events, processor_s\n"
+                     "  set seeds = 1, 2, 3\n  set cost = processor_s\nend\n"
+                     "subsection Base\n  set Stone/friction = 0.4\nend\n"
+                     "subsection Sweep\n"
+                     "  set Stone/density = 2000, 2750, 3000\n"
+                     "  set Time/fixed_step = 2e-7\nend\n"));
+  const std::vector<StudyPoint> points = points_of(map);
+  ASSERT_EQ(points.size(), 4u * 3u); // the base case once
+  EXPECT_TRUE(points[0].is_base);
+  EXPECT_NE(points[0].resolved.find("friction = 0.4"), std::string::npos);
+  std::vector<PointResult> results;
+  for (const StudyPoint &point : points)
+  {
+    const double base = 8. + 2. * std::stod(point.seed);
+    const bool is_light = point.values[0] == "2000",
+               is_heavy = point.values[0] == "3000",
+               is_fine_step = point.values[1] == "2e-07";
+    results.push_back({true,
+                       "",
+                       {base + (is_light   ? 0.2
+                                : is_heavy ? 2.
+                                           : 0.),
+                        is_light       ? 2.
+                        : is_heavy     ? 1.
+                        : is_fine_step ? 8.
+                                       : 4.}});
+  }
+  const StudyData data{map, points, results};
+  EXPECT_DOUBLE_EQ(reference_spread(data)[0], 2.);
+  const std::vector<PricedLevel> levels = price_levels(data);
+  ASSERT_EQ(levels.size(), 3u);
+  EXPECT_NEAR(levels[0].worst, 0.1, 1e-12);
+  EXPECT_NEAR(levels[0].cost(), 0.5, 1e-12);
+  EXPECT_TRUE(levels[0].is_on_front);
+  EXPECT_TRUE(levels[0].is_cheapest_fine);
+  EXPECT_NEAR(levels[1].worst, 1., 1e-12);
+  EXPECT_TRUE(levels[1].is_on_front);
+  EXPECT_FALSE(levels[1].is_cheapest_fine);
+  EXPECT_NEAR(levels[2].cost(), 2., 1e-12);
+  EXPECT_NE(
+      study_markdown(data).find("| on the front, cheapest that is fine |"),
+      std::string::npos)
+      << study_markdown(data);
+}
+
+// Two costs, a control and a variant that is the default; the cheapest that is
+// fine is another value of its knob.
+TEST_F(StudyFile, DefaultsAreHeldAgainstTheMap)
+{
+  const Study map = read_study(
+      write("d.prm",
+            "subsection Study\n  set case = c.prm\n  set outcomes = n_events\n"
+            "  set seeds = 1, 2, 3\n  set cost = processor_s, peak_memory_B\n"
+            "  set controls = same\nend\n"
+            "subsection Base\n  set Stone/density = 3000\n"
+            "  set Stone/friction = 0.4\nend\n"
+            "subsection Variants\n  set same = Particle/diameter=0.0300001\n"
+            "  set usual = Stone/friction=0.5\nend\n"
+            "subsection Sweep\n  set Stone/density = 2000, 2750\nend\n"));
+  ASSERT_EQ(map.outcomes, (std::vector<std::string>{"n_events", "processor_s",
+                                                    "peak_memory_B"}));
+  const std::vector<StudyPoint> points = points_of(map);
+  std::vector<PointResult> results;
+  for (const StudyPoint &point : points)
+  {
+    const double seed = std::stod(point.seed);
+    double error = 0., cost = 4.;
+    if (point.values[0] == "same")
+      cost = 1.;
+    else if (point.values[1] == "2000")
+      cost = 2.;
+    else if (point.values[1] == "2750")
+    {
+      cost = 3.;
+      error = 0.9;
+    }
+    results.push_back({true, "", {seed + error, cost, 10. * cost}});
+  }
+  const StudyData data{map, points, results};
+  const std::vector<PricedLevel> levels = price_levels(data);
+  const auto named = [&](const std::string &value)
+  { return *std::ranges::find(levels, value, &PricedLevel::value); };
+  EXPECT_TRUE(named("same").is_control);
+  EXPECT_FALSE(named("same").is_on_front || named("same").is_cheapest_fine);
+  EXPECT_EQ(named("2000").costs, (std::vector<double>{0.5, 0.5}));
+  EXPECT_TRUE(named("2000").is_cheapest_fine);
+  const std::vector<DefaultPrice> defaults = price_defaults(data, levels);
+  const auto of = [&](const std::string &knob)
+  { return *std::ranges::find(defaults, knob, &DefaultPrice::knob); };
+  EXPECT_EQ(of("Stone/density").default_value, "2750");
+  EXPECT_NEAR(of("Stone/density").worst, 0.9, 1e-12);
+  EXPECT_EQ(of("Stone/density").cheapest, "2000");
+  EXPECT_FALSE(of("Stone/density").is_cheapest);
+  EXPECT_EQ(of("Stone/friction").worst, 0.);
+  EXPECT_EQ(of("Stone/friction").cheapest, "reference");
+  EXPECT_THROW(
+      read_study(write("x.prm", "subsection Study\n  set case = c.prm\n"
+                                "  set outcomes = n_events\n"
+                                "  set controls = none\nend\n"
+                                "subsection Sweep\n"
+                                "  set Stone/density = 2000\nend\n")),
+      InputError);
+}
+
+// A value that gave no force is no choice, however near its other outcomes.
+TEST_F(StudyFile, MissingOutcomesAreNoSmallErrors)
+{
+  const Study map = read_study(
+      write("n.prm", "subsection Study\n  set case = c.prm\n"
+                     "  set outcomes = peak_force_N, n_events, processor_s\n"
+                     "  set seeds = 1, 2\n  set cost = processor_s\nend\n"
+                     "subsection Sweep\n  set Stone/density = 2000\nend\n"));
+  const std::vector<StudyPoint> points = points_of(map);
+  std::vector<PointResult> results;
+  for (const StudyPoint &point : points)
+  {
+    const double seed = std::stod(point.seed);
+    results.push_back(
+        {true,
+         "",
+         {point.is_base ? seed : std::nan(""), seed, point.is_base ? 2. : 1.}});
+  }
+  const std::vector<PricedLevel> levels = price_levels({map, points, results});
+  ASSERT_EQ(levels.size(), 1u);
+  EXPECT_TRUE(std::isinf(levels[0].worst));
+  EXPECT_FALSE(levels[0].is_on_front || levels[0].is_cheapest_fine);
+}
+} // namespace
