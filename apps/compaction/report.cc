@@ -1,6 +1,7 @@
 // What a vibratory compaction says of itself.
 #include "case/parameter.h"
 #include "compaction/compaction.h"
+#include "laboratory/roundness_table.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,29 +10,6 @@
 
 namespace spall
 {
-namespace
-{
-/// id, size, loss and roundness of every stone, a CSV file.
-std::string roundness_table(const dem::Particles &stones,
-                            dem::RoundnessBook &roundness)
-{
-  std::vector<std::string> rows(stones.size());
-  for (std::size_t i = 0; i < stones.size(); ++i)
-  {
-    std::string &row = rows[static_cast<std::size_t>(stones.id[i])];
-    row = std::to_string(stones.id[i]);
-    for (const double value : {2. * stones.radius(i), stones.mass(i),
-                               1. - stones.mass(i) / stones.initial_mass[i],
-                               roundness.of(stones.body[i])})
-      row += "," + number_text(value);
-  }
-  std::string text = "id_1,diameter_m,mass_kg,mass_loss_1,roundness_1\n";
-  for (const std::string &row : rows)
-    text += row + "\n";
-  return text;
-}
-} // namespace
-
 void Compaction::report(double due)
 {
   Report report;
@@ -42,9 +20,8 @@ void Compaction::report(double due)
   report.roundness = roundness.mean(engine().particles());
   report.n_events = static_cast<double>(engine().n_events());
   reports.push_back(report);
-  char name[40];
-  std::snprintf(name, sizeof name, "roundness_%.6gs.csv", due);
-  files.push_back({name, roundness_table(engine().particles(), roundness)});
+  files.push_back(
+      {roundness_file(due), roundness_table(engine().particles(), roundness)});
 }
 
 std::vector<NamedText> Compaction::take_files()

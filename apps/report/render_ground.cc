@@ -79,21 +79,15 @@ Nodes start_of(const std::string &path)
   return ground.moved;
 }
 
-/// What all nodes of a frame but those right under single stones have settled
-/// by at most [m].
+/// What the nodes of a frame have settled by at most [m].
 double settlement_of(const Nodes &start, const std::string &frame)
 {
-  constexpr double share = 0.995;
   Ground ground;
   read_ground(frame, ground);
-  std::vector<double> settled;
+  double most = 0.;
   for (const auto &node : moved_since(start, ground))
-    settled.push_back(std::max(0., -node[2]));
-  std::ranges::sort(settled);
-  return settled.empty()
-             ? 0.
-             : settled[static_cast<std::size_t>(
-                   share * static_cast<double>(settled.size() - 1))];
+    most = std::max(most, -node[2]);
+  return most;
 }
 
 void add_polygon(vtkCell *face, vtkCellArray *polygons)
@@ -181,10 +175,17 @@ std::vector<GroundFiles> find_grounds(const std::string &folder)
                                    plates = frames_of(folder, "plate");
   if (frames.size() < 2)
     return {};
-  const auto ground = [&](const std::string &title, const auto &frame)
+  const std::map<int, double> times = frame_times(folder);
+  const auto ground = [&](const std::string &what, const auto &frame)
   {
     const auto plate = plates.find(frame.first);
-    return GroundFiles{title, frames.begin()->second, frame.second,
+    const auto from = times.find(frames.begin()->first),
+               to = times.find(frame.first);
+    char title[80] = "";
+    if (from != times.end() && to != times.end())
+      std::snprintf(title, sizeof title, " (%.4g s)",
+                    to->second - from->second);
+    return GroundFiles{what + title, frames.begin()->second, frame.second,
                        plate == plates.end() ? "" : plate->second};
   };
   const Nodes start = start_of(frames.begin()->second);

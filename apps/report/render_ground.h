@@ -4,8 +4,8 @@
 
 namespace spall
 {
-/// Files of the subgrade at one instant and where it began. An empty plate:
-/// there is none.
+/// Files of the subgrade at one instant, which the title says [s since the
+/// first frame], and where it began. An empty plate: there is none.
 struct GroundFiles
 {
   std::string title, start, ground, plate;
@@ -15,8 +15,8 @@ struct GroundFiles
 /// most and the last; none with less than two frames.
 std::vector<GroundFiles> find_grounds(const std::string &folder);
 
-/// How far the subgrade has settled since its first frame in these frames, but
-/// for the deepest half per cent of its nodes [m].
+/// How far a node of the subgrade has settled at most since its first frame, in
+/// these frames [m].
 double settlement_scale(std::span<const GroundFiles> grounds);
 
 /// The subgrade behind the section through its middle, coloured by its

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 
 namespace spall
 {
@@ -48,6 +50,21 @@ std::map<int, std::string> frames_of(const std::string &folder,
       files[std::atoi(stem.c_str() + name.size() + 1)] = entry.path().string();
   }
   return files;
+}
+
+std::map<int, double> frame_times(const std::string &folder)
+{
+  std::map<int, double> times;
+  std::ifstream list(fs::path(folder) / "run.pvd");
+  for (std::string line; std::getline(list, line);)
+  {
+    const std::size_t time = line.find("timestep=\""), end = line.rfind(".vtu");
+    const std::size_t number = line.rfind('_', end);
+    if (time != std::string::npos && number != std::string::npos)
+      times[std::atoi(line.c_str() + number + 1)] =
+          std::atof(line.c_str() + time + std::strlen("timestep=\""));
+  }
+  return times;
 }
 
 void read_grid(const std::string &path, vtkUnstructuredGrid *grid)

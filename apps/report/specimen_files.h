@@ -28,6 +28,9 @@ double loss_scale(std::span<const SpecimenFiles> specimens);
 std::map<int, std::string> frames_of(const std::string &folder,
                                      const std::string &name);
 
+/// When they were written, by number [s]; empty without run.pvd.
+std::map<int, double> frame_times(const std::string &folder);
+
 /// The cells of a .vtu file with their data; empty if it cannot be read.
 void read_grid(const std::string &path, vtkUnstructuredGrid *grid);
 

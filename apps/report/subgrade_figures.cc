@@ -1,6 +1,7 @@
 #include "report/subgrade_figures.h"
 
 #include "report/figure_parts.h"
+#include "report/roundness_chart.h"
 
 #include <array>
 #include <cmath>
@@ -265,6 +266,7 @@ std::vector<Chart> make_subgrade_charts(std::span<const RunData> runs)
   charts.push_back(transfer_chart(runs));
   charts.push_back(profile_chart(runs));
   charts.push_back(bowl_chart(runs));
+  charts.push_back(roundness_chart(runs));
   charts.push_back(energy_chart(runs));
   return charts;
 }

@@ -1,4 +1,6 @@
 #include "case/parameter.h"
+#include "laboratory/roundness_table.h"
+#include "subgrade/density.h"
 #include "subgrade/poured.h"
 #include "subgrade/quad_file.h"
 #include "subgrade/subgrade.h"
@@ -44,6 +46,15 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   summary["subgrade_settlement_peak_m"] = now.deepest;
   summary["subgrade_force_peak_N"] = now.peak_force;
   summary["stone_velocity_peak_m_per_s"] = now.fastest;
+  if (now.stage >= Stage::loading)
+  {
+    const double mean = roundness.mean(engine().particles());
+    summary["density_start_kg_per_m3"] = now.density;
+    summary["density_kg_per_m3"] = density();
+    summary["roundness_start_1"] = now.roundness;
+    summary["roundness_end_1"] = mean;
+    summary["roundness_change_1"] = mean - now.roundness;
+  }
   summary["pulse_impulse_Ns"] = pulses.impulse();
   summary["pulse_impulse_of_rows_Ns"] = record.impulse();
   if (solid && yields(parameters.subgrade.ground))
@@ -154,11 +165,23 @@ std::string Subgrade::bowl_table() const
 
 std::vector<NamedText> Subgrade::take_files()
 {
-  if (!std::exchange(has_tables, false))
-    return {};
-  return {{"transfer.csv",
-           record.transfer_table(parameters.subgrade.record.highest_frequency)},
-          {"profile.csv", record.profile_table()},
-          {"bowl.csv", bowl_table()}};
+  return std::exchange(files, {});
+}
+
+/// Of the layer right below the plate [kg/m^3].
+double Subgrade::density() const
+{
+  const LoadPlateParameters &p = parameters.subgrade.plate;
+  const double lower_face = now.plate_start + plate->plate().centre().z() -
+                            plate_body(p, now.plate_start).centre.z();
+  return parameters.stone.density *
+         solid_fraction_below(p, engine().particles(), -ground_settlement(),
+                              lower_face);
+}
+
+void Subgrade::note_roundness(double time)
+{
+  files.push_back(
+      {roundness_file(time), roundness_table(engine().particles(), roundness)});
 }
 } // namespace spall

@@ -254,6 +254,9 @@ void Subgrade::start_loading()
   engine().set_local_damping(parameters.time.local_damping);
   engine().set_breaking(parameters.breakage.is_active);
   now.stage = Stage::loading;
+  now.density = density();
+  now.roundness = roundness.mean(all);
+  note_roundness(0.);
   record.begin(parameters.subgrade.record.slices, now.height,
                solid ? axis.heights(solid->solid()) : std::vector<double>());
   for (const Quantity &one : row())
@@ -269,7 +272,12 @@ void Subgrade::load_plate(double time_step)
   if (loading_time() < duration())
     return;
   now.stage = Stage::done;
-  has_tables = true;
+  note_roundness(duration());
+  files.push_back(
+      {"transfer.csv",
+       record.transfer_table(parameters.subgrade.record.highest_frequency)});
+  files.push_back({"profile.csv", record.profile_table()});
+  files.push_back({"bowl.csv", bowl_table()});
 }
 
 double Subgrade::loading_time() const

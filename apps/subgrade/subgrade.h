@@ -6,6 +6,8 @@
 #include "subgrade/record.h"
 #include "subgrade/scene.h"
 
+#include <dem/measure/roundness_book.h>
+
 namespace spall
 {
 /// A plate or sleeper on stones on an elastic ground. The stones fall on ground
@@ -68,6 +70,8 @@ private:
     double fastest = 0.;             ///< stone [m/s]
     double worst_gain = 0.;          ///< [-]
     double peak_force = 0.;          ///< of the stones on the ground, down [N]
+    double density = 0.;   ///< below the plate when loading began [kg/m^3]
+    double roundness = 1.; ///< then, mean of the stones [-]
   };
 
   Subgrade(const Case &parameters, StoneBox its_scene);
@@ -102,6 +106,8 @@ private:
   double settlement_at(std::int32_t node) const;
   double mean_settlement() const;
   std::string bowl_table() const;
+  double density() const;
+  void note_roundness(double time); ///< of loading [s]
 
   StoneBox scene; ///< its engine is with LabTest
   dem::Pouring pouring;
@@ -125,6 +131,7 @@ private:
   SubgradeRecord record;
   State now;
   Due due_now;
-  bool has_tables = false; ///< to be written
+  std::vector<NamedText> files; ///< to be written
+  mutable dem::RoundnessBook roundness;
 };
 } // namespace spall

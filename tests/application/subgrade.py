@@ -117,6 +117,14 @@ def output_faults(folder):
         if column not in header:
             faults.append(f"history.csv has no {column}")
     found = summary(folder)
+    if not 1200. < found["density_start_kg_per_m3"] < 1900. or \
+            not abs(found["density_kg_per_m3"] /
+                    found["density_start_kg_per_m3"] - 1.) < 0.05:
+        faults.append("densities " + str([found["density_start_kg_per_m3"],
+                                          found["density_kg_per_m3"]]))
+    if found["roundness_end_1"] != 1. or \
+            not (folder / "roundness_0s.csv").exists():
+        faults.append("roundness of spheres")
     peaks = [entry["peak_of_pulses"]
              for entry in found["stresses"].values()]
     if not peaks[0] > peaks[1] > 0:

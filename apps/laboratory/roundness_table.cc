@@ -1,0 +1,35 @@
+#include "laboratory/roundness_table.h"
+
+#include "case/parameter.h"
+
+#include <cstdio>
+#include <vector>
+
+namespace spall
+{
+std::string roundness_table(const dem::Particles &stones,
+                            dem::RoundnessBook &roundness)
+{
+  std::vector<std::string> rows(stones.size());
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    std::string &row = rows[static_cast<std::size_t>(stones.id[i])];
+    row = std::to_string(stones.id[i]);
+    for (const double value : {2. * stones.radius(i), stones.mass(i),
+                               1. - stones.mass(i) / stones.initial_mass[i],
+                               roundness.of(stones.body[i])})
+      row += "," + number_text(value);
+  }
+  std::string text = "id_1,diameter_m,mass_kg,mass_loss_1,roundness_1\n";
+  for (const std::string &row : rows)
+    text += row + "\n";
+  return text;
+}
+
+std::string roundness_file(double time)
+{
+  char name[40];
+  std::snprintf(name, sizeof name, "roundness_%.6gs.csv", time);
+  return name;
+}
+} // namespace spall

@@ -1,0 +1,45 @@
+#include "case/case.h"
+#include "subgrade/density.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace
+{
+using namespace spall;
+
+dem::Particles one_ball(const dem::Vec3 &centre, double radius)
+{
+  dem::Particles stones;
+  stones.add(dem::make_sphere(radius), centre, dem::Quaternion::Identity(),
+             2750.);
+  return stones;
+}
+
+// A ball in the column below a plate, and one that its edge halves.
+TEST(SubgradeDensity, IsOfTheColumnBelowThePlate)
+{
+  const double r = 0.02, volume = 4. / 3. * std::numbers::pi * r * r * r;
+  LoadPlateParameters sleeper;
+  sleeper.form = PlateForm::block;
+  sleeper.length = 0.12;
+  sleeper.width = 0.08;
+  const double share = volume / (0.12 * 0.08 * 0.06);
+  EXPECT_NEAR(
+      solid_fraction_below(sleeper, one_ball({0., 0., 0.03}, r), 0., 0.06),
+      share, 0.005 * share);
+  EXPECT_NEAR(
+      solid_fraction_below(sleeper, one_ball({0.06, 0., 0.03}, r), 0., 0.06),
+      0.5 * share, 0.01 * share);
+  LoadPlateParameters disc;
+  disc.form = PlateForm::disc;
+  disc.diameter = 0.1;
+  const double section =
+      16. * 0.05 * 0.05 * std::sin(2. * std::numbers::pi / 32.);
+  EXPECT_NEAR(
+      solid_fraction_below(disc, one_ball({0.01, 0., 0.03}, r), 0., 0.06),
+      volume / (section * 0.06), 0.005 * volume / (section * 0.06));
+}
+} // namespace
