@@ -43,7 +43,7 @@ std::filesystem::path run_folder_in(const ScratchFolder &scratch)
 
 /// What steps of the whole test will take with all that is written meanwhile;
 /// at the end what a run leaves is written, so that memory has been as high as
-/// it will be.
+/// it will be. Nearly all the time of that is the last frame.
 template <class Test, class Writer>
 MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
                      const TestTimes &times,
@@ -62,9 +62,11 @@ MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
     writer.after_step(test);
     return !is_over();
   };
-  const MeanStep step =
-      time_steps(test.engine(), times, parameters.threads, advance);
+  MeanStep step = time_steps(test.engine(), times, parameters.threads, advance);
+  const Stopwatch watch;
   writer.finish(test);
+  step.cost +=
+      step.unseen_frames * watch.seconds() * step.length / times.duration;
   return step;
 }
 
@@ -181,10 +183,12 @@ void check_lab(const Case &parameters, const std::string &preparations)
   LabRecorder recorder(parameters, run_folder_in(scratch));
   recorder.start(*test);
   test->hasten();
-  print_predicted(test->duration(),
-                  run_a_while(parameters, *test, recorder,
-                              {test->duration(), test->period()},
-                              [&test] { return test->share_done() >= 1.; }));
+  print_predicted(
+      test->duration(),
+      run_a_while(parameters, *test, recorder,
+                  {test->duration(), test->period(), test->frame_interval(),
+                   [&recorder] { return recorder.n_written(); }},
+                  [&test] { return test->share_done() >= 1.; }));
   print_memory();
 }
 } // namespace

@@ -273,6 +273,12 @@ double Compaction::duration() const
   return parameters.plate.seating_time + last_time;
 }
 
+double Compaction::frame_interval() const
+{
+  const double rate = parameters.vibration.frames_per_second;
+  return rate > 0. ? 1. / rate : 0.;
+}
+
 double Compaction::period() const
 {
   return 1. / parameters.vibration.frequency;

@@ -25,8 +25,9 @@ public:
   explicit Compaction(const Case &parameters);
 
   double share_done() const override;
-  double duration() const override; ///< without the filling [s]
-  double period() const override;   ///< of the exciter [s]
+  double duration() const override;       ///< without the filling [s]
+  double period() const override;         ///< of the exciter [s]
+  double frame_interval() const override; ///< without those of reports [s]
   std::string phase() const override;
   Due due() const override;
   double progress_at(double time) const override; ///< of the vibration [s]

@@ -31,6 +31,8 @@ public:
   /// As Recorder::keep_stopped.
   std::string keep_stopped(LabTest &test);
 
+  int n_written() const { return n_frames; } ///< frames
+
   /// Path of the last checkpoint, empty if none.
   std::string last_checkpoint() const;
 

@@ -51,6 +51,8 @@ public:
   virtual double duration() const = 0;
   /// In which its load or motion comes back; 0: none [s].
   virtual double period() const { return 0.; }
+  /// Between frames; 0: not known, they come with its motion [s].
+  virtual double frame_interval() const { return 0.; }
   /// Where it is, in a few words.
   virtual std::string phase() const = 0;
   virtual Due due() const = 0;

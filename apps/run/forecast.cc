@@ -21,28 +21,35 @@ struct Ran
   double time = 0.;  ///< simulated [s]
   double spent = 0.; ///< by Stopwatch [s]
   double n_steps = 0.;
+  double n_frames = 0.;
 };
 
 Ran operator-(const Ran &a, const Ran &b)
 {
-  return {a.time - b.time, a.spent - b.spent, a.n_steps - b.n_steps};
+  return {a.time - b.time, a.spent - b.spent, a.n_steps - b.n_steps,
+          a.n_frames - b.n_frames};
 }
 
-/// By the engine and its clock since a start.
+/// By the engine, its clock and the frames since a start.
 class Meter
 {
 public:
-  explicit Meter(const dem::Engine &e) : engine(e), start(read()) {}
+  Meter(const dem::Engine &e, const std::function<int()> &frames)
+      : engine(e), n_frames(frames), start(read())
+  {
+  }
   Ran ran() const { return read() - start; }
 
 private:
   Ran read() const
   {
     return {engine.time(), watch.seconds(),
-            static_cast<double>(engine.n_steps())};
+            static_cast<double>(engine.n_steps()),
+            static_cast<double>(n_frames())};
   }
 
   const dem::Engine &engine;
+  const std::function<int()> &n_frames;
   Stopwatch watch;
   Ran start;
 };
@@ -74,7 +81,7 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
                     int threads, const std::function<bool()> &advance)
 {
   ThreadChoice choice(threads);
-  const Meter meter(engine);
+  const Meter meter(engine, test.n_frames);
   const auto run_until = [&](const std::function<bool()> &is_enough)
   {
     bool is_on = true;
@@ -107,8 +114,12 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
   const Ran all = meter.ran(), last = all - before;
   const double left = std::max(0., test.duration - all.time) / last.time;
   const double n = all.n_steps + left * last.n_steps;
+  const double unseen =
+      test.frame_interval > 0.
+          ? left * (last.time / test.frame_interval - last.n_frames)
+          : 0.;
   return {(all.time + left * last.time) / n,
-          (all.spent + left * last.spent) / n};
+          (all.spent + left * last.spent) / n, unseen};
 }
 
 void print_predicted(double duration, const MeanStep &step)

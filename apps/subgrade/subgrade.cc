@@ -302,6 +302,11 @@ double Subgrade::duration() const
   return pulses.duration() + parameters.subgrade.pulse.rest;
 }
 
+double Subgrade::frame_interval() const
+{
+  return parameters.subgrade.record.frame_interval;
+}
+
 std::string Subgrade::phase() const
 {
   if (now.stage < Stage::loading)

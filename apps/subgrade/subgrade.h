@@ -20,8 +20,9 @@ public:
   /// Throws InputError.
   explicit Subgrade(const Case &parameters);
 
-  double share_done() const override; ///< of the loading
-  double duration() const override;   ///< of the loading [s]
+  double share_done() const override;     ///< of the loading
+  double duration() const override;       ///< of the loading [s]
+  double frame_interval() const override; ///< in it [s]
   std::string phase() const override;
   Due due() const override { return due_now; }
   double progress_at(double time) const override; ///< since loading began [s]
