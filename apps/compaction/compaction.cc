@@ -108,10 +108,30 @@ void Compaction::hand_over(double plate_height)
   if (fills_by_own_steps())
     change_steps(parameters.time, step_limit().step);
   engine().set_local_damping(parameters.time.local_damping);
+  warn_of_density();
   now.stage = Stage::seating;
   if (parameters.plate.form != PlateKind::rigid)
     return join(plate_height);
   engine().place_plane(pouring.tamper(), plate_height * dem::Vec3::UnitZ());
+}
+
+/// Says so where the filling has not come to what it was asked for.
+void Compaction::warn_of_density()
+{
+  constexpr double noticeable = 0.005; // [-]
+  if (pouring.layers().empty()) // packed roughly
+    return;
+  const double asked = parameters.filling.density,
+               reached = pouring.layers().back().density;
+  if (std::abs(reached / asked - 1.) <= noticeable)
+    return;
+  char line[200];
+  std::snprintf(
+      line, sizeof line,
+      "warning: filled to %.0f kg/m^3, Filling/density asks for %.0f: "
+      "see Filling/max_strokes, tamper_pressure, friction",
+      reached, asked);
+  say(line);
 }
 
 /// Until the stones carry it. The last of its speed is too small to shake it.

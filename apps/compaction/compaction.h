@@ -88,6 +88,7 @@ private:
   void fill(double time_step);
   void pack();
   double height_above_layers() const;
+  void warn_of_density();
   void hand_over(double plate_height);
   bool fills_by_own_steps() const { return parameters.filling.safety > 0.; }
   void lower_plate(double time_step);

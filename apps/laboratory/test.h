@@ -145,6 +145,8 @@ protected:
   /// Steps as the contacts allow them now: at once, where a scene has changed.
   void look_at_contacts();
   void say_prepared() const;
+  /// A line for the one who runs it, after this step.
+  void say(const std::string &line) { watch.say(line); }
   /// The boundaries take their speed and the engine a step, or
   /// steps_in_move() of them.
   virtual void move(double time_step) = 0;

@@ -94,6 +94,9 @@ def number_faults(folder, form):
     # Few and large stones: tamped to it, or denser than asked as they fell.
     if not 0.995 * 1300. < filling["density_reached_kg_per_m3"] < 1.25 * 1300.:
         faults.append(f"density {filling}")
+    is_met = abs(filling["density_reached_kg_per_m3"] / 1300. - 1.) <= 0.005
+    if is_met == ("warning: filled to" in (folder / "log.txt").read_text()):
+        faults.append("the log does not say whether the density was met")
     mass = filling["layers"][-1]["mass_kg"]
     faults += near("mass", mass, 1300. * 0.07 * math.pi * 0.045 ** 2, 0.02)
     last = history[-1]
