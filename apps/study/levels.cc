@@ -63,6 +63,18 @@ std::size_t place_of(const Study &study, const std::string &key_name)
   return static_cast<std::size_t>(found - study.keys.begin());
 }
 
+bool is_beside_base(const StudyData &data, std::size_t key,
+                    const StudyPoint &point)
+{
+  const auto base = std::ranges::find_if(data.points, &StudyPoint::is_base);
+  if (base == data.points.end())
+    return true;
+  for (std::size_t k = 0; k < point.values.size(); ++k)
+    if (k != key && point.values[k] != base->values[k])
+      return false;
+  return true;
+}
+
 std::vector<Level> levels_of(const StudyData &data, const Cut &cut,
                              std::size_t outcome)
 {

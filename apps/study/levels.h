@@ -34,6 +34,11 @@ struct Cut
 /// Place of a key among those of the study. Throws std::logic_error.
 std::size_t place_of(const Study &study, const std::string &key_name);
 
+/// Whether all other keys of the point are as in the base case; true of all
+/// points where none is the base case.
+bool is_beside_base(const StudyData &data, std::size_t key,
+                    const StudyPoint &point);
+
 /// Levels of the key in order of their values; `outcome` is a place in
 /// Study::outcomes. Values that are all numbers are sorted.
 std::vector<Level> levels_of(const StudyData &data, const Cut &cut,

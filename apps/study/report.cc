@@ -4,6 +4,7 @@
 #include "report/text.h"
 #include "run/folder.h"
 #include "run/quantity_name.h"
+#include "study/measured.h"
 #include "study/tables.h"
 
 #include <algorithm>
@@ -93,13 +94,40 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   return chart;
 }
 
+/// What others measured, as far as the curves go.
+void add_measured(const MeasuredPoints &points, const std::string &colour,
+                  Chart &chart)
+{
+  double last = 0.;
+  for (const Curve &curve : chart.curves)
+    for (const double x : curve.x)
+      last = std::max(last, x);
+  Curve dots;
+  dots.colour = colour;
+  dots.line_width = 0.;
+  dots.marker = Marker::dot;
+  dots.marker_size = 4.;
+  for (std::size_t k = 0; k < points.x.size(); ++k)
+    if (points.x[k] <= last)
+    {
+      dots.x.push_back(points.x[k]);
+      dots.y.push_back(points.y[k]);
+    }
+  if (!dots.x.empty())
+    chart.curves.push_back(dots);
+}
+
 /// The curves of all cases, a colour for every value of a key.
 Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
 {
   const Study &study = data.study;
   Chart chart{"curve_" + study.keys[k].id(),
               study.curve_y + " over " + study.curve_x + " for values of " +
-                  study.keys[k].name() + ", all seeds.",
+                  study.keys[k].name() + ", all seeds" +
+                  (study.combine == Combine::grid && study.keys.size() > 1
+                       ? "; other keys as in the base case."
+                       : ".") +
+                  (study.measured.empty() ? "" : " Dots: measured."),
               axis_label(study.curve_x), axis_label(study.curve_y)};
   std::size_t n_levels = 0;
   for (const Level &level : levels_of(data, Cut(k), 0))
@@ -110,6 +138,8 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
       const fs::path history = folder / data.points[p].folder / "history.csv";
       if (data.points[p].values[k] != level.value ||
           !Cut(k).takes(data.points[p]) || !data.results[p].is_done ||
+          (study.combine == Combine::grid &&
+           !is_beside_base(data, k, data.points[p])) ||
           !fs::exists(history))
         continue;
       const Table table = read_table(history.string());
@@ -128,6 +158,8 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
         chart.curves.push_back(curve);
       }
     }
+    add_measured(measured_points(data, Cut(k), level.value),
+                 palette_colour(n_levels), chart);
     ++n_levels;
   }
   return chart;

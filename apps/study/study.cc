@@ -2,6 +2,7 @@
 
 #include "case/fields.h"
 #include "errors.h"
+#include "study/measured.h"
 #include "study/words.h"
 
 #include <algorithm>
@@ -37,6 +38,12 @@ void take_study(const Assignment &a, Study &study)
     beside.file = study.file;
     study.case_file = find_path(beside, "Study", "case", a.value);
   }
+  else if (a.key == "measured")
+  {
+    Case beside;
+    beside.file = study.file;
+    study.measured = find_path(beside, "Study", "measured", a.value);
+  }
   else if (a.key == "title")
     study.title = a.value;
   else if (a.key == "combine")
@@ -67,7 +74,7 @@ void take_study(const Assignment &a, Study &study)
   }
   else
     refuse(a, "no key of this name: must be case, title, combine, judged_by, "
-              "cost, controls, seeds, outcomes or curve");
+              "cost, controls, seeds, outcomes, curve or measured");
 }
 
 void take_sweep(const Assignment &a, Study &study)
@@ -369,6 +376,7 @@ Study read_study(const std::string &file,
       study.outcomes.push_back(cost);
   study.base.insert(study.base.end(), overrides.begin(), overrides.end());
   check_study(study);
+  check_measured(study);
   take_base_case(read_case(study.case_file, study.base), study);
   return study;
 }

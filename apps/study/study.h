@@ -76,6 +76,7 @@ struct Study
   std::vector<std::string> seeds;
   std::vector<std::string> outcomes; ///< keys of summary.json
   std::string curve_x, curve_y;      ///< columns of history.csv; may be empty
+  std::string measured; ///< file with points beside the curve; may be empty
   std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
   std::vector<Variant> variants;
   std::vector<Expectation> expectations;

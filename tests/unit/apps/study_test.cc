@@ -1,5 +1,5 @@
 #include "errors.h"
-#include "study/levels.h"
+#include "study/measured.h"
 #include "study_file.h"
 
 namespace
@@ -83,6 +83,32 @@ TEST_F(StudyFile, EachSharesTheBaseCase)
   EXPECT_EQ(levels[2].value, "3000");
   EXPECT_DOUBLE_EQ(levels[2].mean(), 3001.);
   EXPECT_DOUBLE_EQ(levels[2].deviation(), std::sqrt(2.));
+}
+
+// Points of the file at the value of the key, the other key as in the base.
+TEST_F(StudyFile, MeasuredPointsAreThoseOfTheValue)
+{
+  write("m.csv", "Stone/density,Time/fixed_step,time_s,force_N\n"
+                 "2000,1e-6,0.1,5\n2000,1e-6,0.2,6\n2000,2e-6,0.1,7\n"
+                 "2750,1e-6,0.1,8\n");
+  const std::string text =
+      "subsection Study\n  set case = c.prm\n  set outcomes = n_events\n"
+      "  set curve = time_s, force_N\n  set measured = m.csv\nend\n"
+      "subsection Base\n  set Time/fixed_step = 1e-6\nend\n"
+      "subsection Sweep\n  set Stone/density = 2000, 3000\n"
+      "  set Time/fixed_step = 2e-6\nend\n";
+  const Study study = read_study(write("m.prm", text));
+  const std::vector<StudyPoint> points = points_of(study);
+  const std::vector<PointResult> results(points.size());
+  const auto at = [&](const std::string &value) {
+    return measured_points({study, points, results}, Cut(0), value);
+  };
+  EXPECT_EQ(at("2000").x, (std::vector<double>{0.1, 0.2}));
+  EXPECT_EQ(at("2000").y, (std::vector<double>{5., 6.}));
+  EXPECT_EQ(at("2750").y, (std::vector<double>{8.}));
+  EXPECT_TRUE(at("3000").x.empty());
+  write("m.csv", "Stone/friction,time_s,force_N\n0.5,0.1,5\n");
+  EXPECT_THROW(read_study(write("m.prm", text)), InputError);
 }
 
 // A variant that sets a swept key keeps its value, and is no other case.
