@@ -5,6 +5,7 @@
 #include "report/run_data.h"
 #include "report/text_table.h"
 #include "run/folder.h"
+#include "study/programs.h"
 
 #include <algorithm>
 #include <charconv>
@@ -141,6 +142,10 @@ int study_command(Words words)
             << (folder / "report.html").string() << std::endl;
   const auto n_failed =
       std::ranges::count(results, false, &PointResult::is_done);
+  if (are_programs_stopped())
+    throw RunFailure("study: stopped with " + std::to_string(n_failed) +
+                     " of " + std::to_string(points.size()) +
+                     " cases to go; run again to go on");
   if (n_failed > 0)
     throw RunFailure("study: " + std::to_string(n_failed) + " of " +
                      std::to_string(points.size()) +

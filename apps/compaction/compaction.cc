@@ -119,7 +119,7 @@ void Compaction::hand_over(double plate_height)
 void Compaction::warn_of_density()
 {
   constexpr double noticeable = 0.005; // [-]
-  if (pouring.layers().empty()) // packed roughly
+  if (pouring.layers().empty())        // packed roughly
     return;
   const double asked = parameters.filling.density,
                reached = pouring.layers().back().density;

@@ -2,25 +2,20 @@
 #include "report/run_data.h"
 #include "run/folder.h"
 #include "run/time_left.h"
+#include "study/programs.h"
 #include "study/study.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <fcntl.h>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <set>
-#include <spawn.h>
 #include <sstream>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
-
-extern char **environ;
 
 namespace spall
 {
@@ -77,29 +72,6 @@ bool is_free(const fs::path &folder)
   return !fs::exists(folder) || fs::is_empty(folder);
 }
 
-/// Runs this program on the words, standard output and error into `log`;
-/// returns the exit status, or -1.
-int run_program(const std::vector<std::string> &words, const fs::path &log)
-{
-  std::vector<char *> arguments;
-  for (const std::string &word : words)
-    arguments.push_back(const_cast<char *>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int fault = posix_spawn(&child, "/proc/self/exe", &actions, nullptr,
-                                arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (fault != 0 || waitpid(child, &status, 0) != child)
-    return -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 /// Whether the folder has this case, begun or ended.
 bool holds_case(const StudyPoint &point, const fs::path &run)
 {
@@ -139,22 +111,25 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
 class StudyProgress
 {
 public:
-  explicit StudyProgress(std::size_t n_cases) : n(n_cases) {}
+  StudyProgress(std::size_t n_cases, std::size_t n_found)
+      : n(n_cases), n_to_run(n_cases - n_found)
+  {
+  }
 
-  /// Takes one case that has ended, `was_there` before or not.
-  void take(const StudyPoint &point, const PointResult &result, bool was_there)
+  /// Takes one case that has ended, or was found.
+  void take(const StudyPoint &point, const PointResult &result, bool is_found)
   {
     const std::lock_guard lock(output);
     ++n_done;
-    n_run += !was_there;
-    std::cout << n_done << "/" << n << " " << point.folder
-              << (result.is_done ? "" : " failed: ") << result.fault;
-    if (n_run > 0 && n_done < n)
+    n_run += !is_found;
+    std::cout << n_done << "/" << n << " " << point.folder;
+    if (n_run > 0 && n_run < n_to_run)
       std::cout << ", about "
                 << in_minutes(seconds() / static_cast<double>(n_run) *
-                              static_cast<double>(n - n_done))
+                              static_cast<double>(n_to_run - n_run))
                 << " left";
-    std::cout << std::endl;
+    std::cout << (result.is_done ? "" : ", failed: ") << result.fault
+              << std::endl;
   }
 
 private:
@@ -165,7 +140,7 @@ private:
         .count();
   }
 
-  std::size_t n, n_done = 0, n_run = 0;
+  std::size_t n, n_to_run, n_done = 0, n_run = 0;
   std::chrono::steady_clock::time_point start =
       std::chrono::steady_clock::now();
   std::mutex output;
@@ -208,16 +183,26 @@ std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const fs::path &folder, int jobs)
 {
-  std::vector<PointResult> results(points.size());
+  std::vector<PointResult> results(
+      points.size(),
+      {false, "not run: the study was stopped",
+       std::vector<double>(study.outcomes.size(),
+                           std::numeric_limits<double>::quiet_NaN())});
+  pass_on_stops();
   std::atomic<std::size_t> next = 0;
-  StudyProgress progress(points.size());
+  std::vector<char> is_found(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    is_found[k] = holds_case(points[k], folder / points[k].folder) &&
+                  holds_complete_run(folder / points[k].folder);
+  StudyProgress progress(
+      points.size(),
+      static_cast<std::size_t>(std::ranges::count(is_found, char{1})));
   const auto work = [&]
   {
-    for (std::size_t k = next++; k < points.size(); k = next++)
+    for (std::size_t k = next++; k < points.size() && !are_programs_stopped();
+         k = next++)
     {
       const fs::path run = folder / points[k].folder;
-      const bool was_there =
-          holds_case(points[k], run) && holds_complete_run(run);
       try
       {
         results[k] = run_point(points[k], folder);
@@ -227,7 +212,7 @@ std::vector<PointResult> run_points(const Study &study,
         results[k].fault = error.what();
       }
       results[k].outcomes = outcomes_of(study, run);
-      progress.take(points[k], results[k], was_there);
+      progress.take(points[k], results[k], is_found[k] != 0);
     }
   };
   std::vector<std::jthread> workers;

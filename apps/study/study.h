@@ -124,8 +124,8 @@ struct PointResult
 
 /// Runs what is not done yet as programs of their own, `jobs` at a time, each
 /// with one thread; a run with a checkpoint is resumed. A case that fails does
-/// not stop the others. Cases that prepare the same specimen share it, in the
-/// folder `preparations`.
+/// not stop the others; SIGINT and SIGTERM do, each with its checkpoint. Cases
+/// that prepare the same specimen share it, in the folder `preparations`.
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const std::filesystem::path &folder,

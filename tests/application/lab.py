@@ -244,6 +244,39 @@ def study(spall, root):
     spall_run(again, status=1)
     spall_run([*again, "--overwrite"])
     spall_run(again)  # a finished one may be replaced
+    return faults + stopped_study_faults(spall, root)
+
+
+def stopped_study_faults(spall, root):
+    """SIGTERM to a study stops its runs, which it goes on with when run again.
+    """
+    write_prm(root / "slow.prm", {**CUBE, "Press": {
+        "displacement": 5e-4, "speed": 5e-4, "rows": 200}})
+    file = write_prm(root / "slow_study.prm", {
+        "Study": {"case": "slow.prm", "outcomes": "n_events", "seeds": "1, 2"},
+        "Sweep": {"Stone/friction": "0.5"}})
+    words = list(map(str, [spall, "study", file, "--out", root / "slow",
+                           "--jobs", 1]))
+    table = root / "slow" / "run_0001" / "history.csv"
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True,
+                          stdout=subprocess.DEVNULL,
+                          env=ENVIRONMENT) as running:
+        patience = time.monotonic() + 100.
+        while time.monotonic() < patience and not (
+                table.exists() and len(table.read_text().splitlines()) > 3):
+            time.sleep(0.02)
+        running.send_signal(signal.SIGTERM)
+        said = running.communicate(timeout=100)[1]
+    faults = []
+    if running.returncode != 2 or "stopped with 2 of 2 cases to go" not in said:
+        faults.append(f"stopped study: {running.returncode}, {said}")
+    if not (table.parent / "checkpoint" / "state.bin").exists() or \
+            (root / "slow" / "run_0002").exists():
+        faults.append("stopped study: a run without its checkpoint")
+    spall_run(words)
+    if "resum" not in (root / "slow" / "run_0001.log").read_text() and \
+            len(table.read_text().splitlines()) < 200:
+        faults.append("stopped study: the run was not gone on with")
     return faults
 
 
