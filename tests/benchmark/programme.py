@@ -63,6 +63,7 @@ def parts(spall):
 
 
 def table(rows):
+    """`rows`: parts of the programme."""
     lines = ["| | runs | " + " | ".join(
         f"{n} core{'s' if n > 1 else ''} [h]" for n in CORES) + " |",
         "|---|---|" + "---|" * len(CORES)]
@@ -74,12 +75,16 @@ def table(rows):
     return "\n".join(lines) + "\n"
 
 
-def preset_lines(spall):
-    """The triaxial runs again, every cycle simulated, without preparation."""
-    return "".join(
-        line(f"triaxial, preset `{name}`", triaxial_runs(
-            spall, (f"preset={name}", "CycleJump/tolerance=0"))) + "\n"
-        for name in PRESETS)
+def preset_lines(spall, others):
+    """The triaxial runs again, every cycle simulated, without preparation, and
+    all with them; `others`: seconds of the other runs.
+    """
+    text = ""
+    for name in PRESETS:
+        runs = triaxial_runs(spall, (f"preset={name}", "CycleJump/tolerance=0"))
+        text += line(f"triaxial, preset `{name}`", runs) + "\n"
+        text += line(f"**all**, triaxial by `{name}`", others + runs) + "\n"
+    return text
 
 
 def line(name, runs):
@@ -92,7 +97,9 @@ def main():
     words.add_argument("spall")
     words.add_argument("--page", type=pathlib.Path)
     options = words.parse_args()
-    text = table(list(parts(options.spall))) + preset_lines(options.spall)
+    rows = list(parts(options.spall))
+    others = [seconds for _, runs in rows[:-1] for seconds in runs]
+    text = table(rows) + preset_lines(options.spall, others)
     print(text)
     if options.page:
         before, rest = options.page.read_text().split(MARKS[0])

@@ -157,6 +157,10 @@ double BoxServo::heeded_error(int d) const
   return error - std::clamp(error, -band, band);
 }
 
+/// Steps that a wall takes through the search margin at least: lists are made
+/// for more than one of them.
+constexpr double steps_in_margin = 10.;
+
 void BoxServo::update(Engine &engine, double time_step)
 {
   if (engine.n_steps() % 20 == 0)
@@ -177,7 +181,9 @@ void BoxServo::update(Engine &engine, double time_step)
     if (follows_load && d < 2)
       wanted -= parameters.yielding * rate_of_load(engine) * moved.length /
                 moved.n_moving;
-    const double fastest = parameters.speed_share[d] * parameters.max_speed;
+    const double fastest = std::min(
+        parameters.speed_share[d] * parameters.max_speed,
+        engine.parameters().search_margin / (steps_in_margin * time_step));
     // A wall that is as fast as it may be would only sum up its delay.
     if (follows_load && std::abs(wanted) < fastest)
       summed[d] += 0.5 * time_step / parameters.response_time * error;

@@ -102,6 +102,44 @@ TEST(BoxServo, StressIsForceOverFace)
   EXPECT_LT((dem::box_size(engine, box) - size).norm(), 1e-15);
 }
 
+// However fast it may be, a wall takes ten steps through the search margin.
+TEST(BoxServo, SpeedIsTiedToTheSearchMargin)
+{
+  dem::EngineParameters parameters = support::bare_parameters();
+  parameters.search_margin = 2e-3;
+  dem::Engine engine(parameters);
+  const dem::BoxPlanes box =
+      dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3::Ones());
+  dem::BoxServo servo(box, {.response_time = 1e-6, .max_speed = 1e9});
+  servo.follow(0, 1e5);
+  servo.update(engine, 1e-6);
+  EXPECT_NEAR(engine.planes()[box[0][0]].velocity.x(), 2e-3 / (10. * 1e-6),
+              1e-9);
+}
+
+// Without stones the error is the target e, and a wall takes L e / (100 T |e|).
+// After t = T it has summed t / (2 T) e, so against -e it goes at half of that;
+// a wall that was as fast as it may be has summed nothing.
+TEST(BoxServo, SaturatedWallSumsNothing)
+{
+  const auto speed_back = [](double max_speed)
+  {
+    dem::Engine engine(support::bare_parameters());
+    const dem::BoxPlanes box =
+        dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3::Ones());
+    dem::BoxServo servo(box, {.response_time = 1e-3, .max_speed = max_speed});
+    servo.follow_load();
+    servo.follow(0, 1e5);
+    for (int k = 0; k < 1000; ++k)
+      servo.update(engine, 1e-6);
+    servo.follow(0, -1e5);
+    servo.update(engine, 1e-6);
+    return engine.planes()[box[0][0]].velocity.x();
+  };
+  EXPECT_NEAR(speed_back(50.), -5., 1e-9);
+  EXPECT_EQ(speed_back(7.), -7.); // 5 if it had summed
+}
+
 // No stone, no stress: the planes close at no more than their top speed, and
 // an axis that is let go stands still.
 TEST(BoxServo, SpeedIsLimitedAndReleased)
