@@ -1,5 +1,6 @@
 #include "run/time_left.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -18,6 +19,17 @@ double TimeLeft::after(double now, double share)
   const double grown = share - first.share;
   return grown > 0. ? (now - first.time) * (1. - share) / grown
                     : std::numeric_limits<double>::quiet_NaN();
+}
+
+double RestTime::after(double now, double ratio)
+{
+  if (first == 0.)
+    first = least = ratio;
+  least = std::min(least, ratio);
+  if (first <= target)
+    return std::numeric_limits<double>::quiet_NaN();
+  return left.after(
+      now, std::min(1., std::log(first / least) / std::log(first / target)));
 }
 
 std::string in_minutes(double seconds)

@@ -22,6 +22,22 @@ private:
   std::deque<Point> seen; ///< over the last half of the time
 };
 
+/// When a packing will be at rest: its unbalanced force ratio falls by like
+/// factors in like times.
+class RestTime
+{
+public:
+  explicit RestTime(double target_ratio) : target(target_ratio) {}
+
+  /// `now` [s] since the start, `ratio` > 0 then; NaN where it has not fallen
+  /// yet [s].
+  double after(double now, double ratio);
+
+private:
+  double target, first = 0., least = 0.;
+  TimeLeft left;
+};
+
 /// Minutes and seconds, "12:05".
 std::string in_minutes(double seconds);
 } // namespace spall

@@ -5,10 +5,12 @@
 #include "run/progress.h"
 #include "run/refusals.h"
 #include "run/thread_choice.h"
+#include "run/time_left.h"
 #include "run/to_end.h"
 #include "triaxial/preparation.h"
 #include "triaxial/recorder.h"
 
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -40,9 +42,27 @@ std::string numbers_of(const Triaxial::Prepared &so_far,
   return text;
 }
 
+/// How long the packing, which has its stress, will take to its rest; nothing
+/// where that is not known.
+std::string rest_of(const Triaxial::Prepared &so_far,
+                    const PreparationParameters &target, RestTime &rest,
+                    double now)
+{
+  const bool has_its_stress =
+      ((so_far.stress / target.pressure - dem::Vec3::Ones())
+           .cwiseAbs()
+           .array() < target.stress_tolerance)
+          .all();
+  if (!has_its_stress || so_far.unbalanced_ratio <= target.unbalanced_ratio)
+    return "";
+  const double left = rest.after(now, so_far.unbalanced_ratio);
+  return std::isfinite(left) ? ", at rest in some " + in_minutes(left) : "";
+}
+
 /// Share of the whole run that is done and the name of its phase.
 void show_progress(Progress &progress, const Triaxial &test, const Sample &last,
-                   const Case &parameters, double rate)
+                   const Case &parameters, double rate, RestTime &rest,
+                   double now)
 {
   const int cycles = test.last_cycle();
   char phase[40];
@@ -56,7 +76,8 @@ void show_progress(Progress &progress, const Triaxial &test, const Sample &last,
       test.stage() < Stage::loading ? 0. : test.cycle() / cycles;
   std::string numbers;
   if (test.stage() == Stage::preparation)
-    numbers = numbers_of(test.prepared(), parameters.preparation);
+    numbers = numbers_of(test.prepared(), parameters.preparation) +
+              rest_of(test.prepared(), parameters.preparation, rest, now);
   else if (test.stage() >= Stage::loading)
     numbers = numbers_of(last);
   progress.show(phase, share, rate, numbers);
@@ -141,7 +162,9 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
               ThreadChoice &threads, const Case &parameters)
 {
   using Clock = std::chrono::steady_clock;
-  auto since = Clock::now();
+  const auto started = Clock::now();
+  auto since = started;
+  RestTime rest(parameters.preparation.unbalanced_ratio);
   Refusals refusals(test.engine().n_refused_events());
   std::int64_t steps_before = test.engine().n_steps(), n_windows = 0;
   while (test.stage() != Stage::done && !is_stop_asked())
@@ -161,11 +184,12 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
       describe_preparation(progress, test);
     if (++n_windows % 64 != 0 || !progress.is_due())
       continue;
-    const double seconds =
-        std::chrono::duration<double>(Clock::now() - since).count();
+    const auto seconds = [](Clock::duration spent)
+    { return std::chrono::duration<double>(spent).count(); };
     show_progress(progress, test, recorder.end(), parameters,
                   static_cast<double>(test.engine().n_steps() - steps_before) /
-                      seconds);
+                      seconds(Clock::now() - since),
+                  rest, seconds(Clock::now() - started));
     since = Clock::now();
     steps_before = test.engine().n_steps();
   }

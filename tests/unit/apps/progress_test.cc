@@ -30,6 +30,17 @@ TEST(Progress, ShowsPhaseShareRateAndNumbers)
       "preparation     0.0 %      1234 steps/s  stress 3\n");
 }
 
+// A ratio that falls by e in ten seconds, and wobbles.
+TEST(RestTime, GoesByTheRateOfTheFall)
+{
+  spall::RestTime rest(1e-3);
+  const auto ratio = [](double t) { return 0.1 * std::exp(-0.1 * t); };
+  EXPECT_TRUE(std::isnan(rest.after(0., ratio(0.))));
+  const double end = 10. * std::log(100.);
+  EXPECT_NEAR(rest.after(10., ratio(10.)), end - 10., 1e-9);
+  EXPECT_NEAR(rest.after(20., ratio(20.)), end - 20., 1e-9);
+}
+
 TEST(TimeLeft, GoesByWhatGrew)
 {
   spall::TimeLeft left;
