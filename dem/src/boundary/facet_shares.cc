@@ -67,11 +67,12 @@ std::array<double, 3> nearest_on_edge(const FacetSurface &surface,
 
 /// What the ball overlaps. Every edge and vertex of it belongs to triangles
 /// that it overlaps too and is taken once; what cancels is left out.
-std::vector<Piece> pieces_of(const FacetMesh &mesh, const PressedBall &ball,
-                             const std::vector<FacetTouch> &near)
+void find_pieces(const FacetMesh &mesh, const PressedBall &ball,
+                 const std::vector<FacetTouch> &near,
+                 std::vector<Piece> &pieces)
 {
   const FacetTopology &topology = mesh.topology;
-  std::vector<Piece> pieces;
+  pieces.clear();
   for (const FacetTouch &touch : near)
   {
     if (touch.distance >= ball.radius)
@@ -96,7 +97,16 @@ std::vector<Piece> pieces_of(const FacetMesh &mesh, const PressedBall &ball,
   std::erase_if(pieces, [](const Piece &piece) { return piece.count == 0; });
   for (Piece &piece : pieces)
     piece.pressing *= piece.count;
-  return pieces;
+}
+
+/// Of the facets, those that the ball overlaps.
+std::size_t n_overlapped(const PressedBall &ball,
+                         const std::vector<FacetTouch> &facets)
+{
+  return static_cast<std::size_t>(
+      std::count_if(facets.begin(), facets.end(),
+                    [&ball](const FacetTouch &facet)
+                    { return facet.distance < ball.radius; }));
 }
 
 /// The touch that a piece belongs to: of the first `n` the one whose direction
@@ -181,13 +191,12 @@ void share_patches(const FacetMesh &mesh, const PressedBall &ball,
                    std::vector<FacetShares> &shares)
 {
   shares.assign(touches.size(), {});
-  const auto n = static_cast<std::size_t>(
-      std::count_if(touches.begin(), touches.end(),
-                    [&ball](const FacetTouch &touch)
-                    { return touch.distance < ball.radius; }));
-  if (n == 0)
+  const std::size_t n = n_overlapped(ball, touches);
+  if (n == 0 || n_overlapped(ball, near) < 2)
     return;
-  std::vector<Piece> pieces = pieces_of(mesh, ball, near);
+  // Kept by each thread: a step takes no memory.
+  static thread_local std::vector<Piece> pieces;
+  find_pieces(mesh, ball, near, pieces);
   for (Piece &piece : pieces)
     piece.patch = patch_of(piece, touches, n);
   for (std::size_t t = 0; t < n; ++t)

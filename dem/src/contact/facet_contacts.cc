@@ -118,18 +118,17 @@ void find_touches(const ForceContext &context, const FacetMesh &mesh,
   const Vec3 &centre = particles.position(stone);
   found.touches = found.near;
   keep_minima(mesh.surface, mesh.topology, centre, found.touches);
-  found.shares.assign(found.touches.size(), {});
   // The radius of a stone that is no ball turns with its direction.
   const bool is_ball =
       !particles.has_shapes ||
       context.parameters.geometry.wall_geometry == ContactGeometry::ball;
-  const double radius = particles.radius(stone);
-  const auto n_pressed = std::count_if(found.near.begin(), found.near.end(),
-                                       [radius](const FacetTouch &touch)
-                                       { return touch.distance < radius; });
-  if (is_ball && n_pressed > 1)
-    share_patches(mesh, {centre, radius, batch.layout.is_hertz ? 1.5 : 1.},
-                  found.near, found.touches, found.shares);
+  if (is_ball)
+    share_patches(
+        mesh,
+        {centre, particles.radius(stone), batch.layout.is_hertz ? 1.5 : 1.},
+        found.near, found.touches, found.shares);
+  else
+    found.shares.assign(found.touches.size(), {});
 }
 
 /// Walls of all slots of the stone in this row.
