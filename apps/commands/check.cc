@@ -156,14 +156,22 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   Recorder recorder(parameters, run_folder_in(scratch));
   recorder.start();
   test.hasten();
-  const double duration = test.period() * parameters.loading.n_cycles() +
-                          parameters.loading.consolidation_time;
-  print_predicted(duration,
-                  run_a_while(parameters, test, recorder,
-                              {duration, test.period()},
-                              [&test] { return test.stage() == Stage::done; }));
+  const int n_cycles = parameters.loading.n_cycles();
+  const double duration =
+      test.period() * n_cycles + parameters.loading.consolidation_time;
+  const MeanStep step =
+      run_a_while(parameters, test, recorder, {duration, test.period()},
+                  [&test] { return test.stage() == Stage::done; });
+  print_predicted(duration, step);
   if (parameters.cycle_jump.is_on())
-    std::printf("                 less what CycleJump skips\n");
+  {
+    const int n = least_cycles(parameters.cycle_jump, n_cycles);
+    std::printf("with jumps       %.3g s if none is refused, for %d of %d "
+                "cycles\n",
+                step.cost / step.length *
+                    (duration - test.period() * (n_cycles - n)),
+                n, n_cycles);
+  }
   print_memory();
 }
 

@@ -184,4 +184,21 @@ void JumpPlan::shorten(const JumpPlan &refused)
   reach = n_window;
   observe_from_now();
 }
+
+int least_cycles(const CycleJumpParameters &parameters, int n_cycles)
+{
+  JumpPlan plan(parameters, n_cycles);
+  int n_simulated = 0;
+  for (double cycle = 0.; cycle < n_cycles; ++n_simulated)
+  {
+    if (plan.due() == JumpStep::keep)
+    {
+      cycle += plan.length();
+      plan.begin();
+    }
+    ++cycle;
+    plan.take({cycle, cycle, cycle}); // what grows evenly has no error
+  }
+  return n_simulated;
+}
 } // namespace spall

@@ -111,4 +111,7 @@ private:
   SlowRate before, last;      ///< of the last two observations
   JumpAccount books;
 };
+
+/// Cycles that are simulated of so many if no jump is off: the fewest.
+int least_cycles(const CycleJumpParameters &parameters, int n_cycles);
 } // namespace spall

@@ -115,6 +115,17 @@ TEST(CycleJump, IsOffByDefault)
   EXPECT_EQ(end.plan.account().n_jumps, 0);
 }
 
+TEST(CycleJump, FewestCyclesAreThoseOfEvenGrowth)
+{
+  const Specimen even = {[](double cycle) { return 1e-4 * cycle; },
+                         [](double cycle) { return 1e-3 * cycle; }};
+  for (const int n : {30, 300, 1000})
+    EXPECT_EQ(spall::least_cycles(tolerance(0.05), n),
+              run(tolerance(0.05), even, n).n_simulated);
+  EXPECT_EQ(spall::least_cycles({}, 50), 50);
+  EXPECT_LT(spall::least_cycles(tolerance(0.05), 1000), 100);
+}
+
 TEST(CycleJump, ThousandCyclesWithinTheTolerance)
 {
   const Outcome end = run(tolerance(0.05), shakedown(), 1000);
