@@ -99,10 +99,12 @@ PricedLevel price_level(const StudyData &data, std::size_t key,
   for (const std::string &cost : study.costs)
   {
     const std::size_t o = place_of_outcome(study, cost);
-    level.costs.push_back(
+    const Estimate ratio =
         estimate_of(in_pairs(of_level(data, o, level), of_reference(data, o),
-                             [](double a, double b) { return a / b; }))
-            .mean);
+                             [](double a, double b) { return a / b; }));
+    if (level.costs.empty())
+      level.saves = ratio.is_below(1.);
+    level.costs.push_back(ratio.mean);
   }
   for (std::size_t o = 0; o < study.outcomes.size(); ++o)
   {
@@ -126,7 +128,7 @@ void mark_cheapest(std::vector<PricedLevel> &levels)
 {
   std::map<std::string, PricedLevel *> best;
   for (PricedLevel &level : levels)
-    if (!level.is_control && level.worst < fine_share && level.cost() < 1.)
+    if (!level.is_control && level.worst < fine_share && level.saves)
     {
       PricedLevel *&chosen = best[level.knob];
       if (!chosen || level.cost() < chosen->cost())

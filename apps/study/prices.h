@@ -11,14 +11,15 @@ struct PricedLevel
   std::string value;
   /// What it is a choice of: its key, or the first key that a variant sets.
   std::string knob;
-  bool is_control = false;      ///< see Study::controls
-  std::vector<double> costs;    ///< each over that of the reference [-]
+  bool is_control = false;   ///< see Study::controls
+  std::vector<double> costs; ///< each over that of the reference [-]
+  bool saves = false;        ///< the first one is below 1, by its 95 % interval
   std::vector<Estimate> errors; ///< by outcome, in pairs with the same seed
   /// Largest mean error of any outcome over the spread of the reference [-].
   double worst = 0.;
   bool is_on_front = false; ///< nothing else is cheaper and nearer
-  /// The cheapest of its knob, the reference among them, with all errors below
-  /// half the spread.
+  /// The cheapest of its knob that saves, with all errors below half the
+  /// spread.
   bool is_cheapest_fine = false;
 
   double cost() const { return costs.front(); } ///< the one that counts

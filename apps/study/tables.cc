@@ -128,8 +128,8 @@ TextTable default_table(const StudyData &data)
   TextTable table{
       "Defaults",
       "The default of the program against the cheapest value whose errors all "
-      "stay below half the spread of the seeds; reference where no cheaper one "
-      "does.",
+      "stay below half the spread of the seeds and whose cost is below that of "
+      "the reference by its interval; reference where there is none.",
       {"key", "default", data.study.costs.front(), "worst error / spread",
        "cheapest that is fine", "is the default"},
       {}};
