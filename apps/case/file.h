@@ -33,7 +33,10 @@ std::string without_comments(const std::string &printed);
 /// gives the same case.
 std::string resolved_case(const Case &parameters);
 
-/// A commented case of this kind with the defaults. Throws InputError.
+/// The defaults of a kind, and what its cases have to say besides.
+Case usual_case(CaseKind kind);
+
+/// That as a commented case. Throws InputError.
 std::string template_case(const std::string &kind);
 
 /// docs/parameters/: one table per section in Markdown.

@@ -121,20 +121,24 @@ std::string resolved_case(const Case &parameters)
   return out.str() + parameters_as_run(parameters);
 }
 
+Case usual_case(CaseKind kind)
+{
+  Case usual = default_case(kind);
+  if (kind == CaseKind::dynamic_triaxial)
+    usual.coupling.exchange = ExchangeChoice::every_step;
+  if (kind == CaseKind::subgrade)
+    usual.coupling.exchange = ExchangeChoice::one_pass;
+  return usual;
+}
+
 std::string template_case(const std::string &kind)
 {
   const auto found = std::ranges::find(kind_names, kind);
   if (found == kind_names.end())
     throw InputError("template " + kind + ": kind must be one of " +
                      joined(kind_names) + ", or parameters");
-  Case defaults =
-      default_case(static_cast<CaseKind>(found - kind_names.begin()));
+  Case defaults = usual_case(static_cast<CaseKind>(found - kind_names.begin()));
   defaults.material = "materials/graded_aggregate.prm";
-  // What must be said.
-  if (defaults.kind == CaseKind::dynamic_triaxial)
-    defaults.coupling.exchange = ExchangeChoice::every_step;
-  if (defaults.kind == CaseKind::subgrade)
-    defaults.coupling.exchange = ExchangeChoice::one_pass;
   std::ostringstream out;
   print_comment(out, "",
                 "Case of kind " + kind +

@@ -80,6 +80,7 @@ void make_folder(const fs::path &folder)
     throw InputError("study: --out " + folder.string() +
                      ": must be a folder that may be written");
 }
+
 /// Outcomes that no case gave, and columns of the curve that none has.
 std::vector<std::string> unknown_names(const StudyData &data,
                                        const fs::path &folder)
@@ -132,6 +133,12 @@ int study_command(Words words)
             << options.jobs << " at a time" << std::endl;
   const std::vector<PointResult> results =
       run_points(study, points, folder, options.jobs);
+  const auto n_failed =
+      std::ranges::count(results, false, &PointResult::is_done);
+  if (are_programs_stopped())
+    throw RunFailure("study: stopped with " + std::to_string(n_failed) +
+                     " of " + std::to_string(points.size()) +
+                     " cases to go; run again to go on");
   const StudyData data{study, points, results};
   write_study_table(study, points, results, folder / "study.csv");
   write_text(folder / "report.html", study_page(data, folder, options.figures));
@@ -140,12 +147,6 @@ int study_command(Words words)
                study_markdown(data));
   std::cout << (folder / "study.csv").string() << '\n'
             << (folder / "report.html").string() << std::endl;
-  const auto n_failed =
-      std::ranges::count(results, false, &PointResult::is_done);
-  if (are_programs_stopped())
-    throw RunFailure("study: stopped with " + std::to_string(n_failed) +
-                     " of " + std::to_string(points.size()) +
-                     " cases to go; run again to go on");
   if (n_failed > 0)
     throw RunFailure("study: " + std::to_string(n_failed) + " of " +
                      std::to_string(points.size()) +

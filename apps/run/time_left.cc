@@ -24,12 +24,15 @@ double TimeLeft::after(double now, double share)
 double RestTime::after(double now, double ratio)
 {
   if (first == 0.)
-    first = least = ratio;
-  least = std::min(least, ratio);
-  if (first <= target)
-    return std::numeric_limits<double>::quiet_NaN();
-  return left.after(
-      now, std::min(1., std::log(first / least) / std::log(first / target)));
+    first = ratio;
+  // What swings back in between says nothing of the end.
+  if (first > target && (least == 0. || ratio < least))
+  {
+    least = ratio;
+    end = now + left.after(now, std::min(1., std::log(first / least) /
+                                                 std::log(first / target)));
+  }
+  return std::max(end - now, 0.); // NaN stays
 }
 
 std::string in_minutes(double seconds)

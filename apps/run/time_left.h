@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <string>
 
 namespace spall
@@ -35,6 +36,7 @@ public:
 
 private:
   double target, first = 0., least = 0.;
+  double end = std::numeric_limits<double>::quiet_NaN(); ///< since the start
   TimeLeft left;
 };
 

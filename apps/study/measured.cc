@@ -2,10 +2,10 @@
 
 #include "errors.h"
 #include "report/run_data.h"
-#include "study/words.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace spall
 {

@@ -208,8 +208,7 @@ std::vector<DefaultPrice> price_defaults(const StudyData &data,
                                          const std::vector<PricedLevel> &map)
 {
   const Case reference = read_case(data.study.case_file, data.study.base);
-  Case defaults;
-  defaults.kind = reference.kind;
+  const Case defaults = usual_case(reference.kind);
   std::vector<DefaultPrice> prices;
   for (const PricedLevel &level : map)
   {

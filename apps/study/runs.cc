@@ -183,11 +183,7 @@ std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const fs::path &folder, int jobs)
 {
-  std::vector<PointResult> results(
-      points.size(),
-      {false, "not run: the study was stopped",
-       std::vector<double>(study.outcomes.size(),
-                           std::numeric_limits<double>::quiet_NaN())});
+  std::vector<PointResult> results(points.size());
   pass_on_stops();
   std::atomic<std::size_t> next = 0;
   std::vector<char> is_found(points.size());

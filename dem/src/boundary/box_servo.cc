@@ -8,6 +8,10 @@ namespace dem
 {
 namespace
 {
+/// Steps that a wall takes through the search margin at least: lists are made
+/// for more than one of them.
+constexpr double steps_in_margin = 10.;
+
 double face_area(const Vec3 &size, int axis)
 {
   return size[(axis + 1) % 3] * size[(axis + 2) % 3];
@@ -156,10 +160,6 @@ double BoxServo::heeded_error(int d) const
   const double band = parameters.dead_band * std::abs(target[d]);
   return error - std::clamp(error, -band, band);
 }
-
-/// Steps that a wall takes through the search margin at least: lists are made
-/// for more than one of them.
-constexpr double steps_in_margin = 10.;
 
 void BoxServo::update(Engine &engine, double time_step)
 {

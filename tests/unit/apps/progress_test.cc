@@ -38,6 +38,7 @@ TEST(RestTime, GoesByTheRateOfTheFall)
   EXPECT_TRUE(std::isnan(rest.after(0., ratio(0.))));
   const double end = 10. * std::log(100.);
   EXPECT_NEAR(rest.after(10., ratio(10.)), end - 10., 1e-9);
+  EXPECT_NEAR(rest.after(15., 2. * ratio(10.)), end - 15., 1e-9);
   EXPECT_NEAR(rest.after(20., ratio(20.)), end - 20., 1e-9);
 }
 
