@@ -46,6 +46,10 @@ void add_contact(List &list, Case &of)
        "The expansion of a shape is renewed when the contact direction has "
        "moved this far in the body; 0: every step."},
       c.refresh_tolerance, between(0., 0.1));
+  list.add({"search_margin", "m",
+            "How far beyond contact the lists of candidates look; 0: set at "
+            "each rebuild to what costs least at the motion since the last."},
+           c.search_margin, between(0., 1.));
   list.add({"friction_limit", "-",
             "Normal force in the limits of friction and rolling: elastic, of "
             "the spring alone; total, with its dashpot."},

@@ -25,6 +25,7 @@ double elastic_energy(const ContactBatch &batch)
 Engine::Engine(const EngineParameters &parameters)
     : settings(parameters), elasticity(parameters)
 {
+  margin.given = settings.geometry.search_margin;
 }
 
 void Engine::add_stone(const Body &body, const Vec3 &position,

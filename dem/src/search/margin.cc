@@ -36,7 +36,9 @@ double SearchMargin::best_width(const Lists &now) const
 void SearchMargin::renew(double usual, const Lists &old)
 {
   open_pairs = density(old, width);
-  if (width <= 0.)
+  if (given > 0.)
+    width = given;
+  else if (width <= 0.)
     width = first * usual;
   else if (open_pairs > 0. && old.step > built_at)
     // Half way, so that one odd interval does not decide.
@@ -49,7 +51,7 @@ void SearchMargin::renew(double usual, const Lists &old)
 bool SearchMargin::is_too_wide(const Lists &now)
 {
   open_pairs = density(now, width);
-  if (open_pairs <= 0.)
+  if (given > 0. || open_pairs <= 0.)
     return false;
   const double best = best_width(now);
   const double waste = now.cost.open_pair * open_pairs * (width - best) *

@@ -65,6 +65,8 @@ struct GeometryParameters
   /// The expansion of a side is renewed when the contact direction has moved
   /// this far in the body frame; 0: every step [rad].
   double refresh_tolerance = 5e-3;
+  /// How far beyond contact the lists look [m]; 0: see SearchMargin.
+  double search_margin = 0.;
 
   bool follows_surfaces() const
   {

@@ -10,6 +10,7 @@ namespace dem
 /// Only counts of steps and contacts enter, never a clock: runs repeat.
 struct SearchMargin
 {
+  double given = 0.;         ///< instead of what costs least; 0: none [m]
   double width = 0.;         ///< of the lists that stand [m]
   double left = 0.;          ///< of it, not yet used up by motion [m]
   double open_pairs = 0.;    ///< per touching one and metre of width [1/m]
