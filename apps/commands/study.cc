@@ -81,7 +81,20 @@ void make_folder(const fs::path &folder)
                      ": must be a folder that may be written");
 }
 
-/// Outcomes that no case gave, and columns of the curve that none has.
+/// Whether a file of this name in the folder of any case has the column.
+bool is_written(const StudyData &data, const fs::path &folder,
+                const std::string &file, const std::string &column)
+{
+  return std::ranges::any_of(
+      data.points,
+      [&](const StudyPoint &point)
+      {
+        const fs::path path = folder / point.folder / file;
+        return fs::exists(path) && read_table(path).find(column);
+      });
+}
+
+/// Outcomes that no case gave, and columns of curve and profiles that none has.
 std::vector<std::string> unknown_names(const StudyData &data,
                                        const fs::path &folder)
 {
@@ -91,16 +104,12 @@ std::vector<std::string> unknown_names(const StudyData &data,
                              { return std::isfinite(result.outcomes[o]); }))
       unknown.push_back("Study/outcomes = " + data.study.outcomes[o]);
   for (const std::string &column : {data.study.curve_x, data.study.curve_y})
-    if (!column.empty() &&
-        std::ranges::none_of(
-            data.points,
-            [&](const StudyPoint &point)
-            {
-              const fs::path run = folder / point.folder;
-              return fs::exists(run / "history.csv") &&
-                     read_table(run / "history.csv").find(column);
-            }))
+    if (!column.empty() && !is_written(data, folder, "history.csv", column))
       unknown.push_back("Study/curve = " + column);
+  for (const Profile &profile : data.study.profiles)
+    for (const std::string &column : {profile.x, profile.y})
+      if (!is_written(data, folder, profile.file, column))
+        unknown.push_back("Study/profiles = " + profile.file + ": " + column);
   return unknown;
 }
 
@@ -114,8 +123,9 @@ void check_names(const StudyData &data, const fs::path &folder)
     said += (said.empty() ? "" : ", ") + name;
   if (!said.empty())
     throw InputError(data.study.file + ": " + said +
-                     ": no case has it: must be keys of summary.json and "
-                     "columns of history.csv; the cases are kept");
+                     ": no case has it: must be keys of summary.json, columns "
+                     "of history.csv and of the files of profiles; the cases "
+                     "are kept");
 }
 } // namespace
 

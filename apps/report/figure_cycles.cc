@@ -122,30 +122,60 @@ constexpr std::array profile_quantities = {
                     "the lateral boundary.",
                     100.}};
 
+/// What is known where loading begins and where it ends.
+struct Ends
+{
+  Table RunData::*start, RunData::*end;
+  AxisColumn x, y;
+};
+
 /// Start and end of one run, or the ends of several.
-Chart profile_chart(const ProfileQuantity &quantity,
+Chart chart_of_ends(Chart chart, const Ends &ends,
                     std::span<const RunData> runs)
 {
-  Chart chart{quantity.id, quantity.caption, quantity.x_label,
-              quantity.y_label};
-  const AxisColumn x{"distance_m", 1e3}, y{quantity.column, quantity.factor};
   for (std::size_t k = 0; k < runs.size(); ++k)
   {
     const RunData &run = runs[k];
     if (runs.size() > 1)
     {
-      add_curve(run, run.profile_end, x, y, run_curve(runs, k), chart);
+      add_curve(run, run.*ends.end, ends.x, ends.y, run_curve(runs, k), chart);
       continue;
     }
     Curve curve = run_curve(runs, k);
     curve.name = "start of loading";
-    add_curve(run, run.profile_start, x, y, curve, chart);
-    add_curve(run, run.profile_end, x, y, second_curve("end of loading"),
-              chart);
+    add_curve(run, run.*ends.start, ends.x, ends.y, curve, chart);
+    add_curve(run, run.*ends.end, ends.x, ends.y,
+              second_curve("end of loading"), chart);
   }
   if (runs.size() > 1)
     chart.caption += " At the end of loading.";
   return chart;
+}
+
+Chart profile_chart(const ProfileQuantity &quantity,
+                    std::span<const RunData> runs)
+{
+  return chart_of_ends(
+      {quantity.id, quantity.caption, quantity.x_label, quantity.y_label},
+      {&RunData::profile_start,
+       &RunData::profile_end,
+       {"distance_m", 1e3},
+       {quantity.column, quantity.factor}},
+      runs);
+}
+
+Chart section_chart(std::span<const RunData> runs)
+{
+  return chart_of_ends({"sections",
+                        "Area of horizontal sections from the base to the "
+                        "plate: how the specimen bulges.",
+                        "Section (cm²)",
+                        "Height over that of the specimen (–)"},
+                       {&RunData::sections_start,
+                        &RunData::sections_end,
+                        {"section_m2", 1e4},
+                        {"height_share_1"}},
+                       runs);
 }
 } // namespace
 
@@ -166,6 +196,9 @@ std::vector<Chart> profile_charts(std::span<const RunData> runs)
                           { return run.profile_start.n_rows() > 0; }))
     for (const ProfileQuantity &quantity : profile_quantities)
       charts.push_back(profile_chart(quantity, runs));
+  if (std::ranges::any_of(runs, [](const RunData &run)
+                          { return run.sections_start.n_rows() > 0; }))
+    charts.push_back(section_chart(runs));
   return charts;
 }
 } // namespace spall

@@ -23,14 +23,15 @@ struct Table
 struct RunData
 {
   std::string folder;
-  std::string name;                 ///< short, unlike that of the other runs
-  Table loading;                    ///< rows of history.csv with stage_1 = 2
-  Table events;                     ///< empty without events.csv
-  Table cycles;                     ///< empty without cycles.csv
-  Table profile_start, profile_end; ///< empty without boundary_profile_*.csv
-  nlohmann::ordered_json summary;   ///< an empty object without summary.json
-  std::string case_text;            ///< empty without case.prm
-  std::vector<std::string> notes;   ///< what is missing or odd, one line each
+  std::string name;                   ///< short, unlike that of the other runs
+  Table loading;                      ///< rows of history.csv with stage_1 = 2
+  Table events;                       ///< empty without events.csv
+  Table cycles;                       ///< empty without cycles.csv
+  Table profile_start, profile_end;   ///< empty without boundary_profile_*.csv
+  Table sections_start, sections_end; ///< empty without sections_*.csv
+  nlohmann::ordered_json summary;     ///< an empty object without summary.json
+  std::string case_text;              ///< empty without case.prm
+  std::vector<std::string> notes;     ///< what is missing or odd, one line each
 };
 
 /// Throws InputError if the file cannot be read or has no header line.

@@ -259,6 +259,8 @@ std::vector<Row> summary_rows()
          return number_pair(run.summary, "porosity_skin_1", "porosity_inside_1",
                             1.);
        }},
+      number_row("Bulge: section in the middle over the ends, less one (%)",
+                 "bulge_1", 100., 3),
       number_row("Turns (–)", "turns_1", 1., 5),
       number_row("Mass lost (g)", "lost_mass_kg", 1e3, 4),
       {"Density asked / reached (kg/m³)",

@@ -5,6 +5,7 @@
 #include "run/folder.h"
 #include "run/quantity_name.h"
 #include "study/measured.h"
+#include "study/profiles.h"
 #include "study/tables.h"
 
 #include <algorithm>
@@ -38,12 +39,6 @@ Abscissa abscissa_of(const SweptKey &key, const std::vector<Level> &levels)
                        levels.back().x > many_times * levels.front().x;
   return {(is_wide ? "log10 of " : "") + key_label(key.name(), key.unit),
           is_wide};
-}
-
-/// A value with the unit of its key.
-std::string named_value(const SweptKey &key, const std::string &value)
-{
-  return key.unit.empty() || key.unit == "-" ? value : value + " " + key.unit;
 }
 
 /// Means with error bars of one standard deviation, and the single cases.
@@ -148,7 +143,7 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
       if (x && y)
       {
         Curve curve;
-        curve.name = is_named ? "" : named_value(study.keys[k], level.value);
+        curve.name = is_named ? "" : study.keys[k].with_unit(level.value);
         curve.colour = palette_colour(n_levels);
         curve.dash = palette_dash(n_levels);
         curve.line_width = 0.9;
@@ -259,6 +254,8 @@ std::string key_section(const StudyData &data, std::size_t k,
                      "</h2>\n<div class=\"charts\">\n";
   if (!data.study.curve_x.empty())
     body += figure(curve_chart(data, k, folder), figures);
+  for (const Profile &profile : data.study.profiles)
+    body += figure(profile_chart(data, k, profile, folder), figures);
   for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
     body += figure(level_chart(data, k, o), figures);
   const TextTable differences = difference_table(data, k);

@@ -30,6 +30,23 @@ Choice choice_of(const Assignment &a, const std::vector<std::string> &names,
   return static_cast<Choice>(found - names.begin());
 }
 
+/// FILE: X, Y; FILE: X, Y ...
+std::vector<Profile> profiles_of(const Assignment &a)
+{
+  std::vector<Profile> profiles;
+  for (const std::string &text : words_of(a.value, ';'))
+  {
+    const std::size_t colon = text.find(':');
+    const std::vector<std::string> columns =
+        words_of(colon == std::string::npos ? "" : text.substr(colon + 1), ',');
+    if (colon == 0 || columns.size() != 2)
+      refuse(a, "must be FILE: X, Y with semicolons between them, X and Y "
+                "columns of a file that every case writes");
+    profiles.push_back({text.substr(0, colon), columns[0], columns[1]});
+  }
+  return profiles;
+}
+
 void take_study(const Assignment &a, Study &study)
 {
   if (a.key == "case")
@@ -72,9 +89,11 @@ void take_study(const Assignment &a, Study &study)
     study.curve_x = columns[0];
     study.curve_y = columns[1];
   }
+  else if (a.key == "profiles")
+    study.profiles = profiles_of(a);
   else
     refuse(a, "no key of this name: must be case, title, combine, judged_by, "
-              "cost, controls, seeds, outcomes, curve or measured");
+              "cost, controls, seeds, outcomes, curve, profiles or measured");
 }
 
 void take_sweep(const Assignment &a, Study &study)

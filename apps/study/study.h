@@ -31,6 +31,11 @@ struct SweptKey
   {
     return is_variant() ? section : section + "/" + key;
   }
+  /// A value with the unit.
+  std::string with_unit(const std::string &value) const
+  {
+    return unit.empty() || unit == "-" ? value : value + " " + unit;
+  }
 };
 
 /// Some keys of the case that take their values together.
@@ -57,6 +62,13 @@ enum class JudgedBy
   seeds
 };
 
+/// Two columns of a file that every case writes, say over the distance from a
+/// boundary.
+struct Profile
+{
+  std::string file, x, y;
+};
+
 /// A sweep of cases, from a study file.
 struct Study
 {
@@ -76,6 +88,7 @@ struct Study
   std::vector<std::string> seeds;
   std::vector<std::string> outcomes; ///< keys of summary.json
   std::string curve_x, curve_y;      ///< columns of history.csv; may be empty
+  std::vector<Profile> profiles;
   std::string measured; ///< file with points beside the curve; may be empty
   std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
   std::vector<Variant> variants;

@@ -86,7 +86,7 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
   {
     state.start = network_state(test);
     state.skin = skin_of(test);
-    state.packed_start = note_profile(test, "boundary_profile_start.csv");
+    state.packed_start = note_profiles(test, "start");
     return begin_cycle(row);
   }
   state.packed_end = {}; // that of a loading that goes on
@@ -144,18 +144,22 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
   file.write_row(values);
 }
 
-CycleRecorder::Packed CycleRecorder::note_profile(const Triaxial &test,
-                                                  const char *name) const
+CycleRecorder::Packed
+CycleRecorder::note_profiles(const Triaxial &test,
+                             const std::string &when) const
 {
   const dem::BoundaryProfile profile = boundary_profile(test);
-  write_profile(folder / name, profile);
+  write_profile(folder / ("boundary_profile_" + when + ".csv"), profile);
+  const std::vector<double> areas = section_areas(test);
+  write_sections(folder / ("sections_" + when + ".csv"), areas);
   return {profile.porosity_skin, profile.porosity_inside,
-          profile.coordination_skin, profile.coordination_inside};
+          profile.coordination_skin, profile.coordination_inside,
+          dem::bulge_of(areas)};
 }
 
 void CycleRecorder::finish(const Triaxial &test)
 {
-  state.packed_end = note_profile(test, "boundary_profile_end.csv");
+  state.packed_end = note_profiles(test, "end");
 }
 
 void CycleRecorder::add_to(nlohmann::ordered_json &summary) const
@@ -196,12 +200,14 @@ void CycleRecorder::add_to(nlohmann::ordered_json &summary) const
   add("porosity_inside_start_1", state.packed_start.porosity_inside);
   add("coordination_skin_start_1", state.packed_start.coordination_skin);
   add("coordination_inside_start_1", state.packed_start.coordination_inside);
+  add("bulge_start_1", state.packed_start.bulge);
   if (state.packed_end.porosity_inside > 0.)
   {
     add("porosity_skin_1", state.packed_end.porosity_skin);
     add("porosity_inside_1", state.packed_end.porosity_inside);
     add("coordination_skin_1", state.packed_end.coordination_skin);
     add("coordination_inside_1", state.packed_end.coordination_inside);
+    add("bulge_1", state.packed_end.bulge);
   }
 }
 

@@ -50,14 +50,15 @@ private:
   void begin_cycle(const Sample &row);
   void end_cycle(const Triaxial &test, const Sample &row);
 
-  /// Next to the lateral boundary and inside [-].
+  /// Next to the lateral boundary and inside, and the outline [-].
   struct Packed
   {
     double porosity_skin = 0., porosity_inside = 0.;
     double coordination_skin = 0., coordination_inside = 0.;
+    double bulge = 0.;
   };
-  /// Writes the profile of this moment to a file.
-  Packed note_profile(const Triaxial &test, const char *name) const;
+  /// Writes the profiles of this moment to files, `when` in their names.
+  Packed note_profiles(const Triaxial &test, const std::string &when) const;
 
   /// Plain data for the checkpoint.
   struct State

@@ -44,17 +44,23 @@ double layer_of(const dem::Particles &stones)
          layers_per_stone;
 }
 
-dem::Outline outline_of(const Triaxial &test)
+/// Cut at n heights.
+dem::Outline outline_of(const Triaxial &test, int n)
+{
+  const dem::Prism space = space_of(test);
+  return test.membrane() ? dem::outline_of(test.engine().surface(), space.low,
+                                           space.high, n)
+                         : dem::outline_of(space, n);
+}
+
+int sections_for_layers(const Triaxial &test)
 {
   const dem::Prism space = space_of(test);
   const double distance =
       layer_of(test.engine().particles()) / sections_per_layer;
-  const auto n = static_cast<int>(
+  return static_cast<int>(
       std::clamp(std::round((space.high - space.low) / distance),
                  fewest_sections, most_sections));
-  return test.membrane() ? dem::outline_of(test.engine().surface(), space.low,
-                                           space.high, n)
-                         : dem::outline_of(space, n);
 }
 } // namespace
 
@@ -120,7 +126,7 @@ dem::BoundaryProfile boundary_profile(const Triaxial &test)
 {
   const dem::Particles &stones = test.engine().particles();
   return dem::boundary_profile(stones, dem::contact_network_of(test.engine()),
-                               outline_of(test),
+                               outline_of(test, sections_for_layers(test)),
                                {layer_of(stones), skin_of(test)});
 }
 
@@ -147,5 +153,22 @@ void write_profile(const std::filesystem::path &path,
                           : std::numeric_limits<double>::quiet_NaN());
     file.write_row(row);
   }
+}
+
+std::vector<double> section_areas(const Triaxial &test)
+{
+  constexpr int n = 60; // the same for all, so that specimens compare
+  return dem::section_areas(outline_of(test, n));
+}
+
+void write_sections(const std::filesystem::path &path,
+                    std::span<const double> areas)
+{
+  CsvFile file;
+  file.open(path, "height_share_1,section_m2");
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    file.write_row(
+        {(static_cast<double>(k) + 0.5) / static_cast<double>(areas.size()),
+         areas[k]});
 }
 } // namespace spall

@@ -6,7 +6,9 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace spall
 {
@@ -72,4 +74,11 @@ dem::BoundaryProfile boundary_profile(const Triaxial &test);
 /// The same as a CSV file. Throws RunFailure.
 void write_profile(const std::filesystem::path &path,
                    const dem::BoundaryProfile &profile);
+
+/// Areas of horizontal sections at equal distances from base to plate [m^2].
+std::vector<double> section_areas(const Triaxial &test);
+
+/// The same over the share of the height as a CSV file. Throws RunFailure.
+void write_sections(const std::filesystem::path &path,
+                    std::span<const double> areas);
 } // namespace spall

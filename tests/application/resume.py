@@ -15,7 +15,8 @@ from triaxial_runs import (QUICK, command, differing, report_faults, run,
                            summary, summary_faults)
 
 TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
-          "boundary_profile_start.csv", "boundary_profile_end.csv"]
+          "boundary_profile_start.csv", "boundary_profile_end.csv",
+          "sections_start.csv", "sections_end.csv"]
 
 
 def stop_when(is_time, spall, folder, lateral, *options, settings=()):

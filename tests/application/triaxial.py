@@ -85,6 +85,7 @@ HEADERS = {
         "distance_m,porosity_lateral_1,coordination_lateral_1,"
         "n_stones_lateral_1,porosity_platens_1,coordination_platens_1,"
         "n_stones_platens_1",
+    "sections_end.csv": "height_share_1,section_m2",
 }
 DENSITY = 2750.  # kg/m^3, of the material file
 

@@ -259,49 +259,7 @@ std::vector<int> contacts_of_stones(const Particles &stones,
   }
   return n_of;
 }
-
-/// Corner of a triangle below the plane z and one above: where their edge cuts.
-Vec2 cut_at(const Vec3 &below, const Vec3 &above, double z)
-{
-  const double share = (z - below.z()) / (above.z() - below.z());
-  return (below + share * (above - below)).head<2>();
-}
 } // namespace
-
-Outline outline_of(const Prism &prism, int n)
-{
-  std::vector<Side> section;
-  for (std::size_t k = 0; k < prism.corners.size(); ++k)
-    section.push_back(
-        {prism.corners[k], prism.corners[(k + 1) % prism.corners.size()]});
-  return {prism.low, prism.high,
-          std::vector(static_cast<std::size_t>(n), section)};
-}
-
-Outline outline_of(const FacetSurface &tube, double low, double high, int n)
-{
-  Outline outline{low, high, {}};
-  for (int k = 0; k < n; ++k)
-  {
-    const double z = low + (k + 0.5) * (high - low) / n;
-    std::vector<Side> &section = outline.sections.emplace_back();
-    for (std::size_t t = 0; t < tube.triangles.size(); ++t)
-    {
-      const auto corner = corners_of(tube, static_cast<std::int32_t>(t));
-      std::vector<Vec2> cuts;
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const Vec3 &one = corner[c], &other = corner[(c + 1) % 3];
-        if ((one.z() < z) != (other.z() < z))
-          cuts.push_back(one.z() < z ? cut_at(one, other, z)
-                                     : cut_at(other, one, z));
-      }
-      if (cuts.size() == 2)
-        section.push_back({cuts[0], cuts[1]});
-    }
-  }
-  return outline;
-}
 
 BoundaryProfile boundary_profile(const Particles &stones,
                                  const Network &network, const Outline &outline,

@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "study/measured.h"
+#include "study/profiles.h"
 #include "study_file.h"
 
 namespace
@@ -112,6 +113,43 @@ TEST_F(StudyFile, MeasuredPointsAreThoseOfTheValue)
 }
 
 // A variant that sets a swept key keeps its value, and is no other case.
+// Two cases of a value, row by row; the second has no number in its first row.
+TEST_F(StudyFile, ProfilesAreMeansOfTheCases)
+{
+  const std::string head = "subsection Study\n  set case = c.prm\n"
+                           "  set outcomes = n_events\n  set seeds = 1, 2\n"
+                           "  set profiles = ";
+  const std::string tail = "\nend\nsubsection Sweep\n"
+                           "  set Stone/density = 2000\nend\n";
+  const Study given = read_study(
+      write("p.prm", head + "edge.csv: distance_m, porosity_1" + tail));
+  ASSERT_EQ(given.profiles.size(), 1u);
+  const std::vector<StudyPoint> points = points_of(given);
+  ASSERT_EQ(points.size(), 2u);
+  for (const StudyPoint &point : points)
+    fs::create_directories(folder / point.folder);
+  write(points[0].folder + "/edge.csv",
+        "distance_m,porosity_1\n0.1,0.5\n0.2,0.4\n");
+  write(points[1].folder + "/edge.csv",
+        "distance_m,porosity_1\n0.1,nan\n0.4,0.2\n0.6,0.1\n");
+  const std::vector<PointResult> results(2, {true, "", {1.}});
+  const Chart chart =
+      profile_chart({given, points, results}, 0, given.profiles[0], folder);
+  ASSERT_EQ(chart.curves.size(), 2u);
+  const Curve &bars = chart.curves[0], &means = chart.curves[1];
+  EXPECT_EQ(means.name, "2000 kg/m^3");
+  ASSERT_EQ(means.x.size(), 3u);
+  const double x[] = {0.1, 0.3, 0.6}, y[] = {0.5, 0.3, 0.1};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(means.x[k], x[k], 1e-15);
+    EXPECT_NEAR(means.y[k], y[k], 1e-15);
+  }
+  EXPECT_NEAR(bars.y[4] - bars.y[3], 2. * std::sqrt(0.02), 1e-15);
+  for (const char *wrong : {"edge.csv", "edge.csv: distance_m", ": a, b"})
+    EXPECT_THROW(read_study(write("q.prm", head + wrong + tail)), InputError);
+}
+
 TEST_F(StudyFile, VariantsMaySetWhatIsSwept)
 {
   const Study map = read_study(

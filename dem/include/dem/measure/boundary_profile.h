@@ -1,28 +1,9 @@
 #pragma once
 
-#include <dem/measure/region_stress.h>
-
-#include <array>
+#include <dem/measure/outline.h>
 
 namespace dem
 {
-/// The space of a specimen between its platens: horizontal sections at equal
-/// distances, section k at low + (k + 1/2) (high - low) / n. The sides of a
-/// section close it, in any order.
-struct Outline
-{
-  using Side = std::array<Eigen::Vector2d, 2>; ///< its ends [m]
-
-  double low = 0., high = 0.; ///< z of the platens [m]
-  std::vector<std::vector<Side>> sections;
-};
-
-/// A prism with n sections.
-Outline outline_of(const Prism &prism, int n);
-
-/// A tube of triangles, deformed or not, cut at n heights between its platens.
-Outline outline_of(const FacetSurface &tube, double low, double high, int n);
-
 /// What the layers of a specimen at some distance from a boundary hold.
 struct LayerProfile
 {

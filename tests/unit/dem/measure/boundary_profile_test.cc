@@ -67,6 +67,68 @@ dem::FacetSurface square_tube(double side, double height)
 }
 } // namespace
 
+namespace
+{
+/// A square tube whose side grows by `more` of itself from both ends to the
+/// middle of the height, evenly; triangles seen from outside.
+dem::FacetSurface square_barrel(double side, double height, double more)
+{
+  dem::FacetSurface tube;
+  const double x[] = {-0.5, 0.5, 0.5, -0.5}, y[] = {-0.5, -0.5, 0.5, 0.5};
+  for (const double level : {0., 0.5, 1.})
+    for (int k = 0; k < 4; ++k)
+    {
+      const double here = side * (level == 0.5 ? 1. + more : 1.);
+      tube.position.emplace_back(here * x[k], here * y[k], level * height);
+    }
+  for (std::int32_t row = 0; row < 8; row += 4)
+    for (std::int32_t k = 0; k < 4; ++k)
+    {
+      const std::int32_t a = row + k, b = row + (k + 1) % 4;
+      tube.triangles.push_back({a, b, b + 4});
+      tube.triangles.push_back({b + 4, a + 4, a});
+    }
+  return tube;
+}
+} // namespace
+
+TEST(Outline, AreasOfABarrelAndItsBulge)
+{
+  constexpr double side = 0.1, height = 0.2, more = 0.08;
+  constexpr int n = 48;
+  const std::vector<double> areas = dem::section_areas(
+      dem::outline_of(square_barrel(side, height, more), 0., height, n));
+  ASSERT_EQ(areas.size(), static_cast<std::size_t>(n));
+  const auto exact = [](double share)
+  {
+    const double grown = 1. + more * (1. - std::abs(2. * share - 1.));
+    return side * side * grown * grown;
+  };
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    EXPECT_NEAR(areas[k], exact((static_cast<double>(k) + 0.5) / n), 1e-15);
+  // Means of (1 + m s)^2 over the thirds of s that the ends and the middle
+  // are, s the share of the way from an end to the middle.
+  const auto mean = [](double from, double to)
+  {
+    const auto power = [](double s) { return std::pow(1. + more * s, 3); };
+    return (power(to) - power(from)) / (3. * more * (to - from));
+  };
+  EXPECT_NEAR(dem::bulge_of(areas), mean(2. / 3., 1.) / mean(0., 1. / 3.) - 1.,
+              1e-5);
+}
+
+TEST(Outline, AreaOfAPrismAndTooFewSections)
+{
+  const dem::Outline box = dem::outline_of(
+      dem::prism_of(dem::Vec3(0.1, 0.2, 0.), dem::Vec3(0.4, 0.4, 1.)), 6);
+  const std::vector<double> areas = dem::section_areas(box);
+  ASSERT_EQ(areas.size(), 6u);
+  for (const double area : areas)
+    EXPECT_NEAR(area, 0.06, 1e-15);
+  EXPECT_NEAR(dem::bulge_of(areas), 0., 1e-14);
+  EXPECT_TRUE(std::isnan(dem::bulge_of(std::span(areas).first(5))));
+}
+
 TEST(BoundaryProfile, OfASimpleCubicPacking)
 {
   constexpr int n = 6;
