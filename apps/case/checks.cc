@@ -30,6 +30,14 @@ void check_shapes(const Case &c, const Place &place, const std::string &section,
 void check_every_step(const Case &c, const Place &place)
 {
   const CouplingParameters &p = c.coupling;
+  const bool may_adapt = c.kind == CaseKind::subgrade &&
+                         p.exchange == ExchangeChoice::one_pass &&
+                         c.subgrade.ground.body == GroundBody::full;
+  if (p.rules.window_tolerance > 0. && !may_adapt)
+    refuse(place, {"Coupling", "window_tolerance",
+                   number_text(p.rules.window_tolerance),
+                   "must be 0, except with Case/kind = subgrade, "
+                   "Subgrade/body = full and Coupling/exchange = one_pass"});
   if (p.exchange != ExchangeChoice::every_step)
     return;
   if (p.rules.stone_steps != 1)

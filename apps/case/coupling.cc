@@ -62,8 +62,16 @@ void add_coupling(List &list, CouplingParameters &c)
        "predicted with the last loads; iterated: until motion and loads of "
        "each window agree; none: there is no such body."},
       c.exchange, {"none", "every_step", "one_pass", "iterated"});
-  list.add({"stone_steps", "-", "Steps of the stones in one window."},
+  list.add({"stone_steps", "-",
+            "Steps of the stones in one window; at most, with "
+            "window_tolerance."},
            c.rules.stone_steps, between(1, 1e4));
+  list.add({"window_tolerance", "-",
+            "one_pass on a full subgrade: windows are as long as the gain of "
+            "the contacts allows, and shorter where more than this share of "
+            "the work that crosses the interface goes astray; 0: all are of "
+            "one length."},
+           c.rules.window_tolerance, below(0., 1.));
   list.add({"body_time", "-", "How the body takes its steps."},
            c.is_body_implicit, {"explicit", "implicit"});
   list.add({"body_steps", "-", "Steps of the body in one window."},

@@ -38,6 +38,11 @@ void add_ledger(const coupling::Exchange &exchange,
   const auto triple = [](const dem::Vec3 &v) {
     return std::array<double, 3>{v.x(), v.y(), v.z()};
   };
+  const auto per_window = [&exchange](std::int64_t n)
+  {
+    return static_cast<double>(n) /
+           static_cast<double>(std::max<std::int64_t>(exchange.n_windows(), 1));
+  };
   summary["interface"] = {
       {"work_given_J", sums.given},
       {"work_taken_J", sums.taken},
@@ -45,9 +50,8 @@ void add_ledger(const coupling::Exchange &exchange,
       {"impulse_given_Ns", triple(sums.impulse_given)},
       {"impulse_taken_Ns", triple(sums.impulse_taken)},
       {"impulse_residual_1", sums.impulse_residual()},
-      {"passes_per_window_1", static_cast<double>(exchange.n_passes()) /
-                                  static_cast<double>(std::max<std::int64_t>(
-                                      exchange.n_windows(), 1))},
+      {"passes_per_window_1", per_window(exchange.n_passes())},
+      {"steps_per_window_1", per_window(exchange.n_stone_steps())},
       {"n_unsettled_windows", exchange.n_unsettled()}};
 }
 } // namespace spall

@@ -11,11 +11,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace spall
 {
 namespace
 {
+/// Windows that adapt are at most this share of what explicit steps of the
+/// ground stand [-].
+constexpr double share_of_explicit = 0.8;
+
+/// Gains may come to this share of the limit of one pass: more than one contact
+/// may load a node [-].
+constexpr double share_of_gain = 0.5;
+
+coupling::ExchangeContact contact_with_ground(const Case &c,
+                                              double smallest_stone)
+{
+  const dem::WallMaterial &material = c.subgrade.contact;
+  return {material.normal_stiffness, material.normal_damping, smallest_stone};
+}
 
 dem::EngineParameters engine_settings(const Case &c)
 {
@@ -175,40 +190,62 @@ double height_above(const dem::Particles &stones,
   return top;
 }
 
-double window_of(const Case &c, double time_step)
+coupling::WindowGain ground_gain(const Case &c, const coupling::Body &ground,
+                                 double smallest_stone, double window)
 {
-  return c.coupling.rules.stone_steps * time_step;
+  const std::vector<double> mass = ground.nodal_mass();
+  return coupling::window_gain(contact_with_ground(c, smallest_stone),
+                               *std::ranges::min_element(mass), window);
+}
+
+int stable_stone_steps(const Case &c, const coupling::Body &ground,
+                       double smallest_stone, double time_step)
+{
+  int n = c.coupling.rules.stone_steps;
+  if (c.coupling.rules.window_tolerance == 0.)
+    return n;
+  const double longest = c.coupling.is_body_implicit
+                             ? std::numeric_limits<double>::infinity()
+                             : share_of_explicit * c.coupling.body_steps *
+                                   ground.stable_time_step();
+  const auto is_stable = [&](double window)
+  {
+    const coupling::WindowGain gain =
+        ground_gain(c, ground, smallest_stone, window);
+    return window <= longest &&
+           gain.gain <= share_of_gain * gain.one_pass_limit;
+  };
+  while (n > 1 && !is_stable(n * time_step))
+    --n;
+  return n;
 }
 
 SetupStep ground_setup(const Case &c, const coupling::Body &ground,
-                       double smallest_stone, double time_step)
+                       double smallest_stone, double time_step, int stone_steps)
 {
-  const dem::WallMaterial &material = c.subgrade.contact;
-  const coupling::ExchangeContact contact{
-      material.normal_stiffness, material.normal_damping, smallest_stone};
   const std::vector<double> mass = ground.nodal_mass();
-  const double lightest = *std::ranges::min_element(mass);
-  const coupling::ExchangeParameters rules = c.coupling.exchange_rules();
+  const coupling::ExchangeRule rule = c.coupling.exchange_rules().rule;
   SetupStep setup;
   setup.step = time_step;
   setup.membrane_step = ground.stable_time_step();
   setup.window =
-      coupling::window_gain(contact, lightest, window_of(c, time_step));
-  if (rules.rule == coupling::ExchangeRule::every_step)
-    setup.gain = coupling::exchange_gain(contact, {&lightest, 1},
+      ground_gain(c, ground, smallest_stone, stone_steps * time_step);
+  if (rule == coupling::ExchangeRule::every_step)
+    setup.gain = coupling::exchange_gain(contact_with_ground(c, smallest_stone),
+                                         {&*std::ranges::min_element(mass), 1},
                                          setup.membrane_step, time_step);
   else
     setup.gain = {setup.window.gain,
-                  rules.rule == coupling::ExchangeRule::one_pass
+                  rule == coupling::ExchangeRule::one_pass
                       ? setup.window.one_pass_limit
                       : std::numeric_limits<double>::infinity()};
   return setup;
 }
 
-void check_ground_setup(const Case &c, const SetupStep &setup)
+void check_ground_setup(const Case &c, const SetupStep &setup, int stone_steps)
 {
   const CouplingParameters &p = c.coupling;
-  const double own = window_of(c, setup.step) / p.body_steps;
+  const double own = stone_steps * setup.step / p.body_steps;
   if (!p.is_body_implicit && own > setup.membrane_step)
     throw InputError(
         c.file + ": Coupling/body_steps = " + std::to_string(p.body_steps) +
@@ -216,10 +253,10 @@ void check_ground_setup(const Case &c, const SetupStep &setup)
         " s must be at most " + in_four_digits(setup.membrane_step) +
         " s: take more of them, or body_time = implicit");
   if (!(setup.gain->gain < setup.gain->limit))
-    throw InputError(c.file + ": Coupling/stone_steps = " +
-                     std::to_string(p.rules.stone_steps) + ": exchange gain " +
-                     in_four_digits(setup.gain->gain) + " must be below " +
-                     in_four_digits(setup.gain->limit) +
+    throw InputError(c.file +
+                     ": Coupling/stone_steps = " + std::to_string(stone_steps) +
+                     ": exchange gain " + in_four_digits(setup.gain->gain) +
+                     " must be below " + in_four_digits(setup.gain->limit) +
                      ": take shorter windows or Coupling/exchange = iterated");
 }
 } // namespace spall

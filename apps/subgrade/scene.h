@@ -39,12 +39,22 @@ fem::PlateBodyParameters plate_body(const LoadPlateParameters &plate,
 double height_above(const dem::Particles &stones,
                     const LoadPlateParameters &plate);
 
-/// Window of the exchange at this step of the stones [s].
-double window_of(const Case &parameters, double time_step);
+/// One contact on the lightest node of the ground through a window [s].
+coupling::WindowGain ground_gain(const Case &parameters,
+                                 const coupling::Body &ground,
+                                 double smallest_stone, double window);
+
+/// Steps of the stones in a window: those given, and where windows adapt no
+/// more than half the limit of one pass and the explicit steps of the ground
+/// allow.
+int stable_stone_steps(const Case &parameters, const coupling::Body &ground,
+                       double smallest_stone, double time_step);
 
 /// What the exchange with the ground stands at this step of the stones.
 SetupStep ground_setup(const Case &parameters, const coupling::Body &ground,
-                       double smallest_stone, double time_step);
+                       double smallest_stone, double time_step,
+                       int stone_steps);
 /// Throws InputError if that is not stable.
-void check_ground_setup(const Case &parameters, const SetupStep &setup);
+void check_ground_setup(const Case &parameters, const SetupStep &setup,
+                        int stone_steps);
 } // namespace spall

@@ -54,8 +54,11 @@ Subgrade::Subgrade(const Case &c, StoneBox its_scene)
       joined(std::make_unique<coupling::Exchange>(c.coupling.exchange_rules()))
 {
   build_ground();
-  setup = ground_setup(c, *ground, scene.all.smallest_mass(), time_step());
-  check_ground_setup(c, setup);
+  const double smallest = scene.all.smallest_mass();
+  const int n = stable_stone_steps(c, *ground, smallest, time_step());
+  setup = ground_setup(c, *ground, smallest, time_step(), n);
+  check_ground_setup(c, setup, n);
+  joined->limit_windows(n, setup.window.one_pass_limit);
   for (const double depth : parse_depths(c.subgrade.record.stress_depths))
   {
     char name[60];
@@ -88,7 +91,7 @@ void Subgrade::build_ground()
   {
     auto reduced = std::make_unique<coupling::CondensedBody>(
         block, fem::z_upper, parameters.subgrade.ground.inner_modes,
-        c.body_steps, window_of(parameters, time_step()));
+        c.body_steps, c.rules.stone_steps * time_step());
     condensed = reduced.get();
     top = reduced->mesh();
     body = std::move(reduced);
@@ -161,16 +164,14 @@ fem::PlateLoad Subgrade::plate_load(double body_time) const
 
 int Subgrade::steps_in_move() const
 {
-  return now.stage == Stage::pouring ? 1
-                                     : parameters.coupling.rules.stone_steps;
+  return now.stage == Stage::pouring ? 1 : joined->stone_steps();
 }
 
 Surroundings Subgrade::surroundings() const
 {
   if (now.stage == Stage::pouring)
     return {};
-  return {joined.get(), ground, setup.window,
-          parameters.coupling.rules.stone_steps};
+  return {joined.get(), ground, setup.window, joined->stone_steps()};
 }
 
 void Subgrade::move(double time_step)
@@ -222,7 +223,7 @@ void Subgrade::set_plate_down()
 
 void Subgrade::place(double time_step)
 {
-  exchange_window(*joined, window_of(parameters, time_step));
+  exchange_window(*joined, joined->stone_steps() * time_step);
   const double spent = engine().time() - now.placed_at;
   if (joined->n_windows() % rest_interval == 0 && spent > 2. * ramp &&
       is_at_rest())
@@ -268,7 +269,7 @@ void Subgrade::start_loading()
 
 void Subgrade::load_plate(double time_step)
 {
-  exchange_window(*joined, window_of(parameters, time_step));
+  exchange_window(*joined, joined->stone_steps() * time_step);
   if (loading_time() < duration())
     return;
   now.stage = Stage::done;
@@ -419,7 +420,7 @@ void Subgrade::take_row()
   now.peak_force = std::max(now.peak_force, force_on_ground());
   now.worst_gain =
       std::max(now.worst_gain,
-               joined->gain(engine(), window_of(parameters, time_step())));
+               joined->gain(engine(), joined->stone_steps() * time_step()));
   const std::vector<double> stress = stresses();
   for (std::size_t k = 0; k < stress.size(); ++k)
     peak_stress[k] = std::max(peak_stress[k], stress[k]);

@@ -95,13 +95,17 @@ Stones stones_of(dem::Engine &engine, const ShapeLibrary &library)
           [&](std::istream &in) { engine.restore(in, library); }};
 }
 
-Exchange::Exchange(const ExchangeParameters &p) : parameters(p)
+Exchange::Exchange(const ExchangeParameters &p)
+    : parameters(p), length(p.stone_steps)
 {
   require(p.stone_steps >= 1, "stone steps per window must be at least 1");
   require(p.rule != ExchangeRule::every_step || p.stone_steps == 1,
           "every_step has windows of one step of the stones");
   require(p.rule != ExchangeRule::every_step || !p.has_contact_tangent,
           "every_step needs no tangent of the contacts");
+  require(p.window_tolerance == 0. || p.rule == ExchangeRule::one_pass,
+          "windows adapt with one_pass alone");
+  length.follow(p.window_tolerance);
   require(p.relaxation.factor > 0. && p.relaxation.lowest > 0. &&
               p.relaxation.highest >= p.relaxation.lowest,
           "relaxation factors must be positive");
@@ -167,6 +171,9 @@ void Exchange::advance(const Stones &stones, double window)
     pass_window(stones, window);
   close_books(stones.engine, window);
   ++window_count;
+  step_count += length.steps();
+  if (length.is_due(window_count))
+    length.look(gain(stones.engine, window) / gain_limit, books, window_count);
   check_gap(stones.engine.time());
   check_ledger(stones.engine.time());
   check_surfaces(stones.engine);
@@ -301,7 +308,7 @@ void Exchange::run_stones(const Stones &stones, double window)
     for (std::size_t k = 0; k < mean.size(); ++k)
       mean[k] = (joint.target[k] - joint.at[k]) / window;
   }
-  const int n = parameters.stone_steps;
+  const int n = length.steps();
   Field position;
   for (int step = 1; step <= n; ++step)
   {
@@ -462,6 +469,8 @@ void Exchange::save(std::ostream &out) const
   dem::write_value(out, pass_count);
   dem::write_value(out, window_count);
   dem::write_value(out, unsettled_count);
+  dem::write_value(out, step_count);
+  dem::write_value(out, length);
 }
 
 void Exchange::restore(std::istream &in)
@@ -477,5 +486,7 @@ void Exchange::restore(std::istream &in)
   dem::read_value(in, pass_count);
   dem::read_value(in, window_count);
   dem::read_value(in, unsettled_count);
+  dem::read_value(in, step_count);
+  dem::read_value(in, length);
 }
 } // namespace coupling

@@ -20,6 +20,12 @@ double Exchange::gain(const dem::Engine &engine, double window) const
   return 0.25 * window * window * largest;
 }
 
+void Exchange::limit_windows(int stone_steps, double limit_of_gain)
+{
+  length.cap(stone_steps);
+  gain_limit = limit_of_gain;
+}
+
 dem::SpringNetwork Exchange::springs(const dem::Engine &engine,
                                      double horizon) const
 {

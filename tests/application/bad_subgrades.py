@@ -71,6 +71,8 @@ SUBGRADES = [
             "Pulse/share_table": "bad.csv"}, "distance_m,share_1"),
     ground({"Coupling/exchange": "none"}, "every_step, one_pass, iterated"),
     ground({"Coupling/stone_steps": 2, "Coupling/exchange": "every_step"}, "must be 1"),
+    ground({"Coupling/window_tolerance": 1e-3,
+            "Coupling/exchange": "every_step"}, "must be 0, except"),
     ground({"Subgrade/body": "condensed", "Record/stress_depths": "0.1"},
            "has no inside"),
     ground({"Subgrade/body": "condensed", "Record/stress_depths": "",

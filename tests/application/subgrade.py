@@ -204,26 +204,57 @@ def quick(spall, root):
     return faults
 
 
+def history_faults(one, other, share):
+    """Both settlements of two runs, against the largest of the first."""
+    faults = []
+    for column in ("subgrade_settlement_m", "plate_settlement_m"):
+        full = [row[column] for row in loading_rows(one)]
+        mine = [row[column] for row in loading_rows(other)]
+        gap = max(abs(a - b) for a, b in zip(full, mine))
+        size = max(map(abs, full))
+        print(f"{column}: {other.name} against {one.name} {gap / size:.2e}")
+        if len(full) != len(mine) or not gap < share * size:
+            faults.append(f"{column}: {gap} m of {size}")
+    return faults
+
+
+SOFT = {"normal_stiffness": 4e5, "shear_stiffness": 3.4e5}
+
+
+def adaptive(spall, root):
+    """Windows by gain and ledger give the history of an exchange at every
+    step, lose no more work than they may, and survive being stopped."""
+    rules = {"every_step": {"exchange": "every_step", "stone_steps": 1},
+             "adaptive": {"stone_steps": 100, "window_tolerance": 1e-4}}
+    for name, rule in rules.items():
+        case = write_prm(root / f"{name}.prm", changed(
+            Coupling=rule, GroundContact=SOFT, Pulse={"rest": 0.04}))
+        go([spall, "run", case, "--threads", 1, "--out", root / name])
+    faults = history_faults(root / "every_step", root / "adaptive", 0.02)
+    interface = summary(root / "adaptive")["interface"]
+    print(f"{interface['steps_per_window_1']:.2f} steps in a window, "
+          f"{interface['work_residual_1']:.1e} of the work astray")
+    if not 3. < interface["steps_per_window_1"] < 100.:
+        faults.append(f"steps: {interface['steps_per_window_1']}")
+    if not interface["work_residual_1"] < 1e-4:
+        faults.append(f"astray: {interface['work_residual_1']}")
+    words = [spall, "run", root / "adaptive.prm", "--threads", 1, "--out",
+             root / "cut"]
+    faults += stop_faults(words, root / "cut", "2")
+    go([*words, "--resume"])
+    return faults + resumed_faults(root / "adaptive", root / "cut", TABLES)
+
+
 def condensed(spall, root):
     """The condensed ground gives the history of the full one."""
     implicit = {"Coupling": {"body_time": "implicit", "stone_steps": 10},
-                "GroundContact": {"normal_stiffness": 4e5,
-                                  "shear_stiffness": 3.4e5},
+                "GroundContact": SOFT,
                 "Pulse": {"rest": 0.04}, "Record": {"stress_depths": ""}}
     for name, body in (("full", "full"), ("condensed", "condensed")):
         case = write_prm(root / f"{name}.prm", changed(
             Subgrade={"body": body, "inner_modes": 120}, **implicit))
         go([spall, "run", case, "--threads", 1, "--out", root / name])
-    faults = []
-    for column in ("subgrade_settlement_m", "plate_settlement_m"):
-        full = [row[column] for row in loading_rows(root / "full")]
-        other = [row[column] for row in loading_rows(root / "condensed")]
-        gap = max(abs(a - b) for a, b in zip(full, other))
-        size = max(map(abs, full))
-        print(f"{column}: condensed against full {gap / size:.2e}")
-        if len(full) != len(other) or not gap < 0.02 * size:
-            faults.append(f"{column}: {gap} m of {size}")
-    return faults
+    return history_faults(root / "full", root / "condensed", 0.02)
 
 
 def train(spall, root):
@@ -394,8 +425,9 @@ def kept(spall, root):
 
 def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
-    test = {"quick": quick, "condensed": condensed, "train": train,
-            "static": static, "yielding": yielding, "kept": kept}[sys.argv[2]]
+    test = {"quick": quick, "adaptive": adaptive, "condensed": condensed,
+            "train": train, "static": static, "yielding": yielding,
+            "kept": kept}[sys.argv[2]]
     with tempfile.TemporaryDirectory() as name:
         return report_faults(test(spall, pathlib.Path(name)))
 

@@ -4,6 +4,7 @@
 #include <coupling/ledger.h>
 #include <coupling/relaxation.h>
 #include <coupling/seam.h>
+#include <coupling/window_length.h>
 
 #include <functional>
 #include <memory>
@@ -22,7 +23,10 @@ enum class ExchangeRule : std::int64_t
 struct ExchangeParameters
 {
   ExchangeRule rule = ExchangeRule::every_step;
-  int stone_steps = 1; ///< of the stones in one window [-]
+  int stone_steps = 1; ///< of the stones in one window, at most [-]
+  /// one_pass: windows are shorter where more than this share of the exchanged
+  /// work goes astray, or the gain says so; 0: all are of one length [-].
+  double window_tolerance = 0.;
   /// The stiffness of contacts enters the implicit steps of bodies that take
   /// it; in windows, with one step of the body.
   bool has_contact_tangent = false;
@@ -100,10 +104,16 @@ public:
   /// every_step at its end [N]. Throws std::invalid_argument as hold.
   FieldView load_on(const Body &body) const;
 
-  /// One window [s]. Throws GuardStop after it when passes have left too large
-  /// a gap, the ledger is beyond its limit, or (looked at whenever the lists of
-  /// the stones were made anew) a surface is folded, runs through itself or has
-  /// let a stone out.
+  /// Of the stones in the next window, and the most that it will ever have.
+  int stone_steps() const { return length.steps(); }
+  /// With window_tolerance: at most so many, and by this limit of the gain of
+  /// one pass (WindowGain) [-].
+  void limit_windows(int stone_steps, double limit_of_gain);
+
+  /// One window of so many steps [s]. Throws GuardStop after it when passes
+  /// have left too large a gap, the ledger is beyond its limit, or (looked at
+  /// whenever the lists of the stones were made anew) a surface is folded, runs
+  /// through itself or has let a stone out.
   void advance(const Stones &stones, double window);
 
   /// One step in which the stones meet a body that has been put where it is
@@ -127,6 +137,7 @@ public:
   const WindowReport &last_window() const { return report; }
   std::int64_t n_passes() const { return pass_count; }
   std::int64_t n_windows() const { return window_count; }
+  std::int64_t n_stone_steps() const { return step_count; } ///< in them
   /// Windows that were left with a gap above the tolerance.
   std::int64_t n_unsettled() const { return unsettled_count; }
   ExchangeClock clock() const { return spent; }
@@ -168,10 +179,13 @@ private:
   void check_surfaces(const dem::Engine &engine);
 
   ExchangeParameters parameters;
+  WindowLength length;
+  double gain_limit = 1. / 3.; ///< for it [-]
   std::vector<Joint> joints;
   LedgerSums books;
   WindowReport report;
   std::int64_t pass_count = 0, window_count = 0, unsettled_count = 0;
+  std::int64_t step_count = 0;
   std::int64_t surfaces_seen_at = -1; ///< rebuilds of the lists then
   std::vector<dem::BreakageEvent> held_events;
   ExchangeClock spent;

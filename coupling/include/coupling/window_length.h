@@ -1,0 +1,41 @@
+#pragma once
+
+#include <coupling/ledger.h>
+
+#include <cstdint>
+
+namespace coupling
+{
+/// How many steps the stones take in a window of one pass: as many as the gain
+/// of the present contacts allows, and fewer where too much work goes astray at
+/// the interface. Plain data for the checkpoint.
+class WindowLength
+{
+public:
+  /// At most so many steps, and as long as nothing else is asked always so
+  /// many.
+  explicit WindowLength(int most) : longest(most), now(most) {}
+
+  /// From now on at most this share of the work that crosses the interface is
+  /// to go astray; 0: the length stays as it is [-].
+  void follow(double share_astray) { tolerance = share_astray; }
+  bool is_adaptive() const { return tolerance > 0.; }
+  /// At most so many steps from now on.
+  void cap(int most);
+
+  int steps() const { return now; }
+  /// Whether a look is due after so many windows.
+  bool is_due(std::int64_t n_windows) const;
+  /// Looks: `gain` of the present contacts in a window of this length, over the
+  /// limit of one pass [-]. Work counts against that of the windows since the
+  /// last look, or of as many on average since the start if that is more: at
+  /// rest a share of nothing would say much.
+  void look(double gain_over_limit, const LedgerSums &books,
+            std::int64_t n_windows);
+
+private:
+  std::int64_t longest = 1, now = 1;
+  double tolerance = 0.;                        ///< [-]
+  double astray_before = 0., moved_before = 0.; ///< at the last look [J]
+};
+} // namespace coupling
