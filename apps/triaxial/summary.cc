@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace spall
 {
@@ -60,6 +61,16 @@ void add_jumps(const JumpAccount &jumps, nlohmann::ordered_json &out)
   out["n_refused_jumps"] = jumps.n_refused;
   out["jump_strain_error_1"] = jumps.strain_error;
   out["jump_laa_error_percent"] = jumps.abrasion_error;
+}
+/// Of the quads of the membrane, those that a stone presses on: a vertex in
+/// the middle of each, after the nodes, has a share of every load on it [-].
+double pressed_share(const Triaxial &test)
+{
+  const auto loads = std::span(test.engine().surface().load)
+                         .subspan(test.membrane()->n_nodes());
+  return static_cast<double>(std::ranges::count_if(
+             loads, [](const dem::Vec3 &load) { return !load.isZero(0.); })) /
+         static_cast<double>(loads.size());
 }
 } // namespace
 
@@ -136,6 +147,8 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
     if (std::isfinite(test.gain()->limit))
       out["exchange_gain_limit_1"] = test.gain()->limit;
     out["worst_gain_1"] = record.worst_gain;
+    if (test.membrane())
+      out["membrane_pressed_share_1"] = pressed_share(test);
     if (test.exchange())
       add_ledger(*test.exchange(), out);
   }
