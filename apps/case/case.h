@@ -162,6 +162,7 @@ struct CycleJumpParameters
   double tolerance = 0.; ///< of a jump; 0: every cycle is simulated [-]
   int first = 5;         ///< cycles before the first observation
   int observed = 4;      ///< cycles in an observation
+  int settled = 7;       ///< cycles after a landing before the next one
   int longest = 200;     ///< cycles that a jump skips at most
 
   bool is_on() const { return tolerance > 0.; }

@@ -203,6 +203,10 @@ void add_cycle_jump(List &list, CycleJumpParameters &j)
   list.add({"observed", "-",
             "Cycles before and after a jump whose growth is compared."},
            j.observed, between(2, 1e4));
+  list.add({"settled", "-",
+            "Cycles after a jump before growth is observed again: what has "
+            "just broken bears less for some."},
+           j.settled, between(0, 1e4));
   list.add({"longest", "-", "Cycles that a jump skips at most."}, j.longest,
            between(2, 1e6));
 }

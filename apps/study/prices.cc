@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace spall
 {
@@ -220,9 +221,10 @@ std::vector<DefaultPrice> price_defaults(const StudyData &data,
     DefaultPrice price;
     price.knob = level.knob;
     price.default_value = value;
-    price.is_cheapest = value == value_in(reference, level.knob);
-    if (!price.is_cheapest)
+    const bool is_reference = value == value_in(reference, level.knob);
+    if (!is_reference)
       price.cost = price.worst = std::numeric_limits<double>::quiet_NaN();
+    std::optional<bool> is_cheapest; // of those that are fine, if any saves
     for (const PricedLevel &other : map)
     {
       if (other.knob != level.knob || other.is_control)
@@ -236,8 +238,9 @@ std::vector<DefaultPrice> price_defaults(const StudyData &data,
       if (!other.is_cheapest_fine)
         continue;
       price.cheapest = other.value;
-      price.is_cheapest = is_it;
+      is_cheapest = is_it;
     }
+    price.is_right = is_cheapest.value_or(price.worst < fine_share);
     prices.push_back(price);
   }
   return prices;

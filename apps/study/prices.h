@@ -2,6 +2,8 @@
 
 #include "study/pairs.h"
 
+#include <cmath>
+
 namespace spall
 {
 /// What one value of a key costs and how far it is from the reference.
@@ -32,7 +34,10 @@ struct DefaultPrice
   std::string default_value;          ///< of the program
   double cost = 1., worst = 0.;       ///< NaN where the map does not have it
   std::string cheapest = "reference"; ///< of those that are fine
-  bool is_cheapest = false;           ///< the default is that one
+  /// The default is that one; or it is fine, and none that is fine saves.
+  bool is_right = false;
+
+  bool is_measured() const { return std::isfinite(cost); }
 };
 
 /// Spread of the reference over the seeds, by outcome: standard deviation.

@@ -129,17 +129,21 @@ TextTable default_table(const StudyData &data)
       "Defaults",
       "The default of the program against the cheapest value whose errors all "
       "stay below half the spread of the seeds and whose cost is below that of "
-      "the reference by its interval; reference where there is none.",
+      "the reference by its interval; reference where there is none: then a "
+      "default that is fine is right.",
       {"key", "default", data.study.costs.front(), "worst error / spread",
        "cheapest that is fine", "is the default"},
       {}};
   for (const DefaultPrice &price : price_defaults(data, price_levels(data)))
   {
-    const bool is_there = std::isfinite(price.cost);
+    const bool is_there = price.is_measured();
     table.rows.push_back({price.knob, price.default_value,
                           is_there ? format(price.cost, 3) : "not in this map",
                           is_there ? format(price.worst, 2) : "",
-                          price.cheapest, price.is_cheapest ? "yes" : "no"});
+                          price.cheapest,
+                          price.is_right ? "yes"
+                          : is_there     ? "no"
+                                         : "not measured"});
   }
   return table;
 }

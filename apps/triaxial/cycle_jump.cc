@@ -11,6 +11,9 @@ namespace
 constexpr double steepest_decay = 1.;
 /// Shorter jumps do not pay: a jump costs the cycle that lands.
 constexpr int shortest = 2;
+/// Cycles that one stands for, at most: every event in it sheds load at once,
+/// so that they come more and smaller the more there are.
+constexpr int most_in_one = 15;
 /// Of its limit an error should not use more than this, in the mean.
 constexpr double aim = 0.5;
 
@@ -44,7 +47,8 @@ double PowerLaw::gain(double from, double to) const
 
 JumpPlan::JumpPlan(const CycleJumpParameters &p, int cycles)
     : tolerance(p.tolerance), n_cycles(cycles), n_window(p.observed),
-      longest(p.longest), n_waiting(p.first), reach(p.observed)
+      n_settled(p.settled), longest(p.longest), n_waiting(p.first),
+      reach(p.observed)
 {
 }
 
@@ -60,6 +64,14 @@ void JumpPlan::observe_from_now()
   begun = now;
 }
 
+void JumpPlan::wait_for(std::int64_t cycles)
+{
+  phase = Phase::wait;
+  n_waiting = cycles;
+  if (n_waiting <= 0)
+    observe_from_now();
+}
+
 void JumpPlan::take(const SlowState &state)
 {
   if (tolerance == 0.)
@@ -68,16 +80,16 @@ void JumpPlan::take(const SlowState &state)
   step = JumpStep::none;
   if (phase == Phase::wear)
   {
-    phase = Phase::land;
+    if (++n_worn < n_wearing())
+      step = JumpStep::wear;
+    else
+      phase = Phase::land;
     is_judged = 0;
   }
   else if (phase == Phase::land)
-    observe_from_now();
+    wait_for(n_settled);
   else if (phase == Phase::wait)
-  {
-    if (--n_waiting <= 0)
-      observe_from_now();
-  }
+    wait_for(n_waiting - 1);
   else if (++n_observed == n_window)
   {
     before = last;
@@ -124,9 +136,11 @@ void JumpPlan::judge()
 /// jump is judged.
 void JumpPlan::plan()
 {
-  const int to_end =
-      n_cycles - static_cast<int>(std::lround(now.cycle)) - 2 - n_window;
+  const int to_end = n_cycles - static_cast<int>(std::lround(now.cycle)) - 1 -
+                     n_settled - n_window;
   n_skipped = std::min({static_cast<int>(reach), longest, to_end});
+  while (n_skipped >= shortest && n_skipped + n_wearing() > to_end)
+    --n_skipped;
   if (n_skipped >= shortest && before.at > 0.)
     step = JumpStep::keep;
   else
@@ -135,9 +149,27 @@ void JumpPlan::plan()
 
 void JumpPlan::begin()
 {
-  left = now;
-  phase = Phase::wear;
+  if (step == JumpStep::keep)
+  {
+    left = now;
+    phase = Phase::wear;
+    n_worn = 0;
+  }
   step = JumpStep::none;
+}
+
+int JumpPlan::n_wearing() const
+{
+  return (n_skipped + most_in_one - 2) / (most_in_one - 1);
+}
+
+int JumpPlan::skipping() const
+{
+  if (phase != Phase::wear)
+    return 0;
+  const auto until = [this](std::int64_t cycle)
+  { return static_cast<int>(n_skipped * cycle / n_wearing()); };
+  return until(n_worn + 1) - until(n_worn);
 }
 
 double JumpPlan::repetitions() const
@@ -145,9 +177,10 @@ double JumpPlan::repetitions() const
   if (phase != Phase::wear)
     return 1.;
   // What earlier jumps brought too little or too much is made up.
-  const double n = 1. + n_skipped * weight;
+  const double n = 1. + skipping() * weight;
   const double owed =
-      last.abrasion > 0. ? -books.abrasion_error / last.abrasion : 0.;
+      last.abrasion > 0. ? -books.abrasion_error / (last.abrasion * n_wearing())
+                         : 0.;
   return n + std::clamp(owed, -0.5 * n, 0.5 * n);
 }
 
@@ -159,7 +192,7 @@ double JumpPlan::expected_strain() const
   law.rate_a =
       std::clamp(law.rate_a, law.rate_b,
                  law.rate_b * std::pow(law.at_b / law.at_a, steepest_decay));
-  return law.gain(left.cycle, left.cycle + n_skipped + 1.);
+  return law.gain(left.cycle, left.cycle + n_skipped + n_wearing());
 }
 
 double JumpPlan::missing_strain() const
@@ -168,7 +201,7 @@ double JumpPlan::missing_strain() const
     return 0.;
   const double strain =
       expected_strain() - books.strain_error - (now.strain - left.strain);
-  return std::clamp(strain, 0., 1.5 * (n_skipped + 1.) * last.strain);
+  return std::clamp(strain, 0., 1.5 * (n_skipped + n_wearing()) * last.strain);
 }
 
 void JumpPlan::shorten(const JumpPlan &refused)
@@ -191,12 +224,8 @@ int least_cycles(const CycleJumpParameters &parameters, int n_cycles)
   int n_simulated = 0;
   for (double cycle = 0.; cycle < n_cycles; ++n_simulated)
   {
-    if (plan.due() == JumpStep::keep)
-    {
-      cycle += plan.length();
-      plan.begin();
-    }
-    ++cycle;
+    plan.begin();
+    cycle += plan.skipping() + 1;
     plan.take({cycle, cycle, cycle}); // what grows evenly has no error
   }
   return n_simulated;

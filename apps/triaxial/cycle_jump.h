@@ -38,6 +38,7 @@ enum class JumpStep : std::int64_t
 {
   none,
   keep,   ///< the state: a jump begins
+  wear,   ///< the next cycle of the jump that stands for many
   go_back ///< to the state kept: the last jump was too far
 };
 
@@ -51,8 +52,9 @@ struct JumpAccount
 };
 
 /// When to jump over how many load cycles, and whether that was too far. A jump
-/// over n cycles is one cycle that wears the stones n + 1 times, one that
-/// brings the strain that is missing then, and some to observe. The rates
+/// is some cycles each of which wears the stones as many times as it skips
+/// others, one that brings the strain that is missing then, some in which what
+/// has broken bears its load again, and some to observe. The rates
 /// before and after it, with a power law between them, say what it should have
 /// brought (docs/theory/cycle_jump.md). Plain data for the checkpoint.
 class JumpPlan
@@ -67,8 +69,9 @@ public:
   /// Cycles that the jump which is due skips.
   int length() const { return n_skipped; }
 
-  /// The jump that is due begins with the coming cycle.
+  /// The jump that is due begins with the coming cycle, or goes on with it.
   void begin();
+  int skipping() const; ///< cycles skipped before the coming one
   /// How often the coming cycle wears the stones.
   double repetitions() const;
   /// The coming cycle, the one after the wear, brings the missing strain.
@@ -87,23 +90,25 @@ public:
 private:
   enum class Phase : std::int64_t
   {
-    wait,    ///< the first cycles
+    wait,    ///< the first cycles, and those after a landing
     observe, ///< cycles whose growth counts
-    wear,    ///< one cycle for all that are skipped
+    wear,    ///< cycles that stand for those that are skipped
     land     ///< one that brings the strain that is missing then
   };
 
   void observe_from_now();
+  void wait_for(std::int64_t cycles); ///< and observe then
   void judge();
   void plan();
-  /// What the skipped cycles and the one that wears should bring [-].
+  int n_wearing() const; ///< cycles that stand for the others
+  /// What the skipped cycles and those that wear should bring [-].
   double expected_strain() const;
 
   double tolerance = 0.;
-  int n_cycles = 0, n_window = 1, longest = 1, n_skipped = 0;
+  int n_cycles = 0, n_window = 1, n_settled = 0, longest = 1, n_skipped = 0;
   Phase phase = Phase::wait;
   JumpStep step = JumpStep::none;
-  std::int64_t n_waiting = 0, n_observed = 0;
+  std::int64_t n_waiting = 0, n_observed = 0, n_worn = 0;
   std::int64_t is_judged = 1; ///< there was no jump since
   double reach = 0.;          ///< length that errors allow [cycles]
   double weight = 1.; ///< of a skipped cycle in the wear, as judged so far [-]

@@ -32,14 +32,17 @@ SlowState Triaxial::slow_state() const
 }
 
 /// The cycle to come stands for those that are skipped and for itself.
-void Triaxial::begin_jump()
+void Triaxial::begin_wear()
 {
+  if (plan.due() == JumpStep::keep)
+  {
+    drift = drift_between(observed_from, pose_of(engine(), *cell),
+                          static_cast<double>(parameters.cycle_jump.observed));
+    calm_rattlers(engine(), drift);
+  }
   plan.begin();
-  drift = drift_between(observed_from, pose_of(engine(), *cell),
-                        static_cast<double>(parameters.cycle_jump.observed));
-  calm_rattlers(engine(), drift);
-  pace.skip(plan.length() * cycle_ticks);
-  engine().set_time(engine().time() + plan.length() * period());
+  pace.skip(plan.skipping() * cycle_ticks);
+  engine().set_time(engine().time() + plan.skipping() * period());
   engine().set_repetitions(plan.repetitions());
 }
 

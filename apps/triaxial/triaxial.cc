@@ -68,8 +68,8 @@ void Triaxial::advance()
 {
   if (now == Stage::done)
     return;
-  if (plan.due() == JumpStep::keep)
-    begin_jump();
+  if (plan.due() == JumpStep::keep || plan.due() == JumpStep::wear)
+    begin_wear();
   settle_step();
   const bool is_loading = now == Stage::loading;
   step_stage();

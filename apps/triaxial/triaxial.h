@@ -133,7 +133,7 @@ private:
   void prepare();
   void consolidate();
   void load();
-  void begin_jump();
+  void begin_wear();
   void after_tick();
   void end_cycle();
   void land();

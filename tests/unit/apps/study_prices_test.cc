@@ -105,9 +105,10 @@ TEST_F(StudyFile, DefaultsAreHeldAgainstTheMap)
   EXPECT_EQ(of("Stone/density").default_value, "2750");
   EXPECT_NEAR(of("Stone/density").worst, 0.9, 1e-12);
   EXPECT_EQ(of("Stone/density").cheapest, "2000");
-  EXPECT_FALSE(of("Stone/density").is_cheapest);
+  EXPECT_FALSE(of("Stone/density").is_right);
   EXPECT_EQ(of("Stone/friction").worst, 0.);
   EXPECT_EQ(of("Stone/friction").cheapest, "reference");
+  EXPECT_TRUE(of("Stone/friction").is_right);
   EXPECT_THROW(
       read_study(write("x.prm", "subsection Study\n  set case = c.prm\n"
                                 "  set outcomes = n_events\n"
