@@ -201,23 +201,17 @@ coupling::WindowGain ground_gain(const Case &c, const coupling::Body &ground,
 int stable_stone_steps(const Case &c, const coupling::Body &ground,
                        double smallest_stone, double time_step)
 {
-  int n = c.coupling.rules.stone_steps;
+  const int most = c.coupling.rules.stone_steps;
   if (c.coupling.rules.window_tolerance == 0.)
-    return n;
-  const double longest = c.coupling.is_body_implicit
-                             ? std::numeric_limits<double>::infinity()
-                             : share_of_explicit * c.coupling.body_steps *
-                                   ground.stable_time_step();
-  const auto is_stable = [&](double window)
-  {
-    const coupling::WindowGain gain =
-        ground_gain(c, ground, smallest_stone, window);
-    return window <= longest &&
-           gain.gain <= share_of_gain * gain.one_pass_limit;
-  };
-  while (n > 1 && !is_stable(n * time_step))
-    --n;
-  return n;
+    return most;
+  const coupling::WindowGain one =
+      ground_gain(c, ground, smallest_stone, time_step);
+  // The gain goes with the square of the window.
+  double n = std::sqrt(share_of_gain * one.one_pass_limit / one.gain);
+  if (!c.coupling.is_body_implicit)
+    n = std::min(n, share_of_explicit * c.coupling.body_steps *
+                        ground.stable_time_step() / time_step);
+  return static_cast<int>(std::clamp(n, 1., static_cast<double>(most)));
 }
 
 SetupStep ground_setup(const Case &c, const coupling::Body &ground,
