@@ -13,7 +13,7 @@ namespace
 {
 // Sizes in px of the view box; text 12 px is 9 pt at a width of 90 mm.
 constexpr double width = 480., plot_height = 250., right = 16., bottom = 46.;
-constexpr double text_width = 6.4, legend_row = 19., legend_key = 26.;
+constexpr double text_width = 7.2, legend_row = 19., legend_key = 26.;
 constexpr const char *font =
     "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
     "font-size=\"12\"";

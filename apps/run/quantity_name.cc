@@ -19,6 +19,7 @@ constexpr std::pair<const char *, const char *> units[] = {
     {"_Nm", "N m"},
     {"_Ns", "N s"},
     {"_m3", "m³"},
+    {"_m2", "m²"},
     {"_m", "m"},
     {"_s", "s"},
     {"_N", "N"},

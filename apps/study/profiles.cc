@@ -14,9 +14,13 @@ namespace
 {
 namespace fs = std::filesystem;
 
+/// Error bars of a curve, about: more would hide it.
+constexpr std::size_t most_bars = 15;
+
 /// Rows of the cases with one value of the key.
 struct Rows
 {
+  std::size_t n_cases = 0;
   std::vector<std::vector<double>> x, y; ///< [row][case]; finite ones
 };
 
@@ -29,6 +33,7 @@ void add_case(const fs::path &path, const Profile &profile, Rows &rows)
                             *y = table.find(profile.y);
   if (!x || !y)
     return;
+  ++rows.n_cases;
   rows.x.resize(std::max(rows.x.size(), x->size()));
   rows.y.resize(rows.x.size());
   for (std::size_t row = 0; row < x->size(); ++row)
@@ -58,6 +63,8 @@ bool is_upright(const Profile &profile)
   return profile.y.starts_with("height");
 }
 
+/// Rows that one of the cases does not have are left out: they would be of
+/// other specimens.
 void add_level(const Rows &rows, const std::string &name, std::size_t place,
                bool is_upright, Chart &chart)
 {
@@ -65,16 +72,21 @@ void add_level(const Rows &rows, const std::string &name, std::size_t place,
   means.name = name;
   means.colour = bars.colour = palette_colour(place);
   means.dash = palette_dash(place);
+  if (place >= palette_size)
+    means.line_width *= 2.;
   bars.line_width = 0.6;
   const double gap = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t stride = (rows.x.size() + most_bars - 1) / most_bars;
   for (std::size_t row = 0; row < rows.x.size(); ++row)
   {
-    if (rows.x[row].empty())
+    if (rows.x[row].size() < rows.n_cases)
       continue;
     const double x = estimate_of(rows.x[row]).mean,
                  y = estimate_of(rows.y[row]).mean;
     means.x.push_back(x);
     means.y.push_back(y);
+    if (row % stride != place % stride)
+      continue;
     const double spread =
         standard_deviation(is_upright ? rows.x[row] : rows.y[row]);
     const double dx = is_upright ? spread : 0., dy = is_upright ? 0. : spread;

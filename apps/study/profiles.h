@@ -7,8 +7,9 @@
 
 namespace spall
 {
-/// Means over the cases of every value of a key, row by row, with a standard
-/// deviation of y up and down; a colour for every value. Other keys of a grid
+/// Means over the cases of every value of a key, row by row as far as all of
+/// them go, with a standard deviation of the outcome here and there; a colour
+/// for every value. Other keys of a grid
 /// as in the base case. `folder` is that of the study.
 Chart profile_chart(const StudyData &data, std::size_t key,
                     const Profile &profile,

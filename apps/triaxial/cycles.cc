@@ -154,7 +154,7 @@ CycleRecorder::note_profiles(const Triaxial &test,
   write_sections(folder / ("sections_" + when + ".csv"), areas);
   return {profile.porosity_skin, profile.porosity_inside,
           profile.coordination_skin, profile.coordination_inside,
-          dem::bulge_of(areas)};
+          test.membrane() ? dem::bulge_of(areas) : 0.};
 }
 
 void CycleRecorder::finish(const Triaxial &test)
