@@ -38,7 +38,7 @@ TextTable expectation_table(const StudyData &data)
                         "is not resolved."
                       : "Differences of means count from 5 % of the mean of "
                         "all on.",
-                  {"name", "expected", "reported", "shown", "means"},
+                  {"name", "expected", "reported", "holds", "ours"},
                   {}};
   for (const Expectation &e : data.study.expectations)
   {
