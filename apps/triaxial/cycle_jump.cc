@@ -111,12 +111,9 @@ void JumpPlan::judge()
                               strain.gain(left.cycle, begun.cycle),
                abrasion_error = begun.abrasion - left.abrasion -
                                 abrasion.gain(left.cycle, begun.cycle);
-  // Of all jumps together: what one has left, the next may make up.
   const double used =
-      std::max(over(books.strain_error + strain_error,
-                    tolerance * std::abs(now.strain)),
-               over(books.abrasion_error + abrasion_error,
-                    tolerance * now.abrasion));
+      std::max(over(strain_error, tolerance * std::abs(now.strain)),
+               over(abrasion_error, tolerance * now.abrasion));
   is_judged = 1;
   const double worn = begun.abrasion - left.abrasion;
   if (worn > 0.)
