@@ -104,7 +104,7 @@ public:
   /// every_step at its end [N]. Throws std::invalid_argument as hold.
   FieldView load_on(const Body &body) const;
 
-  /// Of the stones in the next window, and the most that it will ever have.
+  /// Of the stones in the next window.
   int stone_steps() const { return length.steps(); }
   /// With window_tolerance: at most so many, and by this limit of the gain of
   /// one pass (WindowGain) [-].
