@@ -75,6 +75,19 @@ bool is_beside_base(const StudyData &data, std::size_t key,
   return true;
 }
 
+std::vector<std::size_t> drawn_cases(const StudyData &data, std::size_t key,
+                                     const std::string &value)
+{
+  std::vector<std::size_t> places;
+  for (std::size_t p = 0; p < data.points.size(); ++p)
+    if (data.points[p].values[key] == value && data.results[p].is_done &&
+        Cut(key).takes(data.points[p]) &&
+        (data.study.combine != Combine::grid ||
+         is_beside_base(data, key, data.points[p])))
+      places.push_back(p);
+  return places;
+}
+
 std::vector<Level> levels_of(const StudyData &data, const Cut &cut,
                              std::size_t outcome)
 {

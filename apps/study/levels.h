@@ -39,6 +39,11 @@ std::size_t place_of(const Study &study, const std::string &key_name);
 bool is_beside_base(const StudyData &data, std::size_t key,
                     const StudyPoint &point);
 
+/// Places of the cases that are done and have this value of the key, in a grid
+/// with all other keys as in the base case: those that curves are drawn of.
+std::vector<std::size_t> drawn_cases(const StudyData &data, std::size_t key,
+                                     const std::string &value);
+
 /// Levels of the key in order of their values; `outcome` is a place in
 /// Study::outcomes. Values that are all numbers are sorted.
 std::vector<Level> levels_of(const StudyData &data, const Cut &cut,

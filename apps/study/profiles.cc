@@ -48,12 +48,8 @@ Rows rows_of(const StudyData &data, std::size_t key, const std::string &value,
              const Profile &profile, const fs::path &folder)
 {
   Rows rows;
-  for (std::size_t p = 0; p < data.points.size(); ++p)
-    if (data.points[p].values[key] == value && data.results[p].is_done &&
-        Cut(key).takes(data.points[p]) &&
-        (data.study.combine != Combine::grid ||
-         is_beside_base(data, key, data.points[p])))
-      add_case(folder / data.points[p].folder / profile.file, profile, rows);
+  for (const std::size_t p : drawn_cases(data, key, value))
+    add_case(folder / data.points[p].folder / profile.file, profile, rows);
   return rows;
 }
 

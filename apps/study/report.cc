@@ -128,14 +128,10 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
   for (const Level &level : levels_of(data, Cut(k), 0))
   {
     bool is_named = false;
-    for (std::size_t p = 0; p < data.points.size(); ++p)
+    for (const std::size_t p : drawn_cases(data, k, level.value))
     {
       const fs::path history = folder / data.points[p].folder / "history.csv";
-      if (data.points[p].values[k] != level.value ||
-          !Cut(k).takes(data.points[p]) || !data.results[p].is_done ||
-          (study.combine == Combine::grid &&
-           !is_beside_base(data, k, data.points[p])) ||
-          !fs::exists(history))
+      if (!fs::exists(history))
         continue;
       const Table table = read_table(history.string());
       const Column *x = table.find(study.curve_x),

@@ -130,7 +130,9 @@ TEST(CycleJump, FewestCyclesAreThoseOfEvenGrowth)
     EXPECT_EQ(spall::least_cycles(tolerance(0.05), n),
               run(tolerance(0.05), even, n).n_simulated);
   EXPECT_EQ(spall::least_cycles({}, 50), 50);
-  EXPECT_LT(spall::least_cycles(tolerance(0.05), 1000), 250);
+  // At most 200 in a jump, of which fifteen cycles stand for the others; each
+  // jump with a landing and eleven more.
+  EXPECT_LT(spall::least_cycles(tolerance(0.05), 1000), 190);
 }
 
 TEST(CycleJump, ThousandCyclesWithinTheTolerance)
@@ -140,7 +142,7 @@ TEST(CycleJump, ThousandCyclesWithinTheTolerance)
                abrasion = 0.02 * std::pow(1000., 0.7);
   EXPECT_NEAR(end.specimen.strain_now, strain, 0.05 * strain);
   EXPECT_NEAR(end.specimen.abrasion_now, abrasion, 0.05 * abrasion);
-  EXPECT_LT(end.n_simulated, 250);
+  EXPECT_LT(end.n_simulated, 190);
   EXPECT_EQ(end.plan.account().n_skipped + end.n_simulated, 1000);
 }
 
