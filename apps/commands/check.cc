@@ -155,6 +155,8 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   const ScratchFolder scratch;
   Recorder recorder(parameters, run_folder_in(scratch));
   recorder.start();
+  const bool is_prepared = test.stage() != Stage::preparation;
+  const double preparing_step = test.time_step();
   test.hasten();
   const int n_cycles = parameters.loading.n_cycles();
   const double duration =
@@ -163,6 +165,8 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
       run_a_while(parameters, test, recorder, {duration, test.period()},
                   [&test] { return test.stage() == Stage::done; });
   print_predicted(duration, step);
+  if (!is_prepared)
+    print_preparing(test.preparation_time(), preparing_step, test.engine());
   if (parameters.cycle_jump.is_on())
   {
     const int n = least_cycles(parameters.cycle_jump, n_cycles);
@@ -190,13 +194,17 @@ void check_lab(const Case &parameters, const std::string &preparations)
   const ScratchFolder scratch;
   LabRecorder recorder(parameters, run_folder_in(scratch));
   recorder.start(*test);
+  const bool is_preparing = test->is_preparing();
   test->hasten();
-  print_predicted(
-      test->duration(),
+  const double preparing_step = test->time_step();
+  const MeanStep step =
       run_a_while(parameters, *test, recorder,
                   {test->duration(), test->period(), test->frame_interval(),
                    [&recorder] { return recorder.n_written(); }},
-                  [&test] { return test->share_done() >= 1.; }));
+                  [&test] { return test->share_done() >= 1.; });
+  print_predicted(test->duration(), step);
+  if (is_preparing)
+    print_preparing(test->preparation_time(), preparing_step, test->engine());
   print_memory();
 }
 } // namespace

@@ -39,6 +39,7 @@ public:
   std::vector<NamedText> take_files() override;
   const dem::Particles &all_stones() const override { return scene.all; }
   int steps_in_move() const override;
+  double preparation_time() const override;
   void hasten() override;
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int periods) override;
@@ -59,6 +60,8 @@ private:
     double time = 0.; ///< of vibration [s]
     double settlement = 0., density = 0., abrasion = 0., roundness = 1.;
     double n_events = 0.;
+    double coordination = 0.; ///< coordination number [-]
+    double mean_force = 0.;   ///< of the contacts [N]
   };
   /// Plain data for the checkpoint.
   struct State

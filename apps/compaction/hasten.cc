@@ -8,6 +8,11 @@ namespace
 constexpr double slippery = 0.05; // friction [-]
 }
 
+double Compaction::preparation_time() const
+{
+  return pouring.expected_time(engine().parameters().gravity);
+}
+
 void Compaction::hasten()
 {
   const auto at_plate = [this] { return plate_plane().point.z(); };

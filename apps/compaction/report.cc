@@ -19,6 +19,10 @@ void Compaction::report(double due)
   report.abrasion = abrasion_percent();
   report.roundness = roundness.mean(engine().particles());
   report.n_events = static_cast<double>(engine().n_events());
+  const dem::ContactNetwork network =
+      dem::contact_network(engine().particles(), engine().pairs());
+  report.coordination = network.coordination_number;
+  report.mean_force = network.mean_force;
   reports.push_back(report);
   files.push_back(
       {roundness_file(due), roundness_table(engine().particles(), roundness)});
@@ -83,8 +87,10 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
       v.eccentric_mass * v.eccentricity * omega * omega;
   summary["seating_settlement_m"] =
       now.stage == Stage::vibration ? top.height - now.start_height : 0.;
-  summary["seated_density_kg_per_m3"] =
-      reports.empty() ? 0. : reports.front().density;
+  const Report seated = reports.empty() ? Report() : reports.front();
+  summary["seated_density_kg_per_m3"] = seated.density;
+  summary["coordination_start_1"] = seated.coordination;
+  summary["mean_contact_force_start_N"] = seated.mean_force;
   summary["vibration_s"] = vibrated();
   summary["settlement_m"] =
       now.stage == Stage::vibration ? now.start_height - height() : 0.;
@@ -105,7 +111,9 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
                     {"density_kg_per_m3", report.density},
                     {"laa_percent", report.abrasion},
                     {"roundness_1", report.roundness},
-                    {"n_events", report.n_events}});
+                    {"n_events", report.n_events},
+                    {"coordination_number_1", report.coordination},
+                    {"mean_contact_force_N", report.mean_force}});
   summary["reports"] = said;
 }
 } // namespace spall

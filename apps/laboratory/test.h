@@ -77,6 +77,9 @@ public:
   }
   /// Prints what `spall check` says besides stones, step, memory and time.
   virtual void describe() const {}
+  /// Until the stones are prepared, about, in steps that cost what those of the
+  /// test do; 0: they need no preparation [s].
+  virtual double preparation_time() const { return 0.; }
   /// On to what a step costs for most of duration(), from the beginning or from
   /// where the stones are prepared, and by shortcuts: what is measured from
   /// then on is worth nothing. Throws as advance() does.

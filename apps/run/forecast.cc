@@ -129,4 +129,17 @@ void print_predicted(double duration, const MeanStep &step)
               "preparation (%.3g ms each)\n",
               step.cost * n, n, step.length, 1e3 * step.cost);
 }
+
+void print_preparing(double duration, double length, dem::Engine &engine)
+{
+  constexpr double long_enough = 0.5; // [s]
+  const Stopwatch watch;
+  int n_steps = 0;
+  for (; n_steps == 0 || watch.seconds() < long_enough; ++n_steps)
+    engine.advance_unseen(length);
+  const double n = duration / length;
+  std::printf("to prepare       about %.2g s before that for some %.2g steps: "
+              "a guess, to a factor of two\n",
+              watch.seconds() / n_steps * n, n);
+}
 } // namespace spall

@@ -50,4 +50,8 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
 
 /// The line for a test of this length after its preparation [s].
 void print_predicted(double duration, const MeanStep &step);
+
+/// And for its preparation, of this length in steps so long [s], each at the
+/// cost of the stones without what is coupled to them, which is measured now.
+void print_preparing(double duration, double length, dem::Engine &engine);
 } // namespace spall

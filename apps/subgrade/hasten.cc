@@ -4,6 +4,11 @@
 
 namespace spall
 {
+double Subgrade::preparation_time() const
+{
+  return pouring.expected_time(engine().parameters().gravity);
+}
+
 void Subgrade::hasten()
 {
   if (now.stage == Stage::pouring)

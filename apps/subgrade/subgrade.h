@@ -42,6 +42,7 @@ public:
   std::vector<NamedText> take_files() override;
   const dem::Particles &all_stones() const override { return scene.all; }
   void describe() const override;
+  double preparation_time() const override;
   void hasten() override;
   int steps_in_move() const override;
 

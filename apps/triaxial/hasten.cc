@@ -2,6 +2,7 @@
 #include "run/rough_packing.h"
 #include "triaxial/triaxial.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spall
@@ -13,6 +14,9 @@ namespace
 constexpr int n_pulls = 40, n_rounds = 4;
 constexpr double unrest = 0.02;
 constexpr double patience = 40.; // for pulls [s]
+/// What stones take to come to rest for each metre of the specimen: of
+/// limestone at 30 kPa 0.8 to 1.05 [s/m] (docs/theory/preparation.md).
+constexpr double rest_per_metre = 0.95;
 
 /// About the origin, stones and walls.
 void draw_together(dem::Engine &engine, double factor)
@@ -43,6 +47,18 @@ void draw_gently(dem::Engine &engine, double factor, double longest_step,
   }
 }
 } // namespace
+
+double Triaxial::preparation_time() const
+{
+  const SpecimenParameters &s = parameters.specimen;
+  const double length =
+      s.form == SpecimenForm::box ? s.side : std::max(s.diameter, s.height);
+  const double grown = std::cbrt(s.solid_fraction / s.initial_solid_fraction);
+  // Walls on both sides.
+  const double closing =
+      0.5 * (grown - 1.) * length / parameters.preparation.wall_speed;
+  return closing + rest_per_metre * length;
+}
 
 /// The cloud is drawn together to the solid fraction that is expected, and let
 /// come near to the pressure; true surfaces no further than until they press,

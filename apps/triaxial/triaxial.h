@@ -116,6 +116,8 @@ public:
   }
   /// Past the preparation by shortcuts, to see what steps cost: what is
   /// measured from then on is worth nothing.
+  /// Of the preparation, about [s].
+  double preparation_time() const;
   void hasten();
   /// The specimen at that moment, bit for bit, and back from there into any
   /// test of the same preparation_text(): the test goes on with the

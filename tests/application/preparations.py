@@ -135,6 +135,9 @@ def check_faults(spall, store):
             faults.append(f"check does not say {expected}: {lines}")
         if not any(line.startswith("predicted time") for line in lines):
             faults.append(f"check predicts no time: {lines}")
+        has_to = any(line.startswith("to prepare") for line in lines)
+        if has_to != (expected == "none of this kept"):
+            faults.append(f"time to prepare: {lines}")
     return faults
 
 

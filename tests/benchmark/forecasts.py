@@ -4,13 +4,15 @@
     forecasts.py SPALL [--keep DIR] [CASE ...]
 
 Time is that of the processor on one thread, after the preparation: the run
-that is timed takes its stones from those kept by one before (--preparations).
+that is timed takes its stones from those kept by one before (--preparations),
+whose summary says what the preparation took.
 CASE is a name of the table; without one those of the first list are run, a
 quarter of an hour. Those of the second take longer: surfaces in a membrane a
 quarter of an hour, the full subgrade an hour. `--keep`: the runs stay in
 DIR/CASE/run.
 """
 import argparse
+import json
 import os
 import pathlib
 import re
@@ -69,8 +71,11 @@ def number(label, said):
 
 
 def forecast(spall, words):
+    """Seconds of the test, MiB, seconds of the preparation or None."""
     said = call(spall, "check", *words)[0]
-    return number("predicted time", said), number("memory", said)
+    preparing = re.search(r"to prepare +about ([\d.e+-]+) s", said)
+    return (number("predicted time", said), number("memory", said),
+            float(preparing[1]) if preparing else None)
 
 
 def ratio(predicted, taken):
@@ -85,15 +90,20 @@ def row(spall, name, folder):
     """Forecasts of one case and what the run after its preparation took."""
     case, settings, *shorter = ROWS[name]
     words = [CASES / f"{case}.prm", *sets(["Run/threads=1", *settings])]
-    time, memory = forecast(spall, words)
-    kept = None
+    time, memory, preparing = forecast(spall, words)
+    kept, prepared = None, None
     if name not in UNPREPARED:
         words += ["--preparations", f"{folder}/store"]
         call(spall, "run", *words, *sets(*shorter), "--out",
              f"{folder}/first")
-        kept, _ = forecast(spall, words)
+        found = json.loads(
+            pathlib.Path(folder, "first", "summary.json").read_text())
+        prepared = found["processor_s"] - found["loading_processor_s"]
+        kept, *_ = forecast(spall, words)
     _, taken, peak = call(spall, "run", *words, "--out", f"{folder}/run")
-    return [name, f"{taken:.3g}", ratio(time, taken),
+    return [name, f"{prepared:.3g}" if prepared else "",
+            ratio(preparing, prepared) if prepared else "",
+            f"{taken:.3g}", ratio(time, taken),
             ratio(kept, taken) if kept else "", f"{peak:.0f}",
             ratio(memory, peak)]
 
@@ -110,7 +120,7 @@ def main():
             if given.keep:
                 folder = f"{given.keep}/{name}"
             rows.append(row(given.spall, name, folder))
-    print(table(["case", "run, s", "forecast (ratio)",
+    print(table(["case", "preparation, s", "forecast (ratio)", "run, s", "forecast (ratio)",
                  "forecast from kept stones (ratio)", "peak, MiB",
                  "forecast (ratio)"], rows))
 

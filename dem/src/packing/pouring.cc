@@ -75,6 +75,27 @@ Pouring::Pouring(const Room &its_room, const PouringParameters &p,
 {
 }
 
+double Pouring::expected_time(const Vec3 &gravity) const
+{
+  constexpr double n_falls = 3.;
+  double whole = 0., sum = 0.;
+  for (const std::vector<Body> &layer : bodies)
+    whole += volume_of(layer);
+  double filled = 0.;
+  for (const std::vector<Body> &layer : bodies)
+  {
+    const double volume = volume_of(layer);
+    filled += volume;
+    const double cloud =
+        volume / (parameters.solid_fraction * room.section()); // [m]
+    const double tamping =
+        2. * layer.front().circumscribed_radius / parameters.tamper_speed;
+    sum += filled / whole *
+           (n_falls * std::sqrt(2. * cloud / gravity.norm()) + tamping);
+  }
+  return sum;
+}
+
 void Pouring::prepare(Engine &engine)
 {
   plane = engine.add_plane(room.floor + room.width_x * Vec3::UnitZ(),

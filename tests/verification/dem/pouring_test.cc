@@ -147,9 +147,21 @@ TEST(Pouring, DensityOfKnownVolume)
 TEST(Pouring, CylinderIsFilledToTheDensity)
 {
   Scene scene(cylinder, to_density(), stones(), 0.4);
-  scene.run();
+  double stone_time = 0.; // [s]
+  while (!scene.pouring.is_done())
+  {
+    scene.advance();
+    stone_time += step * static_cast<double>(scene.engine.particles().size());
+  }
   const dem::Particles &all = scene.engine.particles();
   ASSERT_EQ(all.size(), 240u);
+  // A guess; half as much again is taken.
+  const double expected =
+      scene.pouring.expected_time(scene.engine.parameters().gravity);
+  EXPECT_GT(stone_time / 240., 0.5 * expected);
+  EXPECT_LT(stone_time / 240., 2. * expected);
+  std::printf("filled in %.3g, expected %.3g s of all stones\n",
+              stone_time / 240., expected);
   ASSERT_EQ(scene.pouring.layers().size(), 3u);
   for (const dem::Pouring::Layer &layer : scene.pouring.layers())
   {

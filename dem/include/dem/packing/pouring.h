@@ -91,6 +91,10 @@ public:
   /// Throws std::runtime_error if a layer finds no place or no rest.
   void steer(Engine &engine, double time_step);
 
+  /// Of the whole filling, about: a layer falls and rolls to rest in three
+  /// falls through its cloud, and the tamper goes through the height of its
+  /// largest stone [s]. Time with half of the stones counts half.
+  double expected_time(const Vec3 &gravity) const;
   bool is_done() const { return now.stage == Stage::done; }
   Stage stage() const { return now.stage; }
   /// Of the layers that are done.
