@@ -192,6 +192,14 @@ std::string LosAngeles::phase() const
   return text;
 }
 
+FrameParts LosAngeles::frame_parts() const
+{
+  FrameParts parts{nullptr, true};
+  parts.bodies.push_back({"drum", [this](const std::string &path)
+                          { dem::write_drum(path, engine().drum()); }});
+  return parts;
+}
+
 Due LosAngeles::due() const
 {
   const auto has_passed = [this](double times_per_turn)

@@ -18,6 +18,7 @@ public:
   void hasten() override;
   std::string phase() const override;
   Due due() const override;
+  FrameParts frame_parts() const override;
   double progress_at(double time) const override; ///< turns [-]
   const char *progress_column() const override { return "turn_1"; }
   void summarise(nlohmann::ordered_json &summary) const override;

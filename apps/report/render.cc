@@ -82,8 +82,8 @@ vtkNew<vtkRenderer> specimen_renderer(const SpecimenFiles &specimen,
 {
   vtkNew<vtkRenderer> renderer = white_renderer();
   add_stones(renderer, faces, colours);
-  if (!specimen.membrane.empty())
-    add_sheet(renderer, read_faces(specimen.membrane));
+  if (!specimen.sheet.empty())
+    add_sheet(renderer, read_faces(specimen.sheet));
   add_lights(renderer);
   add_title(renderer, specimen.title);
   return renderer;
@@ -106,8 +106,8 @@ Picture render_specimens(std::span<const SpecimenFiles> specimens,
     if (stones.back()->GetNumberOfCells() == 0)
       return {"", specimen.surfaces + " cannot be read or has no stones."};
     all_faces.emplace_back()->ShallowCopy(stones.back());
-    if (!specimen.membrane.empty())
-      all_faces.push_back(read_faces(specimen.membrane));
+    if (!specimen.sheet.empty())
+      all_faces.push_back(read_faces(specimen.sheet));
   }
   const vtkNew<vtkCamera> camera = aim(all_faces);
   const double size = diagonal_of(all_faces);

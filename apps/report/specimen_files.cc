@@ -93,17 +93,18 @@ vtkNew<vtkPolyData> read_lines(const std::string &path)
 
 std::vector<SpecimenFiles> find_specimens(const std::string &folder)
 {
-  const auto surfaces = frames_of(folder, "surfaces"),
-             tubes = frames_of(folder, "membrane"),
-             // What stands round or on the stones.
-      membranes = tubes.empty() ? frames_of(folder, "plate") : tubes;
+  const auto surfaces = frames_of(folder, "surfaces");
+  std::map<int, std::string> sheets; // what stands round or on the stones
+  for (const char *name : {"membrane", "plate", "drum"})
+    if (sheets.empty())
+      sheets = frames_of(folder, name);
   if (surfaces.empty())
     return {};
   const auto specimen = [&](const std::string &title, const auto &frame)
   {
-    const auto membrane = membranes.find(frame.first);
+    const auto sheet = sheets.find(frame.first);
     return SpecimenFiles{title, frame.second,
-                         membrane == membranes.end() ? "" : membrane->second};
+                         sheet == sheets.end() ? "" : sheet->second};
   };
   std::vector<SpecimenFiles> out{specimen("before loading", *surfaces.begin())};
   if (surfaces.size() > 1)

@@ -11,10 +11,10 @@
 
 namespace spall
 {
-/// Files of one instant. An empty membrane: there is none.
+/// Files of one instant. An empty sheet: there is none.
 struct SpecimenFiles
 {
-  std::string title, surfaces, membrane;
+  std::string title, surfaces, sheet; ///< membrane, plate or drum
 };
 
 /// First and last frame with surfaces of a run folder; none, one or two.

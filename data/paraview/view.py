@@ -34,6 +34,7 @@ BODIES = {
     "membrane": ("displacement_m:Magnitude", "Membrane displacement [m]", 0.35),
     "subgrade": ("displacement_m:Z", "Ground, vertical displacement [m]", 1.0),
     "plate": (None, None, 0.5),
+    "drum": (None, None, 0.15),
 }
 
 # Shades from the lowest value to the highest.
@@ -43,7 +44,7 @@ BODY_SHADES = [[0.45, 0.65, 0.85], [0.75, 0.85, 0.93], [0.98, 0.96, 0.88]]
 
 
 def read_case(folder):
-    """Keys of case.prm by section: {"Drum": {"radius": "0.35"}}."""
+    """Keys of case.prm by section: {"Case": {"kind": "subgrade"}}."""
     case, sections = {}, []
     for line in (folder / "case.prm").read_text().splitlines():
         if found := re.match(r"\s*subsection (.+?)\s*$", line):
@@ -166,14 +167,6 @@ def show_bodies(frames, bars):
         bars.colour(display, "POINTS", field, title, BODY_SHADES)
 
 
-def show_drum(case, view):
-    drum = case["Drum"]
-    shell = pv.Cylinder(Radius=float(drum["radius"]),
-                        Height=float(drum["length"]), Resolution=96)
-    display = pv.Show(shell, view)
-    display.Opacity, display.DiffuseColor = 0.12, [0.4, 0.4, 0.45]
-
-
 def place_camera(view, kind, bounds):
     """Upright, from the front and a little from above, on the stones with
     what is round them."""
@@ -206,8 +199,6 @@ def show(folder, times):
     if kind != "los_angeles":
         show_forces(frames, bars, 0.015 * (bounds[5] - bounds[4]))
     show_bodies(frames, bars)
-    if kind == "los_angeles":
-        show_drum(case, view)
     time = pv.AnnotateTimeFilter(Input=frames.reader,
                                  Format="t = {time:.4g} s")
     shown = pv.Show(time, view)

@@ -14,10 +14,12 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -257,6 +259,49 @@ void write_contacts(const std::string &path,
   if (!contacts.empty()) // readers mistrust a list of no cells
     grid->SetCells(VTK_LINE, cells);
   add_contact_fields(grid, contacts);
+  write_grid(path, grid);
+}
+
+void write_drum(const std::string &path, const Drum &drum)
+{
+  constexpr int n_strips = 72;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  const Vec3 out = shelf_direction(drum), side = drum.axis.cross(out);
+  // Points of a line along the axis, then quads from each line to the next.
+  const auto add_line = [&](double u, double v)
+  {
+    for (const double end : {-0.5, 0.5})
+    {
+      const Vec3 point =
+          drum.centre + u * out + v * side + end * drum.length * drum.axis;
+      points->InsertNextPoint(point.data());
+    }
+  };
+  const auto join_lines = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType k = 2 * first; k < 2 * last; k += 2)
+      cells->InsertNextCell({k, k + 1, k + 3, k + 2});
+  };
+  for (int k = 0; k <= n_strips; ++k)
+  {
+    const double angle = 2. * std::numbers::pi * k / n_strips;
+    add_line(drum.radius * std::cos(angle), drum.radius * std::sin(angle));
+  }
+  join_lines(0, n_strips);
+  if (drum.shelf_height > 0.)
+  {
+    const double tip = drum.radius - drum.shelf_height,
+                 half = 0.5 * drum.shelf_thickness;
+    add_line(drum.radius, -half);
+    add_line(tip, -half);
+    add_line(tip, half);
+    add_line(drum.radius, half);
+    join_lines(n_strips + 1, n_strips + 4);
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  grid->SetCells(VTK_QUAD, cells);
   write_grid(path, grid);
 }
 

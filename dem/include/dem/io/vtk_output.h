@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/boundary/drum.h>
 #include <dem/shape/body.h>
 
 #include <cstdint>
@@ -60,6 +61,9 @@ void write_surfaces(const std::string &path, const ParticleColumns &particles);
 /// Contacts as lines with their forces (vtu).
 void write_contacts(const std::string &path,
                     std::span<const ContactLine> contacts);
+
+/// Side and shelf of a drum as it stands, open at both ends (vtu).
+void write_drum(const std::string &path, const Drum &drum);
 
 /// ParaView collection (pvd) over all frames so far.
 std::string collection_text(std::span<const FrameEntry> entries);

@@ -175,6 +175,35 @@ TEST(VtkOutput, ContactsAreLinesWithForces)
   EXPECT_EQ(at_ends->GetTuple1(2), 12.);
 }
 
+// A quarter turn after it pointed up the shelf of a drum about y points to +x.
+TEST(VtkOutput, DrumTurnsWithItsShelf)
+{
+  dem::Drum drum;
+  drum.centre = {0.1, 0.2, 0.3};
+  drum.radius = 0.5;
+  drum.length = 0.4;
+  drum.shelf_height = 0.1;
+  drum.shelf_thickness = 0.02;
+  drum.angle = 0.5 * std::numbers::pi;
+  const std::string path = scratch("drum.vtu");
+  dem::write_drum(path, drum);
+  const auto reader = read(path);
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  ASSERT_EQ(grid->GetNumberOfCells(), 72 + 3);
+  int n_tip = 0;
+  for (vtkIdType k = 0; k < grid->GetNumberOfPoints(); ++k)
+  {
+    const Vec3 arm = Vec3(grid->GetPoint(k)) - drum.centre;
+    EXPECT_NEAR(std::abs(arm.y()), 0.2, rounding);
+    const double distance = std::hypot(arm.x(), arm.z());
+    const bool is_of_shelf = std::abs(distance - 0.5) > rounding;
+    n_tip += is_of_shelf && std::abs(arm.x() - 0.4) < rounding &&
+             std::abs(std::abs(arm.z()) - 0.01) < rounding;
+    EXPECT_TRUE(!is_of_shelf || arm.x() > 0.39) << arm.transpose();
+  }
+  EXPECT_EQ(n_tip, 4);
+}
+
 TEST(VtkOutput, NoParticlesAndNoContactsAreFiles)
 {
   dem::write_particles(scratch("no_particles.vtu"), {});
