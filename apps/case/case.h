@@ -213,6 +213,7 @@ struct ChargeParameters
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/los_angeles_20_45mm.csv";
   std::string shapes = "shapes/limestone_blocky";
+  int order = dem::max_order; ///< N_s: at most this many degrees of the files
   int seed = 1;
   int balls = 12;           ///< steel balls
   double ball_mass = 5.;    ///< of all balls [kg]

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <dem/shape/spherical_harmonics.h>
+
 #include <string>
 #include <vector>
 
@@ -29,6 +31,7 @@ struct FillingParameters
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/compaction_10_45mm.csv";
   std::string shapes = "shapes/limestone"; ///< folder; empty: spheres
+  int order = dem::max_order; ///< N_s: at most this many degrees of the files
   int seed = 1;
   double density = 1760.; ///< mass of stones over volume of container [kg/m^3]
   int layers = 4;

@@ -33,6 +33,8 @@ void add_filling(List &list, FillingParameters &f)
             "CSV file diameter_m,passing_1: share of the mass that passes."},
            f.gradation);
   list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, f.shapes);
+  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
+           f.order, between(1, dem::max_order));
   list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, f.seed,
            between(0, 2147483647));
   list.add({"density", "kg/m^3",

@@ -118,7 +118,8 @@ CompactionScene make_compaction_scene(const Case &parameters)
 {
   CompactionScene scene;
   scene.room = room_of(parameters.container);
-  scene.shapes = load_shapes(parameters, "Filling", parameters.filling.shapes);
+  scene.shapes = load_shapes(parameters, "Filling", parameters.filling.shapes,
+                             parameters.filling.order);
   const std::vector<dem::Body> stones = draw_filling(parameters, scene.shapes);
   scene.all = unplaced_stones(parameters, stones);
   scene.layers = dem::deal_layers(stones, parameters.filling.layers);

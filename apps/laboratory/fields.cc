@@ -44,6 +44,8 @@ void add_charge(List &list, ChargeParameters &c)
             "CSV file diameter_m,passing_1: share of the mass that passes."},
            c.gradation);
   list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, c.shapes);
+  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
+           c.order, between(1, dem::max_order));
   list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, c.seed,
            between(0, 2147483647));
   list.add({"balls", "-", "Number of steel balls."}, c.balls, between(0, 1000));

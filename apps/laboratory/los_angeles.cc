@@ -96,7 +96,8 @@ struct LosAngeles::Scene
   std::unique_ptr<dem::Engine> engine;
 
   explicit Scene(const Case &parameters)
-      : shapes(load_shapes(parameters, "Charge", parameters.charge.shapes))
+      : shapes(load_shapes(parameters, "Charge", parameters.charge.shapes,
+                           parameters.charge.order))
   {
     dem::Random random(static_cast<std::uint64_t>(parameters.charge.seed));
     const std::vector<dem::Body> bodies =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/material.h>
+#include <dem/shape/spherical_harmonics.h>
 
 #include <cstdint>
 #include <limits>
@@ -19,6 +20,7 @@ struct LayerParameters
   double solid_fraction = 0.58; ///< with the box: sets the volume of stones [-]
   std::string gradation = "gradations/los_angeles_20_45mm.csv";
   std::string shapes = "shapes/limestone_blocky";
+  int order = dem::max_order; ///< N_s: at most this many degrees of the files
   int seed = 1;
   int layers = 1; ///< that it is poured in
   /// to the solid fraction; else the stones just fall

@@ -21,6 +21,8 @@ void add_layer(List &list, LayerParameters &l)
             "CSV file diameter_m,passing_1: share of the mass that passes."},
            l.gradation);
   list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, l.shapes);
+  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
+           l.order, between(1, dem::max_order));
   list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, l.seed,
            between(0, 2147483647));
   list.add({"layers", "-", "That it is poured in, one after the other."},

@@ -68,7 +68,7 @@ StoneBox make_stone_box(const Case &c)
 {
   const LayerParameters &l = c.subgrade.layer;
   StoneBox scene;
-  scene.shapes = load_shapes(c, "Layer", l.shapes);
+  scene.shapes = load_shapes(c, "Layer", l.shapes, l.order);
   dem::Random random(static_cast<std::uint64_t>(l.seed));
   const std::vector<dem::Body> stones = draw_layer(c, scene.shapes, random);
   scene.all = unplaced_stones(c, stones);
