@@ -4,10 +4,10 @@
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "laboratory/roundness_table.h"
 #include "specimen/gradation.h"
 
 #include <dem/io/binary.h>
-#include <dem/measure/roundness_book.h>
 #include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
 
@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 namespace spall
 {
@@ -147,8 +148,22 @@ void LosAngeles::move(double time_step)
     start_time = engine().time();
     engine().drum().spin = spin_of(parameters.drum);
     engine().set_breaking(parameters.breakage.is_active);
+    keep_roundness();
   }
   engine().advance_unseen(time_step);
+  if (share_done() >= 1.)
+    keep_roundness();
+}
+
+void LosAngeles::keep_roundness()
+{
+  files.push_back({roundness_file(engine().time() - start_time),
+                   roundness_table(engine().particles(), roundness)});
+}
+
+std::vector<NamedText> LosAngeles::take_files()
+{
+  return std::exchange(files, {});
 }
 
 double LosAngeles::turns() const
@@ -225,7 +240,8 @@ std::vector<Quantity> LosAngeles::measured() const
           {"torque_Nm", engine().drum().torque},
           {"drum_work_J", engine().energy().drum_work},
           {"n_contacts_1", static_cast<double>(network.n_contacts)},
-          {"mean_contact_force_N", network.mean_force}};
+          {"mean_contact_force_N", network.mean_force},
+          {"roundness_1", roundness.mean(engine().particles())}};
 }
 
 void LosAngeles::summarise(nlohmann::ordered_json &summary) const
@@ -242,7 +258,7 @@ void LosAngeles::summarise(nlohmann::ordered_json &summary) const
   summary["turns_1"] = turns();
   summary["initial_mass_kg"] = now + lost;
   summary["lost_mass_kg"] = lost;
-  summary["roundness_1"] = dem::RoundnessBook().mean(all);
+  summary["roundness_1"] = roundness.mean(all);
 }
 
 void LosAngeles::save(std::ostream &out) const

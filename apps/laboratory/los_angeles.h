@@ -2,6 +2,8 @@
 
 #include "laboratory/test.h"
 
+#include <dem/measure/roundness_book.h>
+
 namespace spall
 {
 /// The Los Angeles test: stones and steel balls fall into a drum at rest, then
@@ -19,6 +21,7 @@ public:
   std::string phase() const override;
   Due due() const override;
   FrameParts frame_parts() const override;
+  std::vector<NamedText> take_files() override;
   double progress_at(double time) const override; ///< turns [-]
   const char *progress_column() const override { return "turn_1"; }
   void summarise(nlohmann::ordered_json &summary) const override;
@@ -33,10 +36,13 @@ private:
   void move(double time_step) override;
   std::vector<Quantity> measured() const override;
   double turns() const; ///< so far [-]
+  void keep_roundness();
 
   double last_turn = 0.;    ///< of this run [-]
   double start_time = 0.;   ///< of the first turn [s]
   double turns_before = 0.; ///< at the last step [-]
   bool is_turning = false;
+  mutable dem::RoundnessBook roundness;
+  std::vector<NamedText> files;
 };
 } // namespace spall

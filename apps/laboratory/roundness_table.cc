@@ -13,6 +13,8 @@ std::string roundness_table(const dem::Particles &stones,
   std::vector<std::string> rows(stones.size());
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
+    if (stones.material[i] != 0)
+      continue;
     std::string &row = rows[static_cast<std::size_t>(stones.id[i])];
     row = std::to_string(stones.id[i]);
     for (const double value : {2. * stones.radius(i), stones.mass(i),
@@ -22,7 +24,7 @@ std::string roundness_table(const dem::Particles &stones,
   }
   std::string text = "id_1,diameter_m,mass_kg,mass_loss_1,roundness_1\n";
   for (const std::string &row : rows)
-    text += row + "\n";
+    text += row.empty() ? "" : row + "\n";
   return text;
 }
 

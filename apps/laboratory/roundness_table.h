@@ -6,7 +6,8 @@
 
 namespace spall
 {
-/// id, size, loss and roundness of every stone, as the text of a CSV file.
+/// id, size, loss and roundness of every stone, as the text of a CSV file;
+/// steel balls are no stones.
 std::string roundness_table(const dem::Particles &stones,
                             dem::RoundnessBook &roundness);
 

@@ -12,7 +12,8 @@ namespace spall
 namespace
 {
 // Sizes in px of the view box; text 12 px is 9 pt at a width of 90 mm.
-constexpr double width = 480., plot_height = 250., right = 16., bottom = 46.;
+constexpr double width = 480., plot_height = 250., least_right = 16.,
+                 bottom = 46.;
 constexpr double text_width = 7.2, legend_row = 19., legend_key = 26.;
 constexpr const char *font =
     "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
@@ -167,6 +168,8 @@ public:
     for (const Tick &tick : ticks_of(y_axis))
       widest = std::max(widest, width_of(tick.text));
     left = widest + 42.;
+    if (chart.x_names.empty() && !x_ticks.empty())
+      right = std::max(right, 0.5 * width_of(x_ticks.back().text) + 2.);
   }
 
   double x(double value) const
@@ -181,7 +184,7 @@ public:
 
   Axis x_axis, y_axis;
   std::vector<Tick> x_ticks;
-  double left = 60., top = 10.;
+  double left = 60., right = least_right, top = 10.;
 };
 
 std::string draw_axes(const Chart &chart, const Frame &frame)
@@ -192,7 +195,7 @@ std::string draw_axes(const Chart &chart, const Frame &frame)
   for (const Tick &tick : ticks_of(frame.y_axis))
   {
     const double y = frame.y(tick.value);
-    out += line(frame.left, y, width - right, y, grid);
+    out += line(frame.left, y, width - frame.right, y, grid);
     out += label(frame.left - 7., y + 4., tick.text, "text-anchor=\"end\"");
   }
   for (const Tick &tick : frame.x_ticks)
@@ -202,8 +205,9 @@ std::string draw_axes(const Chart &chart, const Frame &frame)
     out += label(x, frame.floor() + 17., tick.text, "text-anchor=\"middle\"");
   }
   out += line(frame.left, frame.top, frame.left, frame.floor(), ink);
-  out += line(frame.left, frame.floor(), width - right, frame.floor(), ink);
-  const double x_middle = (frame.left + width - right) / 2.,
+  out +=
+      line(frame.left, frame.floor(), width - frame.right, frame.floor(), ink);
+  const double x_middle = (frame.left + width - frame.right) / 2.,
                y_middle = frame.top + plot_height / 2.;
   out += label(x_middle, frame.floor() + 37., chart.x_label,
                "text-anchor=\"middle\"");
@@ -290,7 +294,7 @@ std::string draw_legend(const Chart &chart, Frame &frame)
     if (curve.name.empty())
       continue;
     const double entry = legend_key + width_of(curve.name) + 16.;
-    if (x > frame.left && x + entry - 16. > width - right)
+    if (x > frame.left && x + entry - 16. > width - frame.right)
     {
       x = frame.left;
       y += legend_row;

@@ -2,6 +2,7 @@
 
 #include "report/compaction_figures.h"
 #include "report/figure_parts.h"
+#include "report/roundness_chart.h"
 
 #include <array>
 #include <cmath>
@@ -38,6 +39,8 @@ constexpr std::array drum_quantities = {
              "mass; the steel balls do not count."},
     Quantity{"breakage_count", "n_events_1", "Breakage events (–)",
              "Number of breakage events so far."},
+    Quantity{"roundness", "roundness_1", "Roundness Rg (–)",
+             "Mean roundness of the stones, by volume."},
     Quantity{"torque", "torque_Nm", "Torque (N m)",
              "Moment of the charge on the drum about its axis."},
     Quantity{"contacts", "n_contacts_1", "Contacts (–)",
@@ -201,6 +204,7 @@ std::vector<Chart> make_lab_charts(std::span<const RunData> runs)
     for (const Quantity &quantity : drum_quantities)
       charts.push_back(quantity_chart(runs, path, quantity));
     charts.push_back(rate_chart(runs));
+    charts.push_back(roundness_chart(runs));
   }
   for (const Chart &chart : energy_charts(runs, path))
     charts.push_back(chart);

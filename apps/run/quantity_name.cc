@@ -1,5 +1,6 @@
 #include "run/quantity_name.h"
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -53,8 +54,7 @@ QuantityName quantity_name(const std::string &name)
       return {
           in_words(name.substr(0, name.size() - std::string(ending).size())),
           unit};
-  const bool is_count = name.starts_with("n_");
-  return {in_words(name), is_count ? "–" : ""};
+  return {in_words(name), "–"}; // names without an ending have no dimension
 }
 
 std::string axis_label(const std::string &name)
@@ -67,6 +67,8 @@ std::string axis_label(const std::string &name)
 
 std::string key_label(const std::string &key, const std::string &unit)
 {
-  return with_unit(key, unit == "-" ? "–" : unit);
+  std::string words = key;
+  std::ranges::replace(words, '/', ' ');
+  return with_unit(in_words(words), unit == "-" ? "–" : unit);
 }
 } // namespace spall

@@ -9,7 +9,7 @@ namespace spall
 struct QuantityName
 {
   std::string words;
-  std::string unit; ///< as it is written; "–" without dimension, empty: unknown
+  std::string unit; ///< as it is written; "–" without dimension
 };
 
 QuantityName quantity_name(const std::string &name);
@@ -17,6 +17,7 @@ QuantityName quantity_name(const std::string &name);
 /// Of an axis: "Permanent axial strain (–)".
 std::string axis_label(const std::string &name);
 
-/// The unit of a key of a case, "-" if it has none, in brackets after its name.
+/// The words of a key of a case, "Loading confining pressure (Pa)"; its unit is
+/// "-" if it has none.
 std::string key_label(const std::string &key, const std::string &unit);
 } // namespace spall

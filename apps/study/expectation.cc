@@ -74,7 +74,8 @@ bool read_pair(const std::string &word, const std::string &next,
 bool is_sound(const Expectation &e)
 {
   const bool has_way = e.relation == "rises" || e.relation == "falls";
-  return (has_way || (e.course == Course::plain && !e.has_share)) &&
+  return (has_way || e.course == Course::plain) &&
+         (has_way || e.relation == "stays" || !e.has_share) &&
          e.than_key.empty() == (e.relation != "answers_more");
 }
 } // namespace
@@ -101,8 +102,9 @@ Expectation read_expectation(const Assignment &a)
     refuse(a, "must be OUTCOME rises|falls|changes|stays|settles_low|"
               "settles_high|is_positive|is_negative|answers_more with "
               "Section/key [by LOW..HIGH] [steeper_from|level_from|turns_at "
-              "VALUE] (both of rises and falls) [than Section/key[=value]] (of "
-              "answers_more) [where Section/key=value] [: what others found]");
+              "VALUE] (both of rises and falls, by of stays too) [than "
+              "Section/key[=value]] (of answers_more) [where "
+              "Section/key=value] [: what others found]");
   if (colon != std::string::npos)
     expected.reported = a.value.substr(
         std::min(a.value.find_first_not_of(' ', colon + 1), a.value.size()));

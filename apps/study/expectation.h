@@ -29,7 +29,7 @@ struct Expectation
   std::string where_key, where_value; ///< of the cases looked at; empty: all
   Course course = Course::plain;      ///< of rises and falls
   std::string course_value;           ///< of the key, where not plain
-  bool has_share = false;             ///< of rises and falls
+  bool has_share = false;             ///< of rises, falls and stays
   double share_low = 0., share_high = 0.; ///< by so much of the first value [-]
   std::string reported;                   ///< what others found, as text
 };

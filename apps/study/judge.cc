@@ -271,6 +271,8 @@ Verdict judge_seeds(const StudyData &data, const Expectation &expected)
   else
   {
     verdict = judge_sameness(seen, {0, n - 1});
+    if (expected.has_share)
+      verdict.ruling = both(verdict.ruling, judge_share(seen, expected, 1.));
     if (relation == "changes" && verdict.ruling != Ruling::not_resolved)
       verdict.ruling = ruled(verdict.ruling == Ruling::does_not);
   }
@@ -349,7 +351,7 @@ Verdict judge(const StudyData &data, const Expectation &expected)
     verdict.ruling = judge_turn(levels, expected);
   if (expected.has_share && !levels.empty())
   {
-    const double share = (expected.relation == "rises" ? 1. : -1.) *
+    const double share = (expected.relation == "falls" ? -1. : 1.) *
                          change(levels) / std::abs(levels.front().mean());
     verdict.ruling = both(verdict.ruling, ruled(share > expected.share_low &&
                                                 share < expected.share_high));

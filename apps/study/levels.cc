@@ -55,6 +55,28 @@ bool Cut::takes(const StudyPoint &point) const
          (!where_key || point.values[*where_key] == where_value);
 }
 
+std::vector<Cut> series_of(const StudyData &data, std::size_t key)
+{
+  const Study &study = data.study;
+  const bool is_by_variant = study.combine == Combine::each_variant &&
+                             !study.variants.empty() &&
+                             !study.keys[key].is_variant();
+  const bool is_of_two =
+      study.combine == Combine::grid && study.keys.size() == 2;
+  if (!is_by_variant && !is_of_two)
+    return {Cut(key)};
+  const std::size_t other = is_by_variant ? 0 : 1 - key;
+  std::vector<Cut> series;
+  for (const Level &level : levels_of(data, Cut(other), 0))
+  {
+    Cut cut(key);
+    cut.where_key = other;
+    cut.where_value = level.value;
+    series.push_back(cut);
+  }
+  return series;
+}
+
 std::size_t place_of(const Study &study, const std::string &key_name)
 {
   const auto found = std::ranges::find(study.keys, key_name, &SweptKey::name);

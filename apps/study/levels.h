@@ -31,6 +31,10 @@ struct Cut
   bool takes(const StudyPoint &point) const;
 };
 
+/// What charts and tables of a key tell apart: its cases with each variant, or,
+/// in a grid of two keys, with each value of the other; else all of them.
+std::vector<Cut> series_of(const StudyData &data, std::size_t key);
+
 /// Place of a key among those of the study. Throws std::logic_error.
 std::size_t place_of(const Study &study, const std::string &key_name);
 

@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 /// How a key is drawn along x: sweeps over more than this factor by powers.
 constexpr double many_times = 20.;
+/// Between series, over the range of the key [-].
+constexpr double series_gap = 0.012;
 
 struct Abscissa
 {
@@ -41,34 +43,21 @@ Abscissa abscissa_of(const SweptKey &key, const std::vector<Level> &levels)
           is_wide};
 }
 
-/// Means with error bars of one standard deviation, and the single cases.
-Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
+/// Means with error bars of one standard deviation, and the single cases; all
+/// of it to the right by a shift, so that series do not hide each other.
+void add_levels(const std::vector<Level> &levels, const Abscissa &along,
+                double shift, const Curve &look, Chart &chart)
 {
-  const SweptKey &key = data.study.keys[k];
-  const std::string &name = data.study.outcomes[outcome];
-  const std::vector<Level> levels = levels_of(data, Cut(k), outcome);
-  const Abscissa along = abscissa_of(key, levels);
-  Chart chart{name + "_" + key.id(),
-              name + " over " + key.name() +
-                  ": means, one standard deviation up and down, and the single "
-                  "cases (grey).",
-              along.label, axis_label(name)};
   const double gap = std::numeric_limits<double>::quiet_NaN();
-  Curve means, bars, cases;
+  Curve means = look, bars = look, cases = look;
+  bars.name = cases.name = bars.dash = "";
   means.marker = Marker::dot;
   bars.line_width = 1.;
-  cases.colour = "#9a9a9a";
   cases.line_width = 0.;
   cases.marker = Marker::ring;
-  if (key.is_variant())
-  {
-    means.line_width = 0.;
-    for (const Level &level : levels)
-      chart.x_names.push_back(level.value);
-  }
   for (const Level &level : levels)
   {
-    const double x = along(level.x), mean = level.mean();
+    const double x = along(level.x) + shift, mean = level.mean();
     if (!std::isfinite(mean))
       continue;
     means.x.push_back(x);
@@ -82,10 +71,49 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
       cases.y.push_back(sample);
     }
   }
-  if (means.x.empty())
+  if (!means.x.empty())
+    chart.curves.insert(chart.curves.end(), {cases, bars, means});
+}
+
+/// An outcome over a key, a colour for each series.
+Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
+{
+  const SweptKey &key = data.study.keys[k];
+  const std::string &name = data.study.outcomes[outcome];
+  const std::vector<Level> levels = levels_of(data, Cut(k), outcome);
+  const Abscissa along = abscissa_of(key, levels);
+  const std::vector<Cut> series = series_of(data, k);
+  Chart chart{name + "_" + key.id(),
+              name + " over " + key.name() +
+                  ": means, one standard deviation up and down, and the single "
+                  "cases (rings)" +
+                  (series.size() > 1
+                       ? ", for values of " +
+                             data.study.keys[*series[0].where_key].name() + "."
+                       : "."),
+              along.label, axis_label(name)};
+  if (key.is_variant())
+    for (const Level &level : levels)
+      chart.x_names.push_back(level.value);
+  for (std::size_t n = 0; n < series.size(); ++n)
+  {
+    Curve look;
+    look.colour = palette_colour(n);
+    look.dash = palette_dash(n);
+    if (key.is_variant())
+      look.line_width = 0.;
+    if (series[n].where_key)
+      look.name = data.study.keys[*series[n].where_key].with_unit(
+          series[n].where_value);
+    const double place =
+        static_cast<double>(n) - 0.5 * static_cast<double>(series.size() - 1);
+    add_levels(levels_of(data, series[n], outcome), along,
+               place * series_gap *
+                   (along(levels.back().x) - along(levels.front().x)),
+               look, chart);
+  }
+  if (chart.curves.empty())
     chart.notes.push_back("no case of this sweep gave " + name + ".");
-  else
-    chart.curves = {cases, bars, means};
   return chart;
 }
 
@@ -255,8 +283,8 @@ std::string key_section(const StudyData &data, std::size_t k,
   for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
     body += figure(level_chart(data, k, o), figures);
   const TextTable differences = difference_table(data, k);
-  return body + "</div>\n" + folded(differences, differences.title) +
-         "</section>\n";
+  return body + "</div>\n</section>\n" + section(spread_table(data, k)) +
+         folded(differences, differences.title);
 }
 } // namespace
 
@@ -287,7 +315,10 @@ std::string study_markdown(const StudyData &data)
     tables.push_back(default_table(data));
   }
   for (std::size_t k = 0; k < data.study.keys.size(); ++k)
+  {
+    tables.push_back(spread_table(data, k));
     tables.push_back(difference_table(data, k));
+  }
   tables.push_back(failure_table(data));
   std::string text;
   for (const TextTable &table : tables)

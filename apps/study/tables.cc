@@ -4,6 +4,7 @@
 #include "study/judge.h"
 
 #include <cmath>
+#include <optional>
 
 namespace spall
 {
@@ -26,6 +27,67 @@ std::string in_words(Ruling ruling)
 std::string with_sign(double share)
 {
   return (share > 0. ? "+" : "") + format(100. * share, 2) + " %";
+}
+/// A level against the first one of its series.
+struct Difference
+{
+  std::size_t outcome;
+  Cut cut;
+  Level level;
+  bool is_first;
+  double first; ///< mean there
+  Estimate over_seeds;
+
+  /// Of the first value, in front of a per cent sign; what is round-off of
+  /// zero has none.
+  std::optional<double> share() const
+  {
+    constexpr double round_off = 1e-9;
+    if (std::abs(first) <= round_off * std::abs(over_seeds.mean))
+      return {};
+    return over_seeds.mean / std::abs(first);
+  }
+};
+
+/// Of all outcomes over a key, in the order of the tables.
+std::vector<Difference> differences_of(const StudyData &data, std::size_t key)
+{
+  std::vector<Difference> all;
+  for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
+    for (const Cut &cut : series_of(data, key))
+    {
+      const std::vector<Level> levels = levels_of(data, cut, o);
+      for (const Level &level : levels)
+      {
+        const Level &first = levels.front();
+        const bool is_first = level.value == first.value;
+        all.push_back({o, cut, level, is_first, first.mean(),
+                       is_first
+                           ? Estimate()
+                           : estimate_of(paired_differences(
+                                 data, cut, o, first.value, level.value))});
+      }
+    }
+  return all;
+}
+
+/// Cells that say what a row is of: the outcome, and the other key's value.
+Cells row_name(const StudyData &data, const Difference &d)
+{
+  Cells cells = {data.study.outcomes[d.outcome]};
+  if (d.cut.where_key)
+    cells.push_back(d.cut.where_value);
+  return cells;
+}
+
+/// A head that begins with what row_name() gives.
+Cells head_of(const StudyData &data, std::size_t key, const Cells &more)
+{
+  Cells head = {"outcome"};
+  if (const Cut cut = series_of(data, key).front(); cut.where_key)
+    head.push_back(data.study.keys[*cut.where_key].name());
+  head.insert(head.end(), more.begin(), more.end());
+  return head;
 }
 } // namespace
 
@@ -51,34 +113,67 @@ TextTable expectation_table(const StudyData &data)
 
 TextTable difference_table(const StudyData &data, std::size_t key)
 {
-  const Cut cut(key);
   const std::string name = data.study.keys[key].name();
-  TextTable table{name + " against the first value",
-                  "Mean and standard deviation of all cases; differences are "
-                  "of cases with the same seed, with their 95 % interval over "
-                  "the seeds.",
-                  {"outcome", name, "mean", "difference", "over seeds"},
-                  {}};
-  for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
+  TextTable table{
+      name + " against the first value",
+      "Mean and standard deviation of the cases; differences are of cases with "
+      "the same seed, with their 95 % interval over the seeds.",
+      head_of(data, key, {name, "mean", "difference", "over seeds"}),
+      {}};
+  for (const Difference &d : differences_of(data, key))
   {
-    const std::vector<Level> levels = levels_of(data, cut, o);
-    for (std::size_t l = 0; l < levels.size(); ++l)
-    {
-      Cells cells = {l == 0 ? data.study.outcomes[o] : "", levels[l].value,
-                     format(levels[l].mean(), 4) + " ± " +
-                         format(levels[l].deviation(), 2)};
-      if (l > 0)
-      {
-        const Estimate e = estimate_of(
-            paired_differences(data, cut, o, levels[0].value, levels[l].value));
-        cells.push_back(in_words(e, std::abs(levels[0].mean())));
-        cells.push_back(e.n < 2           ? "one seed"
-                        : e.is_resolved() ? "exceeds the spread"
-                                          : "within the spread");
-      }
-      table.rows.push_back(cells);
-    }
+    Cells cells = row_name(data, d);
+    cells.insert(cells.end(),
+                 {d.level.value, format(d.level.mean(), 4) + " ± " +
+                                     format(d.level.deviation(), 2)});
+    if (d.is_first)
+      cells.insert(cells.end(), {"–", "–"});
+    else
+      cells.insert(cells.end(),
+                   {in_words(d.over_seeds, d.share() ? std::abs(d.first) : 0.),
+                    d.over_seeds.n < 2           ? "one seed"
+                    : d.over_seeds.is_resolved() ? "exceeds the spread"
+                                                 : "within the spread"});
+    table.rows.push_back(cells);
   }
+  return table;
+}
+
+TextTable spread_table(const StudyData &data, std::size_t key)
+{
+  const std::string name = data.study.keys[key].name();
+  TextTable table{
+      name + ": what exceeds the spread",
+      "Values that differ from the first one by more than the 95 % interval "
+      "over the seeds, with their difference, and those that do not.",
+      head_of(data, key, {"against", "exceeds the spread", "within it"}),
+      {}};
+  bool has_seeds = false;
+  for (const Difference &d : differences_of(data, key))
+  {
+    if (d.is_first)
+    {
+      table.rows.push_back(row_name(data, d));
+      table.rows.back().insert(table.rows.back().end(),
+                               {d.level.value, "", ""});
+    }
+    if (d.over_seeds.n < 2)
+      continue;
+    has_seeds = true;
+    Cells &row = table.rows.back();
+    std::string &list =
+        d.over_seeds.is_resolved() ? row[row.size() - 2] : row.back();
+    list += (list.empty() ? "" : ", ") + d.level.value;
+    if (d.over_seeds.is_resolved())
+      list += d.share() ? " (" + with_sign(*d.share()) + ")"
+                        : " (" + format(d.over_seeds.mean, 3) + ")";
+  }
+  if (!has_seeds)
+    table.rows.clear();
+  for (Cells &row : table.rows)
+    for (std::string &cell : row)
+      if (cell.empty())
+        cell = "none";
   return table;
 }
 

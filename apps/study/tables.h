@@ -12,6 +12,8 @@ TextTable expectation_table(const StudyData &data);
 /// Every level against the first of its key, and which differences exceed
 /// what the seeds differ by.
 TextTable difference_table(const StudyData &data, std::size_t key);
+/// The same in a line for each outcome; without rows for a single seed.
+TextTable spread_table(const StudyData &data, std::size_t key);
 /// Error and cost of every value against the reference.
 TextTable price_table(const StudyData &data);
 /// What that says of the defaults of the program.

@@ -10,6 +10,7 @@
 #include "triaxial/preparation.h"
 #include "triaxial/recorder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -59,7 +60,19 @@ std::string rest_of(const Triaxial::Prepared &so_far,
   return std::isfinite(left) ? ", at rest in some " + in_minutes(left) : "";
 }
 
-/// Share of the whole run that is done and the name of its phase.
+/// Share of the preparation that is done, about, then of the load cycles. A
+/// specimen that is longer on its way than expected is nearly there.
+double share_done(const Triaxial &test)
+{
+  constexpr double nearly = 0.99;
+  if (test.stage() == Stage::preparation)
+    return std::min(nearly, test.engine().time() / test.preparation_time());
+  return test.stage() == Stage::consolidation
+             ? 0.
+             : test.cycle() / test.last_cycle();
+}
+
+/// That share and the name of the phase.
 void show_progress(Progress &progress, const Triaxial &test, const Sample &last,
                    const Case &parameters, double rate, RestTime &rest,
                    double now)
@@ -72,15 +85,13 @@ void show_progress(Progress &progress, const Triaxial &test, const Sample &last,
     std::snprintf(phase, sizeof phase, "consolidation");
   else
     std::snprintf(phase, sizeof phase, "cycle %.2f/%d", test.cycle(), cycles);
-  const double share =
-      test.stage() < Stage::loading ? 0. : test.cycle() / cycles;
   std::string numbers;
   if (test.stage() == Stage::preparation)
     numbers = numbers_of(test.prepared(), parameters.preparation) +
               rest_of(test.prepared(), parameters.preparation, rest, now);
   else if (test.stage() >= Stage::loading)
     numbers = numbers_of(last);
-  progress.show(phase, share, rate, numbers);
+  progress.show(phase, share_done(test), rate, numbers);
 }
 
 void describe(Progress &progress, const Triaxial &test)

@@ -116,7 +116,7 @@ public:
   }
   /// Past the preparation by shortcuts, to see what steps cost: what is
   /// measured from then on is worth nothing.
-  /// Of the preparation, about [s].
+  /// What the preparation will take in all, about [s].
   double preparation_time() const;
   void hasten();
   /// The specimen at that moment, bit for bit, and back from there into any

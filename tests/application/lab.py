@@ -157,6 +157,11 @@ def los_angeles(spall, root):
     faults = loss_faults(root / "whole", found) + view_faults(root / "whole")
     if not (root / "whole" / "frames" / "drum_00001.vtu").exists():
         faults.append("frames without the drum")
+    stones = found["n_stones"]  # without the balls
+    tables = sorted((root / "whole").glob("roundness_*s.csv"))
+    if len(tables) != 2 or any(len(rows(root / "whole", table.name)[1]) != stones
+                               for table in tables):
+        faults.append(f"roundness of {stones} stones: {tables}")
     # 0.4 kg to half a smallest stone of 11 g.
     faults += near("initial_mass_kg", found["initial_mass_kg"], 0.4, 0.02)
     faults += near("turns_1", found["turns_1"], 2., 1e-4)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What a tutorial promises: its run, and the numbers of its table.
+"""What a tutorial promises: its runs, and the numbers of their tables.
 
     tutorials.py SPALL PAGE.md
 
-The head of the table says the command in backticks; each row the least and the
+The head of a table says the command in backticks; each row the least and the
 largest value. Of `spall run CASE ...` a row names a key of summary.json (a/b: b
 of a), of `spall study STUDY ...` a column of study.csv: its mean over the cases
 in which other columns have given values (column=value, blanks between).
@@ -55,12 +55,17 @@ class Study:
 
 def faults_of(spall, page):
     text = page.read_text()
-    head = HEAD.search(text)
-    if not head:
+    tables = list(HEAD.finditer(text))
+    if not tables:
         return [f"{page.name} has no table of what to expect"]
+    return [fault for head in tables
+            for fault in table_faults(spall, page, text, head)]
+
+
+def table_faults(spall, page, text, head):
     promised = ROW.findall(text[head.end():text.index("\n\n", head.end())])
     if not promised:
-        return [f"the table of {page.name} has no rows"]
+        return [f"a table of {page.name} has no rows"]
     with tempfile.TemporaryDirectory() as folder:
         options = ["--overwrite"] if head[1] == "run" else []
         subprocess.run([spall, head[1], *head[2].split(), "--out", folder,

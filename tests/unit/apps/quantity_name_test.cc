@@ -14,12 +14,12 @@ TEST(QuantityName, IsWordsAndUnit)
   EXPECT_EQ(axis_label("solid_volume_m3"), "Solid volume (m³)");
   EXPECT_EQ(axis_label("n_events_1"), "Events (–)");
   EXPECT_EQ(axis_label("n_steps"), "Steps (–)");
-  EXPECT_EQ(axis_label("initial_porosity"), "Initial porosity");
+  EXPECT_EQ(axis_label("initial_porosity"), "Initial porosity (–)");
 }
 
-TEST(QuantityName, KeysKeepTheirName)
+TEST(QuantityName, KeysInWords)
 {
-  EXPECT_EQ(key_label("Loading/frequency", "Hz"), "Loading/frequency (Hz)");
-  EXPECT_EQ(key_label("Stone/friction", "-"), "Stone/friction (–)");
+  EXPECT_EQ(key_label("Loading/frequency", "Hz"), "Loading frequency (Hz)");
+  EXPECT_EQ(key_label("Stone/friction", "-"), "Stone friction (–)");
   EXPECT_EQ(key_label("Variants", ""), "Variants");
 }

@@ -142,7 +142,11 @@ TEST_F(SeededStudy, SharesAreThoseOfTheFirstValue)
        "  set other = n_events answers_more with Stone/density than "
        "Variants=b where Variants=a\n"
        "  set less = n_events answers_more with Stone/density than "
-       "Variants=a where Variants=b\n",
+       "Variants=a where Variants=b\n"
+       "  set near = n_events stays with Stone/density by 0.004..0.006 where "
+       "Variants=a\n"
+       "  set far = n_events stays with Stone/density by -0.004..0.004 where "
+       "Variants=a\n",
        1.01, -1., 0.001);
   // From 202.02 up by 1.01: 0.0050; from 198 down by 1: 0.00505.
   EXPECT_EQ(ruling(0), Ruling::holds);
@@ -151,9 +155,34 @@ TEST_F(SeededStudy, SharesAreThoseOfTheFirstValue)
   EXPECT_EQ(ruling(3), Ruling::holds);
   EXPECT_EQ(ruling(4), Ruling::holds);
   EXPECT_EQ(ruling(5), Ruling::does_not);
+  EXPECT_EQ(ruling(6), Ruling::holds);
+  EXPECT_EQ(ruling(7), Ruling::does_not);
   EXPECT_EQ(in_words(study.expectations[0]),
             "n_events rises with Stone/density by 0.450 to 0.550 % where "
             "Variants = a");
+}
+
+// Slopes of 1 and -1 over the density: apart, not their mean of zero.
+TEST_F(SeededStudy, ChartsAndTablesTellVariantsApart)
+{
+  make("", 1., -1., 0.);
+  const StudyData data{study, points, results};
+  EXPECT_FALSE(series_of(data, 0)[0].where_key); // of the variants themselves
+  const std::vector<Cut> series = series_of(data, 1);
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[1].where_value, "b");
+  EXPECT_DOUBLE_EQ(levels_of(data, series[0], 0)[1].mean(), 203.);
+  EXPECT_DOUBLE_EQ(levels_of(data, series[1], 0)[1].mean(), 197.);
+  const std::string text = study_markdown(data);
+  EXPECT_NE(text.find("| n_events | a | 3000 | 203.0 ± 100 | 1.00 ± 0.0"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| n_events | b | 3000 | 197.0 ± 100 | −1.00 ± 0.0"),
+            std::string::npos);
+  const std::string page = study_page(data, folder, {});
+  const std::size_t chart = page.find("id=\"n_events_Stone_density\"");
+  ASSERT_NE(chart, std::string::npos);
+  EXPECT_NE(page.find(">a</text>", chart), std::string::npos);
 }
 
 class CourseOfASweep : public StudyFile

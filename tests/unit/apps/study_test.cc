@@ -43,6 +43,23 @@ TEST_F(StudyFile, CasesAreFoundByWhatTheyAre)
   EXPECT_EQ(fresh[11].folder, "run_0012");
 }
 
+// In a grid of two keys each is seen at every value of the other.
+TEST_F(StudyFile, GridIsSeenByTheOtherKey)
+{
+  const Study grid = study("grid");
+  const std::vector<StudyPoint> points = points_of(grid);
+  std::vector<PointResult> results;
+  for (const StudyPoint &point : points)
+    results.push_back(
+        {true, "", {std::stod(point.values[0]) * std::stod(point.values[1])}});
+  const StudyData data{grid, points, results};
+  const std::vector<Cut> series = series_of(data, 0);
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(*series[1].where_key, 1u);
+  EXPECT_DOUBLE_EQ(levels_of(data, series[1], 0)[2].mean(), 3000. * 2e-6);
+  EXPECT_EQ(series_of(data, 1).size(), 3u);
+}
+
 // Each variant sets its keys together; the other sweep runs as it is given.
 TEST_F(StudyFile, VariantsSetKeysTogether)
 {
