@@ -35,6 +35,7 @@ struct FillingParameters
   int seed = 1;
   double density = 1760.; ///< mass of stones over volume of container [kg/m^3]
   int layers = 4;
+  double undercompaction = 0.06;  ///< of the first layer [-]
   double solid_fraction = 0.2;    ///< of the cloud that falls [-]
   double friction = 1.2;          ///< stone on stone while filling [-]
   double friction_decay = 0.7;    ///< per stroke on what stays loose [-]

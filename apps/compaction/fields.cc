@@ -42,6 +42,10 @@ void add_filling(List &list, FillingParameters &f)
            f.density, above(0., 3e4));
   list.add({"layers", "-", "Poured and tamped one by one."}, f.layers,
            between(1, 100));
+  list.add({"undercompaction", "-",
+            "Layers are tamped to less than the density, since the next ones "
+            "press on them: the first by this share, the last by none."},
+           f.undercompaction, below(0., 0.5));
   list.add({"solid_fraction", "-", "Of the cloud of a layer that falls in.",
             "random insertion jams above"},
            f.solid_fraction, above(0., 0.35));

@@ -134,6 +134,7 @@ dem::PouringParameters pouring_parameters(const FillingParameters &f)
   dem::PouringParameters p;
   p.density = f.density;
   p.friction = f.friction;
+  p.undercompaction = f.undercompaction;
   p.friction_decay = f.friction_decay;
   p.solid_fraction = f.solid_fraction;
   p.tamper_speed = f.tamper_speed;

@@ -131,11 +131,11 @@ def number_faults(folder, form):
         faults.append(f"reports {found['reports']}")
     # What the stones bear when the vibration begins: rows before and after.
     start = found["coordination_start_1"]
-    near = [row["coordination_number_1"] for row in history
+    seen = [row["coordination_number_1"] for row in history
             if row["stage_1"] >= 1.]
-    if not min(near) < start < max(near) or \
+    if not min(seen) < start < max(seen) or \
             start != found["reports"][0]["coordination_number_1"]:
-        faults.append(f"coordination {start} at the start, rows {near[:5]}")
+        faults.append(f"coordination {start} at the start, rows {seen[:5]}")
     for report, name in zip(found["reports"], FILES[3:]):
         table = rows(folder, name)[1]
         total = sum(row["mass_kg"] for row in table)

@@ -143,10 +143,15 @@ void Pouring::follow_pressure(const Engine &engine, double time_step)
   now.peak = std::max(now.peak, now.pressure);
 }
 
-/// Height above the floor at which the present stones have the density [m].
+/// Height above the floor at which the present stones are as dense as asked of
+/// so many layers [m].
 double Pouring::goal() const
 {
-  return now.mass / (parameters.density * room.section());
+  const auto left = static_cast<double>(bodies.size() - finished.size() - 1);
+  const double looser = left == 0. ? 0.
+                                   : parameters.undercompaction * left /
+                                         static_cast<double>(bodies.size() - 1);
+  return now.mass / ((1. - looser) * parameters.density * room.section());
 }
 
 /// Where the stones of a layer begin to fall. A cloud in which they find no

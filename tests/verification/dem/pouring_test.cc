@@ -195,6 +195,23 @@ TEST(Pouring, CylinderIsFilledToTheDensity)
       << e.gravity_work << " " << e.plane_work;
 }
 
+// Lower layers are left looser and the whole has its density all the same.
+TEST(Pouring, UndercompactionFallsToNothing)
+{
+  dem::PouringParameters how = to_density();
+  how.density = 0.55 * 2750.;
+  how.friction = 0.1;
+  how.undercompaction = 0.1;
+  how.tamper_pressure = 3e5;
+  Scene scene(cylinder, how, stones(), 0.4);
+  scene.run();
+  const auto layers = scene.pouring.layers();
+  std::printf("%.5g, %.5g, %.5g kg/m^3\n", layers[0].density, layers[1].density,
+              layers[2].density);
+  EXPECT_NEAR(layers[1].density, 0.95 * how.density, 5e-3 * how.density);
+  EXPECT_NEAR(layers[2].density, how.density, 5e-3 * how.density);
+}
+
 // Rough stones under a gentle tamper stay too loose, until they are less rough.
 TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
 {

@@ -25,6 +25,9 @@ struct PouringParameters
   /// Asked of stones under `level_pressure`: mass over volume of the room up to
   /// the tamper; 0: the layers are not tamped [kg/m^3].
   double density = 0.;
+  /// Layers that the next ones will press on may stay looser: the first by this
+  /// share of the density, the last by none (undercompaction, Ladd 1978) [-].
+  double undercompaction = 0.;
   double friction = 0.2; ///< stone on stone until the last layer is in
   /// Of the cloud that falls; less where stones do not find a place [-].
   double solid_fraction = 0.2;
