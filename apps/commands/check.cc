@@ -157,7 +157,7 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   recorder.start();
   const bool is_prepared = test.stage() != Stage::preparation;
   const double preparing_step = test.time_step();
-  test.hasten();
+  const bool is_packed = test.hasten();
   const int n_cycles = parameters.loading.n_cycles();
   const double duration =
       test.period() * n_cycles + parameters.loading.consolidation_time;
@@ -165,6 +165,9 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
       run_a_while(parameters, test, recorder, {duration, test.period()},
                   [&test] { return test.stage() == Stage::done; });
   print_predicted(duration, step);
+  if (!is_packed)
+    std::printf("too low          the specimen was still loose after the time "
+                "for packing: --preparations DIR times one that is kept\n");
   if (!is_prepared)
     print_preparing(test.preparation_time(), preparing_step, test.engine());
   if (parameters.cycle_jump.is_on())

@@ -176,7 +176,7 @@ void add_bar(vtkRenderer *renderer, vtkLookupTable *colours,
   bar->SetLookupTable(colours);
   bar->SetTitle(title.c_str());
   bar->SetNumberOfLabels(6);
-  bar->SetLabelFormat("%.2g");
+  bar->SetLabelFormat("%.3g");
   bar->UnconstrainedFontSizeOn();
   for (vtkTextProperty *text :
        {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})

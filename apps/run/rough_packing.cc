@@ -81,13 +81,18 @@ void relax(dem::Engine &engine, double longest_step, int n_rounds)
   }
 }
 
-void run_roughly(dem::Engine &engine, double longest_step,
+bool run_roughly(dem::Engine &engine, double longest_step,
                  const std::function<void(double)> &steer,
                  const std::function<bool()> &is_over)
 {
   const Stopwatch spent;
-  while (!is_over() && spent.seconds() < patience)
+  bool is_there = is_over();
+  while (!is_there && spent.seconds() < patience)
+  {
     run_a_little(engine, longest_step, steer);
+    is_there = is_over();
+  }
+  return is_there;
 }
 
 void press(dem::Engine &engine, std::size_t plane, double load,

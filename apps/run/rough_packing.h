@@ -24,9 +24,9 @@ std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
 /// as contacts allow and at most this long [s].
 void relax(dem::Engine &engine, double longest_step, int n_rounds = 60);
 
-/// Steps like those of relax() until it is over, or for forty seconds; `steer`
-/// comes before each with its length [s].
-void run_roughly(dem::Engine &engine, double longest_step,
+/// Steps like those of relax() until it is over, or for forty seconds: then
+/// false; `steer` comes before each with its length [s].
+bool run_roughly(dem::Engine &engine, double longest_step,
                  const std::function<void(double)> &steer,
                  const std::function<bool()> &is_over);
 

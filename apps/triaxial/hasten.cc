@@ -63,10 +63,10 @@ double Triaxial::preparation_time() const
 /// The cloud is drawn together to the solid fraction that is expected, and let
 /// come near to the pressure; true surfaces no further than until they press,
 /// and the walls do the rest.
-void Triaxial::hasten()
+bool Triaxial::hasten()
 {
   if (now != Stage::preparation)
-    return;
+    return true;
   const SpecimenParameters &s = parameters.specimen;
   const double shrink = std::cbrt(s.initial_solid_fraction / s.solid_fraction);
   const bool has_surfaces = engine().particles().follows_surfaces;
@@ -81,7 +81,7 @@ void Triaxial::hasten()
     draw_together(engine(), shrink);
     relax(engine(), time_step());
   }
-  run_roughly(
+  const bool is_packed = run_roughly(
       engine(), time_step(),
       [this](double step) { servo.update(engine(), step); },
       [&]
@@ -94,5 +94,6 @@ void Triaxial::hasten()
       });
   watch.look(engine(), {}, time_step());
   hand_over();
+  return is_packed;
 }
 } // namespace spall

@@ -114,11 +114,12 @@ public:
   {
     call_prepared = std::move(call);
   }
-  /// Past the preparation by shortcuts, to see what steps cost: what is
-  /// measured from then on is worth nothing.
   /// What the preparation will take in all, about [s].
   double preparation_time() const;
-  void hasten();
+  /// Past the preparation by shortcuts, to see what steps cost: what is
+  /// measured from then on is worth nothing. False if the specimen was still
+  /// loose when its time for that was over: steps will cost more.
+  bool hasten();
   /// The specimen at that moment, bit for bit, and back from there into any
   /// test of the same preparation_text(): the test goes on with the
   /// consolidation as if it had prepared itself.
