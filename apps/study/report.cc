@@ -95,6 +95,10 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   if (key.is_variant())
     for (const Level &level : levels)
       chart.x_names.push_back(level.value);
+  const double gap =
+      levels.empty()
+          ? 0.
+          : series_gap * (along(levels.back().x) - along(levels.front().x));
   for (std::size_t n = 0; n < series.size(); ++n)
   {
     Curve look;
@@ -107,10 +111,8 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
           series[n].where_value);
     const double place =
         static_cast<double>(n) - 0.5 * static_cast<double>(series.size() - 1);
-    add_levels(levels_of(data, series[n], outcome), along,
-               place * series_gap *
-                   (along(levels.back().x) - along(levels.front().x)),
-               look, chart);
+    add_levels(levels_of(data, series[n], outcome), along, place * gap, look,
+               chart);
   }
   if (chart.curves.empty())
     chart.notes.push_back("no case of this sweep gave " + name + ".");

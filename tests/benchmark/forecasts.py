@@ -25,7 +25,7 @@ from bench_runs import table
 CASES = pathlib.Path(__file__).resolve().parents[2] / "data" / "cases"
 SURFACES = ["Contact/geometry=surface", "Contact/wall_geometry=surface",
             "Stone/rolling_friction=0"]
-# As the base of data/studies/presets.prm.
+# Few weak stones between rigid sides.
 SMALL = ["CycleJump/tolerance=0", "Specimen/side=0.075",
          "Specimen/initial_solid_fraction=0.2", "Boundary/lateral=rigid",
          "Coupling/exchange=none", "Breakage/fracture_energy=2e3",

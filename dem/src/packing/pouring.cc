@@ -89,7 +89,9 @@ double Pouring::expected_time(const Vec3 &gravity) const
     const double cloud =
         volume / (parameters.solid_fraction * room.section()); // [m]
     const double tamping =
-        2. * layer.front().circumscribed_radius / parameters.tamper_speed;
+        parameters.density > 0.
+            ? 2. * layer.front().circumscribed_radius / parameters.tamper_speed
+            : 0.;
     sum += filled / whole *
            (n_falls * std::sqrt(2. * cloud / gravity.norm()) + tamping);
   }
