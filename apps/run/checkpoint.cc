@@ -157,6 +157,14 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
               });
 }
 
+bool is_of_this_version(const std::filesystem::path &path)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::uint64_t mark = 0;
+  in.read(reinterpret_cast<char *>(&mark), sizeof mark);
+  return in && mark == magic;
+}
+
 void require_checkpoint(const std::filesystem::path &path)
 {
   if (!std::ifstream(path, std::ios::binary))

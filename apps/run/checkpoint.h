@@ -35,6 +35,9 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
                       const std::function<void(std::ostream &)> &save,
                       const Progressed &done);
 
+/// Whether this program could read what is at this path.
+bool is_of_this_version(const std::filesystem::path &path);
+
 /// Throws InputError if there is no checkpoint at this path.
 void require_checkpoint(const std::filesystem::path &path);
 

@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "report/run_data.h"
+#include "run/checkpoint.h"
 #include "run/folder.h"
 #include "run/time_left.h"
 #include "study/programs.h"
@@ -94,8 +95,10 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
     std::vector<std::string> words = {
         "spall",     "run", file.string(),    "--out", run.string(),
         "--threads", "1",   "--preparations", shared};
-    if (is_same && fs::exists(run / "checkpoint" / "state.bin"))
-      words.emplace_back("--resume");
+    if (const fs::path state = run / "checkpoint" / "state.bin";
+        is_same && fs::exists(state))
+      words.emplace_back(is_of_this_version(state) ? "--resume"
+                                                   : "--overwrite");
     if (const int status = run_program(words, log); status != 0)
     {
       result.fault = "status " + std::to_string(status) + ": " + last_line(log);
