@@ -156,7 +156,6 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   Recorder recorder(parameters, run_folder_in(scratch));
   recorder.start();
   const bool is_prepared = test.stage() != Stage::preparation;
-  const double preparing_step = test.time_step();
   const bool is_packed = test.hasten();
   const int n_cycles = parameters.loading.n_cycles();
   const double duration =
@@ -169,7 +168,7 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
     std::printf("too low          the specimen was still loose after the time "
                 "for packing: --preparations DIR times one that is kept\n");
   if (!is_prepared)
-    print_preparing(test.preparation_time(), preparing_step, test.engine());
+    print_preparing(test.preparation_time(), test.rough_step());
   if (parameters.cycle_jump.is_on())
   {
     const int n = least_cycles(parameters.cycle_jump, n_cycles);
@@ -199,7 +198,7 @@ void check_lab(const Case &parameters, const std::string &preparations)
   recorder.start(*test);
   const bool is_preparing = test->is_preparing();
   test->hasten();
-  const double preparing_step = test->time_step();
+  const double longest = test->time_step();
   const MeanStep step =
       run_a_while(parameters, *test, recorder,
                   {test->duration(), test->period(), test->frame_interval(),
@@ -207,7 +206,8 @@ void check_lab(const Case &parameters, const std::string &preparations)
                   [&test] { return test->share_done() >= 1.; });
   print_predicted(test->duration(), step);
   if (is_preparing)
-    print_preparing(test->preparation_time(), preparing_step, test->engine());
+    print_preparing(test->preparation_time(),
+                    time_stones(test->engine(), longest));
   print_memory();
 }
 } // namespace

@@ -130,16 +130,20 @@ void print_predicted(double duration, const MeanStep &step)
               step.cost * n, n, step.length, 1e3 * step.cost);
 }
 
-void print_preparing(double duration, double length, dem::Engine &engine)
+MeanStep time_stones(dem::Engine &engine, double length)
 {
-  constexpr double long_enough = 0.5; // [s]
   const Stopwatch watch;
-  int n_steps = 0;
-  for (; n_steps == 0 || watch.seconds() < long_enough; ++n_steps)
+  int n = 0;
+  for (; n == 0 || watch.seconds() < 0.1 * half; ++n)
     engine.advance_unseen(length);
-  const double n = duration / length;
+  return {length, watch.seconds() / n};
+}
+
+void print_preparing(double duration, const MeanStep &step)
+{
+  const double n = duration / step.length;
   std::printf("to prepare       about %.2g s before that for some %.2g steps: "
               "a guess, to a factor of two\n",
-              watch.seconds() / n_steps * n, n);
+              step.cost * n, n);
 }
 } // namespace spall

@@ -51,7 +51,9 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
 /// The line for a test of this length after its preparation [s].
 void print_predicted(double duration, const MeanStep &step);
 
-/// And for its preparation, of this length in steps so long [s], each at the
-/// cost of the stones without what is coupled to them, which is measured now.
-void print_preparing(double duration, double length, dem::Engine &engine);
+/// Steps of the stones alone, of this length [s], for half a second.
+MeanStep time_stones(dem::Engine &engine, double length);
+
+/// And for its preparation, of this length in such steps [s].
+void print_preparing(double duration, const MeanStep &step);
 } // namespace spall

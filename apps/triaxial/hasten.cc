@@ -2,8 +2,8 @@
 #include "run/rough_packing.h"
 #include "triaxial/triaxial.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace spall
 {
@@ -14,8 +14,9 @@ namespace
 constexpr int n_pulls = 40, n_rounds = 4;
 constexpr double unrest = 0.02;
 constexpr double patience = 40.; // for pulls [s]
-/// What stones take to come to rest for each metre of the specimen: of
-/// limestone at 30 kPa 0.8 to 1.05 [s/m] (docs/theory/preparation.md).
+/// What stones take to come to rest over the cube root of the volume of the
+/// specimen: of limestone at 30 kPa 0.8 to 1.05 [s/m]
+/// (docs/theory/preparation.md).
 constexpr double rest_per_metre = 0.95;
 
 /// About the origin, stones and walls.
@@ -51,8 +52,10 @@ void draw_gently(dem::Engine &engine, double factor, double longest_step,
 double Triaxial::preparation_time() const
 {
   const SpecimenParameters &s = parameters.specimen;
-  const double length =
-      s.form == SpecimenForm::box ? s.side : std::max(s.diameter, s.height);
+  const bool is_box = s.form == SpecimenForm::box;
+  const double length = is_box ? s.side
+                               : std::cbrt(0.25 * std::numbers::pi *
+                                           s.diameter * s.diameter * s.height);
   const double grown = std::cbrt(s.solid_fraction / s.initial_solid_fraction);
   // Walls on both sides.
   const double closing =
@@ -93,6 +96,7 @@ bool Triaxial::hasten()
                                             engine().pairs()) < unrest);
       });
   watch.look(engine(), {}, time_step());
+  preparing = time_stones(engine(), time_step());
   hand_over();
   return is_packed;
 }

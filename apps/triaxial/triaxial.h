@@ -1,5 +1,6 @@
 #pragma once
 
+#include "run/forecast.h"
 #include "run/pace.h"
 #include "run/sample.h"
 #include "run/step_probe.h"
@@ -120,6 +121,8 @@ public:
   /// measured from then on is worth nothing. False if the specimen was still
   /// loose when its time for that was over: steps will cost more.
   bool hasten();
+  /// What a step of the preparation costs, as hasten() has found.
+  const MeanStep &rough_step() const { return preparing; }
   /// The specimen at that moment, bit for bit, and back from there into any
   /// test of the same preparation_text(): the test goes on with the
   /// consolidation as if it had prepared itself.
@@ -200,6 +203,7 @@ private:
   std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;
   coupling::CellBody *cell = nullptr; ///< of `joined`
+  MeanStep preparing;
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
   double area = 0.;            ///< of the plate [m^2]
   double pressure = 0.;        ///< on the membrane now [Pa]
