@@ -1,11 +1,14 @@
 #include "study/measured.h"
 
+#include "case/fields.h"
+#include "case/parameter.h"
 #include "errors.h"
 #include "report/run_data.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 namespace spall
 {
@@ -18,6 +21,18 @@ bool says(const std::vector<double> &column, std::size_t row,
   constexpr double rounding = 1e-9;
   const double number = std::atof(value.c_str());
   return std::abs(column[row] - number) <= rounding * std::abs(number);
+}
+
+/// Columns of the table that are keys of the case, with the values of these.
+std::map<std::string, std::string>
+case_values(const Table &table, const Study &study, const StudyPoint &point)
+{
+  Case parameters = read_case(study.case_file, point.overrides);
+  std::map<std::string, std::string> values;
+  for (const Parameter &key : parameters_of(parameters))
+    if (const std::string name = key.section + "/" + key.key; table.find(name))
+      values[name] = value_text(key);
+  return values;
 }
 } // namespace
 
@@ -33,15 +48,14 @@ MeasuredPoints measured_points(const StudyData &data, const Cut &cut,
   const Table table = read_table(study.measured);
   if (!table.find(study.keys[cut.key].name()))
     return {};
+  auto values = case_values(table, study, *of_sweep);
+  values[study.keys[cut.key].name()] = value;
   MeasuredPoints points;
   for (std::size_t row = 0; row < table.n_rows(); ++row)
   {
-    bool is_of_it = true;
-    for (std::size_t k = 0; k < study.keys.size(); ++k)
-      if (const auto *column = table.find(study.keys[k].name()))
-        is_of_it = is_of_it && says(*column, row,
-                                    k == cut.key ? value : of_sweep->values[k]);
-    if (!is_of_it)
+    if (!std::ranges::all_of(
+            values, [&](const auto &key)
+            { return says(*table.find(key.first), row, key.second); }))
       continue;
     points.x.push_back((*table.find(study.curve_x))[row]);
     points.y.push_back((*table.find(study.curve_y))[row]);

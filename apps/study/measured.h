@@ -10,9 +10,9 @@ struct MeasuredPoints
   std::vector<double> x, y;
 };
 
-/// Of Study::measured, those at this value of a key with the other keys in the
-/// base case, or the first of the sweep; none without a file or a column of
-/// that key.
+/// Of Study::measured, those at this value of a key with all other keys that
+/// are columns of the file as in the base case, or the first of the sweep; none
+/// without a file or a column of that key.
 MeasuredPoints measured_points(const StudyData &data, const Cut &cut,
                                const std::string &value);
 

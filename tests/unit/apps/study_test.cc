@@ -125,6 +125,10 @@ TEST_F(StudyFile, MeasuredPointsAreThoseOfTheValue)
   EXPECT_EQ(at("2000").y, (std::vector<double>{5., 6.}));
   EXPECT_EQ(at("2750").y, (std::vector<double>{8.}));
   EXPECT_TRUE(at("3000").x.empty());
+  // Keys that are not swept count as the case has them.
+  write("m.csv", "Stone/density,Stone/friction,time_s,force_N\n"
+                 "2000,0.5,0.1,5\n2000,0.7,0.1,6\n");
+  EXPECT_EQ(at("2000").y, (std::vector<double>{5.}));
   write("m.csv", "Stone/friction,time_s,force_N\n0.5,0.1,5\n");
   EXPECT_THROW(read_study(write("m.prm", text)), InputError);
 }
