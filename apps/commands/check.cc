@@ -155,8 +155,7 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   const ScratchFolder scratch;
   Recorder recorder(parameters, run_folder_in(scratch));
   recorder.start();
-  const bool is_prepared = test.stage() != Stage::preparation;
-  const bool is_packed = test.hasten();
+  const Hastened hastened = test.hasten();
   const int n_cycles = parameters.loading.n_cycles();
   const double duration =
       test.period() * n_cycles + parameters.loading.consolidation_time;
@@ -164,11 +163,11 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
       run_a_while(parameters, test, recorder, {duration, test.period()},
                   [&test] { return test.stage() == Stage::done; });
   print_predicted(duration, step);
-  if (!is_packed)
+  if (!hastened.is_packed)
     std::printf("too low          the specimen was still loose after the time "
                 "for packing: --preparations DIR times one that is kept\n");
-  if (!is_prepared)
-    print_preparing(test.preparation_time(), test.rough_step());
+  if (!hastened.was_prepared)
+    print_preparing(test.preparation_time(), hastened.step);
   if (parameters.cycle_jump.is_on())
   {
     const int n = least_cycles(parameters.cycle_jump, n_cycles);

@@ -38,8 +38,7 @@ struct Difference
   double first; ///< mean there
   Estimate over_seeds;
 
-  /// Of the first value, in front of a per cent sign; what is round-off of
-  /// zero has none.
+  /// Of the first value [-]; none where that is round-off of zero.
   std::optional<double> share() const
   {
     constexpr double round_off = 1e-9;

@@ -66,10 +66,10 @@ double Triaxial::preparation_time() const
 /// The cloud is drawn together to the solid fraction that is expected, and let
 /// come near to the pressure; true surfaces no further than until they press,
 /// and the walls do the rest.
-bool Triaxial::hasten()
+Hastened Triaxial::hasten()
 {
   if (now != Stage::preparation)
-    return true;
+    return {.was_prepared = true};
   const SpecimenParameters &s = parameters.specimen;
   const double shrink = std::cbrt(s.initial_solid_fraction / s.solid_fraction);
   const bool has_surfaces = engine().particles().follows_surfaces;
@@ -84,7 +84,8 @@ bool Triaxial::hasten()
     draw_together(engine(), shrink);
     relax(engine(), time_step());
   }
-  const bool is_packed = run_roughly(
+  Hastened result;
+  result.is_packed = run_roughly(
       engine(), time_step(),
       [this](double step) { servo.update(engine(), step); },
       [&]
@@ -96,8 +97,8 @@ bool Triaxial::hasten()
                                             engine().pairs()) < unrest);
       });
   watch.look(engine(), {}, time_step());
-  preparing = time_stones(engine(), time_step());
+  result.step = time_stones(engine(), time_step());
   hand_over();
-  return is_packed;
+  return result;
 }
 } // namespace spall

@@ -27,6 +27,14 @@ enum class Stage : std::int32_t
   done
 };
 
+/// What a preparation by shortcuts has come to.
+struct Hastened
+{
+  bool was_prepared = false; ///< before, so that nothing had to be done
+  bool is_packed = true;     ///< else still loose, and steps will cost more
+  MeanStep step = {};        ///< of the stones between the walls
+};
+
 /// The dynamic triaxial test: scene and sequence, step by step.
 class Triaxial
 {
@@ -118,11 +126,8 @@ public:
   /// What the preparation will take in all, about [s].
   double preparation_time() const;
   /// Past the preparation by shortcuts, to see what steps cost: what is
-  /// measured from then on is worth nothing. False if the specimen was still
-  /// loose when its time for that was over: steps will cost more.
-  bool hasten();
-  /// What a step of the preparation costs, as hasten() has found.
-  const MeanStep &rough_step() const { return preparing; }
+  /// measured from then on is worth nothing.
+  Hastened hasten();
   /// The specimen at that moment, bit for bit, and back from there into any
   /// test of the same preparation_text(): the test goes on with the
   /// consolidation as if it had prepared itself.
@@ -203,7 +208,6 @@ private:
   std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;
   coupling::CellBody *cell = nullptr; ///< of `joined`
-  MeanStep preparing;
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
   double area = 0.;            ///< of the plate [m^2]
   double pressure = 0.;        ///< on the membrane now [Pa]

@@ -120,7 +120,8 @@ def main():
             if given.keep:
                 folder = f"{given.keep}/{name}"
             rows.append(row(given.spall, name, folder))
-    print(table(["case", "preparation, s", "forecast (ratio)", "run, s", "forecast (ratio)",
+    print(table(["case", "preparation, s", "forecast (ratio)", "run, s",
+                 "forecast (ratio)",
                  "forecast from kept stones (ratio)", "peak, MiB",
                  "forecast (ratio)"], rows))
 
