@@ -68,23 +68,26 @@ const SearchMargin::Cost &cost_of_list(ContactGeometry geometry)
 
 /// Throws std::runtime_error where stones leap, before they are lost to all
 /// lists and their places to numbers.
-void require_sane(double fastest, double time_step, double largest_radius)
+void require_sane(double fastest, double time_step, const Particles &stones)
 {
   constexpr double most = 100.; // radii in one step
-  if (fastest * time_step <= most * largest_radius)
+  const double leap = fastest * time_step;
+  // Nearly always any stone is large enough.
+  if (leap == 0. || leap <= most * stones.radius(0) ||
+      leap <= most * stones.largest_radius())
     return;
   char text[160];
   std::snprintf(text, sizeof text,
                 "stones leap by %.3g m in a step of %.3g s, more than a "
                 "hundred of their radii: the step is too long",
-                fastest * time_step, time_step);
+                leap, time_step);
   throw std::runtime_error(text);
 }
 } // namespace
 
 void Engine::keep_lists(const Speeds &fastest, double time_step)
 {
-  require_sane(fastest.moving, time_step, stones.largest_radius());
+  require_sane(fastest.moving, time_step, stones);
   const double rigid = fastest_wall(walls, barrel),
                sheet = fastest_vertex(facet_surfaces),
                boundary = std::max(rigid, sheet);
