@@ -124,8 +124,14 @@ enum class LoadForm
 struct CouplingParameters
 {
   ExchangeChoice exchange = ExchangeChoice::none;
-  /// Rule and limit of the ledger are those given here.
-  coupling::ExchangeParameters rules;
+  /// Rule and limit of the ledger are those given here. The tolerance is the
+  /// cheapest of docs/verification/error_of_boundary.md.
+  coupling::ExchangeParameters rules = []
+  {
+    coupling::ExchangeParameters usual;
+    usual.tolerance = 1e-7;
+    return usual;
+  }();
   double ledger_limit = 0.05;    ///< see coupling::ExchangeParameters [-]
   bool is_body_implicit = false; ///< membrane or subgrade
   int body_steps = 1;            ///< of it in one window [-]
@@ -176,6 +182,18 @@ struct TimeParameters
   double force_tolerance = 0.01;  ///< of a load cycle, rule error [-]
   double energy_tolerance = 0.01; ///< of a load cycle, rule error [-]
   double local_damping = 0.5;     ///< D_a while loading (article, Table 2) [-]
+
+  /// While stones are prepared: a share of the stable step; 0: as here.
+  TimeParameters preparing(double own_safety) const
+  {
+    TimeParameters rule = *this;
+    if (own_safety > 0.)
+    {
+      rule.step = StepRule::stable;
+      rule.safety = own_safety;
+    }
+    return rule;
+  }
 };
 
 struct OutputParameters

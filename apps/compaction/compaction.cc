@@ -35,10 +35,8 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
   pouring.prepare(engine());
   if (!fills_by_own_steps())
     return;
-  TimeParameters rule = parameters.time;
-  rule.step = StepRule::stable;
-  rule.safety = c.filling.safety;
-  begin_steps(rule, dem::critical_step(engine().parameters(), scene.all).step);
+  begin_steps(c.time.preparing(c.filling.safety),
+              dem::critical_step(engine().parameters(), scene.all).step);
 }
 
 const dem::Plane &Compaction::plate_plane() const

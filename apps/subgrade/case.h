@@ -33,6 +33,7 @@ struct LayerParameters
   double local_damping = 0.3;          ///< D_a until loading begins [-]
   double unbalanced_ratio = 5e-3; ///< resultant forces over weight at rest [-]
   double max_time = 2.; ///< for a layer, and for the plate, to come to rest [s]
+  double safety = 0.;   ///< share of the stable step; 0: steps as later [-]
 };
 
 enum class PlateForm

@@ -54,6 +54,11 @@ void add_layer(List &list, LayerParameters &l)
             "For a layer, and for the plate, to come to rest; then the run "
             "fails."},
            l.max_time, above(0., 1e4));
+  list.add({"safety", "-",
+            "Above 0: share of the stable step while pouring, so that cases "
+            "with other steps in Time share what is poured; 0: steps as Time "
+            "says."},
+           l.safety, between(0., 1.));
 }
 
 void add_plate(List &list, LoadPlateParameters &p)

@@ -124,6 +124,8 @@ void Subgrade::restore(std::istream &in)
   dem::read_column(in, bowl);
   record.restore(in);
   pouring.restore(in);
+  if (now.stage >= Stage::placing && pours_by_own_steps())
+    change_steps(parameters.time, step_limit().step);
   if (now.stage >= Stage::placing)
     build_plate(now.plate_start);
   if (now.stage >= Stage::loading)

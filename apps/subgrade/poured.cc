@@ -38,7 +38,8 @@ std::string poured_text(const Case &parameters, const ShapeLibrary &shapes,
                         const fem::SurfaceMesh &top,
                         std::span<const double> mass)
 {
-  return preparation_text(parameters, poured_keys(), shapes, 0.,
+  return preparation_text(parameters, poured_keys(), shapes,
+                          parameters.subgrade.layer.safety,
                           [](const Parameter &) { return false; }) +
          "top of the ground = " + digest_of(top, mass) + "\n";
 }

@@ -67,7 +67,7 @@ Subgrade::Subgrade(const Case &c, StoneBox its_scene)
   }
   dead_stress.assign(stress_names.size(), 0.);
   peak_stress = dead_stress;
-  pouring.prepare(engine());
+  begin_pouring();
 }
 
 void Subgrade::build_ground()
@@ -202,23 +202,6 @@ bool Subgrade::is_at_rest() const
          dem::unbalanced_weight_ratio(engine().particles(),
                                       engine().parameters().gravity) <
              parameters.subgrade.layer.unbalanced_ratio;
-}
-
-void Subgrade::pour(double time_step)
-{
-  pouring.steer(engine(), time_step);
-  engine().advance_unseen(time_step);
-  if (!pouring.is_done())
-    return;
-  say_prepared();
-  set_plate_down();
-}
-
-void Subgrade::set_plate_down()
-{
-  now.placed_at = engine().time();
-  build_plate(height_above(engine().particles(), parameters.subgrade.plate));
-  now.stage = Stage::placing;
 }
 
 void Subgrade::place(double time_step)

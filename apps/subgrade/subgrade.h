@@ -86,6 +86,11 @@ private:
   void build_ground();
   void build_axis(const fem::SolidMesh &mesh);
   void build_plate(double height);
+  bool pours_by_own_steps() const
+  {
+    return parameters.subgrade.layer.safety > 0.;
+  }
+  void begin_pouring();
   void pour(double time_step);
   void pack();
   void set_plate_down();

@@ -31,13 +31,9 @@ bool Triaxial::is_fixed() const
 /// How the present stage takes its steps: the preparation may have its own.
 TimeParameters Triaxial::step_rule() const
 {
-  TimeParameters rule = parameters.time;
-  if (now == Stage::preparation && parameters.preparation.safety > 0.)
-  {
-    rule.step = StepRule::stable;
-    rule.safety = parameters.preparation.safety;
-  }
-  return rule;
+  return now == Stage::preparation
+             ? parameters.time.preparing(parameters.preparation.safety)
+             : parameters.time;
 }
 
 /// Of the stones, between two exchanges with what closes the specimen.

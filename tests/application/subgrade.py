@@ -420,7 +420,18 @@ def kept(spall, root):
     if is_taken(root / "first") or not is_taken(root / "second") or \
             not is_taken(mine):
         faults.append("the layer is not shared as it should be")
-    return faults
+    # With steps of its own the pouring does not ask for those of Time.
+    steps = ("--set", "Layer/safety=0.6")
+    finer = (*steps, "--set", "Time/fixed_step=8e-6")
+    run("steps", *store, *steps)
+    mine = run("finer", *store, *finer)
+    faults += kept_faults("finer", mine, run("finer_own", *finer))
+    if not is_taken(mine):
+        faults.append("Layer/safety: the layer is not shared")
+    words = [spall, "run", case, "--threads", 1, "--out", root / "cut", *finer]
+    faults += stop_faults(words, root / "cut", "2")
+    go([*words, "--resume"])
+    return faults + resumed_faults(root / "finer_own", root / "cut", TABLES)
 
 
 def main():

@@ -104,11 +104,15 @@ kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
 {
   kernel::ColumnsAhead ahead;
   std::size_t bytes = 0;
+  const auto is_rare = [&batch](const void *column)
+  {
+    return column == batch.factor_a.data() || column == batch.factor_b.data() ||
+           column == batch.event.data();
+  };
   const auto add = [&]<class Entry>(bool is_there, std::vector<Entry> &column)
   {
-    const void *start = column.data();
     if (!is_there || std::is_same_v<Entry, SideCurvature> ||
-        start == batch.event.data())
+        is_rare(column.data()))
       return;
     ahead.start[ahead.n] = reinterpret_cast<const char *>(column.data());
     ahead.entry_size[ahead.n++] = sizeof(Entry);

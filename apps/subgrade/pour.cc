@@ -1,0 +1,32 @@
+#include "subgrade/subgrade.h"
+
+namespace spall
+{
+/// The ground is held: nothing of it limits the steps yet.
+void Subgrade::begin_pouring()
+{
+  pouring.prepare(engine());
+  if (pours_by_own_steps())
+    begin_steps(parameters.time.preparing(parameters.subgrade.layer.safety),
+                step_limit().step);
+}
+
+void Subgrade::pour(double time_step)
+{
+  pouring.steer(engine(), time_step);
+  engine().advance_unseen(time_step);
+  if (!pouring.is_done())
+    return;
+  say_prepared();
+  set_plate_down();
+}
+
+void Subgrade::set_plate_down()
+{
+  if (pours_by_own_steps())
+    change_steps(parameters.time, step_limit().step);
+  now.placed_at = engine().time();
+  build_plate(height_above(engine().particles(), parameters.subgrade.plate));
+  now.stage = Stage::placing;
+}
+} // namespace spall
