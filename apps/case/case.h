@@ -169,7 +169,7 @@ struct CycleJumpParameters
   int first = 5;         ///< cycles before the first observation
   int observed = 4;      ///< cycles in an observation
   int settled = 7;       ///< cycles after a landing before the next one
-  int longest = 200;     ///< cycles that a jump skips at most
+  int longest = 50;      ///< cycles that a jump skips at most
 
   bool is_on() const { return tolerance > 0.; }
 };

@@ -132,6 +132,12 @@ void Engine::set_repetitions(double repetitions)
 {
   lists_are_stale |= (repetitions > 1.) != (settings.breakage.repetitions > 1.);
   settings.breakage.repetitions = repetitions;
+  const auto forget = [](ContactBatch &batch)
+  { std::fill(batch.peak.begin(), batch.peak.end(), 0.); };
+  for (ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
+    forget(*batch);
+  for (SurfaceContacts &facets : facet_surfaces)
+    forget(facets.batch);
 }
 
 void Engine::advance(double time_step)

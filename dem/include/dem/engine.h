@@ -79,7 +79,8 @@ public:
   void come_to_rest();
   /// Whether stones break from now on; off: no damage grows either.
   void set_breaking(bool is_on);
-  /// Of the rises of energy, as BreakageParameters::repetitions [-].
+  /// Of the rises of energy, as BreakageParameters::repetitions [-], of the
+  /// load that begins now: what contacts have borne before counts no longer.
   void set_repetitions(double repetitions);
 
   /// As they are at time().

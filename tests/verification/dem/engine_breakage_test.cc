@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <shape/test_shapes.h>
+#include <vector>
 
 // Stones pressed until they break, in the engine.
 namespace
@@ -187,6 +188,33 @@ double damage_of_noise(double hysteresis)
       drive(press, sign * swing / (n * press.time_step), n);
   return factor(press) - before;
 }
+
+/// Growth of the factor while pressed to a twentieth of the force of an event,
+/// let go, and pressed again, when rises count so many times.
+std::vector<double> worn_by_loads(double repetitions)
+{
+  Press press(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  std::vector<double> worn;
+  for (int load = 0; load < 3; ++load)
+  {
+    const double before = factor(press);
+    press.engine.set_repetitions(repetitions);
+    EXPECT_TRUE(press.load_to(0.05 * first_event()).empty());
+    worn.push_back(factor(press) - before);
+    press.engine.set_repetitions(1.);
+    while (press.force() > 0.01 * first_event())
+      drive(press, -slow, 1);
+    drive(press, slow, 0);
+  }
+  return worn;
+}
+
+/// Force of the spring at the upper platen, over that of the first event.
+double spring(const Press &press)
+{
+  const dem::ContactBatch &batch = press.engine.on_planes();
+  return batch.normal_force[batch.b[0] == 1 ? 0 : 1] / first_event();
+}
 } // namespace
 
 // Read literally, every swing counts its 0.1 % of a third: 500 make a sixth.
@@ -279,20 +307,24 @@ TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
 TEST(EngineBreakage, WhatMakesUpForAFallCountsOnce)
 {
   Press press(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
-  const auto spring = [&press]
-  {
-    const dem::ContactBatch &batch = press.engine.on_planes();
-    return batch.normal_force[batch.b[0] == 1 ? 0 : 1] / first_event();
-  };
   press.engine.set_repetitions(5.);
   EXPECT_TRUE(press.load_to(0.1 * first_event()).empty());
-  const double before = factor(press), highest = spring();
+  const double before = factor(press), highest = spring(press);
   while (press.force() > 0.05 * first_event())
     drive(press, -slow, 1);
-  const double lowest = spring();
+  const double lowest = spring(press);
   drive(press, slow, 0);
   EXPECT_TRUE(press.load_to(0.12 * first_event()).empty());
-  const double counted = highest - lowest + 5. * (spring() - highest);
+  const double counted = highest - lowest + 5. * (spring(press) - highest);
   EXPECT_GT(highest - lowest, 0.03);
   EXPECT_NEAR(factor(press) - before, counted, 0.01 * counted);
+}
+
+// A load cycle begins anew with each set_repetitions(): all count as often.
+TEST(EngineBreakage, EveryLoadCountsAsOften)
+{
+  const std::vector<double> once = worn_by_loads(1.), often = worn_by_loads(5.);
+  EXPECT_GT(once.back(), 0.02);
+  for (std::size_t load = 0; load < once.size(); ++load)
+    EXPECT_NEAR(often[load], 5. * once[load], 1e-6) << load;
 }

@@ -71,9 +71,9 @@ enum class InscribedSphereAt
 struct BreakageParameters
 {
   bool is_active = true; ///< stones may break at all
-  /// A rise of the energy above what it has been since counts so many times, as
-  /// if the load came back as often; one that makes up for a fall counts once.
-  /// 0: factors stay as they are and nothing breaks [-]
+  /// A rise of the energy above what it has been since this was set counts so
+  /// many times, as if the load came back as often; one that makes up for a
+  /// fall counts once. 0: factors stay as they are and nothing breaks [-]
   double repetitions = 1.;
   double fracture_energy = 1e4;      ///< G_c, breakage energy per area [J/m^2]
   double min_ball_radius = 2e-3;     ///< no further breakage below this [m]
