@@ -201,19 +201,12 @@ std::vector<double> worn_by_loads(double repetitions)
     press.engine.set_repetitions(repetitions);
     EXPECT_TRUE(press.load_to(0.05 * first_event()).empty());
     worn.push_back(factor(press) - before);
-    press.engine.set_repetitions(1.);
     while (press.force() > 0.01 * first_event())
       drive(press, -slow, 1);
     drive(press, slow, 0);
+    press.engine.set_repetitions(1.); // between two steps, as a jump does
   }
   return worn;
-}
-
-/// Force of the spring at the upper platen, over that of the first event.
-double spring(const Press &press)
-{
-  const dem::ContactBatch &batch = press.engine.on_planes();
-  return batch.normal_force[batch.b[0] == 1 ? 0 : 1] / first_event();
 }
 } // namespace
 
@@ -307,15 +300,20 @@ TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
 TEST(EngineBreakage, WhatMakesUpForAFallCountsOnce)
 {
   Press press(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  const auto spring = [&press]
+  {
+    const dem::ContactBatch &batch = press.engine.on_planes();
+    return batch.normal_force[batch.b[0] == 1 ? 0 : 1] / first_event();
+  };
   press.engine.set_repetitions(5.);
   EXPECT_TRUE(press.load_to(0.1 * first_event()).empty());
-  const double before = factor(press), highest = spring(press);
+  const double before = factor(press), highest = spring();
   while (press.force() > 0.05 * first_event())
     drive(press, -slow, 1);
-  const double lowest = spring(press);
+  const double lowest = spring();
   drive(press, slow, 0);
   EXPECT_TRUE(press.load_to(0.12 * first_event()).empty());
-  const double counted = highest - lowest + 5. * (spring(press) - highest);
+  const double counted = highest - lowest + 5. * (spring() - highest);
   EXPECT_GT(highest - lowest, 0.03);
   EXPECT_NEAR(factor(press) - before, counted, 0.01 * counted);
 }
