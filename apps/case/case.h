@@ -291,6 +291,20 @@ struct Case
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
 
+  /// While stones are prepared: with steps of their own they also have contacts
+  /// and lists renewed by the tolerances of the program.
+  dem::GeometryParameters contact_preparing(double own_safety) const
+  {
+    dem::GeometryParameters geometry = contact;
+    if (own_safety > 0.)
+    {
+      const dem::GeometryParameters usual;
+      geometry.refresh_tolerance = usual.refresh_tolerance;
+      geometry.search_margin = usual.search_margin;
+    }
+    return geometry;
+  }
+
   /// Whether a membrane is round the stones.
   Lateral lateral() const
   {

@@ -184,10 +184,12 @@ void check_lab(const Case &parameters, const std::string &preparations)
 {
   const std::unique_ptr<LabTest> test = make_lab_test(parameters);
   print_stones(test->all_stones());
+  const SetupStep *setup = test->setup_step();
+  const dem::StepLimit &limit = test->step_limit();
   std::printf("time step        %.4g s, at most %.4g s (%s)\n",
-              test->time_step(), test->step_limit().step,
-              test->step_limit().reason.c_str());
-  if (const SetupStep *setup = test->setup_step(); setup && setup->gain)
+              setup ? setup->step : first_step(parameters, limit), limit.step,
+              limit.reason.c_str());
+  if (setup && setup->gain)
     print_exchange(*setup, parameters.coupling.rules.stone_steps);
   test->describe();
   take_kept(find_store(preparations, test->preparation_text()), *test);
@@ -195,18 +197,16 @@ void check_lab(const Case &parameters, const std::string &preparations)
   const ScratchFolder scratch;
   LabRecorder recorder(parameters, run_folder_in(scratch));
   recorder.start(*test);
-  const bool is_preparing = test->is_preparing();
-  test->hasten();
-  const double longest = test->time_step();
+  const double preparing = test->hasten();
   const MeanStep step =
       run_a_while(parameters, *test, recorder,
                   {test->duration(), test->period(), test->frame_interval(),
                    [&recorder] { return recorder.n_written(); }},
                   [&test] { return test->share_done() >= 1.; });
   print_predicted(test->duration(), step);
-  if (is_preparing)
+  if (preparing > 0.)
     print_preparing(test->preparation_time(),
-                    time_stones(test->engine(), longest));
+                    time_stones(test->engine(), preparing));
   print_memory();
 }
 } // namespace

@@ -105,6 +105,8 @@ void Compaction::hand_over(double plate_height)
 {
   if (fills_by_own_steps())
     change_steps(parameters.time, step_limit().step);
+  engine().set_renewal(parameters.contact.refresh_tolerance,
+                       parameters.contact.search_margin);
   engine().set_local_damping(parameters.time.local_damping);
   warn_of_density();
   now.stage = Stage::seating;

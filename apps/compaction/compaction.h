@@ -40,7 +40,7 @@ public:
   const dem::Particles &all_stones() const override { return scene.all; }
   int steps_in_move() const override;
   double preparation_time() const override;
-  void hasten() override;
+  double hasten() override;
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int periods) override;
   bool ends_early() const override

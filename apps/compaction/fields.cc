@@ -73,8 +73,10 @@ void add_filling(List &list, FillingParameters &f)
   list.add({"max_time", "s", "The filling fails if a layer takes longer."},
            f.max_time, above(0., 1e4));
   list.add({"safety", "-",
-            "Above 0: share of the stable step while filling, so that cases "
-            "with other steps in Time share a filling; 0: steps as Time says."},
+            "Above 0: share of the stable step while filling, with the usual "
+            "Contact/refresh_tolerance and search_margin, so that cases with "
+            "others and other steps in Time share a filling; 0: as Contact and "
+            "Time say."},
            f.safety, between(0., 1.));
 }
 

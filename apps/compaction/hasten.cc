@@ -13,12 +13,15 @@ double Compaction::preparation_time() const
   return pouring.expected_time(engine().parameters().gravity);
 }
 
-void Compaction::hasten()
+double Compaction::hasten()
 {
+  double preparing = 0.;
   const auto at_plate = [this] { return plate_plane().point.z(); };
   if (now.stage == Stage::filling)
   {
     pack();
+    look_at_contacts();
+    preparing = time_step();
     hand_over(at_plate());
   }
   if (!joined)
@@ -26,6 +29,7 @@ void Compaction::hasten()
   let_go(engine().time() - parameters.plate.seating_time);
   start_vibration();
   look_at_contacts();
+  return preparing;
 }
 
 /// What the filling would come to, about.

@@ -54,7 +54,7 @@ dem::EngineParameters engine_settings(const Case &parameters)
   settings.surface = parameters.lateral() == Lateral::membrane
                          ? parameters.membrane_contact
                          : parameters.wall;
-  settings.geometry = parameters.contact;
+  settings.geometry = parameters.contact_preparing(parameters.filling.safety);
   settings.friction_limit = parameters.friction_limit;
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.filling.local_damping;

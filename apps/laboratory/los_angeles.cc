@@ -195,10 +195,11 @@ double LosAngeles::period() const
 }
 
 /// Until the stones have fallen, and the drum turns.
-void LosAngeles::hasten()
+double LosAngeles::hasten()
 {
   while (!is_turning)
     advance();
+  return 0.;
 }
 
 std::string LosAngeles::phase() const

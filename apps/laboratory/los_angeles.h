@@ -17,7 +17,7 @@ public:
   double share_done() const override;
   double duration() const override;
   double period() const override; ///< of a turn [s]
-  void hasten() override;
+  double hasten() override;
   std::string phase() const override;
   Due due() const override;
   FrameParts frame_parts() const override;

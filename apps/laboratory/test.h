@@ -82,8 +82,10 @@ public:
   virtual double preparation_time() const { return 0.; }
   /// On to what a step costs for most of duration(), from the beginning or from
   /// where the stones are prepared, and by shortcuts: what is measured from
-  /// then on is worth nothing. Throws as advance() does.
-  virtual void hasten() {}
+  /// then on is worth nothing. Returns the step of the preparation once stones
+  /// press on each other; 0: there is none to come [s]. Throws as advance()
+  /// does.
+  virtual double hasten() { return 0.; }
 
   /// The row of history.csv now: what the test measures, then counts and
   /// energies.

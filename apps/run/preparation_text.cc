@@ -85,6 +85,9 @@ bool has_no_use(const Case &of, const Parameter &parameter, bool has_own_steps)
 {
   if (CaseKey{"Breakage", "quadrature_rings"}.names(parameter))
     return of.breakage.inscribed == dem::InscribedSphereAt::origin;
+  if (CaseKey{"Contact", "refresh_tolerance"}.names(parameter) ||
+      CaseKey{"Contact", "search_margin"}.names(parameter))
+    return has_own_steps;
   const bool is_fixed = of.time.step == StepRule::fixed;
   if (parameter.section == "Time")
     return has_own_steps || (parameter.key == "fixed_step" && !is_fixed) ||

@@ -37,9 +37,9 @@ bool lists(std::span<const CaseKey> keys, const Parameter &parameter);
 /// What decides the prepared stones, one line each: the version, then the
 /// deciding keys; of the keys `gradation` and `shapes`, which name files, their
 /// contents. Left out is what the case has no use for: by `is_unused`, and of
-/// the steps what Time does not ask for, or all of it where the preparation has
-/// steps of its own (`own_safety` > 0). The same text, the same stones bit for
-/// bit.
+/// the steps what Time does not ask for, or all of it and the tolerances of
+/// Contact where the preparation has its own (`own_safety` > 0). The same text,
+/// the same stones bit for bit.
 std::string
 preparation_text(const Case &parameters, const PreparationKeys &keys,
                  const ShapeLibrary &shapes, double own_safety,

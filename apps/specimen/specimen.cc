@@ -62,7 +62,7 @@ dem::EngineParameters engine_parameters(const Case &parameters)
   engine.surface = parameters.boundary.lateral == Lateral::membrane
                        ? parameters.membrane_contact
                        : parameters.wall;
-  engine.geometry = parameters.contact;
+  engine.geometry = parameters.contact_preparing(parameters.preparation.safety);
   engine.friction_limit = parameters.friction_limit;
   engine.breakage = parameters.breakage;
   engine.local_damping = parameters.preparation.local_damping;

@@ -55,9 +55,10 @@ void add_layer(List &list, LayerParameters &l)
             "fails."},
            l.max_time, above(0., 1e4));
   list.add({"safety", "-",
-            "Above 0: share of the stable step while pouring, so that cases "
-            "with other steps in Time share what is poured; 0: steps as Time "
-            "says."},
+            "Above 0: share of the stable step while pouring, with the usual "
+            "Contact/refresh_tolerance and search_margin, so that cases with "
+            "others and other steps in Time share what is poured; 0: as "
+            "Contact and Time say."},
            l.safety, between(0., 1.));
 }
 

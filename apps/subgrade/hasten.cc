@@ -9,16 +9,20 @@ double Subgrade::preparation_time() const
   return pouring.expected_time(engine().parameters().gravity);
 }
 
-void Subgrade::hasten()
+double Subgrade::hasten()
 {
+  double preparing = 0.;
   if (now.stage == Stage::pouring)
   {
     pack();
+    look_at_contacts();
+    preparing = time_step();
     set_plate_down();
   }
   if (now.stage == Stage::placing)
     start_loading();
   look_at_contacts();
+  return preparing;
 }
 
 /// What the pouring would come to, about, as far as the plate presses on it.

@@ -25,6 +25,8 @@ void Subgrade::set_plate_down()
 {
   if (pours_by_own_steps())
     change_steps(parameters.time, step_limit().step);
+  engine().set_renewal(parameters.contact.refresh_tolerance,
+                       parameters.contact.search_margin);
   now.placed_at = engine().time();
   build_plate(height_above(engine().particles(), parameters.subgrade.plate));
   now.stage = Stage::placing;

@@ -38,7 +38,7 @@ dem::EngineParameters engine_settings(const Case &c)
   settings.stone = c.stone;
   settings.wall = c.wall;
   settings.surface = c.subgrade.contact;
-  settings.geometry = c.contact;
+  settings.geometry = c.contact_preparing(c.subgrade.layer.safety);
   settings.friction_limit = c.friction_limit;
   settings.breakage = c.breakage;
   settings.local_damping = c.subgrade.layer.local_damping;

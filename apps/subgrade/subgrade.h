@@ -43,7 +43,7 @@ public:
   const dem::Particles &all_stones() const override { return scene.all; }
   void describe() const override;
   double preparation_time() const override;
-  void hasten() override;
+  double hasten() override;
   int steps_in_move() const override;
 
 private:

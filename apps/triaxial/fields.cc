@@ -62,8 +62,10 @@ void add_preparation(List &list, PreparationParameters &p)
       p.max_time, above(0., 1e4));
   list.add(
       {"safety", "-",
-       "Above 0: share of the stable step while compacting, so that cases "
-       "with other steps in Time share a specimen; 0: steps as Time says."},
+       "Above 0: share of the stable step while compacting, with the usual "
+       "Contact/refresh_tolerance and search_margin, so that cases with "
+       "others and other steps in Time share a specimen; 0: as Contact and "
+       "Time say."},
       p.safety, between(0., 1.));
 }
 } // namespace spall

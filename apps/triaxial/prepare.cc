@@ -151,6 +151,8 @@ void Triaxial::place_boundaries()
   engine().come_to_rest();
   engine().set_friction(parameters.stone.friction);
   engine().set_local_damping(parameters.time.local_damping);
+  engine().set_renewal(parameters.contact.refresh_tolerance,
+                       parameters.contact.search_margin);
   plane_work_gone = top_plane().work;
   build_cell();
   if (specimen.walls.is_round && membrane())

@@ -109,6 +109,12 @@ void Engine::set_local_damping(double damping)
   settings.local_damping = damping;
 }
 
+void Engine::set_renewal(double refresh_tolerance, double search_margin)
+{
+  settings.geometry.refresh_tolerance = refresh_tolerance;
+  settings.geometry.search_margin = margin.given = search_margin;
+}
+
 void Engine::come_to_rest()
 {
   finish_kick();

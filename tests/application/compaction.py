@@ -189,9 +189,12 @@ def filling_faults(words, root):
         said = (root / "other" / "log.txt").read_text()
         if ("preparation taken" in said) != is_shared:
             faults.append(f"{setting}: {said}")
-    # With steps of its own the filling does not ask for those of Time.
+    # With steps of its own the filling asks neither for those of Time nor for
+    # the tolerances of Contact.
     own = ("--until", 1, "--set", "Filling/safety=0.6")
-    other = (*own, "--set", "Time/safety=0.5")
+    other = (*own, "--set", "Time/safety=0.5",
+             "--set", "Contact/refresh_tolerance=0.02",
+             "--set", "Contact/search_margin=1e-3")
     spall_run(words("own", *own, *store))
     spall_run(words("own_taken", *other, *store))
     spall_run(words("own_filled", *other))

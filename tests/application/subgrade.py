@@ -420,9 +420,12 @@ def kept(spall, root):
     if is_taken(root / "first") or not is_taken(root / "second") or \
             not is_taken(mine):
         faults.append("the layer is not shared as it should be")
-    # With steps of its own the pouring does not ask for those of Time.
+    # With steps of its own the pouring asks neither for those of Time nor for
+    # the tolerances of Contact.
     steps = ("--set", "Layer/safety=0.6")
-    finer = (*steps, "--set", "Time/fixed_step=8e-6")
+    finer = (*steps, "--set", "Time/fixed_step=8e-6",
+             "--set", "Contact/refresh_tolerance=0.001",
+             "--set", "Contact/search_margin=1e-3")
     run("steps", *store, *steps)
     mine = run("finer", *store, *finer)
     faults += kept_faults("finer", mine, run("finer_own", *finer))

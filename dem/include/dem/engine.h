@@ -75,6 +75,9 @@ public:
   const EngineParameters &parameters() const { return settings; }
   void set_friction(double friction);
   void set_local_damping(double damping);
+  /// How soon contacts and lists are renewed, as GeometryParameters has it; the
+  /// lists from the next ones on.
+  void set_renewal(double refresh_tolerance, double search_margin);
   /// Takes all velocity from the stones; booked as damping.
   void come_to_rest();
   /// Whether stones break from now on; off: no damage grows either.

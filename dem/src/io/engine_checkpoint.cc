@@ -171,6 +171,7 @@ void Engine::visit_state(Self &self, const Visit &visit)
 {
   visit(self.settings.stone.friction);
   visit(self.settings.local_damping);
+  visit(self.settings.geometry.refresh_tolerance);
   visit(self.settings.breakage.is_active);
   visit(self.settings.breakage.repetitions);
   visit(self.lists_are_stale);
