@@ -1,17 +1,15 @@
 #include "triaxial/triaxial.h"
 
-#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace spall
 {
 namespace
 {
-/// Of a shift by one cycle of the drift.
-constexpr int steps_of_shift = 100;
-constexpr double rest_of_shift = 1e-3; // [s]
-/// Less than this of a cycle is not worth a shift.
-constexpr double least_shift = 0.25;
+/// Of the way along one cycle of the drift.
+constexpr double steps_in_cycle = 100.;
+constexpr double rest_after_way = 1e-3; // [s]
 } // namespace
 
 void Triaxial::shorten_jump(const JumpPlan &refused)
@@ -64,7 +62,8 @@ void Triaxial::end_cycle()
 }
 
 /// At the peak of the load, brings the strain that the skipped cycles would
-/// have brought, and takes time and energies over.
+/// have brought by leading all along the drift, and takes time and energies
+/// over.
 void Triaxial::land()
 {
   Sample before, after;
@@ -72,9 +71,17 @@ void Triaxial::land()
   const double time = engine().time(), strain = slow_state().strain,
                missing = plan.missing_strain();
   engine().set_repetitions(0.);
-  engine().set_local_damping(parameters.preparation.local_damping);
-  const int n = drift_on(strain + missing);
-  engine().set_local_damping(parameters.time.local_damping);
+  double moved = 0.;
+  if (missing > 0.)
+  {
+    const double cycles = missing / plan.strain_rate();
+    const int n_steps = static_cast<int>(std::ceil(steps_in_cycle * cycles));
+    moved = move_along(drift, {cycles, n_steps, time_step()}, *joined, *cell,
+                       engine());
+    engine().set_local_damping(parameters.preparation.local_damping);
+    hold_load(rest_after_way);
+    engine().set_local_damping(parameters.time.local_damping);
+  }
   engine().set_repetitions(1.);
   engine().set_time(time);
   add_energies(after);
@@ -83,26 +90,8 @@ void Triaxial::land()
   text.precision(3);
   text << "cycle " << cycle() << ": jumped over " << plan.length()
        << " cycles, strain moved on by " << slow_state().strain - strain
-       << " of " << missing << " in " << n << " shifts";
+       << " of " << missing << " in " << moved << " cycles of the drift";
   watch.say(text.str());
-}
-
-/// A cycle of the drift at a time, each with a rest in which stones that have
-/// been led into each other part. Returns how many.
-int Triaxial::drift_on(double strain)
-{
-  const int most = 2 * (plan.length() + 1);
-  int n = 0;
-  for (; n < most && stopped_by.empty(); ++n)
-  {
-    const double cycles = (strain - slow_state().strain) / plan.strain_rate();
-    if (!(cycles > least_shift))
-      break;
-    move_along(drift, {std::min(1., cycles), steps_of_shift, time_step()},
-               *joined, *cell, engine());
-    hold_load(rest_of_shift);
-  }
-  return n;
 }
 
 /// For so long [s].

@@ -148,7 +148,6 @@ private:
   void after_tick();
   void end_cycle();
   void land();
-  int drift_on(double strain);
   void hold_load(double length);
   SlowState slow_state() const;
   void enter(Stage next);
