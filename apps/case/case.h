@@ -124,8 +124,8 @@ enum class LoadForm
 struct CouplingParameters
 {
   ExchangeChoice exchange = ExchangeChoice::none;
-  /// Rule and limit of the ledger are those given here. A tolerance of
-  /// 1e-9 costs six times as much (docs/verification/error_of_boundary.md).
+  /// Rule and limit of the ledger are those given here. The tolerance is the
+  /// coarsest that holds (docs/verification/error_of_boundary.md).
   coupling::ExchangeParameters rules = []
   {
     coupling::ExchangeParameters usual;

@@ -203,6 +203,10 @@ def filling_faults(words, root):
     if not later("own_filled") or later("own_taken") != later("own_filled") \
             or later("own") == later("own_taken"):
         faults.append("Filling/safety: history.csv is not that of the filling")
+    spall_run(words("own_coarse", *own, *store,
+                    "--set", "Contact/refresh_tolerance=0.02"))
+    if later("own_coarse") == later("own"):
+        faults.append("Contact/refresh_tolerance: not that of the vibration")
     return faults
 
 

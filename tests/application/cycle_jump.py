@@ -5,6 +5,7 @@ nothing behind, and a run that was stopped goes on as if it had not been.
     cycle_jump.py SPALL membrane|rigid
 """
 import pathlib
+import re
 import sys
 import tempfile
 
@@ -54,6 +55,19 @@ def account_faults(name, folder):
     return faults
 
 
+def landing_faults(folder):
+    """Strain that landings have brought, of what was missing: in cycles of two
+    milliseconds the stones spring back by some of it, or press too hard on the
+    way."""
+    landings = re.findall(r"strain moved on by (\S+) of (\S+) in",
+                          (folder / "log.txt").read_text())
+    if not landings:
+        return ["log.txt tells of no landing"]
+    return [f"a landing has brought {moved} of {missing}"
+            for moved, missing in landings
+            if not 0.3 * float(missing) < float(moved) < 1.1 * float(missing)]
+
+
 def main():
     spall, lateral = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
     with tempfile.TemporaryDirectory() as name:
@@ -67,6 +81,7 @@ def main():
         faults = account_faults("whole", root / "whole")
         if summary(root / "whole")["n_jumps"] == 0:
             faults.append("whole: it has not jumped")
+        faults += landing_faults(root / "whole")
 
         # Stopped before, within and after jumps.
         for until in (3, 9, 15):

@@ -426,11 +426,15 @@ def kept(spall, root):
     finer = (*steps, "--set", "Time/fixed_step=8e-6",
              "--set", "Contact/refresh_tolerance=0.001",
              "--set", "Contact/search_margin=1e-3")
-    run("steps", *store, *steps)
+    usual = run("steps", *store, *steps)
     mine = run("finer", *store, *finer)
     faults += kept_faults("finer", mine, run("finer_own", *finer))
     if not is_taken(mine):
         faults.append("Layer/safety: the layer is not shared")
+    narrow = run("narrow", *store, *steps,
+                 "--set", "Contact/search_margin=1e-7")
+    if summary(narrow)["n_rebuilds"] <= summary(usual)["n_rebuilds"]:
+        faults.append("Contact/search_margin: not that of the loading")
     words = [spall, "run", case, "--threads", 1, "--out", root / "cut", *finer]
     faults += stop_faults(words, root / "cut", "2")
     go([*words, "--resume"])

@@ -200,6 +200,26 @@ TEST_F(Preparation, OwnStepsLeaveTheNumericsOfLoadingOut)
   EXPECT_NE(text_of(base), text_of(same));
 }
 
+// Contacts and lists of the loading are renewed as the case says.
+TEST_F(Preparation, OwnTolerancesEndWithIt)
+{
+  base.boundary.lateral = Lateral::rigid;
+  base.preparation.stress_tolerance = 0.3;
+  base.preparation.unbalanced_ratio = 0.1;
+  base.preparation.safety = base.time.safety;
+  base.contact.refresh_tolerance = 1e-3;
+  base.contact.search_margin = 2e-4;
+  const dem::GeometryParameters usual;
+  Triaxial test(base);
+  const dem::GeometryParameters &geometry = test.engine().parameters().geometry;
+  EXPECT_EQ(geometry.refresh_tolerance, usual.refresh_tolerance);
+  EXPECT_EQ(geometry.search_margin, usual.search_margin);
+  while (test.stage() == Stage::preparation)
+    test.advance();
+  EXPECT_EQ(geometry.refresh_tolerance, 1e-3);
+  EXPECT_EQ(geometry.search_margin, 2e-4);
+}
+
 // What is taken up goes on as what prepared itself.
 TEST_F(Preparation, IsTakenUpBitForBit)
 {
