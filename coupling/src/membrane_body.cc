@@ -9,7 +9,7 @@ std::vector<double> movable_mass(const fem::Membrane &membrane)
   std::vector<double> mass(membrane.nodal_mass().begin(),
                            membrane.nodal_mass().end());
   for (std::size_t k = 0; k < mass.size(); ++k)
-    if (membrane.is_tied(static_cast<std::int32_t>(k)))
+    if (mass[k] == 0. || membrane.is_tied(static_cast<std::int32_t>(k)))
       mass[k] = std::numeric_limits<double>::infinity();
   return mass;
 }

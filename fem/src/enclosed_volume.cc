@@ -18,6 +18,15 @@ std::map<std::int32_t, std::int32_t> rim_edges(const SurfaceMesh &mesh)
   for (const auto &quad : mesh.quads)
     for (std::size_t v = 0; v < 4; ++v)
       edges.emplace(quad[v], quad[(v + 1) % 4]);
+  // The edge of a larger quad is that of the two smaller ones beside it.
+  for (const auto &[node, ends] : mesh.midpoints)
+    for (const auto &[from, to] :
+         {std::pair(ends[0], ends[1]), std::pair(ends[1], ends[0])})
+      if (edges.erase({from, to}) > 0)
+      {
+        edges.emplace(from, node);
+        edges.emplace(node, to);
+      }
   std::map<std::int32_t, std::int32_t> next;
   for (const auto &[from, to] : edges)
     if (!edges.contains({to, from}) && !next.emplace(to, from).second)

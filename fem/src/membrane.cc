@@ -52,6 +52,15 @@ const SurfaceMesh &checked(const SurfaceMesh &mesh)
   return mesh;
 }
 
+std::vector<HangingNode> hanging_nodes(const SurfaceMesh &mesh)
+{
+  std::vector<HangingNode> nodes;
+  for (const SurfaceMesh::Midpoint &middle : mesh.midpoints)
+    nodes.push_back(
+        {middle.node, {{middle.ends[0], 0.5}, {middle.ends[1], 0.5}}});
+  return nodes;
+}
+
 Sheet make_sheet(const MembraneParameters &p, const MembraneSpace &space)
 {
   check_parameters(p);
@@ -87,11 +96,13 @@ void check_membrane_size(const char *what, std::size_t given,
 Membrane::State::State(const MembraneParameters &p,
                        const SurfaceMesh &reference)
     : parameters(p), mesh(checked(reference)), space(mesh),
-      rims(find_rims(mesh)), identity(fingerprint(p, mesh)),
-      sheet(make_sheet(p, space)), batched(sheet), mass(space.nodal_area())
+      midpoints(hanging_nodes(mesh), mesh.nodes.size()), rims(find_rims(mesh)),
+      identity(fingerprint(p, mesh)), sheet(make_sheet(p, space)),
+      batched(sheet), mass(space.nodal_area())
 {
   for (double &m : mass)
     m *= p.density * p.thickness;
+  midpoints.collect(mass);
   now.is_tied.assign(mesh.nodes.size(), 0);
   start_from(mesh.nodes);
 }
@@ -145,10 +156,24 @@ void Membrane::State::start_from(std::span<const Vector> positions)
 {
   const std::vector<Vector> zeros(positions.size(), Vector::Zero());
   now.position.assign(positions.begin(), positions.end());
+  midpoints.spread(now.position);
   now.velocity = now.moved = now.load = now.acceleration = zeros;
   now.has_acceleration = 0;
   now.done = MembraneEnergy();
+  find_forces();
+}
+
+void Membrane::State::take_load(std::span<const Vector> load)
+{
+  std::copy(load.begin(), load.end(), now.load.begin());
+  midpoints.collect(now.load);
+}
+
+void Membrane::State::find_forces()
+{
   evaluate_forces(batched, now.position, now.forces);
+  midpoints.collect(now.forces.internal);
+  midpoints.collect(now.forces.area);
 }
 
 Membrane::Membrane(const MembraneParameters &parameters,
@@ -164,7 +189,7 @@ void Membrane::tie(const std::vector<std::int32_t> &nodes)
   for (const std::int32_t node : nodes)
   {
     const std::size_t k = state->checked_node(node);
-    if (state->now.is_tied[k])
+    if (!state->is_free(k))
       continue;
     state->now.is_tied[k] = 1;
     state->set_velocity(k, Vector::Zero());
@@ -197,14 +222,15 @@ void Membrane::displace(std::span<const Vector> shift)
   MembraneMotion &now = state->now;
   for (std::size_t k = 0; k < n_nodes(); ++k)
     now.position[k] += shift[k];
+  state->midpoints.spread(now.position);
   now.has_acceleration = 0;
-  evaluate_forces(state->batched, now.position, now.forces);
+  state->find_forces();
 }
 
 void Membrane::set_load(std::span<const Vector> load)
 {
   check_membrane_size("loads", load.size(), n_nodes());
-  std::copy(load.begin(), load.end(), state->now.load.begin());
+  state->take_load(load);
   state->now.has_acceleration = 0;
 }
 
@@ -217,7 +243,7 @@ void Membrane::begin_step(double time_step)
   {
     const Vector start = now.velocity[k];
     Vector half = start;
-    if (!now.is_tied[k])
+    if (state->is_free(k))
       half += 0.5 * time_step *
               (state->force(k) / state->mass[k] -
                state->parameters.mass_damping * start);
@@ -226,6 +252,8 @@ void Membrane::begin_step(double time_step)
     now.velocity[k] = half;
     now.position[k] += now.moved[k];
   }
+  state->midpoints.spread(now.velocity);
+  state->midpoints.spread(now.position);
 }
 
 void Membrane::end_step(std::span<const Vector> load, double time_step)
@@ -233,8 +261,8 @@ void Membrane::end_step(std::span<const Vector> load, double time_step)
   check_membrane_step(time_step);
   check_membrane_size("loads", load.size(), n_nodes());
   MembraneMotion &now = state->now;
-  std::copy(load.begin(), load.end(), now.load.begin());
-  evaluate_forces(state->batched, now.position, now.forces);
+  state->take_load(load);
+  state->find_forces();
   if (!std::isfinite(now.forces.strain_energy))
     throw std::runtime_error("membrane: its strain energy is no longer "
                              "finite; is the time step above the stable one?");
@@ -245,21 +273,22 @@ void Membrane::end_step(std::span<const Vector> load, double time_step)
       1. / (1. + 0.5 * time_step * state->parameters.mass_damping);
   for (std::size_t k = 0; k < n_nodes(); ++k)
   {
-    if (!now.is_tied[k])
+    if (state->is_free(k))
       now.velocity[k] =
           slow * (now.velocity[k] +
                   0.5 * time_step / state->mass[k] * state->force(k));
     state->book_half_step(k);
   }
+  state->midpoints.spread(now.velocity);
 }
 
 double Membrane::stable_time_step() const
 {
   Sheet taut = state->sheet;
   taut.material.has_wrinkles = false;
-  const double frequency =
-      largest_frequency(taut, {state->mass, state->now.is_tied},
-                        state->now.position, state->now.pressure);
+  const double frequency = largest_frequency(
+      taut, {state->mass, state->now.is_tied, state->midpoints},
+      state->now.position, state->now.pressure);
   return frequency > 0. ? 2. / frequency
                         : std::numeric_limits<double>::infinity();
 }

@@ -13,33 +13,43 @@ namespace
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// Numbers of the free components, three to a node; -1 where a node is tied.
-std::vector<int> number_unknowns(std::span<const std::uint8_t> is_tied)
+/// What moves a node of an element: the first of the three unknowns of a node,
+/// and its weight.
+using Shares = std::vector<std::pair<int, double>>;
+
+/// Of every node: its own unknowns, those of the ends of its edge, or none.
+std::vector<Shares> number_unknowns(std::span<const std::uint8_t> is_tied,
+                                    const Followers &midpoints)
 {
-  std::vector<int> number(is_tied.size(), -1);
+  std::vector<Shares> shares(is_tied.size());
   int n_free = 0;
   for (std::size_t k = 0; k < is_tied.size(); ++k)
-    if (!is_tied[k])
-      number[k] = 3 * n_free++;
-  return number;
+    if (!is_tied[k] && !midpoints.is_hanging(k))
+      shares[k] = {{3 * n_free++, 1.}};
+  for (std::size_t k = 0; k < is_tied.size(); ++k)
+    if (midpoints.is_hanging(k))
+      for (const auto &[end, weight] : midpoints.parents(k))
+        if (const Shares &own = shares[static_cast<std::size_t>(end)];
+            !own.empty())
+          shares[k].emplace_back(own.front().first, weight);
+  return shares;
 }
 
 void add_element(const SheetElement &element, const SheetTangent &tangent,
-                 const std::vector<int> &number,
+                 const std::vector<Shares> &shares,
                  std::vector<Eigen::Triplet<double>> &entries)
 {
+  const auto of_row = [&](int i) -> const Shares &
+  {
+    return shares[static_cast<std::size_t>(
+        element.node[static_cast<std::size_t>(i / 3)])];
+  };
   for (int row = 0; row < 12; ++row)
     for (int column = 0; column < 12; ++column)
-    {
-      const auto node = [&](int i)
-      {
-        return static_cast<std::size_t>(
-            element.node[static_cast<std::size_t>(i / 3)]);
-      };
-      const int r = number[node(row)], c = number[node(column)];
-      if (r >= 0 && c >= 0)
-        entries.emplace_back(r + row % 3, c + column % 3, tangent(row, column));
-    }
+      for (const auto &[r, of_r] : of_row(row))
+        for (const auto &[c, of_c] : of_row(column))
+          entries.emplace_back(r + row % 3, c + column % 3,
+                               of_r * of_c * tangent(row, column));
 }
 
 double size(const std::vector<Vector> &field)
@@ -55,9 +65,10 @@ void Membrane::State::start_accelerations()
 {
   for (std::size_t k = 0; k < mass.size(); ++k)
     now.acceleration[k] =
-        now.is_tied[k] ? Vector::Zero()
-                       : Vector(force(k) / mass[k] -
-                                parameters.mass_damping * now.velocity[k]);
+        is_free(k) ? Vector(force(k) / mass[k] -
+                            parameters.mass_damping * now.velocity[k])
+                   : Vector::Zero();
+  midpoints.spread(now.acceleration);
   now.has_acceleration = 1;
 }
 
@@ -66,7 +77,7 @@ std::vector<Vector> Membrane::State::residual(const MembraneStep &step) const
   std::vector<Vector> result(mass.size(), Vector::Zero());
   const double am = step.rule.alpha_m, af = step.rule.alpha_f;
   for (std::size_t k = 0; k < mass.size(); ++k)
-    if (!now.is_tied[k])
+    if (is_free(k))
       result[k] =
           mass[k] *
               ((1. - am) * now.acceleration[k] + am * step.acceleration[k] +
@@ -79,7 +90,7 @@ std::vector<Vector> Membrane::State::residual(const MembraneStep &step) const
 void Membrane::State::correct(const MembraneStep &step,
                               const std::vector<Vector> &residual_now)
 {
-  const std::vector<int> number = number_unknowns(now.is_tied);
+  const std::vector<Shares> shares = number_unknowns(now.is_tied, midpoints);
   const double end = 1. - step.rule.alpha_f, dt = step.time_step;
   const double inertia = ((1. - step.rule.alpha_m) / dt +
                           end * step.rule.gamma * parameters.mass_damping) /
@@ -88,31 +99,33 @@ void Membrane::State::correct(const MembraneStep &step,
   for (std::size_t k = 0; k < sheet.elements.size(); ++k)
     add_element(sheet.elements[k],
                 end * element_tangent(sheet, k, now.position, now.pressure),
-                number, entries);
+                shares, entries);
   int n = 0;
   for (std::size_t k = 0; k < mass.size(); ++k)
-    for (int i = 0; i < 3 && number[k] >= 0; ++i, ++n)
-      entries.emplace_back(number[k] + i, number[k] + i, inertia * mass[k]);
+    for (int i = 0; i < 3 && is_free(k); ++i, ++n)
+      entries.emplace_back(n, n, inertia * mass[k]);
   if (step.springs)
     for (std::size_t k = 0; k < mass.size(); ++k)
-      for (int i = 0; i < 9 && number[k] >= 0; ++i)
-        entries.emplace_back(number[k] + i / 3, number[k] + i % 3,
+      for (int i = 0; i < 9 && is_free(k); ++i)
+        entries.emplace_back(shares[k][0].first + i / 3,
+                             shares[k][0].first + i % 3,
                              end * step.springs->stiffness[k](i / 3, i % 3));
 
   Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   Eigen::VectorXd right(n);
   for (std::size_t k = 0; k < mass.size(); ++k)
-    if (number[k] >= 0)
-      right.segment<3>(number[k]) = -residual_now[k];
+    if (is_free(k))
+      right.segment<3>(shares[k][0].first) = -residual_now[k];
   Eigen::SparseLU<Matrix> factors(matrix);
   if (factors.info() != Eigen::Success)
     throw std::runtime_error("membrane: the matrix of an implicit step cannot "
                              "be factored; a shorter step may help");
   const Eigen::VectorXd change = factors.solve(right);
   for (std::size_t k = 0; k < mass.size(); ++k)
-    if (number[k] >= 0)
-      now.position[k] += change.segment<3>(number[k]);
+    if (is_free(k))
+      now.position[k] += change.segment<3>(shares[k][0].first);
+  midpoints.spread(now.position);
   follow_positions(step);
 }
 
@@ -121,7 +134,7 @@ void Membrane::State::follow_positions(const MembraneStep &step)
   const double dt = step.time_step;
   for (std::size_t k = 0; k < mass.size(); ++k)
   {
-    if (now.is_tied[k])
+    if (!is_free(k))
       continue;
     now.acceleration[k] =
         (now.position[k] - step.predicted[k]) / (step.rule.beta * dt * dt);
@@ -129,22 +142,25 @@ void Membrane::State::follow_positions(const MembraneStep &step)
         step.velocity[k] + dt * ((1. - step.rule.gamma) * step.acceleration[k] +
                                  step.rule.gamma * now.acceleration[k]);
   }
+  midpoints.spread(now.acceleration);
+  midpoints.spread(now.velocity);
 }
 
 void Membrane::State::give_way(const MembraneStep &step)
 {
   if (!step.springs)
     return;
+  take_load(step.load);
   const auto &[stiffness, rest] = *step.springs;
   for (std::size_t k = 0; k < mass.size(); ++k)
-    if (!now.is_tied[k])
-      now.load[k] = step.load[k] - stiffness[k] * (now.position[k] - rest[k]);
+    if (is_free(k))
+      now.load[k] -= stiffness[k] * (now.position[k] - rest[k]);
 }
 
 std::vector<Vector> Membrane::State::residual_here(const MembraneStep &step)
 {
   give_way(step);
-  evaluate_forces(batched, now.position, now.forces);
+  find_forces();
   return residual(step);
 }
 
@@ -228,7 +244,10 @@ void Membrane::advance(std::span<const Vector> load, double time_step,
     now.velocity[k] += time_step * ((1. - rule.gamma) * step.acceleration[k] +
                                     rule.gamma * now.acceleration[k]);
   }
-  std::copy(load.begin(), load.end(), now.load.begin());
+  state->midpoints.spread(now.position);
+  state->midpoints.spread(now.acceleration);
+  state->midpoints.spread(now.velocity);
+  state->take_load(load);
   std::vector<Vector> residual = state->residual_here(step);
   for (int round = 0; round <= 30; ++round)
   {

@@ -93,6 +93,7 @@ std::uint64_t fingerprint(const MembraneParameters &parameters,
   std::uint64_t seed = 0xcbf29ce484222325;
   seed = hash(seed, &parameters, 1);
   seed = hash(seed, mesh.nodes.data(), mesh.nodes.size());
-  return hash(seed, mesh.quads.data(), mesh.quads.size());
+  seed = hash(seed, mesh.quads.data(), mesh.quads.size());
+  return hash(seed, mesh.midpoints.data(), mesh.midpoints.size());
 }
 } // namespace fem

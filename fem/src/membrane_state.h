@@ -1,5 +1,6 @@
 #pragma once
 
+#include "followers.h"
 #include "membrane_motion.h"
 #include "membrane_space.h"
 
@@ -27,12 +28,21 @@ struct Membrane::State
 {
   State(const MembraneParameters &p, const SurfaceMesh &reference);
 
+  /// By its forces: neither tied nor with the ends of its edge.
+  bool is_free(std::size_t k) const
+  {
+    return !now.is_tied[k] && !midpoints.is_hanging(k);
+  }
   std::size_t checked_node(std::int32_t node) const;
   std::size_t tied_node(std::int32_t node) const;
   Eigen::Vector3d force(std::size_t k) const;
   void set_velocity(std::size_t k, const Eigen::Vector3d &velocity);
   void book_half_step(std::size_t k);
   void start_from(std::span<const Eigen::Vector3d> positions);
+  /// Load from outside that acts from now on.
+  void take_load(std::span<const Eigen::Vector3d> load);
+  /// Internal forces and areas at the present positions.
+  void find_forces();
   double round_off(const MembraneStep &step) const;
   void book_step_from(const MembraneMotion &before);
   void start_accelerations();
@@ -56,11 +66,12 @@ struct Membrane::State
   const MembraneParameters parameters;
   const SurfaceMesh mesh;
   const MembraneSpace space;
+  const Followers midpoints;
   const std::vector<std::vector<std::int32_t>> rims;
   const std::uint64_t identity;
   const Sheet sheet;
   const BatchedSheet batched; ///< the same, for the steps
-  std::vector<double> mass;   ///< [kg]
+  std::vector<double> mass;   ///< that of midpoints is with their ends [kg]
   MembraneMotion now;
 };
 } // namespace fem

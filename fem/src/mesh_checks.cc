@@ -18,9 +18,6 @@ void check_nodes(const SurfaceMesh &mesh)
 {
   if (mesh.quads.empty())
     refuse("no quads");
-  if (!mesh.midpoints.empty())
-    refuse("node " + std::to_string(mesh.midpoints.front().node) +
-           " is in the middle of an edge, quads must meet edge to edge");
   for (const Eigen::Vector3d &node : mesh.nodes)
     if (!node.allFinite())
       refuse("a node has a coordinate that is not a number");
@@ -38,6 +35,29 @@ void check_nodes(const SurfaceMesh &mesh)
   if (unused != used.end())
     refuse("node " + std::to_string(unused - used.begin()) +
            " belongs to no quad");
+}
+
+/// Of nodes that the quads use.
+void check_midpoints(const SurfaceMesh &mesh)
+{
+  std::vector<bool> hangs(mesh.nodes.size(), false);
+  const auto mark = [&](std::int32_t node) -> std::vector<bool>::reference
+  {
+    if (node < 0 || static_cast<std::size_t>(node) >= hangs.size())
+      refuse("node number " + std::to_string(node) +
+             " of a midpoint, there "
+             "are " +
+             std::to_string(hangs.size()) + " nodes");
+    return hangs[static_cast<std::size_t>(node)];
+  };
+  for (const SurfaceMesh::Midpoint &middle : mesh.midpoints)
+    mark(middle.node) = true;
+  for (const SurfaceMesh::Midpoint &middle : mesh.midpoints)
+    for (const std::int32_t end : middle.ends)
+      if (mark(end))
+        refuse("node " + std::to_string(middle.node) +
+               " is in the middle of an edge whose end " + std::to_string(end) +
+               " is in the middle of another");
 }
 
 /// The cross products at the four corners must point to one side.
@@ -80,6 +100,7 @@ void check_edges(const SurfaceMesh &mesh)
 void check_mesh(const SurfaceMesh &mesh)
 {
   check_nodes(mesh);
+  check_midpoints(mesh);
   check_shapes(mesh);
   check_edges(mesh);
 }

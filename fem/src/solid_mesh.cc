@@ -76,7 +76,7 @@ void add_hanging(const Triangulation &triangulation,
   constraints.close();
   for (const auto &line : constraints.get_lines())
   {
-    SolidMesh::Hanging &hanging = mesh.hanging.emplace_back();
+    HangingNode &hanging = mesh.hanging.emplace_back();
     hanging.node = node[line.index];
     for (const auto &[dof, weight] : line.entries)
       hanging.parents.emplace_back(node[dof], weight);

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <fem/solid_mesh.h>
+#include "followers.h"
 
-#include <span>
-#include <vector>
+#include <fem/solid_mesh.h>
 
 namespace fem
 {
 /// Which components of which nodes move freely, and how the hanging nodes
 /// follow the others.
-class SolidSupports
+class SolidSupports : public Followers
 {
 public:
   explicit SolidSupports(const SolidMesh &mesh);
@@ -21,16 +20,6 @@ public:
   {
     return fixed[node][static_cast<std::size_t>(component)];
   }
-  bool is_hanging(std::size_t node) const { return hanging_of[node] >= 0; }
-
-  /// Motion of the hanging nodes from that of their parents.
-  void spread(std::span<Eigen::Vector3d> motion) const;
-  /// Forces, or masses, of the hanging nodes to their parents.
-  void collect(std::span<Eigen::Vector3d> forces) const;
-  void collect(std::span<double> masses) const;
-  /// Dashpots too; `is_there` is set for the nodes that get a share.
-  void collect(std::span<Eigen::Matrix3d> dashpots,
-               std::span<char> is_there) const;
 
   /// A component of a node as a sum of unknowns; empty if it is fixed.
   struct Share
@@ -50,8 +39,6 @@ public:
 private:
   void number_unknowns();
 
-  std::vector<SolidMesh::Hanging> hanging;
-  std::vector<std::int32_t> hanging_of; ///< entry in `hanging` or -1
   std::vector<std::array<bool, 3>> fixed;
   std::vector<std::array<std::int32_t, 3>> number;
   std::size_t n_free = 0;

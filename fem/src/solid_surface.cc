@@ -14,7 +14,7 @@ namespace
 using Numbers = std::map<std::int32_t, std::int32_t>;
 
 /// The ends of the edge that a hanging node halves, in numbers of the surface.
-SurfaceMesh::Midpoint midpoint(const SolidMesh::Hanging &hanging,
+SurfaceMesh::Midpoint midpoint(const HangingNode &hanging,
                                const Numbers &number)
 {
   const auto &parents = hanging.parents;
@@ -47,8 +47,8 @@ SolidSurface boundary_surface(const SolidMesh &mesh, std::int32_t boundary)
 {
   SolidSurface surface;
   surface.node = boundary_nodes(mesh, boundary);
-  std::map<std::int32_t, const SolidMesh::Hanging *> hanging;
-  for (const SolidMesh::Hanging &follower : mesh.hanging)
+  std::map<std::int32_t, const HangingNode *> hanging;
+  for (const HangingNode &follower : mesh.hanging)
     hanging[follower.node] = &follower;
   std::stable_partition(surface.node.begin(), surface.node.end(),
                         [&](std::int32_t node)

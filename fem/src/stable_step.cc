@@ -19,12 +19,12 @@ double dot(const Field &a, const Field &b)
   return sum;
 }
 
-/// M^(-1/2), zero where a node is tied.
+/// M^(-1/2), zero where a node does not move by itself.
 std::vector<double> inverse_root(const SheetInertia &inertia)
 {
   std::vector<double> root(inertia.mass.size(), 0.);
   for (std::size_t k = 0; k < root.size(); ++k)
-    if (!inertia.is_tied[k])
+    if (!inertia.is_tied[k] && !inertia.midpoints.is_hanging(k))
       root[k] = 1. / std::sqrt(inertia.mass[k]);
   return root;
 }
@@ -103,12 +103,14 @@ double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
   {
     Field image(direction.size());
     scale(direction);
+    inertia.midpoints.spread(direction);
     apply_tangent(sheet, positions, pressure, direction, image);
+    inertia.midpoints.collect(image);
     scale(image);
     return image;
   };
   Field start = start_field(positions.size());
-  scale(start); // nothing on tied nodes
+  scale(start); // nothing on nodes that do not move by themselves
   return std::sqrt(std::max(0., largest_eigenvalue(apply, start)));
 }
 } // namespace fem

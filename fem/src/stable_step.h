@@ -1,5 +1,6 @@
 #pragma once
 
+#include "followers.h"
 #include "membrane_kernel.h"
 
 #include <functional>
@@ -10,6 +11,7 @@ struct SheetInertia
 {
   std::span<const double> mass;          ///< of nodes [kg]
   std::span<const std::uint8_t> is_tied; ///< these do not move freely
+  const Followers &midpoints;            ///< without mass
 };
 
 /// Largest eigenfrequency of the tangent with lumped masses [rad/s], by the

@@ -5,7 +5,8 @@
 
 namespace coupling
 {
-/// Mass of the nodes, infinite where they are tied [kg].
+/// Mass of the nodes, infinite where they are tied or in the middle of an edge,
+/// which has it at its ends [kg].
 std::vector<double> movable_mass(const fem::Membrane &membrane);
 BodyEnergy energy_of(const fem::MembraneEnergy &energy);
 

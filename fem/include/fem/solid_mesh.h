@@ -1,12 +1,13 @@
 #pragma once
 
+#include <fem/hanging_node.h>
+
 #include <Eigen/Dense>
 
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fem
@@ -15,13 +16,6 @@ namespace fem
 /// v >> 1 & 1, v >> 2 & 1) of its unit cube.
 struct SolidMesh
 {
-  /// A corner in the middle of an edge or face of a larger cell: it moves with
-  /// the corners of that one, u = sum of weight u_parent.
-  struct Hanging
-  {
-    std::int32_t node = 0;
-    std::vector<std::pair<std::int32_t, double>> parents; ///< weights [-]
-  };
   /// A quad of the surface, counter-clockwise seen from outside.
   struct Face
   {
@@ -33,7 +27,7 @@ struct SolidMesh
   std::vector<Eigen::Vector3d> nodes; ///< [m]
   std::vector<std::array<std::int32_t, 8>> cells;
   std::vector<std::int32_t> layer; ///< material of each cell
-  std::vector<Hanging> hanging;
+  std::vector<HangingNode> hanging;
   std::vector<Face> faces;
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace fem
@@ -35,6 +36,13 @@ SurfaceMesh box_sides(const Eigen::Vector3d &lower,
 /// The side of an upright cylinder on the z axis, from z = 0 to height [m].
 SurfaceMesh cylinder_side(double radius, double height, int n_around,
                           int n_along);
+
+/// The mesh with these quads halved along both directions: the same surface,
+/// with midpoints where a smaller quad meets one that is left. Throws
+/// std::invalid_argument on a number that is no quad, or a mesh that has
+/// midpoints already.
+SurfaceMesh halve_quads(const SurfaceMesh &mesh,
+                        std::span<const std::int32_t> quads);
 
 /// Nodes with |z - height| < tolerance.
 std::vector<std::int32_t> nodes_at_height(const SurfaceMesh &mesh,
