@@ -100,6 +100,13 @@ struct PreparationParameters
   double safety = 0.; ///< share of the stable step; 0: steps as loading [-]
 };
 
+/// Quads of a membrane that are halved both ways.
+enum class MembraneRefinement
+{
+  none,
+  pressed ///< those that stones press on when the membrane takes over
+};
+
 struct BoundaryParameters
 {
   Lateral lateral = Lateral::membrane;
@@ -107,6 +114,7 @@ struct BoundaryParameters
   std::uint64_t mesh_content = 0; ///< digest of the file; 0 without
   int elements_per_side = 12; ///< of a box: membrane quads along each edge [-]
   int elements_around = 36;   ///< of a cylinder: membrane quads round it [-]
+  MembraneRefinement refined = MembraneRefinement::none;
   /// of the servo of rigid sides: an error falls to 1/e in it [s]
   double servo_response_time = 5e-4;
   double servo_yielding = 0.3; ///< ServoParameters::yielding [-]

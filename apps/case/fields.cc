@@ -148,6 +148,10 @@ void add_boundary(List &list, BoundaryParameters &b)
             "they are about "
             "as long."},
            b.elements_around, between(6, 1000));
+  list.add({"refined", "-",
+            "none: all quads as they are; pressed: those that stones press on "
+            "when the membrane takes over are halved both ways."},
+           b.refined, {"none", "pressed"});
   list.add({"servo_response_time", "s",
             "Of servo planes: a stress error falls to 1/e in it."},
            b.servo_response_time, above(0., 1.));

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace spall
 {
@@ -292,13 +293,26 @@ SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
   return setup;
 }
 
+namespace
+{
+/// That stones could make of the nominal membrane.
+fem::SurfaceMesh finest_mesh(const Case &parameters)
+{
+  fem::SurfaceMesh mesh = lateral_mesh(parameters, dem::Vec3::Zero(),
+                                       nominal_size(parameters.specimen));
+  if (parameters.boundary.refined == MembraneRefinement::none)
+    return mesh;
+  std::vector<std::int32_t> all(mesh.quads.size());
+  std::iota(all.begin(), all.end(), 0);
+  return fem::halve_quads(mesh, all);
+}
+} // namespace
+
 SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
 {
   std::optional<fem::Membrane> membrane;
   if (parameters.boundary.lateral == Lateral::membrane)
-    membrane.emplace(parameters.membrane,
-                     lateral_mesh(parameters, dem::Vec3::Zero(),
-                                  nominal_size(parameters.specimen)));
+    membrane.emplace(parameters.membrane, finest_mesh(parameters));
   return choose_step(
       parameters, dem::critical_step(engine.parameters(), engine.particles()),
       engine.particles().smallest_mass(), membrane ? &*membrane : nullptr);

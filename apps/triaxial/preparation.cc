@@ -15,6 +15,7 @@ constexpr CaseKey later[] = {
     {"Boundary", "mesh"},
     {"Boundary", "elements_per_side"},
     {"Boundary", "elements_around"},
+    {"Boundary", "refined"},
     {"Boundary", "servo_yielding"},
     {"Boundary", "servo_dead_band"},
     {"Boundary", "plate_mass"},

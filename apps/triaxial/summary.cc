@@ -148,7 +148,10 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
       out["exchange_gain_limit_1"] = test.gain()->limit;
     out["worst_gain_1"] = record.worst_gain;
     if (test.membrane())
+    {
+      out["n_membrane_quads"] = test.membrane()->mesh().quads.size();
       out["membrane_pressed_share_1"] = pressed_share(test);
+    }
     if (test.exchange())
       add_ledger(*test.exchange(), out);
   }

@@ -112,13 +112,26 @@ void Triaxial::enter(Stage next)
   pace.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
 }
 
+bool Triaxial::refines_membrane() const
+{
+  return parameters.boundary.lateral == Lateral::membrane &&
+         parameters.boundary.refined == MembraneRefinement::pressed;
+}
+
+/// With the quads halved that stones press on when it takes over.
+fem::SurfaceMesh Triaxial::side_mesh() const
+{
+  const fem::SurfaceMesh mesh = lateral_mesh(parameters, lower, upper);
+  return pressed.empty() ? mesh : fem::halve_quads(mesh, pressed);
+}
+
 void Triaxial::build_cell()
 {
   std::optional<fem::Membrane> membrane;
   if (parameters.boundary.lateral == Lateral::membrane)
   {
-    membrane.emplace(coupling::tube_between_rims(
-        parameters.membrane, lateral_mesh(parameters, lower, upper)));
+    membrane.emplace(
+        coupling::tube_between_rims(parameters.membrane, side_mesh()));
     watch.forget_membrane();
   }
   const CouplingParameters &c = parameters.coupling;
@@ -380,6 +393,8 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, is_dense);
   dem::write_value(out, lower);
   dem::write_value(out, upper);
+  if (refines_membrane())
+    dem::write_column(out, pressed);
   for (const double value :
        {area, pressure, plane_work_gone, start_height, start_volume, jump_work})
     dem::write_value(out, value);
@@ -410,6 +425,8 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, is_dense);
   dem::read_value(in, lower);
   dem::read_value(in, upper);
+  if (refines_membrane())
+    dem::read_column(in, pressed);
   for (double *value : {&area, &pressure, &plane_work_gone, &start_height,
                         &start_volume, &jump_work})
     dem::read_value(in, *value);

@@ -159,6 +159,8 @@ private:
   std::string unprepared_text() const;
   void hand_over();
   void place_boundaries();
+  bool refines_membrane() const;
+  fem::SurfaceMesh side_mesh() const;
   void build_cell();
   coupling::Stones stones();
   int steps_in_window() const;
@@ -208,11 +210,12 @@ private:
   std::unique_ptr<coupling::Exchange> joined;
   coupling::CellBody *cell = nullptr; ///< of `joined`
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
-  double area = 0.;            ///< of the plate [m^2]
-  double pressure = 0.;        ///< on the membrane now [Pa]
-  double plane_work_gone = 0.; ///< of the top plane before the plate [J]
-  double start_height = 0.;    ///< of the specimen, loading [m]
-  double start_volume = 0.;    ///< [m^3]
+  std::vector<std::int32_t> pressed; ///< halved quads of the membrane
+  double area = 0.;                  ///< of the plate [m^2]
+  double pressure = 0.;              ///< on the membrane now [Pa]
+  double plane_work_gone = 0.;       ///< of the top plane before the plate [J]
+  double start_height = 0.;          ///< of the specimen, loading [m]
+  double start_volume = 0.;          ///< [m^3]
 
   JumpPlan plan;
   Pose observed_from;    ///< where the observation of the motion began

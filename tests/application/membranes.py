@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The triaxial test with a neo-Hookean membrane under tension, explicit and
-implicit. Energy and ledger close, and implicit steps find what explicit ones
-find.
+implicit, and with quads halved where stones press. Energy and ledger close,
+and implicit steps find what explicit ones find.
 
     membranes.py SPALL
 """
@@ -17,7 +17,9 @@ RUBBER = ("Membrane/law=neo_hooke", "Membrane/poisson_ratio=0.5",
           "Membrane/tension=100")
 IMPLICIT = ("Coupling/exchange=one_pass", "Coupling/body_time=implicit")
 # Explicit steps of all together lose no work; one pass is of third order.
-KINDS = {"plain": ((), 1e-3, 1e-6), "rubber": (RUBBER, 1e-3, 1e-6),
+HALVED = ("Boundary/refined=pressed",)
+KINDS = {"plain": ((), 1e-3, 1e-6), "halved": (HALVED, 1e-3, 1e-6),
+         "rubber": (RUBBER, 1e-3, 1e-6),
          "implicit_rubber": (IMPLICIT + RUBBER, 1e-2, 1e-2)}
 # Peaks of the same membrane; stones fall into other places by and by.
 PAIRS = (("implicit_rubber", "rubber"),)
@@ -26,13 +28,14 @@ NEAR = 0.1
 
 def main():
     spall = sys.argv[1]
-    faults, peak = [], {}
+    faults, peak, quads = [], {}, {}
     with tempfile.TemporaryDirectory() as name:
         for kind, (settings, energy, ledger) in KINDS.items():
             folder = pathlib.Path(name) / kind
             run(spall, folder, "membrane", settings=(*SHORT, *settings))
             found = summary(folder)
             peak[kind] = found["peak_axial_stress_Pa"]
+            quads[kind] = found["n_membrane_quads"]
             residual = abs(found["energy_residual_ratio_1"])
             astray = found["interface"]["work_residual_1"]
             print(f"{kind}: peak {peak[kind]:.0f} Pa, energy {residual:.1e}, "
@@ -44,6 +47,9 @@ def main():
     faults += [f"{one}: peak {peak[one]} Pa, {other} {peak[other]} Pa"
                for one, other in PAIRS
                if abs(peak[one] / peak[other] - 1.) > NEAR]
+    halved = quads["halved"] - quads["plain"]
+    if halved <= 0 or halved % 3 or quads["halved"] >= 4 * quads["plain"]:
+        faults.append(f"halved: {quads['halved']} quads of {quads['plain']}")
     return report_faults(faults)
 
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <dem/measure/network.h>
+#include <fem/surface_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace spall
+{
+/// The quads that stones press on: those nearer to a contact with a boundary
+/// than a quarter of their size, the longer diagonal. In order.
+std::vector<std::int32_t> pressed_quads(const fem::SurfaceMesh &mesh,
+                                        const dem::Network &network);
+} // namespace spall
