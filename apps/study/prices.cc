@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 namespace spall
 {
@@ -119,6 +118,19 @@ PricedLevel price_level(const StudyData &data, std::size_t key,
   return level;
 }
 
+/// Whether the one costs less than the other (the reference if there is none)
+/// by its 95 % interval.
+bool saves_over(const StudyData &data, const PricedLevel &one,
+                const PricedLevel *other)
+{
+  const std::size_t o = place_of_outcome(data.study, data.study.costs.front());
+  return estimate_of(
+             in_pairs(of_level(data, o, one),
+                      other ? of_level(data, o, *other) : of_reference(data, o),
+                      [](double a, double b) { return a / b; }))
+      .is_below(1.);
+}
+
 bool is_better(const PricedLevel &a, const PricedLevel &b)
 {
   return !a.is_control && a.cost() <= b.cost() && a.worst <= b.worst &&
@@ -183,6 +195,14 @@ std::vector<double> reference_spread(const StudyData &data)
   return spread;
 }
 
+std::ptrdiff_t reference_size(const StudyData &data)
+{
+  std::ptrdiff_t n = 0;
+  for (std::size_t p = 0; p < data.points.size(); ++p)
+    n += data.points[p].is_base && data.results[p].is_done;
+  return n;
+}
+
 std::vector<PricedLevel> price_levels(const StudyData &data)
 {
   std::vector<PricedLevel> levels;
@@ -224,23 +244,25 @@ std::vector<DefaultPrice> price_defaults(const StudyData &data,
     const bool is_reference = value == value_in(reference, level.knob);
     if (!is_reference)
       price.cost = price.worst = std::numeric_limits<double>::quiet_NaN();
-    std::optional<bool> is_cheapest; // of those that are fine, if any saves
+    const PricedLevel *cheapest = nullptr, *usual = nullptr;
     for (const PricedLevel &other : map)
     {
       if (other.knob != level.knob || other.is_control)
         continue;
-      const bool is_it = is_default(data.study, other, defaults);
-      if (is_it)
-      {
-        price.cost = other.cost();
-        price.worst = other.worst;
-      }
-      if (!other.is_cheapest_fine)
-        continue;
-      price.cheapest = other.value;
-      is_cheapest = is_it;
+      if (is_default(data.study, other, defaults))
+        usual = &other;
+      if (other.is_cheapest_fine)
+        cheapest = &other;
     }
-    price.is_right = is_cheapest.value_or(price.worst < fine_share);
+    if (usual)
+    {
+      price.cost = usual->cost();
+      price.worst = usual->worst;
+    }
+    if (cheapest)
+      price.cheapest = cheapest->value;
+    price.is_right = price.worst < fine_share &&
+                     (!cheapest || !saves_over(data, *cheapest, usual));
     prices.push_back(price);
   }
   return prices;

@@ -34,7 +34,7 @@ struct DefaultPrice
   std::string default_value;          ///< of the program
   double cost = 1., worst = 0.;       ///< NaN where the map does not have it
   std::string cheapest = "reference"; ///< of those that are fine
-  /// The default is that one; or it is fine, and none that is fine saves.
+  /// The default is fine, and none that is fine costs less by its interval.
   bool is_right = false;
 
   bool is_measured() const { return std::isfinite(cost); }
@@ -42,6 +42,9 @@ struct DefaultPrice
 
 /// Spread of the reference over the seeds, by outcome: standard deviation.
 std::vector<double> reference_spread(const StudyData &data);
+
+/// Of how many cases.
+std::ptrdiff_t reference_size(const StudyData &data);
 
 /// Every value of every key that is not that of the reference; costs are
 /// judged by themselves and have no error. Empty without a reference.

@@ -31,6 +31,21 @@ std::string text_of(const fs::path &path)
   return text.str();
 }
 
+/// The case of a run as this program writes it: one that was run before there
+/// was a key has the default of that key. What is no case any more is as it is.
+std::string case_of(const fs::path &run)
+{
+  const fs::path file = run / "case.prm";
+  try
+  {
+    return without_comments(resolved_case(read_case(file.string(), {})));
+  }
+  catch (const InputError &)
+  {
+    return without_comments(text_of(file));
+  }
+}
+
 /// The last line that is not empty.
 std::string last_line(const fs::path &path)
 {
@@ -63,7 +78,7 @@ std::map<std::string, std::string> cases_in(const fs::path &folder)
                                 { return holds_complete_run(folder / name); });
   std::map<std::string, std::string> cases;
   for (const std::string &name : names)
-    cases.emplace(without_comments(text_of(folder / name / "case.prm")), name);
+    cases.emplace(case_of(folder / name), name);
   return cases;
 }
 
@@ -75,6 +90,12 @@ bool is_free(const fs::path &folder)
 
 /// Whether the folder has this case, begun or ended.
 bool holds_case(const StudyPoint &point, const fs::path &run)
+{
+  return case_of(run) == without_comments(point.resolved);
+}
+
+/// Whether the run of this case knew every key of it.
+bool has_all_keys(const StudyPoint &point, const fs::path &run)
 {
   return without_comments(text_of(run / "case.prm")) ==
          without_comments(point.resolved);
@@ -97,8 +118,9 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
         "--threads", "1",   "--preparations", shared};
     if (const fs::path state = run / "checkpoint" / "state.bin";
         is_same && fs::exists(state))
-      words.emplace_back(is_of_this_version(state) ? "--resume"
-                                                   : "--overwrite");
+      words.emplace_back(is_of_this_version(state) && has_all_keys(point, run)
+                             ? "--resume"
+                             : "--overwrite");
     if (const int status = run_program(words, log); status != 0)
     {
       result.fault = "status " + std::to_string(status) + ": " + last_line(log);

@@ -79,6 +79,8 @@ void take_study(const Assignment &a, Study &study)
     study.controls = list_of(a);
   else if (a.key == "seeds")
     study.seeds = list_of(a);
+  else if (a.key == "spread_seeds")
+    study.spread_seeds = list_of(a);
   else if (a.key == "outcomes")
     study.outcomes = list_of(a);
   else if (a.key == "curve")
@@ -92,8 +94,10 @@ void take_study(const Assignment &a, Study &study)
   else if (a.key == "profiles")
     study.profiles = profiles_of(a);
   else
-    refuse(a, "no key of this name: must be case, title, combine, judged_by, "
-              "cost, controls, seeds, outcomes, curve, profiles or measured");
+    refuse(a,
+           "no key of this name: must be case, title, combine, judged_by, "
+           "cost, controls, seeds, spread_seeds, outcomes, curve, profiles or "
+           "measured");
 }
 
 void take_sweep(const Assignment &a, Study &study)
@@ -185,6 +189,11 @@ void check_study(const Study &study)
          "Study/controls: " + control + " is not in section Variants");
   need(!study.has_reference() || study.combine == Combine::each,
        "Study/cost needs combine = each");
+  need(study.spread_seeds.empty() || study.has_reference(),
+       "Study/spread_seeds needs a reference: Study/cost");
+  for (const std::string &seed : study.spread_seeds)
+    need(std::ranges::find(study.seeds, seed) == study.seeds.end(),
+         "Study/spread_seeds: " + seed + " is in Study/seeds already");
 }
 
 std::string seed_key_of(CaseKind kind)
@@ -431,6 +440,11 @@ std::vector<StudyPoint> points_of(const Study &study)
                 known->sweeps.end())
           known->sweeps.push_back(static_cast<int>(k));
     }
+  for (const std::string &seed : study.spread_seeds)
+  {
+    points.push_back(make_point(study, base, base, seed, points.size() + 1));
+    points.back().is_base = true; // and of no sweep
+  }
   return points;
 }
 } // namespace spall

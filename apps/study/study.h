@@ -86,6 +86,8 @@ struct Study
   std::vector<Override> base; ///< settings of every case
   std::string seed_key;       ///< Section/key
   std::vector<std::string> seeds;
+  /// More of them for the reference alone, so that its spread is known better.
+  std::vector<std::string> spread_seeds;
   std::vector<std::string> outcomes; ///< keys of summary.json
   std::string curve_x, curve_y;      ///< columns of history.csv; may be empty
   std::vector<Profile> profiles;

@@ -176,6 +176,22 @@ TextTable spread_table(const StudyData &data, std::size_t key)
   return table;
 }
 
+namespace
+{
+/// What the reference differs by from seed to seed.
+Cells spread_row(const StudyData &data, const std::vector<double> &spread)
+{
+  const Study &study = data.study;
+  Cells cells = {"reference",
+                 "spread of " + std::to_string(reference_size(data))};
+  cells.resize(cells.size() + study.costs.size() + 2);
+  for (std::size_t o = 0; o < spread.size(); ++o)
+    if (!is_cost(study, study.outcomes[o]))
+      cells.push_back(format(spread[o], 3));
+  return cells;
+}
+} // namespace
+
 TextTable price_table(const StudyData &data)
 {
   const Study &study = data.study;
@@ -183,7 +199,7 @@ TextTable price_table(const StudyData &data)
       "Error against cost",
       "Cost and errors against the base case, in pairs with the same seed; "
       "errors in their own unit with their 95 % interval, and in per cent of "
-      "the standard deviation that the base case has over its seeds. Fine is "
+      "the standard deviation of the base case over all its seeds. Fine is "
       "what stays below half of it in every outcome; controls show what chaos "
       "alone makes.",
       {"key", "value"},
@@ -194,6 +210,7 @@ TextTable price_table(const StudyData &data)
     if (!is_cost(study, outcome))
       table.head.push_back(outcome);
   const std::vector<double> spread = reference_spread(data);
+  table.rows.push_back(spread_row(data, spread));
   for (const PricedLevel &level : price_levels(data))
   {
     std::string marks = level.is_on_front ? "on the front" : "";
@@ -223,8 +240,9 @@ TextTable default_table(const StudyData &data)
       "Defaults",
       "The default of the program against the cheapest value whose errors all "
       "stay below half the spread of the seeds and whose cost is below that of "
-      "the reference by its interval; reference where there is none: then a "
-      "default that is fine is right.",
+      "the reference by its interval; reference where there is none. A default "
+      "that is fine and costs no more than that one, by the interval, is "
+      "right.",
       {"key", "default", data.study.costs.front(), "worst error / spread",
        "cheapest that is fine", "is the default"},
       {}};

@@ -58,6 +58,97 @@ TEST_F(StudyFile, PricesAreAgainstTheReference)
       << study_markdown(data);
 }
 
+// More seeds for the spread alone: pairs and tables of levels stay as they are.
+TEST_F(StudyFile, SpreadIsOverMoreSeedsThanThePairs)
+{
+  const std::string text = "subsection Study\n  set case = c.prm\n"
+                           "  set outcomes = n_events, processor_s\n"
+                           "  set seeds = 1, 2\n  set spread_seeds = 3, 4\n"
+                           "  set cost = processor_s\nend\n"
+                           "subsection Sweep\n"
+                           "  set Stone/density = 2000\nend\n";
+  const Study map = read_study(write("w.prm", text));
+  const std::vector<StudyPoint> points = points_of(map);
+  ASSERT_EQ(points.size(), 2u + 2u + 2u);
+  EXPECT_TRUE(points[4].is_base && points[5].is_base);
+  EXPECT_TRUE(points[4].sweeps.empty());
+  EXPECT_EQ(points[5].seed, "4");
+  std::vector<PointResult> results;
+  for (const StudyPoint &point : points) // 1, 2, 5, 8: spread of 10 / 3
+    results.push_back({true,
+                       "",
+                       {(point.seed == "1"   ? 1.
+                         : point.seed == "2" ? 2.
+                         : point.seed == "3" ? 5.
+                                             : 8.) +
+                            (point.is_base ? 0. : 0.5),
+                        point.is_base ? 4. : 2.}});
+  const StudyData data{map, points, results};
+  EXPECT_NEAR(reference_spread(data)[0], std::sqrt(10.), 1e-12);
+  const std::vector<PricedLevel> levels = price_levels(data);
+  ASSERT_EQ(levels.size(), 1u);
+  EXPECT_EQ(levels[0].errors[0].n, 2u);
+  EXPECT_NEAR(levels[0].worst, 0.5 / std::sqrt(10.), 1e-12);
+  EXPECT_NE(study_markdown(data).find("| reference | spread of 4 |  |  |  | "
+                                      "3.16 |"),
+            std::string::npos)
+      << study_markdown(data);
+
+  const auto refusal = [&](const std::string &from, const std::string &to)
+  {
+    std::string other = text;
+    other.replace(other.find(from), from.size(), to);
+    try
+    {
+      read_study(write("w.prm", other));
+    }
+    catch (const InputError &error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal("  set cost = processor_s\n", "")
+                .find("Study/spread_seeds needs a reference"),
+            std::string::npos);
+  EXPECT_NE(refusal("= 3, 4", "= 3, 2")
+                .find("Study/spread_seeds: 2 is in Study/seeds already"),
+            std::string::npos);
+}
+
+// Of two that are fine the default may be the dearer one by what costs differ
+// from seed to seed, not by more.
+TEST_F(StudyFile, DefaultsMayCostAsMuchAsTheCheapest)
+{
+  const Study map = read_study(
+      write("e.prm",
+            "subsection Study\n  set case = c.prm\n  set outcomes = n_events\n"
+            "  set seeds = 1, 2, 3\n  set cost = processor_s\nend\n"
+            "subsection Base\n  set Stone/density = 3000\nend\n"
+            "subsection Sweep\n  set Stone/density = 2000, 2750\nend\n"));
+  const std::vector<StudyPoint> points = points_of(map);
+  const auto verdict = [&](double dearer, double scatter)
+  {
+    std::vector<PointResult> results;
+    for (const StudyPoint &point : points)
+    {
+      const double seed = std::stod(point.seed);
+      const double cost = point.values[0] == "3000" ? 4.
+                          : point.values[0] == "2000"
+                              ? 2.
+                              : 2. + dearer + scatter * (seed - 2.);
+      results.push_back({true, "", {seed, cost}});
+    }
+    const StudyData data{map, points, results};
+    const DefaultPrice price = price_defaults(data, price_levels(data)).front();
+    EXPECT_EQ(price.default_value, "2750");
+    EXPECT_EQ(price.cheapest, "2000");
+    return price.is_right;
+  };
+  EXPECT_TRUE(verdict(0.05, 0.1));
+  EXPECT_FALSE(verdict(0.05, 0.01));
+}
+
 // Two costs, a control and a variant that is the default; the cheapest that is
 // fine is another value of its knob.
 TEST_F(StudyFile, DefaultsAreHeldAgainstTheMap)
