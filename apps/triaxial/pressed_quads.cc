@@ -8,7 +8,7 @@ namespace spall
 {
 namespace
 {
-constexpr double reach = 0.05; // of the size of a quad
+constexpr double reach = 0.05; // of the longer diagonal of a quad
 
 using Corners = std::array<dem::Vec3, 4>;
 

@@ -60,6 +60,30 @@ inline const coupling::ShapeLibrary &no_shapes()
   return none;
 }
 
+/// Stones and one body that they fall on.
+struct SphereOnBody
+{
+  SphereOnBody(const dem::EngineParameters &parameters,
+               const coupling::ExchangeParameters &rules, double its_step)
+      : step(its_step), engine(parameters), exchange(rules)
+  {
+  }
+
+  void run(double duration)
+  {
+    const auto stones = coupling::stones_of(engine, no_shapes());
+    for (int k = 0; k * step < duration; ++k)
+      exchange.advance(stones, step);
+  }
+
+  double height() const { return engine.particles().position(0).z(); }
+
+  double step; ///< [s]
+  dem::Engine engine;
+  coupling::Exchange exchange;
+  const coupling::Body *body = nullptr;
+};
+
 inline std::string saved(const dem::Engine &engine)
 {
   std::ostringstream out(std::ios::binary);

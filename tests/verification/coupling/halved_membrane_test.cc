@@ -12,10 +12,10 @@ constexpr double side = 0.4, radius = 0.02;
 /// Of 4 x 4 quads those of the upper half are halved.
 const dem::Vec3 junction(0.05, 0., 0.);
 
-struct Scene
+struct Scene : support::SphereOnBody
 {
   Scene(coupling::ExchangeRule rule, double its_step)
-      : step(its_step), engine(parameters()), exchange(rules(rule))
+      : SphereOnBody(parameters(), rules(rule), its_step)
   {
     support::add_sphere(engine, radius,
                         junction + dem::Vec3(0., 0., radius - 1e-6));
@@ -65,20 +65,6 @@ struct Scene
     p.stone_steps = 1;
     return p;
   }
-
-  void run(double duration)
-  {
-    const auto stones = coupling::stones_of(engine, support::no_shapes());
-    for (int k = 0; k * step < duration; ++k)
-      exchange.advance(stones, step);
-  }
-
-  double height() const { return engine.particles().position(0).z(); }
-
-  double step;
-  dem::Engine engine;
-  coupling::Exchange exchange;
-  const coupling::Body *body = nullptr;
 };
 } // namespace
 

@@ -34,10 +34,10 @@ enum class Way
 };
 
 /// The block with a sphere on the junction that falls by its weight.
-struct Scene
+struct Scene : support::SphereOnBody
 {
   explicit Scene(Way way, double its_step)
-      : step(its_step), engine(parameters()), exchange(rules(way))
+      : SphereOnBody(parameters(), rules(way), its_step)
   {
     std::unique_ptr<coupling::Body> its_body;
     fem::SurfaceMesh mesh;
@@ -79,20 +79,6 @@ struct Scene
       p.rule = coupling::ExchangeRule::one_pass;
     return p;
   }
-
-  void run(double duration)
-  {
-    const auto stones = coupling::stones_of(engine, support::no_shapes());
-    for (int k = 0; k * step < duration; ++k)
-      exchange.advance(stones, step);
-  }
-
-  double height() const { return engine.particles().position(0).z(); }
-
-  double step;
-  dem::Engine engine;
-  coupling::Exchange exchange;
-  const coupling::Body *body = nullptr;
 };
 } // namespace
 
