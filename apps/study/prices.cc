@@ -261,8 +261,10 @@ std::vector<DefaultPrice> price_defaults(const StudyData &data,
     }
     if (cheapest)
       price.cheapest = cheapest->value;
-    price.is_right = price.worst < fine_share &&
-                     (!cheapest || !saves_over(data, *cheapest, usual));
+    price.is_right =
+        price.worst < fine_share &&
+        (!cheapest || is_default(data.study, *cheapest, defaults) ||
+         !saves_over(data, *cheapest, usual));
     prices.push_back(price);
   }
   return prices;
