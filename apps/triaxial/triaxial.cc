@@ -286,9 +286,15 @@ void Triaxial::exchange_window(double window)
   {
     joined->advance(stones(), window);
   }
+  // Once the step has been counted.
+  catch (const coupling::FoldStop &stop)
+  {
+    stopped_by = stop.what() + std::string("; larger quads or a higher "
+                                           "Membrane/tension may prevent it");
+  }
   catch (const coupling::GuardStop &stop)
   {
-    stopped_by = stop.what(); // once the step has been counted
+    stopped_by = stop.what();
   }
 }
 

@@ -438,10 +438,14 @@ void Exchange::check_surfaces(const dem::Engine &engine)
                              engine.parameters().geometry.wall_geometry);
     if (!fault && surfaces_seen_at % crossing_interval == 0)
       fault = dem::find_crossing(facets.mesh());
-    if (fault)
-      throw GuardStop("coupling: at " + text_of(engine.time()) +
-                      " s in the surface '" + facets.name + "' " +
-                      dem::describe(*fault));
+    if (!fault)
+      return;
+    const std::string what = "coupling: at " + text_of(engine.time()) +
+                             " s in the surface '" + facets.name + "' " +
+                             dem::describe(*fault);
+    if (fault->flaw == dem::SurfaceFlaw::left)
+      throw GuardStop(what);
+    throw FoldStop(what);
   };
   timed(spent.guards,
         [&]

@@ -24,8 +24,9 @@ LOADING = (*SETTINGS, "Loading/cycles=2", "Output/samples_per_cycle=250")
 SOFT = ("Loading/frequency=500", "Membrane/youngs_modulus=3e4")
 
 
-def stopped_run(spall, folder, settings, words, *options, before="none"):
-    """Faults of a run that a guard stops with these words."""
+def stopped_run(spall, folder, settings, words, *options, before="none",
+                hint=""):
+    """Faults of a run that a guard stops with these words and this hint."""
     ended = subprocess.run(
         command(spall, folder, "membrane", *options, settings=settings),
         capture_output=True, text=True, timeout=300, check=False,
@@ -35,7 +36,7 @@ def stopped_run(spall, folder, settings, words, *options, before="none"):
     faults = []
     if ended.returncode != 2 or len(lines) != 1:
         faults.append(f"status {ended.returncode}: {ended.stderr}")
-    for part in (words, str(state), f"last one before: {before}"):
+    for part in (words, hint, str(state), f"last one before: {before}"):
         if part not in ended.stderr:
             faults.append(f"'{part}' is not in: {ended.stderr}")
     if not state.exists():
@@ -63,7 +64,8 @@ def main():
         faults = stopped_run(spall, root / "stopped", (*SETTINGS, NARROW),
                              "Coupling/ledger_limit")
         faults += stopped_run(spall, root / "soft", SOFT,
-                              "in the surface 'membrane' facets")
+                              "in the surface 'membrane' facets",
+                              hint="a higher Membrane/tension may prevent it")
         loading = root / "loading"
         run(spall, loading, "membrane", "--until", "1",
             settings=(*LOADING, WIDE))

@@ -62,6 +62,12 @@ class GuardStop : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// As a surface has folded or runs through itself.
+class FoldStop : public GuardStop
+{
+  using GuardStop::GuardStop;
+};
+
 /// Wall-clock spent in the bodies, in keeping and undoing the rest, and in
 /// looking at the surfaces [s].
 struct ExchangeClock
