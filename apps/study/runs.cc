@@ -88,17 +88,19 @@ bool is_free(const fs::path &folder)
   return !fs::exists(folder) || fs::is_empty(folder);
 }
 
-/// Whether the folder has this case, begun or ended.
-bool holds_case(const StudyPoint &point, const fs::path &run)
-{
-  return case_of(run) == without_comments(point.resolved);
-}
-
-/// Whether the run of this case knew every key of it.
+/// Whether the folder has this case, run by a program that knew every key of
+/// it.
 bool has_all_keys(const StudyPoint &point, const fs::path &run)
 {
   return without_comments(text_of(run / "case.prm")) ==
          without_comments(point.resolved);
+}
+
+/// Whether the folder has this case, begun or ended.
+bool holds_case(const StudyPoint &point, const fs::path &run)
+{
+  return has_all_keys(point, run) ||
+         case_of(run) == without_comments(point.resolved);
 }
 
 /// Runs the case of a point, or goes on with it.

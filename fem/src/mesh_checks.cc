@@ -45,19 +45,26 @@ void check_midpoints(const SurfaceMesh &mesh)
   {
     if (node < 0 || static_cast<std::size_t>(node) >= hangs.size())
       refuse("node number " + std::to_string(node) +
-             " of a midpoint, there "
-             "are " +
-             std::to_string(hangs.size()) + " nodes");
+             " of a midpoint, there are " + std::to_string(hangs.size()) +
+             " nodes");
     return hangs[static_cast<std::size_t>(node)];
   };
   for (const SurfaceMesh::Midpoint &middle : mesh.midpoints)
     mark(middle.node) = true;
   for (const SurfaceMesh::Midpoint &middle : mesh.midpoints)
+  {
     for (const std::int32_t end : middle.ends)
       if (mark(end))
         refuse("node " + std::to_string(middle.node) +
                " is in the middle of an edge whose end " + std::to_string(end) +
                " is in the middle of another");
+    const auto at = [&](std::int32_t node) -> const Eigen::Vector3d &
+    { return mesh.nodes[static_cast<std::size_t>(node)]; };
+    const Eigen::Vector3d &a = at(middle.ends[0]), &b = at(middle.ends[1]);
+    if ((at(middle.node) - 0.5 * (a + b)).norm() > 1e-9 * (b - a).norm())
+      refuse("node " + std::to_string(middle.node) +
+             " is not in the middle of its edge");
+  }
 }
 
 /// The cross products at the four corners must point to one side.

@@ -28,7 +28,7 @@ NEAR = 0.1
 
 def main():
     spall = sys.argv[1]
-    faults, peak, quads = [], {}, {}
+    faults, peak, quads, gain = [], {}, {}, {}
     with tempfile.TemporaryDirectory() as name:
         for kind, (settings, energy, ledger) in KINDS.items():
             folder = pathlib.Path(name) / kind
@@ -36,6 +36,7 @@ def main():
             found = summary(folder)
             peak[kind] = found["peak_axial_stress_Pa"]
             quads[kind] = found["n_membrane_quads"]
+            gain[kind] = found["exchange_gain_1"]
             residual = abs(found["energy_residual_ratio_1"])
             astray = found["interface"]["work_residual_1"]
             print(f"{kind}: peak {peak[kind]:.0f} Pa, energy {residual:.1e}, "
@@ -50,6 +51,9 @@ def main():
     halved = quads["halved"] - quads["plain"]
     if halved <= 0 or halved % 3 or quads["halved"] >= 4 * quads["plain"]:
         faults.append(f"halved: {quads['halved']} quads of {quads['plain']}")
+    # The step is chosen as if all were halved: a quarter of the mass of a node.
+    if gain["halved"] < 3. * gain["plain"]:
+        faults.append(f"halved: gain {gain['halved']} of {gain['plain']}")
     return report_faults(faults)
 
 

@@ -69,6 +69,15 @@ struct SphereOnBody
   {
   }
 
+  static dem::EngineParameters falling_on(double stiffness)
+  {
+    dem::EngineParameters p = bare_parameters();
+    p.gravity = {0., 0., -9.81};
+    p.surface.normal_stiffness = stiffness;
+    p.surface.normal_damping = 0.2;
+    return p;
+  }
+
   void run(double duration)
   {
     const auto stones = coupling::stones_of(engine, no_shapes());

@@ -73,11 +73,13 @@ class Membrane
 {
 public:
   /// Throws std::invalid_argument on parameters or meshes that make no sense.
+  /// What acts on midpoints of the mesh acts on the ends of their edges.
   Membrane(const MembraneParameters &parameters, const SurfaceMesh &reference);
   ~Membrane();
   Membrane(Membrane &&) noexcept;
 
-  /// These nodes follow set_tied_velocity instead of their forces.
+  /// These nodes follow set_tied_velocity instead of their forces; midpoints of
+  /// the mesh among them are passed over, they follow the ends of their edges.
   void tie(const std::vector<std::int32_t> &nodes);
   void set_tied_velocity(std::int32_t node, const Eigen::Vector3d &velocity);
 
@@ -125,7 +127,8 @@ public:
   std::size_t n_nodes() const;
   std::span<const Eigen::Vector3d> positions() const;  ///< [m]
   std::span<const Eigen::Vector3d> velocities() const; ///< [m/s]
-  std::span<const double> nodal_mass() const;          ///< lumped [kg]
+  /// Lumped, 0 at midpoints, which have given theirs to the ends [kg].
+  std::span<const double> nodal_mass() const;
   bool is_tied(std::int32_t node) const;
   const SurfaceMesh &mesh() const;
 

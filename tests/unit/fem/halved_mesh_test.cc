@@ -99,5 +99,10 @@ TEST(HalvedMesh, RefusesNonsense)
   EXPECT_THROW(fem::Membrane({}, chained), std::invalid_argument);
   chained.midpoints.front().ends[0] = 1000;
   EXPECT_THROW(fem::Membrane({}, chained), std::invalid_argument);
+  fem::SurfaceMesh beside = once;
+  beside.nodes[static_cast<std::size_t>(beside.midpoints.front().node)].z() +=
+      1e-6;
+  EXPECT_THROW(fem::Membrane({}, beside), std::invalid_argument);
+  EXPECT_NO_THROW(fem::Membrane({}, once));
 }
 } // namespace

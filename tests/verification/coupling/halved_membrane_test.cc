@@ -8,14 +8,14 @@
 // middle of an edge of a larger quad.
 namespace
 {
-constexpr double side = 0.4, radius = 0.02;
+constexpr double side = 0.4, radius = 0.02, stiffness = 1e4;
 /// Of 4 x 4 quads those of the upper half are halved.
 const dem::Vec3 junction(0.05, 0., 0.);
 
 struct Scene : support::SphereOnBody
 {
   Scene(coupling::ExchangeRule rule, double its_step)
-      : SphereOnBody(parameters(), rules(rule), its_step)
+      : SphereOnBody(falling_on(stiffness), rules(rule), its_step)
   {
     support::add_sphere(engine, radius,
                         junction + dem::Vec3(0., 0., radius - 1e-6));
@@ -25,17 +25,8 @@ struct Scene : support::SphereOnBody
     body = &exchange.add(
         std::make_unique<coupling::MembraneBody>(
             std::move(membrane), coupling::BodySteps{!is_explicit, 1}),
-        mesh, "membrane", parameters().surface, coupling::StoneSide::outside,
-        engine);
-  }
-
-  static dem::EngineParameters parameters()
-  {
-    dem::EngineParameters p = support::bare_parameters();
-    p.gravity = {0., 0., -9.81};
-    p.surface.normal_stiffness = 1e4;
-    p.surface.normal_damping = 0.2;
-    return p;
+        mesh, "membrane", engine.parameters().surface,
+        coupling::StoneSide::outside, engine);
   }
 
   static fem::Membrane tight_square()

@@ -9,7 +9,7 @@
 // quads meet a larger one, hanging nodes stand in the middle of its edges.
 namespace
 {
-constexpr double side = 0.4, radius = 0.03;
+constexpr double side = 0.4, radius = 0.03, stiffness = 1e5;
 /// In the middle of the edge between (0.2, 0, 0.2) and (0.2, 0.1, 0.2).
 const dem::Vec3 junction(0.2, 0.05, 0.2);
 
@@ -37,7 +37,7 @@ enum class Way
 struct Scene : support::SphereOnBody
 {
   explicit Scene(Way way, double its_step)
-      : SphereOnBody(parameters(), rules(way), its_step)
+      : SphereOnBody(falling_on(stiffness), rules(way), its_step)
   {
     std::unique_ptr<coupling::Body> its_body;
     fem::SurfaceMesh mesh;
@@ -58,18 +58,9 @@ struct Scene : support::SphereOnBody
     }
     support::add_sphere(engine, radius,
                         junction + dem::Vec3(0., 0., radius - 1e-6));
-    body =
-        &exchange.add(std::move(its_body), mesh, "block", parameters().surface,
-                      coupling::StoneSide::outside, engine);
-  }
-
-  static dem::EngineParameters parameters()
-  {
-    dem::EngineParameters p = support::bare_parameters();
-    p.gravity = {0., 0., -9.81};
-    p.surface.normal_stiffness = 1e5;
-    p.surface.normal_damping = 0.2;
-    return p;
+    body = &exchange.add(std::move(its_body), mesh, "block",
+                         engine.parameters().surface,
+                         coupling::StoneSide::outside, engine);
   }
 
   static coupling::ExchangeParameters rules(Way way)
