@@ -138,12 +138,8 @@ void Engine::set_repetitions(double repetitions)
 {
   lists_are_stale |= (repetitions > 1.) != (settings.breakage.repetitions > 1.);
   settings.breakage.repetitions = repetitions;
-  const auto forget = [](ContactBatch &batch)
-  { std::fill(batch.peak.begin(), batch.peak.end(), 0.); };
-  for (ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
-    forget(*batch);
-  for (SurfaceContacts &facets : facet_surfaces)
-    forget(facets.batch);
+  visit_batches(*this, [](ContactBatch &batch)
+                { std::fill(batch.peak.begin(), batch.peak.end(), 0.); });
 }
 
 void Engine::advance(double time_step)
@@ -221,20 +217,17 @@ void Engine::count_places(const ForceSum &sum)
   spots.events.n_jumps += sum.n_jumps;
   spots.events.n_ended += sum.n_ended;
   // Two contacts may be one now, and what is gone may be found elsewhere.
-  lists_are_stale |= sum.has_strayed;
+  places_are_stale |= sum.has_strayed;
 }
 
 void Engine::exchange_factors()
 {
-  const auto exchange = [this](ContactBatch &batch)
-  {
-    if (batch.layout.has_damage)
-      patches.exchange(stones, batch);
-  };
-  for (ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
-    exchange(*batch);
-  for (SurfaceContacts &facets : facet_surfaces)
-    exchange(facets.batch);
+  visit_batches(*this,
+                [this](ContactBatch &batch)
+                {
+                  if (batch.layout.has_damage)
+                    patches.exchange(stones, batch);
+                });
 }
 
 /// Work is booked by the trapezoidal rule: this half of the step with the
@@ -262,6 +255,7 @@ void Engine::break_corners()
     fractured += events[e].fracture_energy;
     // No kernel is larger than one: nowhere has the stone grown by more.
     margin.left -= events[e].depth;
+    facets_left -= events[e].depth;
     travel.centres += events[e].depth;
     travel.gaps += events[e].depth;
   }
@@ -273,7 +267,8 @@ void Engine::break_corners()
   run_contacts(still);
   load_boundaries(0.);
   // A chip may have led contacts of the stone elsewhere.
-  lists_are_stale |= stones.follows_surfaces;
+  visit_batches(*this, [this](const ContactBatch &batch)
+                { places_are_stale |= have_strayed(batch); });
 }
 
 EngineEnergy Engine::energy() const
@@ -284,13 +279,10 @@ EngineEnergy Engine::energy() const
   energy.rolling = lost.rolling;
   energy.damping = lost.damping;
   energy.shape_work = lost.shape_work;
-  for (const ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
-    energy.elastic += elastic_energy(*batch);
+  visit_batches(*this, [&energy](const ContactBatch &batch)
+                { energy.elastic += elastic_energy(batch); });
   for (const SurfaceContacts &facets : facet_surfaces)
-  {
-    energy.elastic += elastic_energy(facets.batch);
     energy.surface_work += facets.work;
-  }
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
     energy.kinetic += stones.kinetic_energy(i);

@@ -108,6 +108,8 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   if (lists_are_stale || margin.left < 0. ||
       (is_checked && margin.is_too_wide(list_counts())))
     rebuild_lists();
+  else if (places_are_stale)
+    look_at_strayed();
   else if (follows_walls() && !facet_surfaces.empty() &&
            (facets_are_stale || facets_left < 0.))
     look_at_facets();
@@ -125,20 +127,31 @@ void Engine::rebuild_lists()
   margin.renew(settings.search_margin, list_counts());
   if (stones.size() >= sorted_from)
     sort_in_space();
-  if (pair_layout(settings, stones).has_spots ||
-      wall_layout(settings, settings.wall, stones).has_spots)
-    maps.update(stones);
+  renew_lists();
+  steepest = branch_steepness();
+  lists_are_stale = false;
+}
+
+/// What is left of the margin stays: but for pairs whose places have strayed,
+/// lists are as good as they were.
+void Engine::look_at_strayed()
+{
+  const PhaseTimer timer(spent.search);
+  renew_lists();
+}
+
+void Engine::renew_lists()
+{
+  update_maps();
   rebuild_pair_list();
   rebuild_plane_list();
   if (barrel.is_there())
     rebuild_drum_list();
   for (SurfaceContacts &facets : facet_surfaces)
     rebuild_facet_list(facets);
-  facets_are_stale = false;
+  places_are_stale = facets_are_stale = false;
   std::fill(pair_batch.wake.begin(), pair_batch.wake.end(), 0.);
   pair_loads.prepare(pair_batch);
-  steepest = branch_steepness();
-  lists_are_stale = false;
   ++rebuild_count;
 }
 
@@ -146,10 +159,19 @@ void Engine::rebuild_lists()
 void Engine::look_at_facets()
 {
   const PhaseTimer timer(spent.search);
+  update_maps();
   for (SurfaceContacts &facets : facet_surfaces)
     rebuild_facet_list(facets);
   facets_are_stale = false;
   ++rebuild_count;
+}
+
+/// Of stones that broke since the last look, or of all after a restart.
+void Engine::update_maps()
+{
+  if (pair_layout(settings, stones).has_spots ||
+      wall_layout(settings, settings.wall, stones).has_spots)
+    maps.update(stones);
 }
 
 ContactGeometry Engine::pair_geometry() const
@@ -160,12 +182,13 @@ ContactGeometry Engine::pair_geometry() const
 SpotSearchInput Engine::spot_search(const ForceContext &still,
                                     const BatchLayout &layout) const
 {
-  // Searched somewhat farther than the next look at the lists needs, so that
-  // only stones that move are searched again then.
-  constexpr double reserve = 1.25;
-  return {still,        maps,
-          layout,       reserve * margin.width,
-          margin.width, rebuild_count == 0};
+  // Searched farther than the next look at the lists needs, so that only
+  // stones that move are searched again then. Three times as far: places that
+  // are born between two searches are found too late.
+  constexpr double reserve = 2.;
+  return {still,       maps,
+          layout,      reserve * margin.width,
+          margin.left, rebuild_count == 0};
 }
 
 void Engine::rebuild_pair_list()

@@ -80,8 +80,9 @@ void Engine::rebuild_facet_list(SurfaceContacts &facets)
   const ForceContext still = context(0.);
   SpotSearchInput input = spot_search(still, search.layout);
   input.margin = facet_margin * stones.smallest_radius();
-  input.notice = facet_notice * input.margin;
-  facets_left = input.notice;
+  if (facets_left < 0.)
+    facets_left = facet_notice * input.margin;
+  input.notice = facets_left;
   search.margin = input.margin;
   search.reach = facet_gathering;
   if (!facets.watch.covers(stones, facets.surface, input.margin))

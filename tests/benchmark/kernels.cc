@@ -7,6 +7,7 @@
 #include <dem/contact/side.h>
 #include <dem/search/candidates.h>
 #include <dem/shape/patch.h>
+#include <dem/shape/radius_map.h>
 
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -159,7 +160,17 @@ void breakage_event(State &state)
                     return dem::apply_spall(body, spall, {}).depth;
                   });
 }
-BENCHMARK(breakage_event)->Unit(benchmark::kMicrosecond);
+BENCHMARK(breakage_event)->Apply(orders)->Unit(benchmark::kMicrosecond);
+
+/// What the search for places looks up, of a shape that has just changed.
+void radius_map(State &state)
+{
+  const dem::Body body = cube_of_order(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(dem::RadiusMap(body.series));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(radius_map)->Apply(orders)->Unit(benchmark::kMicrosecond);
 
 benchmark_scenes::Stones kind_of(const State &state)
 {

@@ -156,6 +156,9 @@ private:
   void keep_lists(const Speeds &fastest, double time_step);
   SearchMargin::Lists list_counts() const;
   void rebuild_lists();
+  void look_at_strayed();
+  void renew_lists();
+  void update_maps();
   void rebuild_pair_list();
   void rebuild_plane_list();
   void rebuild_drum_list();
@@ -184,6 +187,16 @@ private:
   void load_drum(double time_step);
   void book_drum(double time_step);
   ForceContext context(double time_step);
+  /// Calls call(batch) for the contacts with stones, planes, drum and facets.
+  template <class Self, class Call>
+  static void visit_batches(Self &self, const Call &call)
+  {
+    call(self.pair_batch);
+    call(self.plane_batch);
+    call(self.drum_batch);
+    for (auto &facets : self.facet_surfaces)
+      call(facets.batch);
+  }
   /// Calls call(value) for every plain value that a checkpoint keeps.
   template <class Self, class Visit>
   static void visit_state(Self &self, const Visit &call);
@@ -205,6 +218,7 @@ private:
   PatchFactors patches; ///< empty unless patches keep factors
 
   bool lists_are_stale = true;
+  bool places_are_stale = false; ///< contacts have strayed
   bool facets_are_stale = false; ///< those alone, where stones follow them
   SearchMargin margin;
   PairFinder pair_finder;

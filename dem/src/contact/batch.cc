@@ -32,6 +32,23 @@ double SideColumns::local_radius(std::size_t k,
          h(3) * w.x * w.y + h(4) * w.x * w.z + h(5) * w.y * w.z;
 }
 
+RadialExpansion SideColumns::expansion_at_spot(std::size_t k) const
+{
+  const auto vector = [](const Triple<double> &of)
+  { return Vec3(of.x, of.y, of.z); };
+  const auto h = [this, k](std::size_t c)
+  { return static_cast<double>(hessian[c][k]); };
+  RadialExpansion at;
+  at.direction = spot(k);
+  const Vec3 &s = at.direction;
+  at.hessian << h(0), h(3), h(4), h(3), h(1), h(5), h(4), h(5), h(2);
+  const Vec3 slope =
+      vector(gradient[k]) + at.hessian * (s - vector(direction[k]));
+  at.gradient = slope - slope.dot(s) * s;
+  at.radius = local_radius(k, {s.x(), s.y(), s.z()});
+  return at;
+}
+
 /// A counting sort by A of short rows.
 std::vector<std::int32_t> ContactBatch::by_pair() const
 {

@@ -78,8 +78,10 @@ SurfacePoint point_of(const Particles &stones, std::int32_t stone,
                       const SideColumns &side, std::size_t k)
 {
   const auto i = static_cast<std::size_t>(stone);
-  return turned(surface_point(stones.body[i], side.spot(k)),
-                stones.rotation(i));
+  const SurfacePoint on_body =
+      side.is_known(k) ? surface_point(side.expansion_at_spot(k))
+                       : surface_point(stones.body[i], side.spot(k));
+  return turned(on_body, stones.rotation(i));
 }
 
 Stand true_stand(const Particles &stones, const ContactBatch &batch,

@@ -13,7 +13,7 @@ static_assert(sizeof(TurningFrame) == kernel::frame_row * sizeof(double));
 
 /// Stones that one thread moves in turn, and how many are worth threads: those
 /// that a thread loads and moves are still in its cache.
-constexpr std::int64_t range = 64, n_worth_threads = 256;
+constexpr std::int64_t range = 16, n_worth_threads = 256;
 
 template <class Row>
 double *numbers(std::vector<Row> &rows)

@@ -175,6 +175,7 @@ void Engine::visit_state(Self &self, const Visit &visit)
   visit(self.settings.breakage.is_active);
   visit(self.settings.breakage.repetitions);
   visit(self.lists_are_stale);
+  visit(self.places_are_stale);
   visit(self.margin);
   visit(self.steepest);
   visit(self.now);

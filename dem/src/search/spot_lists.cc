@@ -100,6 +100,14 @@ bool by_key(const WatchedPair &one, const WatchedPair &other)
 }
 } // namespace
 
+bool have_strayed(const ContactBatch &batch)
+{
+  for (std::size_t k = 0; k < batch.strayed.size(); ++k)
+    if (has_strayed(batch, k))
+      return true;
+  return false;
+}
+
 SpotEvents &SpotEvents::operator+=(const SpotEvents &part)
 {
   n_scans += part.n_scans;

@@ -218,8 +218,10 @@ std::vector<Spot> find_supports(const MappedStone &stone, const Vec3 &normal,
   {
     if (!depths.is_least(list.node(k)))
       continue;
-    const Support support =
-        find_support(stone.body, normal, list.position(k).normalized());
+    const Spot start{list.position(k).normalized(), Vec3::UnitZ(), 0., false};
+    if (leads_to(start, known) || leads_to(start, found))
+      continue;
+    const Support support = find_support(stone.body, normal, start.on_a);
     const Spot spot{support.direction, Vec3::UnitZ(),
                     support.height - heights.wall, support.is_found};
     if (spot.is_found && support.height > heights.lowest &&

@@ -73,6 +73,8 @@ struct SideColumns
   Vec3 spot(std::size_t k) const;
   /// r at a unit direction near the one of contact k, from the expansion [m].
   double local_radius(std::size_t k, const Triple<double> &on_body) const;
+  /// What is known about the place of contact k: the expansion moved there.
+  RadialExpansion expansion_at_spot(std::size_t k) const;
 
   template <class Visit, class... Selves>
   static void visit(const Visit &call, const BatchLayout &has, bool is_there,

@@ -29,6 +29,9 @@ inline constexpr std::size_t most_spots = 8;
 /// Likewise on a facet surface, which has several sides.
 inline constexpr std::size_t most_wall_places = 24;
 
+/// Whether a contact has come to another place, or lost its own.
+bool have_strayed(const ContactBatch &batch);
+
 /// What the lists of places are made from.
 struct SpotSearchInput
 {

@@ -39,8 +39,6 @@ public:
 
 private:
   void measure_hull();
-  /// A node or one beside it, whichever is highest.
-  int highest_neighbour(int node, const Eigen::Vector3f &direction) const;
 
   std::shared_ptr<const Coefficients> series;
   GridValues radius, hull;
