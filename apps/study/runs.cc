@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -206,11 +207,28 @@ void find_folders(std::vector<StudyPoint> &points, const fs::path &folder)
   }
 }
 
+std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
+                                       int jobs)
+{
+  std::map<std::string, std::size_t> place_of_seed;
+  for (const StudyPoint &point : points)
+    place_of_seed.try_emplace(point.seed, place_of_seed.size());
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t k) {
+                             return place_of_seed.at(points[k].seed) /
+                                    static_cast<std::size_t>(jobs);
+                           });
+  return order;
+}
+
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const fs::path &folder, int jobs)
 {
   std::vector<PointResult> results(points.size());
+  const std::vector<std::size_t> order = running_order(points, jobs);
   pass_on_stops();
   std::atomic<std::size_t> next = 0;
   std::vector<char> is_found(points.size());
@@ -222,9 +240,10 @@ std::vector<PointResult> run_points(const Study &study,
       static_cast<std::size_t>(std::ranges::count(is_found, char{1})));
   const auto work = [&]
   {
-    for (std::size_t k = next++; k < points.size() && !are_programs_stopped();
-         k = next++)
+    for (std::size_t n = next++; n < order.size() && !are_programs_stopped();
+         n = next++)
     {
+      const std::size_t k = order[n];
       const fs::path run = folder / points[k].folder;
       try
       {

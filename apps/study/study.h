@@ -137,10 +137,18 @@ struct PointResult
   std::vector<double> outcomes; ///< NaN where it gives none
 };
 
+/// Numbers of the points in the order in which they run: every case of as many
+/// seeds as there are jobs before the next seeds, so that cases which are
+/// compared meet a machine of the same mood, and a seed is prepared by its
+/// first case while the other jobs have seeds of their own.
+std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
+                                       int jobs);
+
 /// Runs what is not done yet as programs of their own, `jobs` at a time, each
-/// with one thread; a run with a checkpoint is resumed. A case that fails does
-/// not stop the others; SIGINT and SIGTERM do, each with its checkpoint. Cases
-/// that prepare the same specimen share it, in the folder `preparations`.
+/// with one thread, in the order above; a run with a checkpoint is resumed. A
+/// case that fails does not stop the others; SIGINT and SIGTERM do, each with
+/// its checkpoint. Cases that prepare the same specimen share it, in the folder
+/// `preparations`.
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const std::filesystem::path &folder,

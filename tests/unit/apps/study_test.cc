@@ -107,6 +107,21 @@ TEST_F(StudyFile, EachSharesTheBaseCase)
   EXPECT_DOUBLE_EQ(levels[2].deviation(), std::sqrt(2.));
 }
 
+// What is compared stands side by side: all cases of a seed, or of as many
+// seeds as run at a time, before the next.
+TEST_F(StudyFile, CasesOfASeedRunTogether)
+{
+  const std::vector<StudyPoint> points = points_of(study("each"));
+  std::vector<std::string> seeds;
+  for (const std::size_t k : running_order(points, 1))
+    seeds.push_back(points[k].seed);
+  EXPECT_EQ(seeds,
+            (std::vector<std::string>{"1", "1", "1", "1", "2", "2", "2", "2"}));
+  std::size_t place = 0;
+  for (const std::size_t k : running_order(points, 2))
+    EXPECT_EQ(k, place++);
+}
+
 // Points of the file at the value of the key, the other key as in the base.
 TEST_F(StudyFile, MeasuredPointsAreThoseOfTheValue)
 {
