@@ -97,6 +97,9 @@ int run_with_mpi(const Command &command, Words words)
 
 int dispatch(const Command &command, Words words)
 {
+  if (std::ranges::find(words, "") != words.end())
+    throw InputError(std::string(command.name) +
+                     ": an empty word: must be a file, an option or its value");
   if (std::ranges::any_of(words, [](const std::string &word)
                           { return word == "--help" || word == "-h"; }))
   {

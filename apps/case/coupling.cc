@@ -60,7 +60,9 @@ void add_coupling(List &list, CouplingParameters &c)
        "every_step: stones and body (membrane, subgrade, elastic plate) take "
        "the same explicit steps; one_pass: window by window, the body "
        "predicted with the last loads; iterated: until motion and loads of "
-       "each window agree; none: there is no such body."},
+       "each window agree; none: there is no such body (with one it is "
+       "refused; templates write every_step for a membrane, one_pass for a "
+       "subgrade)."},
       c.exchange, {"none", "every_step", "one_pass", "iterated"});
   list.add({"stone_steps", "-",
             "Steps of the stones in one window; at most, with "

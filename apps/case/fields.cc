@@ -14,7 +14,7 @@ void add_stone(List &list, dem::StoneMaterial &s)
   list.add({"density", "kg/m^3", "Of the solid, rho."}, s.density,
            above(0., 3e4));
   list.add({"shear_modulus", "Pa", "G of the Hertz contact."}, s.shear_modulus,
-           above(0., 1e13));
+           between(1., 1e13));
   list.add({"poisson_ratio", "-", "nu of the Hertz contact."}, s.poisson_ratio,
            below(0., 0.5));
   list.add({"friction", "-", "Coulomb, stone on stone, f."}, s.friction,

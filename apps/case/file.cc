@@ -101,6 +101,7 @@ void parse_prm(dealii::ParameterHandler &handler, const std::string &file)
   std::ifstream in(file);
   try
   {
+    skip_byte_order_mark(in);
     handler.parse_input(in, file);
   }
   catch (const std::exception &)

@@ -104,6 +104,7 @@ private:
 std::vector<Assignment> scan_prm(const std::string &file, std::istream &in)
 {
   PrmScanner scanner(file);
+  skip_byte_order_mark(in);
   for (std::string line; std::getline(in, line);)
     scanner.take(line);
   scanner.finish();
@@ -136,6 +137,12 @@ Json parse_json(const std::string &file, std::istream &in)
     throw InputError(file + ": no valid JSON: " +
                      what.substr(at == std::string::npos ? 0 : at));
   }
+  catch (const Json::out_of_range &error)
+  {
+    const std::string what = error.what(); // ends: number overflow ... '1e400'
+    throw InputError(file + ": no valid JSON: " +
+                     what.substr(std::min(what.find("number"), what.size())));
+  }
 }
 
 std::vector<Assignment> scan_json(const std::string &file, std::istream &in)
@@ -161,6 +168,15 @@ std::vector<Assignment> scan_json(const std::string &file, std::istream &in)
   return assignments;
 }
 } // namespace
+
+void skip_byte_order_mark(std::istream &in)
+{
+  std::string start(3, '\0');
+  in.read(start.data(), 3);
+  in.clear();
+  if (start != "\xEF\xBB\xBF")
+    in.seekg(0);
+}
 
 std::vector<Assignment> read_assignments(const std::string &file)
 {

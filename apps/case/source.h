@@ -1,5 +1,6 @@
 #pragma once
 
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct Assignment
   std::string section, key, value;
   std::string place; ///< "case.prm:12", "case.json" or "--set"
 };
+
+/// Past the three bytes that some editors put before the first line.
+void skip_byte_order_mark(std::istream &in);
 
 /// Reads the structure of a .prm or .json file, so that every fault is named
 /// with its line before ParameterHandler sees the file. Throws InputError:

@@ -19,6 +19,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
+constexpr const char *page_marker = "<!-- spall study --page -->";
+
 struct StudyOptions
 {
   std::string file, out, figures, page;
@@ -81,6 +83,25 @@ void make_folder(const fs::path &folder)
                      ": must be a folder that may be written");
 }
 
+/// Throws where the folder holds something, but no study.
+void check_free(const fs::path &folder)
+{
+  std::error_code status;
+  bool is_empty = true;
+  for (const fs::directory_entry &entry :
+       fs::directory_iterator(folder, status))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name == "study.csv" || name.starts_with("run_"))
+      return;
+    is_empty = false;
+  }
+  if (!is_empty)
+    throw InputError("study: --out " + folder.string() +
+                     ": holds something that is no study: must be empty, new "
+                     "or the folder of an earlier study");
+}
+
 /// Whether a file of this name in the folder of any case has the column.
 bool is_written(const StudyData &data, const fs::path &folder,
                 const std::string &file, const std::string &column)
@@ -135,6 +156,9 @@ int study_command(Words words)
   const Study study = read_study(options.file, options.overrides);
   std::vector<StudyPoint> points = points_of(study);
   const fs::path folder = options.out;
+  if (!options.page.empty())
+    page_before("study", options.page, page_marker);
+  check_free(folder);
   make_folder(folder);
   find_folders(points, folder);
   if (!options.figures.empty())
@@ -153,8 +177,7 @@ int study_command(Words words)
   write_study_table(study, points, results, folder / "study.csv");
   write_text(folder / "report.html", study_page(data, folder, options.figures));
   if (!options.page.empty())
-    renew_page("study", options.page, "<!-- spall study --page -->",
-               study_markdown(data));
+    renew_page("study", options.page, page_marker, study_markdown(data));
   std::cout << (folder / "study.csv").string() << '\n'
             << (folder / "report.html").string() << std::endl;
   if (n_failed > 0)

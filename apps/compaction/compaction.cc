@@ -1,6 +1,7 @@
 #include "compaction/compaction.h"
 
 #include "compaction/filling.h"
+#include "run/checkpoint.h"
 
 #include <coupling/membrane_body.h>
 #include <dem/io/binary.h>
@@ -430,5 +431,7 @@ void Compaction::restore(std::istream &in)
   LabTest::restore(in);
   if (joined)
     joined->restore(in);
+  refuse_shorter("Vibration/duration", vibrated(),
+                 parameters.vibration.duration);
 }
 } // namespace spall

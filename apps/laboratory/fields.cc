@@ -55,7 +55,7 @@ void add_charge(List &list, ChargeParameters &c)
            above(0., 3e4));
   list.add({"ball_shear_modulus", "Pa",
             "Steel. Friction and damping of the balls are those of Stone."},
-           c.steel.shear_modulus, above(0., 1e13));
+           c.steel.shear_modulus, between(1., 1e13));
   list.add({"ball_poisson_ratio", "-", "Steel."}, c.steel.poisson_ratio,
            below(0., 0.5));
 }

@@ -5,6 +5,7 @@
 #include "case/parameter.h"
 #include "errors.h"
 #include "laboratory/roundness_table.h"
+#include "run/checkpoint.h"
 #include "specimen/gradation.h"
 
 #include <dem/io/binary.h>
@@ -226,7 +227,7 @@ Due LosAngeles::due() const
   };
   const DrumParameters &d = parameters.drum;
   Due due;
-  due.row = has_passed(d.rows_per_turn);
+  due.row = has_passed(d.rows_per_turn) || share_done() >= 1.;
   due.frame = has_passed(d.frames_per_turn);
   due.checkpoint =
       d.checkpoint_every > 0 && has_passed(1. / d.checkpoint_every);
@@ -276,5 +277,6 @@ void LosAngeles::restore(std::istream &in)
   dem::read_value(in, start_time);
   dem::read_value(in, turns_before);
   dem::read_value(in, is_turning);
+  refuse_shorter("Drum/turns", turns(), parameters.drum.turns);
 }
 } // namespace spall

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <omp.h>
+#include <string_view>
 
 namespace spall
 {
@@ -113,7 +114,11 @@ void LabRecorder::write_row(const LabTest &test)
 {
   std::vector<double> row;
   for (const Quantity &one : test.row())
+  {
+    if (std::string_view(one.name) == "energy_residual_J")
+      require_energy(one.value, test.engine().time());
     row.push_back(one.value);
+  }
   history.write_row(row);
   if (test.exchange())
     ledger.write_row(ledger_row(*test.exchange(), test.engine(),

@@ -57,8 +57,8 @@ std::string markdown(const TextTable &table)
   return out + "\n";
 }
 
-void renew_page(const std::string &command, const std::string &path,
-                const std::string &marker, const std::string &text)
+std::string page_before(const std::string &command, const std::string &path,
+                        const std::string &marker)
 {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream before;
@@ -67,6 +67,12 @@ void renew_page(const std::string &command, const std::string &path,
   if (!file || place == std::string::npos)
     throw InputError(command + ": --page " + path +
                      ": must be a file with the line " + marker);
-  write_text(path, before.str().substr(0, place) + marker + "\n\n" + text);
+  return before.str().substr(0, place) + marker + "\n";
+}
+
+void renew_page(const std::string &command, const std::string &path,
+                const std::string &marker, const std::string &text)
+{
+  write_text(path, page_before(command, path, marker) + "\n" + text);
 }
 } // namespace spall

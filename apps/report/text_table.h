@@ -22,8 +22,12 @@ std::string html_rows(const TextTable &table);
 /// Heading of level two, note and table.
 std::string markdown(const TextTable &table);
 
-/// Writes the page again up to its line `marker`, which must be there, and the
-/// text after it. Throws InputError with the name of the command.
+/// A page up to its line `marker`, this line included. Throws InputError with
+/// the name of the command if it is not there.
+std::string page_before(const std::string &command, const std::string &path,
+                        const std::string &marker);
+
+/// Writes the page again with this text behind the line. Throws likewise.
 void renew_page(const std::string &command, const std::string &path,
                 const std::string &marker, const std::string &text);
 } // namespace spall

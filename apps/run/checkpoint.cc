@@ -1,8 +1,10 @@
 #include "run/checkpoint.h"
 
 #include "case/file.h"
+#include "case/parameter.h"
 #include "errors.h"
 #include "run/digest.h"
+#include "run/digested.h"
 #include "run/whole_file.h"
 
 #include <dem/io/binary.h>
@@ -147,13 +149,16 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
                       const Progressed &done)
 {
   write_whole(path,
-              [&](std::ostream &out)
+              [&](std::ostream &file)
               {
-                write_value(out, magic);
-                write_string(out, identity_of(parameters));
-                write_progress(out, done);
-                save(out);
-                write_value(out, magic);
+                write_digested(file,
+                               [&](std::ostream &out)
+                               {
+                                 write_value(out, magic);
+                                 write_string(out, identity_of(parameters));
+                                 write_progress(out, done);
+                                 save(out);
+                               });
               });
 }
 
@@ -172,6 +177,14 @@ void require_checkpoint(const std::filesystem::path &path)
                      ": start the run without --resume");
 }
 
+void refuse_shorter(const char *key, double done, double asked)
+{
+  if (done > asked * (1. + 1e-3))
+    throw std::runtime_error("has come to " + number_text(done) + " where " +
+                             key + " is " + number_text(asked) +
+                             ": must be no less");
+}
+
 void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
                      const std::function<void(std::istream &)> &restore,
                      Progressed &done)
@@ -184,15 +197,14 @@ void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
     read_value(in, mark);
     if (mark != magic)
       throw std::runtime_error("not a checkpoint of this version");
+    if (!is_as_digested(path))
+      throw std::runtime_error("checkpoint is damaged");
     if (const std::string then = read_string(in), now = identity_of(parameters);
         then != now)
       throw std::runtime_error("is of another case: " +
                                first_difference(then, now));
     read_progress(in, done);
     restore(in);
-    read_value(in, mark);
-    if (mark != magic)
-      throw std::runtime_error("checkpoint is damaged");
   }
   catch (const std::runtime_error &error)
   {

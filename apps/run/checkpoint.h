@@ -15,7 +15,7 @@ namespace spall
 {
 /// Names the layout of states in files: another one, another number.
 inline constexpr std::uint64_t state_layout =
-    0x314c4c4150530a15 + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
+    0x314c4c4150530a16 + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
 
 /// What the files of a run had come to at a checkpoint.
 struct Progressed
@@ -40,6 +40,10 @@ bool is_of_this_version(const std::filesystem::path &path);
 
 /// Throws InputError if there is no checkpoint at this path.
 void require_checkpoint(const std::filesystem::path &path);
+
+/// Throws std::runtime_error if a run that is brought back has come further
+/// than the case now asks for.
+void refuse_shorter(const char *key, double done, double asked);
 
 /// Brings test and files back. Throws InputError if there is no checkpoint, it
 /// is damaged, or it belongs to a case with other parameters (number of cycles

@@ -97,9 +97,12 @@ void CsvFile::resume(const fs::path &path, std::uint64_t size)
   name = path;
   stream.close(); // what it still holds goes into the file now, not later
   std::error_code status;
-  if (fs::file_size(path, status) < size || status)
-    throw RunFailure(path.string() +
-                     ": shorter than when the checkpoint was written");
+  const std::uintmax_t found = fs::file_size(path, status);
+  if (status || found < size)
+    throw InputError("--resume: " + path.string() + ": " +
+                     (status ? "is missing"
+                             : "is shorter than when the checkpoint was "
+                               "written"));
   fs::resize_file(path, size);
   stream = open_file(path, std::ios::binary | std::ios::app);
 }

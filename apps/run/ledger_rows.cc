@@ -1,12 +1,23 @@
 #include "run/ledger_rows.h"
 
+#include "case/parameter.h"
+#include "errors.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace spall
 {
+void require_energy(double residual, double time)
+{
+  if (!std::isfinite(residual))
+    throw RunFailure("the energy has become no number at " + number_text(time) +
+                     " s: does the material, or a shape, make sense?");
+}
+
 std::string ledger_header()
 {
   return "time_s,work_given_J,work_taken_J,work_residual_1,impulse_given_x_Ns,"

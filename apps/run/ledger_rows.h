@@ -9,6 +9,10 @@
 
 namespace spall
 {
+/// Throws RunFailure where the residual of the energy balance has become no
+/// number [J], at this time [s].
+void require_energy(double residual, double time);
+
 /// Columns of ledger.csv that every test with an exchange has.
 std::string ledger_header();
 

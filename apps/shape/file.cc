@@ -114,8 +114,12 @@ void require_positive_radius(const std::string &path,
 {
   const std::vector<double> radii =
       dem::node_radii(coefficients, dem::standard_quadrature());
-  if (!(*std::min_element(radii.begin(), radii.end()) > 0.))
+  const auto [least, most] = std::minmax_element(radii.begin(), radii.end());
+  if (!(*least > 0.))
     fail(path, "the radius of the shape is not above zero everywhere");
+  if (!(*least >= 1e-9 && *most <= 1e3))
+    fail(path, "the radius of the shape must be between 1e-9 and 1000 m "
+               "everywhere");
 }
 
 /// One degree per line.

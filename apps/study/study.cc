@@ -14,7 +14,7 @@ namespace
 std::vector<std::string> list_of(const Assignment &a)
 {
   std::vector<std::string> values = words_of(a.value, ',');
-  if (values.empty())
+  if (std::ssize(values) != std::ranges::count(a.value, ',') + 1)
     refuse(a, "must be values with commas between them");
   return values;
 }
@@ -131,7 +131,11 @@ void take_variant(const Assignment &a, Study &study)
                        equals == std::string::npos || slash > equals))
       refuse(a, "must be Section/key=value or preset=NAME with semicolons "
                 "between them");
-    variant.settings.push_back(parse_override(setting));
+    const Override one = parse_override(setting);
+    if (std::ranges::find(variant.settings, key_name(one), key_name) !=
+        variant.settings.end())
+      refuse(a, key_name(one) + " is set twice");
+    variant.settings.push_back(one);
   }
   if (study.variants.empty())
     study.keys.insert(study.keys.begin(), {variant_key, "", {}, a.place, {}});
@@ -230,8 +234,13 @@ void take_base_case(Case base, Study &study)
   study.seed_key = seed_key_of(base.kind);
   const std::vector<Parameter> list = parameters_of(base);
   for (SweptKey &key : study.keys)
+  {
+    if (!study.seeds.empty() && key.name() == study.seed_key)
+      throw InputError(key.place + ": Sweep/" + key.name() +
+                       ": Study/seeds sets it already: must be one of them");
     if (const Parameter *parameter = find_key(list, key))
       key.unit = parameter->unit;
+  }
 }
 
 using Row = std::vector<std::string>;

@@ -172,7 +172,7 @@ void add_pulse(List &list, PulseParameters &p)
             "Of an axle load that one sleeper gets: zimmermann, a rail on an "
             "elastic bed; table: from a CSV file."},
            p.share, {"zimmermann", "table"});
-  list.add({"sleeper_spacing", "m", "zimmermann: a."}, p.sleeper_spacing,
+  list.add({"sleeper_spacing", "m", "zimmermann: s."}, p.sleeper_spacing,
            above(0., 100.));
   list.add({"rail_stiffness", "N m^2", "zimmermann: E I of one rail."},
            p.rail_stiffness, above(0., 1e12));

@@ -173,6 +173,7 @@ void Recorder::write_history(Triaxial &test)
   if (roundness == 0.)
     roundness = known_roundness.mean(test.engine().particles());
   last = test.sample(roundness);
+  require_energy(last.energy_residual, last.time);
   if (test.stage() >= Stage::loading)
     peak_axial_stress = std::max(peak_axial_stress, last.axial_stress);
   std::vector<double> row;

@@ -1,5 +1,6 @@
 #include "triaxial/triaxial.h"
 
+#include "run/checkpoint.h"
 #include "run/digest.h"
 #include "triaxial/preparation.h"
 
@@ -451,5 +452,6 @@ void Triaxial::restore(std::istream &in)
   resume_pace(time_then, ticks_then);
   if (now == Stage::done && pace.ticks() < n_cycles * cycle_ticks)
     now = Stage::loading;
+  refuse_shorter("Loading/cycles", cycle(), parameters.loading.n_cycles());
 }
 } // namespace spall

@@ -60,7 +60,7 @@ def value(section, key, text, *message):
 
 
 VALUES = [
-    value("Stone", "shear_modulus", "-5e8", "above 0"),
+    value("Stone", "shear_modulus", "-5e8", "at least 1"),
     value("Stone", "poisson_ratio", "0.5", "below 0.5"),
     value("Stone", "density", "heavy", "a number above 0"),
     value("Stone", "friction", "nan", "a number"),
@@ -130,6 +130,9 @@ WORDS = [
     Bad("two_cases", ["check", "{case}", "{case}"], ["check"]),
     Bad("unknown_option", ["run", "{case}", "--fast"], ["--fast"]),
     Bad("option_without_value", ["run", "{case}", "--out"], ["--out"]),
+    Bad("option_empty", ["run", "{case}", "--out", ""], ["run", "empty"]),
+    Bad("verify_list", ["verify", "--list", "--csv", "v.csv"],
+        ["--list", "--csv"]),
     Bad("threads_text", ["run", "{case}", "--threads", "all"], ["all"]),
     Bad("threads_zero", ["run", "{case}", "--threads", "-2"], ["-2"]),
     Bad("set_form", [*CASE, "--set", "cycles=3"], ["Section/key=value"]),
@@ -200,6 +203,7 @@ FILES = [
               "friction", "twice"),
     case_file("json_value", '{"Stone": {"friction": "rough"}}',
               "Stone/friction = rough", "number"),
+    case_file("json_number", '{"Stone": {"friction": 1e400}}', "1e400"),
     case_file("json_binary", "{\x01\x02", "JSON"),
     Bad("material_key", CASE, ["m.prm:2", "Stone/hardness"],
         {"Material": {"file": "m.prm"}},
@@ -434,6 +438,21 @@ LABS = [
     study("outcome", STUDY + SWEEP +
           "subsection Expect\n  set a = laa rises with Stone/density\nend\n",
           "laa is not in Study/outcomes"),
+    study("hole", STUDY + "subsection Sweep\n"
+                          "  set Stone/density = 2000,, 3000\nend\n",
+          "Stone/density = 2000,, 3000", "commas"),
+    study("twice", STUDY + "subsection Variants\n  set a = Stone/friction=1; "
+                           "Stone/friction=2\nend\n",
+          "s.prm:6", "Stone/friction is set twice"),
+    study("seed", STUDY.replace("end", "  set seeds = 5\nend") +
+          "subsection Sweep\n  set Particle/seed = 3, 4\nend\n",
+          "s.prm:7", "Sweep/Particle/seed", "Study/seeds"),
+    Bad("study_page", ["study", "s.prm", "--page", "c.prm"],
+        ["--page c.prm", "must be a file with the line"],
+        files={"s.prm": STUDY + SWEEP, "c.prm": prm(LAB)}),
+    Bad("study_out", ["study", "s.prm", "--out", "."],
+        ["--out .", "no study"],
+        files={"s.prm": STUDY + SWEEP, "c.prm": prm(LAB)}),
     Bad("study_nothing", ["study"], ["a study file must be given"]),
     Bad("study_jobs", ["study", "s.prm", "--jobs", "0"], ["--jobs 0"]),
 ]

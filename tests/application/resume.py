@@ -98,6 +98,33 @@ def other_step_faults(spall, root, lateral, extra, go):
     return faults
 
 
+def refusal_faults(spall, whole, lateral, extra):
+    """What a finished run cannot go on from is said in one line."""
+    state = whole / "checkpoint" / "state.bin"
+    bytes_of_state = bytearray(state.read_bytes())
+    bytes_of_state[len(bytes_of_state) // 2] ^= 0x40
+    history = (whole / "history.csv").read_bytes()
+    faults = []
+
+    def refused(said, *more):
+        ended = subprocess.run(
+            command(spall, whole, lateral, "--resume",
+                    settings=(*QUICK, *extra, *more)),
+            capture_output=True, text=True, check=False)
+        if (ended.returncode != 1 or said not in ended.stderr or
+                len(ended.stderr.splitlines()) != 1):
+            faults.append(f"'{said}': status {ended.returncode}, "
+                          f"{ended.stderr}")
+
+    refused("has come to 2 where Loading/cycles is 1", "Loading/cycles=1")
+    (whole / "history.csv").unlink()
+    refused("history.csv: is missing")
+    (whole / "history.csv").write_bytes(history)
+    state.write_bytes(bytes_of_state)
+    refused("checkpoint is damaged")
+    return faults
+
+
 def main():
     spall, lateral = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
     extra = sys.argv[3:]
@@ -136,6 +163,7 @@ def main():
         faults += faults_of("SIGTERM", stopped, root / "whole")
         if lateral == "rigid":
             faults += other_step_faults(spall, root, lateral, extra, go)
+        faults += refusal_faults(spall, root / "whole", lateral, extra)
     return report_faults(faults)
 
 

@@ -131,6 +131,8 @@ public:
   void set_time(double time) { now = time; } ///< of the clock alone [s]
   std::int64_t n_steps() const { return step_count; }
   std::int64_t n_rebuilds() const { return rebuild_count; }
+  /// All that is nearer than this to each other is listed [m].
+  double listed_gap() const { return margin.left; }
   /// Of contacts that follow the true surfaces, since construction.
   const SpotEvents &spot_events() const { return spots.events; }
   EngineEnergy energy() const;

@@ -298,6 +298,67 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
     append(network, c);
   }
 }
+
+/// Overlap of a Hertz spring that has taken up m v^2 / 2 = 2/5 C_H
+/// delta^(5/2) [m].
+double impact_overlap(double normal_prefactor, double mass, double speed)
+{
+  return std::pow(0.5 * mass * speed * speed /
+                      (hertz_energy_share * normal_prefactor),
+                  0.4);
+}
+
+/// Where stones come further before the horizon than the lists see, those that
+/// have nothing near may yet have an impact: on a Hertz plate, or a stone that
+/// does not give way, when both are as fast as the fastest. What is linear is
+/// as stiff at any speed.
+void add_impacts(const Engine &engine, double horizon, SpringNetwork &network)
+{
+  const Particles &stones = engine.particles();
+  const EngineParameters &parameters = engine.parameters();
+  double fastest = 0.;
+  for (std::size_t i = 0; i < stones.size(); ++i)
+    fastest = std::max(fastest, stones.velocity(i).norm());
+  const double speed = 2. * (fastest + parameters.gravity.norm() * horizon);
+  if (speed * horizon <= engine.listed_gap())
+    return;
+  std::vector<char> is_near(stones.size());
+  for (std::size_t k = 0; k < network.n_contacts(); ++k)
+  {
+    is_near[static_cast<std::size_t>(network.a[k])] = 1;
+    if (const FarShare &far = network.b[k].front();
+        far.body >= 0 && static_cast<std::size_t>(far.body) < stones.size())
+      is_near[static_cast<std::size_t>(far.body)] = 1;
+  }
+  const bool on_plate = parameters.wall.law == WallLaw::hertz;
+  const ElasticityTable elasticity(parameters);
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    if (is_near[i])
+      continue;
+    const double curvature = 1. / stones.radius(i),
+                 other = on_plate ? 0. : curvature;
+    const HertzPrefactors prefactors = elliptic_table()(
+        on_plate ? elasticity.on_plate(stones.material[i])
+                 : elasticity.pair(stones.material[i], stones.material[i]),
+        gap_coefficients({curvature, curvature, other, other, 1.}));
+    const NormalSpring<double> spring = hertz_spring(
+        prefactors.normal, prefactors.tangential,
+        std::min(speed * horizon,
+                 impact_overlap(prefactors.normal, stones.mass(i), speed)));
+    Contact c;
+    c.a = static_cast<std::int32_t>(i);
+    c.lever_a = stones.radius(i) * c.normal;
+    c.normal_stiffness = spring.stiffness;
+    c.shear_stiffness = spring.shear_stiffness;
+    c.rolling_radius = stones.radius(i);
+    c.reduced_mass = stones.mass(i);
+    const StoneMaterial &stone = parameters.stone;
+    c.coefficients = {stone.friction, stone.rolling_friction,
+                      stone.normal_damping, stone.shear_damping};
+    append(network, c);
+  }
+}
 } // namespace
 
 SpringNetwork contact_springs(const Engine &engine, double horizon)
@@ -318,6 +379,8 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
       network.mass.push_back(std::isinf(mass) ? 1. : mass);
     add_facets(engine, facets, first_point, network);
   }
+  if (horizon > 0.)
+    add_impacts(engine, horizon, network);
   return network;
 }
 

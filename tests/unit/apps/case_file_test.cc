@@ -73,6 +73,17 @@ TEST_F(CaseFile, KeepsDefaultsAndTakesValues)
   EXPECT_EQ(c.specimen.shapes, "");
 }
 
+// As some editors write it: a mark of three bytes, lines that end in \r\n.
+TEST_F(CaseFile, ByteOrderMarkIsPassedOver)
+{
+  EXPECT_EQ(read_case(write("mark.prm", "\xEF\xBB\xBFsubsection Case\r\n"
+                                        "  set kind = single_particle\r\n"
+                                        "end\r\n"),
+                      {})
+                .kind,
+            CaseKind::single_particle);
+}
+
 TEST_F(CaseFile, CommandLineWinsOverCaseOverMaterial)
 {
   write("m.prm", "subsection Stone\n  set density = 2000\n"

@@ -304,3 +304,38 @@ TEST(EngineNetworkStep, PackingAtRest)
   engine = settled(p);
   EXPECT_GT(growth(engine, 1.02 * sharp, 400, kick), 100. * quiet);
 }
+
+// A ball on its way to a plate that no list has yet: the spring of an impact
+// at twice its speed, delta = (15 m v^2 / (16 E* sqrt(R)))^(2/5), k = 2 E*
+// sqrt(R delta), or of as far as it gets before the horizon.
+TEST(EngineNetworkStep, BallInFlight)
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.wall.law = dem::WallLaw::hertz;
+  dem::Engine engine(p);
+  engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
+  support::add_sphere(engine, radius, Vec3(0., 0., 0.5));
+  engine.advance(1e-9);
+  const double speed = 2.;
+  engine.particles().velocity(0) = Vec3(0., 0., -speed);
+  EXPECT_EQ(dem::contact_springs(engine, 0.).n_contacts(), 0u);
+  const double mass = engine.particles().mass(0),
+               plane_modulus =
+                   2. * p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+  const double deepest = std::pow(15. * mass * 4. * speed * speed /
+                                      (16. * plane_modulus * std::sqrt(radius)),
+                                  0.4);
+  // As far as the lists see there is nothing.
+  EXPECT_EQ(dem::contact_springs(engine, 1e-6).n_contacts(), 0u);
+  for (const double horizon : {0.02, 1.1 * engine.listed_gap() / (2. * speed)})
+  {
+    const dem::SpringNetwork network = dem::contact_springs(engine, horizon);
+    ASSERT_EQ(network.n_contacts(), 1u);
+    const double overlap = std::min(deepest, 2. * speed * horizon),
+                 expected = 2. * plane_modulus * std::sqrt(radius * overlap);
+    EXPECT_NEAR(network.normal_stiffness[0], expected, 1e-4 * expected);
+    EXPECT_NEAR(dem::guaranteed_step(network).step,
+                2. * std::sqrt(mass / expected),
+                1e-3 * std::sqrt(mass / expected));
+  }
+}

@@ -8,10 +8,10 @@ namespace dem
 /// The springs of the contacts as they stand, and as they may stand before
 /// `horizon` has passed [s]: every gap is closed, and every overlap grows, by
 /// the present relative speed times `horizon`; a wall that is then touched
-/// counts. All springs count as if none slid. Vertices of the facet surfaces
-/// are the points, one surface after the other, with their FacetSurface::mass;
-/// those that are prescribed are walls. Contacts with the surface count while
-/// they touch.
+/// counts, and for a stone with no contact near an impact. All springs count as
+/// if none slid. Vertices of the facet surfaces are the points, one surface
+/// after the other, with their FacetSurface::mass; those that are prescribed
+/// are walls. Contacts with the surface count while they touch.
 ///
 /// The only reader of the contact columns here: what follows sees springs.
 SpringNetwork contact_springs(const Engine &engine, double horizon);
