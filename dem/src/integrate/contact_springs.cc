@@ -21,6 +21,14 @@ struct Contact
   ContactCoefficients coefficients;
 };
 
+/// Of stones on each other, or on a wall.
+template <class Material>
+ContactCoefficients coefficients_of(const Material &material)
+{
+  return {material.friction, material.rolling_friction, material.normal_damping,
+          material.shear_damping};
+}
+
 void append(SpringNetwork &network, const Contact &c)
 {
   const ContactCoefficients &f = c.coefficients;
@@ -152,8 +160,7 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
     c.rolling_radius = r_a * r_b / (r_a + r_b);
     c.reduced_mass =
         stones.mass(i) * stones.mass(j) / (stones.mass(i) + stones.mass(j));
-    c.coefficients = {stone.friction, stone.rolling_friction,
-                      stone.normal_damping, stone.shear_damping};
+    c.coefficients = coefficients_of(stone);
     append(network, c);
   }
 }
@@ -169,8 +176,7 @@ Contact wall_contact(const WallMaterial &wall, const Vec3 &lever,
   c.normal_stiffness = wall.normal_stiffness;
   c.shear_stiffness = wall.shear_stiffness;
   c.rolling_radius = lever.norm();
-  c.coefficients = {wall.friction, wall.rolling_friction, wall.normal_damping,
-                    wall.shear_damping};
+  c.coefficients = coefficients_of(wall);
   return c;
 }
 
@@ -331,6 +337,9 @@ void add_impacts(const Engine &engine, double horizon, SpringNetwork &network)
       is_near[static_cast<std::size_t>(far.body)] = 1;
   }
   const bool on_plate = parameters.wall.law == WallLaw::hertz;
+  const ContactCoefficients coefficients =
+      on_plate ? coefficients_of(parameters.wall)
+               : coefficients_of(parameters.stone);
   const ElasticityTable elasticity(parameters);
   for (std::size_t i = 0; i < stones.size(); ++i)
   {
@@ -353,9 +362,7 @@ void add_impacts(const Engine &engine, double horizon, SpringNetwork &network)
     c.shear_stiffness = spring.shear_stiffness;
     c.rolling_radius = stones.radius(i);
     c.reduced_mass = stones.mass(i);
-    const StoneMaterial &stone = parameters.stone;
-    c.coefficients = {stone.friction, stone.rolling_friction,
-                      stone.normal_damping, stone.shear_damping};
+    c.coefficients = coefficients;
     append(network, c);
   }
 }
