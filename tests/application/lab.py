@@ -181,6 +181,15 @@ def los_angeles(spall, root):
     go("until", "--resume")
     faults += resumed_faults(root / "whole", root / "until",
                              ["history.csv", "events.csv"])
+    # The history ends where the turning does; no run goes on to less.
+    go("part", "--set", "Drum/turns=0.3")
+    faults += near("last turn_1",
+                   rows(root / "part", "history.csv")[1][-1]["turn_1"], 0.3,
+                   1e-3)
+    refused = spall_run([spall, "run", case, "--out", root / "whole",
+                         "--resume", "--set", "Drum/turns=1"], status=1)
+    if "where Drum/turns is 1" not in refused.stderr:
+        faults.append(f"resumed to less: {refused.stderr}")
     spall_run([spall, "report", root / "whole"])
     said = spall_run([spall, "check", case]).stdout
     timed = re.search(r"predicted time .* for ([0-9.e+]+) steps of ([0-9.e-]+)",
