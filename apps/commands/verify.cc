@@ -57,9 +57,6 @@ Options parse(Words words)
     else
       options.families.push_back(find_family(word));
   }
-  if (options.is_list && !(options.csv.empty() && options.page.empty()))
-    throw InputError("verify: --list writes no file: must be without --csv and "
-                     "--page");
   if (options.families.empty())
     options.families = verify::families();
   return options;

@@ -3,11 +3,10 @@
 #include "errors.h"
 #include "run/checkpoint.h"
 #include "run/digest.h"
+#include "run/digested.h"
 
 #include <dem/io/binary.h>
 
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 #include <utility>
 
@@ -54,21 +53,18 @@ PreparationStore::PreparationStore(fs::path folder, std::string its_text)
                      ": cannot be made: must be a folder that may be written");
 }
 
-std::string PreparationStore::checked_state() const
+std::ifstream PreparationStore::open_state() const
 {
   std::ifstream in(file, std::ios::binary);
-  const std::uint64_t size = fs::file_size(file);
   std::uint64_t mark = 0;
   dem::read_value(in, mark);
   if (mark != state_layout)
     throw std::runtime_error("is no preparation of this version");
-  if (read_string(in, size) != text)
+  if (read_string(in, fs::file_size(file)) != text)
     throw std::runtime_error("is of another preparation");
-  std::string state = read_string(in, size);
-  dem::read_value(in, mark);
-  if (mark != digest_of(state))
+  if (!is_as_digested(file))
     throw std::runtime_error("is damaged");
-  return state;
+  return in;
 }
 
 bool PreparationStore::take(const std::function<void(std::istream &)> &restore,
@@ -78,7 +74,7 @@ bool PreparationStore::take(const std::function<void(std::istream &)> &restore,
     return false;
   try
   {
-    std::istringstream state(checked_state());
+    std::ifstream state = open_state();
     restore(state);
     return true;
   }
@@ -92,21 +88,21 @@ bool PreparationStore::take(const std::function<void(std::istream &)> &restore,
 std::string
 PreparationStore::keep(const std::function<void(std::ostream &)> &save) const
 {
-  std::ostringstream state;
-  save(state);
-  const std::string bytes = state.str();
   // Another program may write the same file now.
   const fs::path draft = file.string() + "." + std::to_string(::getpid());
-  std::ofstream out(draft, std::ios::binary);
-  dem::write_value(out, state_layout);
-  write_string(out, text);
-  write_string(out, bytes);
-  dem::write_value(out, digest_of(bytes));
-  out.close();
+  std::ofstream file_out(draft, std::ios::binary);
+  write_digested(file_out,
+                 [&](std::ostream &out)
+                 {
+                   dem::write_value(out, state_layout);
+                   write_string(out, text);
+                   save(out);
+                 });
+  file_out.close();
   std::error_code status;
-  if (out)
+  if (file_out)
     fs::rename(draft, file, status);
-  if (out && !status)
+  if (file_out && !status)
     return "preparation kept as " + file.string();
   fs::remove(draft, status);
   return file.string() + ": the preparation cannot be kept (disk full?)";

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
-#include <iosfwd>
 #include <string>
 
 namespace spall
@@ -29,8 +29,8 @@ public:
   const std::filesystem::path &path() const { return file; }
 
 private:
-  /// The state in the file; throws std::runtime_error.
-  std::string checked_state() const;
+  /// Opens the file, up to the state; throws std::runtime_error.
+  std::ifstream open_state() const;
 
   std::string text; ///< of the preparation
   std::filesystem::path file;

@@ -131,8 +131,6 @@ WORDS = [
     Bad("unknown_option", ["run", "{case}", "--fast"], ["--fast"]),
     Bad("option_without_value", ["run", "{case}", "--out"], ["--out"]),
     Bad("option_empty", ["run", "{case}", "--out", ""], ["run", "empty"]),
-    Bad("verify_list", ["verify", "--list", "--csv", "v.csv"],
-        ["--list", "--csv"]),
     Bad("threads_text", ["run", "{case}", "--threads", "all"], ["all"]),
     Bad("threads_zero", ["run", "{case}", "--threads", "-2"], ["-2"]),
     Bad("set_form", [*CASE, "--set", "cycles=3"], ["Section/key=value"]),
