@@ -75,7 +75,7 @@ void LabRecorder::resume(LabTest &test)
   events.resume(folder / "events.csv", done.events_size);
   if (test.has_ledger())
     ledger.resume(folder / "ledger.csv", done.ledger_size);
-  frames = done.frames;
+  frames = present_frames(folder, done.frames);
   n_frames = done.n_frames;
   spent_before = done.spent;
 }

@@ -97,4 +97,13 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
     body.write(add(part++, body.name));
   write_text(folder / "run.pvd", dem::collection_text(entries));
 }
+
+std::vector<dem::FrameEntry>
+present_frames(const std::filesystem::path &folder,
+               std::vector<dem::FrameEntry> entries)
+{
+  std::erase_if(entries, [&](const dem::FrameEntry &entry)
+                { return !std::filesystem::exists(folder / entry.file); });
+  return entries;
+}
 } // namespace spall

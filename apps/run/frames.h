@@ -32,4 +32,10 @@ struct FrameParts
 void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
                  const FrameParts &parts, int number,
                  std::vector<dem::FrameEntry> &entries);
+
+/// Those whose files are still there: frames may be deleted between two parts
+/// of a run.
+std::vector<dem::FrameEntry>
+present_frames(const std::filesystem::path &folder,
+               std::vector<dem::FrameEntry> entries);
 } // namespace spall

@@ -159,7 +159,7 @@ void StepWatch::allow(const dem::SpringNetwork &network,
   say(line("%.5f s: steps of up to %.3g s, limit %.3g s: ", time,
            record.longest, record.limit,
            bound.step < cap ? dem::describe_body(network, bound.body)
-                            : "any stone on one wall or membrane node"));
+                            : "any stone by itself, or one membrane node"));
 }
 
 void StepWatch::note_used(double step)

@@ -72,7 +72,7 @@ Progressed Recorder::bring_back(Triaxial &test, const std::string &name)
     ledger.resume(folder / "ledger.csv", done.ledger_size);
   else if (parameters.boundary.lateral == Lateral::membrane)
     ledger.open(folder / "ledger.csv", triaxial_ledger_header());
-  frames = done.frames;
+  frames = present_frames(folder, done.frames);
   n_frames = done.n_frames;
   roundness = done.roundness;
   loading_start = done.loading_start;

@@ -232,6 +232,10 @@ def main():
             faults += guarded(words("stopped", "--resume"), root / "stopped")
         spall_run(words("stopped", "--resume"))
         faults += resumed_faults(root / "whole", root / "stopped", FILES)
+        refused = spall_run(words("whole", "--resume", "--set",
+                                  "Vibration/duration=0.01"), status=1)
+        if "where Vibration/duration is 0.01" not in refused.stderr:
+            faults.append(f"resumed to less: {refused.stderr}")
         if sys.argv[2] == "rigid":
             faults += filling_faults(words, root)
         said = spall_run([spall, "check", case]).stdout

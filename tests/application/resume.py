@@ -69,6 +69,13 @@ def frame_faults(name, folder, n_instants=None):
     return faults
 
 
+def gone_frame_faults(folder):
+    """Frames that somebody has deleted are named no longer."""
+    named = re.findall(r'file="([^"]+)"', (folder / "run.pvd").read_text())
+    return [f"run.pvd names {frame}, which is not there"
+            for frame in named if not (folder / frame).exists()]
+
+
 def other_step_faults(spall, root, lateral, extra, go):
     """Where a cycle ends a run goes on with another step, elsewhere not."""
     go("other", "--until", "1")
@@ -147,7 +154,10 @@ def main():
         # A finished run goes on with more cycles; its last frame stays.
         go("more", settings=("Loading/cycles=1", "Output/frames_per_cycle=0"))
         faults += frame_faults("no frames", root / "more", n_instants=2)
+        for frame in (root / "more" / "frames").glob("*_00000.vtu"):
+            frame.unlink()
         go("more", "--resume")
+        faults += gone_frame_faults(root / "more")
         faults += faults_of("more cycles", root / "more", root / "whole",
                             frames_too=False)
 
