@@ -194,6 +194,12 @@ Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
          normal;
 }
 
+/// Overlap of contact k that carries nothing [m].
+double slack_of(const ContactBatch &batch, std::size_t k)
+{
+  return batch.layout.has_spots ? batch.slack[k] : 0.;
+}
+
 /// The springs of contact k with a rigid plate at this overlap [m].
 void make_hertz(const Engine &engine, const ContactBatch &batch, std::size_t k,
                 double overlap, Contact &c)
@@ -222,7 +228,8 @@ void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
       continue;
     const Vec3 lever = wall_lever(engine, batch, k, -plane.normal);
     const double gap =
-        (stones.position(i) + lever - plane.point).dot(plane.normal);
+        (stones.position(i) + lever - plane.point).dot(plane.normal) +
+        slack_of(batch, k);
     const double closing =
         horizon * (plane.velocity - stones.velocity(i)).norm();
     if (gap >= closing)
@@ -254,7 +261,7 @@ void add_drum(const Engine &engine, double horizon, SpringNetwork &network)
       reach = 0.;
     }
     const double overlap =
-        reach - at.distance +
+        reach - at.distance - slack_of(batch, k) +
         horizon *
             (engine.drum().velocity_at(part, at.point) - stones.velocity(i))
                 .norm();

@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <random>
+#include <shape/test_shapes.h>
 #include <stdexcept>
 
 // The step that the contacts of a scene allow is where the engine itself
@@ -340,5 +341,55 @@ TEST(EngineNetworkStep, BallInFlight)
                  step = dem::guaranteed_step(network).step;
     EXPECT_NEAR((step * step * expected + 2. * step * dashpot) / mass, 4.,
                 1e-3);
+  }
+}
+
+namespace
+{
+/// A stone whose true surface has come `late` into a Hertz wall across -x, and
+/// `pressed` further since [m]. Its lists are there before the wall is.
+dem::SpringNetwork springs_of_late(bool in_drum, double late, double pressed)
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.wall.law = dem::WallLaw::hertz;
+  p.geometry.geometry = p.geometry.wall_geometry =
+      dem::ContactGeometry::surface;
+  dem::Engine engine(p);
+  const auto series = std::make_shared<const dem::Coefficients>(
+      dem::test::sphere_series(4, radius));
+  engine.add_stone(dem::make_body(series, radius), Vec3(radius - late, 0., 0.),
+                   dem::Quaternion::Identity());
+  dem::Drum drum;
+  drum.axis = Vec3::UnitZ();
+  drum.radius = 0.1;
+  drum.length = 2.1 * radius; // the ends are near
+  if (in_drum)
+    engine.set_drum(drum);
+  engine.advance(1e-12);
+  drum.centre.x() = drum.radius;
+  if (in_drum)
+    engine.set_drum(drum);
+  else
+    engine.add_plane(Vec3::Zero(), Vec3::UnitX());
+  engine.advance(1e-12);
+  engine.particles().position(0).x() -= pressed;
+  return dem::contact_springs(engine, 0.);
+}
+} // namespace
+
+// The overlap that a place was found with carries nothing: the spring is that
+// of what is pressed on top, k = 2 E* sqrt(R delta).
+TEST(EngineNetworkStep, PlaceFoundLateOnAWall)
+{
+  const dem::StoneMaterial stone = support::bare_parameters().stone;
+  const double modulus = 2. * stone.shear_modulus / (1. - stone.poisson_ratio),
+               pressed = 1e-6;
+  for (const bool in_drum : {false, true})
+  {
+    EXPECT_EQ(springs_of_late(in_drum, 1e-4, -1e-9).n_contacts(), 0u);
+    const dem::SpringNetwork network = springs_of_late(in_drum, 1e-4, pressed);
+    ASSERT_EQ(network.n_contacts(), 1u);
+    const double expected = 2. * modulus * std::sqrt(radius * pressed);
+    EXPECT_NEAR(network.normal_stiffness[0], expected, 2e-3 * expected);
   }
 }
