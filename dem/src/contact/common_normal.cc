@@ -1,4 +1,4 @@
-#include "plane_algebra.h"
+#include "pace.h"
 
 #include <dem/contact/common_normal.h>
 
@@ -7,23 +7,6 @@
 
 namespace dem
 {
-namespace
-{
-/// A climb to a place.
-struct Pace
-{
-  double longest_step = 0.; ///< no step leads farther, of the radius [-]
-  int most_steps = 0;       ///< a climb that takes more leads nowhere
-};
-constexpr Pace usual{0.1, 40};
-/// Where long steps leap to and fro over a lens.
-constexpr Pace careful{0.03, 100};
-/// Steps below this part of the radius are none.
-constexpr double converged = 1e-10;
-/// Of a lens, times the radius: what is flatter is climbed like this.
-constexpr double lowest_curvature = 0.3;
-} // namespace
-
 SurfacePoint surface_point(const Body &body, const Vec3 &direction)
 {
   SurfacePoint point;
@@ -62,7 +45,7 @@ SurfacePoint surface_point(const RadialExpansion &at)
 }
 
 NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
-                                 double floor)
+                                 double size, const Pace &pace)
 {
   const Frame frame = tangents(a.normal);
   const Vec3 d = a.position - b.position;
@@ -73,7 +56,7 @@ NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
   const Mat2 lens = bend_a + bend_b;
   NormalStep steps;
   steps.is_lens = lens.trace() > 0. && lens.determinant() > 0.;
-  const Mat2 system = floored(lens, floor) - overlap * bend_b * bend_a;
+  const Mat2 system = pace.trusted(lens, size) - overlap * bend_b * bend_a;
   const Vec2 along_a = system.partialPivLu().solve(-m - bend_b * t);
   const Vec2 along_b = along_a - overlap * bend_a * along_a + t;
   steps.on_a = frame * along_a;
@@ -96,7 +79,6 @@ Spot climb(const Body &a, const Body &b, const RelativePose &pose,
            const Spot &start, const Pace &pace)
 {
   const double size = std::min(mean_radius(a), mean_radius(b));
-  const double floor = lowest_curvature / size;
   Spot spot = start;
   spot.is_found = false;
   for (int step = 0; step < pace.most_steps && !spot.is_found; ++step)
@@ -104,7 +86,7 @@ Spot climb(const Body &a, const Body &b, const RelativePose &pose,
     const SurfacePoint on_a = surface_point(a, spot.on_a);
     SurfacePoint on_b = turned(surface_point(b, spot.on_b), pose.rotation);
     on_b.position += pose.position;
-    const NormalStep newton = step_to_common_normal(on_a, on_b, floor);
+    const NormalStep newton = step_to_common_normal(on_a, on_b, size, pace);
     const Vec3 along_a = shortened(newton.on_a, pace.longest_step * size);
     const Vec3 along_b = shortened(newton.on_b, pace.longest_step * size);
     spot.on_a = (on_a.position + along_a).normalized();
@@ -122,24 +104,29 @@ Spot climb(const Body &a, const Body &b, const RelativePose &pose,
 Spot polish(const Body &a, const Body &b, const RelativePose &pose,
             const Spot &start)
 {
-  const Spot spot = climb(a, b, pose, start, usual);
-  return spot.is_found ? spot : climb(a, b, pose, start, careful);
+  Spot spot = climb(a, b, pose, start, usual_pace);
+  for (const Pace &pace : {careful_pace, flat_pace})
+    if (!spot.is_found)
+      spot = climb(a, b, pose, start, pace);
+  return spot;
 }
 
-Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start)
+namespace
+{
+Support climb_along(const Body &body, const Vec3 &normal, const Vec3 &start,
+                    const Pace &pace)
 {
   const double size = mean_radius(body);
   const Frame frame = tangents(normal);
   Support support;
   support.direction = start;
-  for (int step = 0; step < usual.most_steps && !support.is_found; ++step)
+  for (int step = 0; step < pace.most_steps && !support.is_found; ++step)
   {
     const SurfacePoint at = surface_point(body, support.direction);
     const Mat2 bend = frame.transpose() * at.bend * frame;
-    const Vec2 along = floored(bend, lowest_curvature / size)
-                           .llt()
-                           .solve(-frame.transpose() * at.normal);
-    const Vec3 climb = shortened(frame * along, usual.longest_step * size);
+    const Vec2 along =
+        pace.trusted(bend, size).llt().solve(-frame.transpose() * at.normal);
+    const Vec3 climb = shortened(frame * along, pace.longest_step * size);
     support.direction = (at.position + climb).normalized();
     support.height = at.position.dot(normal) + 0.5 * along.dot(bend * along);
     support.is_found = bend.trace() > 0. && bend.determinant() > 0. &&
@@ -147,5 +134,13 @@ Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start)
                        along.norm() < converged * size;
   }
   return support;
+}
+} // namespace
+
+Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start)
+{
+  const Support support = climb_along(body, normal, start, usual_pace);
+  return support.is_found ? support
+                          : climb_along(body, normal, start, flat_pace);
 }
 } // namespace dem

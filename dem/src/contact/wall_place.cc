@@ -1,4 +1,4 @@
-#include "plane_algebra.h"
+#include "pace.h"
 
 #include <dem/contact/wall_place.h>
 
@@ -6,12 +6,6 @@ namespace dem
 {
 namespace
 {
-/// Parts of the mean radius: no step is longer, and steps below are none.
-constexpr double longest_step = 0.1, converged = 1e-10;
-constexpr int most_steps = 40;
-/// Of a lens, times the radius: what is flatter is climbed like this.
-constexpr double lowest_curvature = 0.3;
-
 Vec3 out_of_axis(const Drum &drum, const Vec3 &x)
 {
   const Vec3 from_centre = x - drum.centre;
@@ -26,7 +20,7 @@ WallPlace depth_of(StoneView &stone, const Vec3 &point, const Vec3 &on_stone)
   WallPlace place;
   place.point = point;
   place.on_stone = on_stone;
-  for (int step = 0; step < most_steps; ++step)
+  for (int step = 0; step < usual_pace.most_steps; ++step)
   {
     const SurfacePoint &at = stone.at(place.on_stone);
     const Vec3 apart = at.position - point;
@@ -45,7 +39,7 @@ WallPlace depth_of(StoneView &stone, const Vec3 &point, const Vec3 &on_stone)
         floored(Mat2::Identity() - place.overlap * bend, lowest_curvature);
     const Vec3 along = frame * Vec2(-(system.inverse() * aside));
     place.on_stone = stone.towards(
-        at.position + shortened(along, longest_step * stone.size()));
+        at.position + shortened(along, usual_pace.longest_step * stone.size()));
   }
   return place;
 }
@@ -65,12 +59,14 @@ SurfacePoint smooth_drum(const Drum &drum, DrumPart part, const Vec3 &x)
   return wall;
 }
 
-WallPlace climb_drum(StoneView &stone, const Drum &drum, DrumPart part,
-                     const WallPlace &start)
+namespace
+{
+WallPlace climb_at(const Pace &pace, StoneView &stone, const Drum &drum,
+                   DrumPart part, const WallPlace &start)
 {
   WallPlace place = start;
   place.is_found = false;
-  for (int step = 0; step < most_steps && !place.is_found; ++step)
+  for (int step = 0; step < pace.most_steps && !place.is_found; ++step)
   {
     const SurfacePoint &at = stone.at(place.on_stone);
     if (part == DrumPart::cylinder &&
@@ -78,7 +74,7 @@ WallPlace climb_drum(StoneView &stone, const Drum &drum, DrumPart part,
       break; // no side of the cylinder is nearer than another
     const SurfacePoint wall = smooth_drum(drum, part, at.position);
     const NormalStep newton =
-        step_to_common_normal(at, wall, lowest_curvature / stone.size());
+        step_to_common_normal(at, wall, stone.size(), pace);
     place.normal = -wall.normal;
     place.point = wall.position;
     place.overlap = (at.position - wall.position).dot(place.normal);
@@ -86,10 +82,19 @@ WallPlace climb_drum(StoneView &stone, const Drum &drum, DrumPart part,
                      newton.on_a.norm() < converged * stone.size() &&
                      at.normal.dot(place.normal) > 0.;
     if (!place.is_found)
-      place.on_stone = stone.towards(
-          at.position + shortened(newton.on_a, longest_step * stone.size()));
+      place.on_stone =
+          stone.towards(at.position + shortened(newton.on_a, pace.longest_step *
+                                                                 stone.size()));
   }
   return place;
+}
+} // namespace
+
+WallPlace climb_drum(StoneView &stone, const Drum &drum, DrumPart part,
+                     const WallPlace &start)
+{
+  const WallPlace place = climb_at(usual_pace, stone, drum, part, start);
+  return place.is_found ? place : climb_at(flat_pace, stone, drum, part, start);
 }
 
 bool is_one_patch(const Vec3 &normal, const Vec3 &other)

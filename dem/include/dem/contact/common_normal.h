@@ -41,6 +41,8 @@ struct Spot
   bool is_found = false; ///< the search has converged to a lens of contact
 };
 
+struct Pace;
+
 /// A step along each of two surfaces in its tangent plane [m].
 struct NormalStep
 {
@@ -51,10 +53,10 @@ struct NormalStep
 
 /// One Newton step of two points to the common normal. With d = x_A - x_B, t
 /// its part across n = n_A and m = n_A + n_B: a - delta K_A a - b = -t and
-/// K_A a + K_B b = -m. Eigenvalues of K_A + K_B count as `floor` at least
-/// [1/m].
+/// K_A a + K_B b = -m, with K_A + K_B as the pace trusts it for stones of this
+/// size [m].
 NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
-                                 double floor);
+                                 double size, const Pace &pace);
 
 /// Follows the common normal of two stones (x_A - x_B = delta n, n_A = -n_B =
 /// n) from a start by Newton steps with both shape operators, as
@@ -72,6 +74,7 @@ struct Support
   bool is_found = false;
 };
 
-/// Climbs to the support point along a unit vector of the body frame.
+/// Climbs to the support point along a unit vector of the body frame; once more
+/// by steps for a flat one if it is not reached.
 Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start);
 } // namespace dem

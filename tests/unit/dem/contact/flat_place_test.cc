@@ -1,0 +1,67 @@
+#include <dem/contact/wall_place.h>
+
+#include <gtest/gtest.h>
+
+#include <shape/test_shapes.h>
+
+// Places where a stone is nearly flat: r = r0 (1 + a P2(cos theta)) has the
+// curvature (1 + 4 a) / (r0 (1 + a)^2) at its poles.
+namespace
+{
+using dem::Vec3;
+
+constexpr double size = 0.01, flatness = -0.248; // r0 [m], a [-]
+constexpr double pole = size * (1. + flatness);
+
+dem::Body flat_stone()
+{
+  return dem::own_body(dem::test::project(
+      2, [](const Vec3 &s)
+      { return size * (1. + flatness * (1.5 * s.z() * s.z() - 0.5)); }));
+}
+
+/// A direction some way from the pole [rad].
+Vec3 beside(double pole_z, double angle)
+{
+  return {std::sin(angle), 0., pole_z * std::cos(angle)};
+}
+
+constexpr double overlap = 1e-3 * size;
+} // namespace
+
+TEST(FlatPlace, IsReachedAlongAPlane)
+{
+  const dem::Body stone = flat_stone();
+  const dem::Support found =
+      dem::find_support(stone, Vec3::UnitZ(), beside(1., 0.1));
+  EXPECT_TRUE(found.is_found);
+  EXPECT_NEAR(found.height, pole, 1e-9 * size);
+}
+
+TEST(FlatPlace, IsReachedOnAnEndOfADrum)
+{
+  const dem::Body stone = flat_stone();
+  dem::Drum drum;
+  drum.axis = Vec3::UnitZ();
+  drum.radius = 0.1;
+  drum.length = 0.2;
+  const Vec3 position(0., 0., pole - overlap - 0.5 * drum.length);
+  dem::StoneView view(stone, position, dem::Mat3::Identity(), 0.);
+  dem::WallPlace start;
+  start.on_stone = beside(-1., 0.1);
+  const dem::WallPlace found =
+      dem::climb_drum(view, drum, dem::DrumPart::lower_end, start);
+  EXPECT_TRUE(found.is_found);
+  EXPECT_NEAR(found.overlap, overlap, 1e-9 * size);
+}
+
+TEST(FlatPlace, IsReachedBetweenStones)
+{
+  const dem::Body stone = flat_stone();
+  const dem::RelativePose above{{0., 0., 2. * pole - overlap},
+                                dem::Mat3::Identity()};
+  const dem::Spot found = dem::polish(
+      stone, stone, above, {beside(1., 0.1), beside(-1., -0.1), 0., false});
+  EXPECT_TRUE(found.is_found);
+  EXPECT_NEAR(found.overlap, overlap, 1e-9 * size);
+}
