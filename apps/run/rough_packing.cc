@@ -72,7 +72,8 @@ std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
 void relax(dem::Engine &engine, double longest_step, int n_rounds)
 {
   constexpr double frozen = 1e-15; // [s]
-  engine.advance_unseen(frozen);   // finds the contacts
+  engine.let_strays_go();
+  engine.advance_unseen(frozen); // finds the contacts
   const Stopwatch spent;
   for (int round = 0; round < n_rounds && spent.seconds() < patience; ++round)
   {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 // The lists of contacts: kept as long as no stone can have come to a new one.
@@ -83,6 +84,41 @@ void require_sane(double fastest, double time_step, const Particles &stones)
                 leap, time_step);
   throw std::runtime_error(text);
 }
+/// How far the point is beyond the walls [m]; below 0: inside.
+double beyond_walls(const std::vector<Plane> &planes, const Drum &drum,
+                    const Vec3 &point)
+{
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Plane &plane : planes)
+    if (plane.is_active)
+      most = std::max(most, (plane.point - point).dot(plane.normal));
+  if (drum.is_there())
+    for (const DrumPart part :
+         {DrumPart::cylinder, DrumPart::lower_end, DrumPart::upper_end})
+      most = std::max(most, -nearest_on_drum(drum, part, point).distance);
+  return most;
+}
+
+/// Throws std::runtime_error where all of a stone is beyond a wall: nothing
+/// would bring it back.
+void require_inside(const std::vector<Plane> &planes, const Drum &drum,
+                    const Particles &stones)
+{
+  for (std::size_t i = 0; i < stones.size(); ++i)
+  {
+    const Vec3 &at = stones.position(i);
+    if (beyond_walls(planes, drum, at) <= stones.body[i].circumscribed_radius)
+      continue;
+    char text[224];
+    std::snprintf(text, sizeof text,
+                  "stone %d of %.3g g has come through a wall at (%.4g, %.4g, "
+                  "%.4g) m: the step is too long, or the stone too soft for "
+                  "what presses it",
+                  static_cast<int>(stones.id[i]), 1e3 * stones.mass(i), at.x(),
+                  at.y(), at.z());
+    throw std::runtime_error(text);
+  }
+}
 } // namespace
 
 void Engine::keep_lists(const Speeds &fastest, double time_step)
@@ -142,6 +178,8 @@ void Engine::look_at_strayed()
 
 void Engine::renew_lists()
 {
+  if (keeps_inside)
+    require_inside(walls, barrel, stones);
   update_maps();
   rebuild_pair_list();
   rebuild_plane_list();

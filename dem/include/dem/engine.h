@@ -78,6 +78,9 @@ public:
   /// How soon contacts and lists are renewed, as GeometryParameters has it; the
   /// lists from the next ones on.
   void set_renewal(double refresh_tolerance, double search_margin);
+  /// From now on a stone that has come through a wall does not stop the engine:
+  /// of rough packings, whose overlaps may push some out.
+  void let_strays_go() { keeps_inside = false; }
   /// Takes all velocity from the stones; booked as damping.
   void come_to_rest();
   /// Whether stones break from now on; off: no damage grows either.
@@ -219,6 +222,7 @@ private:
   PairLoads pair_loads;
   PatchFactors patches; ///< empty unless patches keep factors
 
+  bool keeps_inside = true; ///< let_strays_go() has not been called
   bool lists_are_stale = true;
   bool places_are_stale = false; ///< contacts have strayed
   bool facets_are_stale = false; ///< those alone, where stones follow them

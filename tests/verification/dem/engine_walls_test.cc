@@ -252,3 +252,40 @@ TEST(SurfaceOnFacets, FacetsOfACylinderConverge)
     before = worst;
   }
 }
+
+// Beyond a plane or a drum nothing would bring a stone back.
+TEST(EngineWalls, AStoneThatHasComeThroughIsNamed)
+{
+  for (const bool in_drum : {false, true})
+  {
+    dem::Engine engine(support::bare_parameters());
+    dem::Drum drum;
+    drum.radius = 0.1;
+    drum.length = 0.2;
+    if (in_drum)
+      engine.set_drum(drum);
+    else
+      engine.add_plane(Vec3(0.1, 0., 0.), -Vec3::UnitX());
+    support::add_sphere(engine, 0.01, Vec3(0.099, 0., 0.));
+    EXPECT_NO_THROW(engine.advance(1e-9));
+    engine.particles().position(0).x() = 0.109;          // most of it
+    engine.add_plane(Vec3(-0.2, 0., 0.), Vec3::UnitX()); // lists anew
+    EXPECT_NO_THROW(engine.advance(1e-9));
+    engine.particles().position(0).x() = 0.111;
+    engine.add_plane(Vec3(-0.3, 0., 0.), Vec3::UnitX());
+    try
+    {
+      engine.advance(1e-9);
+      FAIL();
+    }
+    catch (const std::runtime_error &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("stone 0 of "),
+                std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("come through a wall"),
+                std::string::npos);
+    }
+    engine.let_strays_go(); // of rough packings
+    EXPECT_NO_THROW(engine.advance(1e-9));
+  }
+}
