@@ -175,6 +175,22 @@ bool is_default(const Study &study, const PricedLevel &level,
                                       value_in(defaults, key_name(setting));
                              });
 }
+/// Whether the level has the default of its own knob, whatever else it sets.
+bool keeps_knob(const Study &study, const PricedLevel &level,
+                const Case &defaults)
+{
+  const std::string usual = value_in(defaults, level.knob);
+  if (!study.keys[level.key].is_variant())
+    return level.value == usual;
+  const auto variant =
+      std::ranges::find(study.variants, level.value, &Variant::name);
+  return std::ranges::any_of(variant->settings,
+                             [&](const Override &setting)
+                             {
+                               return key_name(setting) == level.knob &&
+                                      same_text(setting.value) == usual;
+                             });
+}
 } // namespace
 
 bool is_cost(const Study &study, const std::string &outcome)
@@ -263,7 +279,7 @@ std::vector<DefaultPrice> price_defaults(const StudyData &data,
       price.cheapest = cheapest->value;
     price.is_right =
         price.worst < fine_share &&
-        (!cheapest || is_default(data.study, *cheapest, defaults) ||
+        (!cheapest || keeps_knob(data.study, *cheapest, defaults) ||
          !saves_over(data, *cheapest, usual));
     prices.push_back(price);
   }
