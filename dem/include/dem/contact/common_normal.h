@@ -41,7 +41,7 @@ struct Spot
   bool is_found = false; ///< the search has converged to a lens of contact
 };
 
-struct Pace;
+struct Pace; // how a climb goes: src/contact/pace.h
 
 /// A step along each of two surfaces in its tangent plane [m].
 struct NormalStep
