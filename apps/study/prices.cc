@@ -160,36 +160,36 @@ std::string value_in(Case of, const std::string &name)
   return "";
 }
 
-/// Whether the level leaves nothing but defaults: a value that is one, or a
-/// variant all of whose settings are.
+/// A Section/key and the value that it has, as texts are compared.
+using Setting = std::pair<std::string, std::string>;
+
+/// What the level sets: its knob, or all that its variant does.
+std::vector<Setting> settings_of(const Study &study, const PricedLevel &level)
+{
+  if (!study.keys[level.key].is_variant())
+    return {{level.knob, level.value}};
+  std::vector<Setting> settings;
+  for (const Override &one :
+       std::ranges::find(study.variants, level.value, &Variant::name)->settings)
+    settings.emplace_back(key_name(one), same_text(one.value));
+  return settings;
+}
+
+/// Whether the level leaves nothing but defaults.
 bool is_default(const Study &study, const PricedLevel &level,
                 const Case &defaults)
 {
-  if (!study.keys[level.key].is_variant())
-    return level.value == value_in(defaults, level.knob);
-  const auto variant =
-      std::ranges::find(study.variants, level.value, &Variant::name);
-  return std::ranges::all_of(variant->settings,
-                             [&](const Override &setting) {
-                               return same_text(setting.value) ==
-                                      value_in(defaults, key_name(setting));
-                             });
+  return std::ranges::all_of(
+      settings_of(study, level), [&](const Setting &setting)
+      { return setting.second == value_in(defaults, setting.first); });
 }
+
 /// Whether the level has the default of its own knob, whatever else it sets.
 bool keeps_knob(const Study &study, const PricedLevel &level,
                 const Case &defaults)
 {
-  const std::string usual = value_in(defaults, level.knob);
-  if (!study.keys[level.key].is_variant())
-    return level.value == usual;
-  const auto variant =
-      std::ranges::find(study.variants, level.value, &Variant::name);
-  return std::ranges::any_of(variant->settings,
-                             [&](const Override &setting)
-                             {
-                               return key_name(setting) == level.knob &&
-                                      same_text(setting.value) == usual;
-                             });
+  const Setting usual{level.knob, value_in(defaults, level.knob)};
+  return std::ranges::count(settings_of(study, level), usual) > 0;
 }
 } // namespace
 

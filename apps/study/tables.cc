@@ -241,8 +241,8 @@ TextTable default_table(const StudyData &data)
       "The default of the program against the cheapest value whose errors all "
       "stay below half the spread of the seeds and whose cost is below that of "
       "the reference by its interval; reference where there is none. A default "
-      "that is fine and costs no more than that one, by the interval, is "
-      "right.",
+      "that is fine and costs no more than that one, by the interval, or is "
+      "part of it, is right.",
       {"key", "default", data.study.costs.front(), "worst error / spread",
        "cheapest that is fine", "is the default"},
       {}};

@@ -84,6 +84,7 @@ void require_sane(double fastest, double time_step, const Particles &stones)
                 leap, time_step);
   throw std::runtime_error(text);
 }
+
 /// How far the point is beyond the walls [m]; below 0: inside.
 double beyond_walls(const std::vector<Plane> &planes, const Drum &drum,
                     const Vec3 &point)
@@ -160,6 +161,8 @@ SearchMargin::Lists Engine::list_counts() const
 void Engine::rebuild_lists()
 {
   const PhaseTimer timer(spent.search);
+  if (keeps_inside)
+    require_inside(walls, barrel, stones);
   margin.renew(settings.search_margin, list_counts());
   if (stones.size() >= sorted_from)
     sort_in_space();
@@ -178,8 +181,6 @@ void Engine::look_at_strayed()
 
 void Engine::renew_lists()
 {
-  if (keeps_inside)
-    require_inside(walls, barrel, stones);
   update_maps();
   rebuild_pair_list();
   rebuild_plane_list();

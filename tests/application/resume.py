@@ -11,8 +11,8 @@ import sys
 import tempfile
 import time
 
-from triaxial_runs import (QUICK, command, differing, report_faults, run,
-                           summary, summary_faults)
+from triaxial_runs import (QUICK, command, differing, missing_frame_faults,
+                           report_faults, run, summary, summary_faults)
 
 TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
           "boundary_profile_start.csv", "boundary_profile_end.csv",
@@ -67,13 +67,6 @@ def frame_faults(name, folder, n_instants=None):
     if n_instants not in (None, len(instants)):
         faults.append(f"{name}: frames of {instants}")
     return faults
-
-
-def gone_frame_faults(folder):
-    """Frames that somebody has deleted are named no longer."""
-    named = re.findall(r'file="([^"]+)"', (folder / "run.pvd").read_text())
-    return [f"run.pvd names {frame}, which is not there"
-            for frame in named if not (folder / frame).exists()]
 
 
 def other_step_faults(spall, root, lateral, extra, go):
@@ -157,7 +150,7 @@ def main():
         for frame in (root / "more" / "frames").glob("*_00000.vtu"):
             frame.unlink()
         go("more", "--resume")
-        faults += gone_frame_faults(root / "more")
+        faults += missing_frame_faults(root / "more")
         faults += faults_of("more cycles", root / "more", root / "whole",
                             frames_too=False)
 

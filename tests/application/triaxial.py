@@ -18,8 +18,8 @@ import sys
 import tempfile
 
 from run_views import view_faults
-from triaxial_runs import (CASE, DATA, LATERALS, report_faults, rows, run,
-                           summary)
+from triaxial_runs import (CASE, DATA, LATERALS, missing_frame_faults,
+                           named_frames, report_faults, rows, run, summary)
 
 # Key of summary.json: largest relative difference from the reference.
 TOLERANCES = {
@@ -148,10 +148,9 @@ def file_faults(folder, found):
             faults.append(f"{name}: header is {rows(folder, name)[0]}")
     if not (folder / "checkpoint" / "state.bin").is_file():
         faults.append("no checkpoint")
-    frames = re.findall(r'file="([^"]+)"', (folder / "run.pvd").read_text())
-    faults += [f"run.pvd names {frame}, which is not there"
-               for frame in frames if not (folder / frame).is_file()]
-    parts = {pathlib.Path(frame).name.split("_")[0] for frame in frames}
+    faults += missing_frame_faults(folder)
+    parts = {pathlib.Path(frame).name.split("_")[0]
+             for frame in named_frames(folder)}
     if parts != {"particles", "contacts", "surfaces",
                  *(["membrane"] if is_membrane else [])}:
         faults.append(f"run.pvd names {sorted(parts)}")

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import subprocess
 
 DATA = pathlib.Path(__file__).resolve().parent / "data"
@@ -70,3 +71,14 @@ def report_faults(faults):
         print(fault)
     print("failed" if faults else "passed")
     return 1 if faults else 0
+
+
+def named_frames(folder):
+    """Files that run.pvd names."""
+    return re.findall(r'file="([^"]+)"', (folder / "run.pvd").read_text())
+
+
+def missing_frame_faults(folder):
+    return [f"run.pvd names {frame}, which is not there"
+            for frame in named_frames(folder)
+            if not (folder / frame).is_file()]

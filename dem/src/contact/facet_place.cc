@@ -1,4 +1,4 @@
-#include "plane_algebra.h"
+#include "pace.h"
 
 #include <dem/contact/wall_place.h>
 
@@ -9,14 +9,8 @@ namespace dem
 {
 namespace
 {
-/// Parts of the mean radius: no step is longer, and steps below are none.
-constexpr double longest_step = 0.1, converged = 1e-10;
-constexpr int most_steps = 80;
-/// Of the depth over a face, times the radius: what is flatter is climbed like
-/// this.
-constexpr double lowest_curvature = 0.3;
-/// Times that: what is flatter still is no hill.
-constexpr double least_curvature = 0.03;
+/// Hills of the depth over a face are trusted however flat.
+constexpr Pace pace{0.1, 80, least_curvature};
 /// Slope of the depth along an edge that leads nowhere [-].
 constexpr double level = 1e-9;
 /// A corner has no part in a point if its weight is below [-].
@@ -47,13 +41,13 @@ struct DepthModel
   Mat3 follow;         ///< of the point of the stone: (I - delta K)^-1 across n
   Vec3 on_stone;       ///< that point [m]
   Mat3 trusted;        ///< C as steps take it: the depth falls off all round
-  double floor = 0.;   ///< least curvature that a step trusts [1/m]
+  double least = 0.;   ///< curvature that a step trusts [1/m]
   double longest = 0.; ///< step that it may be asked for [m]
 
   DepthModel(StoneView &stone, const WallPlace &place)
       : point(place.point), normal(place.normal),
-        floor(lowest_curvature / stone.size()),
-        longest(longest_step * stone.size())
+        least(pace.hill / stone.size()),
+        longest(pace.longest_step * stone.size())
   {
     const SurfacePoint &at = stone.at(place.on_stone);
     on_stone = at.position;
@@ -66,9 +60,7 @@ struct DepthModel
     follow = frame * inverse * frame.transpose();
     const Mat2 even = 0.5 * (c + c.transpose());
     bend = frame * even * frame.transpose();
-    const bool is_hill = smallest_eigenvalue(even) > least_curvature * floor;
-    trusted =
-        frame * (is_hill ? even : floored(even, floor)) * frame.transpose();
+    trusted = frame * pace.trusted(even, stone.size()) * frame.transpose();
   }
 
   double gain(const Vec3 &z) const
@@ -101,8 +93,7 @@ Ascent best_on_sides(const DepthModel &model, const Corners &corner)
     const Vec3 bent = model.trusted * side;
     const double slope =
         -model.normal.dot(side) - (start + foot * side).dot(bent);
-    const double curvature =
-        std::max(side.dot(bent), least_curvature * model.floor * square);
+    const double curvature = std::max(side.dot(bent), model.least * square);
     const double s = std::clamp(foot + slope / curvature, 0., 1.);
     const Vec3 step = start + s * side;
     const double gain = model.gain(step);
@@ -131,7 +122,7 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
       area * ((corner[0] - model.point).dot(area) / area.squaredNorm());
   const Mat2 hill = frame.transpose() * model.trusted * frame;
   const Vec2 climb =
-      floored(hill, least_curvature * model.floor)
+      floored(hill, model.least)
           .llt()
           .solve(-(frame.transpose() * (model.normal + model.trusted * above)));
   const Vec3 step = above + frame * climb;
@@ -309,7 +300,7 @@ WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start,
   WallPlace place =
       place_at(stone, mesh, start.triangle, first, start.on_stone);
   place.is_found = place.is_found && !goal.is_too_deep(place);
-  for (int step = 0; step < most_steps && place.is_found; ++step)
+  for (int step = 0; step < pace.most_steps && place.is_found; ++step)
   {
     if (goal.is_out_of_reach(place))
       break;

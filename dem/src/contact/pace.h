@@ -2,11 +2,16 @@
 
 #include "plane_algebra.h"
 
+#include <dem/contact/common_normal.h>
+
 /// How climbs to the places of contacts go.
 namespace dem
 {
 /// Of a lens, times the radius: what is flatter is climbed like this.
 inline constexpr double lowest_curvature = 0.3;
+/// Times the radius: what is flatter still is no lens, even of a climb that
+/// trusts flat ones.
+inline constexpr double least_curvature = 0.03 * lowest_curvature;
 /// Steps below this part of the radius are none.
 inline constexpr double converged = 1e-10;
 
@@ -31,5 +36,20 @@ inline constexpr Pace usual_pace{0.1, 40};
 inline constexpr Pace careful_pace{0.03, 100};
 /// Where steps as on a rounder lens would come to the place of a flat one by
 /// hundreds.
-inline constexpr Pace flat_pace{0.03, 100, 0.009};
+inline constexpr Pace flat_pace{0.03, 100, least_curvature};
+
+/// A step along each of two surfaces in its tangent plane [m].
+struct NormalStep
+{
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+  double overlap = 0.;  ///< delta where the steps lead, to second order [m]
+  bool is_lens = false; ///< K_A + K_B is positive
+};
+
+/// One Newton step of two points to the common normal. With d = x_A - x_B, t
+/// its part across n = n_A and m = n_A + n_B: a - delta K_A a - b = -t and
+/// K_A a + K_B b = -m, with K_A + K_B as the pace trusts it for stones of this
+/// size [m].
+NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
+                                 double size, const Pace &pace);
 } // namespace dem

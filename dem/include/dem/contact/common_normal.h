@@ -41,23 +41,6 @@ struct Spot
   bool is_found = false; ///< the search has converged to a lens of contact
 };
 
-struct Pace; // how a climb goes: src/contact/pace.h
-
-/// A step along each of two surfaces in its tangent plane [m].
-struct NormalStep
-{
-  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
-  double overlap = 0.;  ///< delta where the steps lead, to second order [m]
-  bool is_lens = false; ///< K_A + K_B is positive
-};
-
-/// One Newton step of two points to the common normal. With d = x_A - x_B, t
-/// its part across n = n_A and m = n_A + n_B: a - delta K_A a - b = -t and
-/// K_A a + K_B b = -m, with K_A + K_B as the pace trusts it for stones of this
-/// size [m].
-NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
-                                 double size, const Pace &pace);
-
 /// Follows the common normal of two stones (x_A - x_B = delta n, n_A = -n_B =
 /// n) from a start by Newton steps with both shape operators, as
 /// long as a lens T(y) = delta - y.(K_A + K_B) y / 2 needs it; once more by
