@@ -3,6 +3,7 @@
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "run/binary_text.h"
 #include "run/digest.h"
 #include "run/digested.h"
 #include "run/whole_file.h"
@@ -18,9 +19,7 @@ namespace
 {
 constexpr std::uint64_t magic = state_layout;
 
-using dem::read_column;
 using dem::read_value;
-using dem::write_column;
 using dem::write_value;
 
 /// The case without what may change between stop and restart.
@@ -66,18 +65,6 @@ std::string identity_of(Case parameters)
          hex_text(parameters.boundary.mesh_content) + "\n";
 }
 
-void write_string(std::ostream &out, const std::string &text)
-{
-  write_column(out, std::vector<char>(text.begin(), text.end()));
-}
-
-std::string read_string(std::istream &in)
-{
-  std::vector<char> text;
-  read_column(in, text);
-  return {text.begin(), text.end()};
-}
-
 /// First line that differs, for the message.
 std::string first_difference(const std::string &then, const std::string &now)
 {
@@ -102,7 +89,7 @@ void read_progress(std::istream &in, Progressed &done)
     dem::FrameEntry &entry = done.frames.emplace_back();
     read_value(in, entry.time);
     read_value(in, entry.part);
-    entry.file = read_string(in);
+    entry.file = read_text(in);
   }
   read_value(in, done.roundness);
   read_value(in, done.worst_gain);
@@ -112,7 +99,7 @@ void read_progress(std::istream &in, Progressed &done)
   read_value(in, n);
   for (std::uint64_t k = 0; k < n; ++k)
   {
-    const std::string phase = read_string(in);
+    const std::string phase = read_text(in);
     read_value(in, done.spent[phase]);
   }
 }
@@ -128,7 +115,7 @@ void write_progress(std::ostream &out, const Progressed &done)
   {
     write_value(out, entry.time);
     write_value(out, entry.part);
-    write_string(out, entry.file);
+    write_text(out, entry.file);
   }
   write_value(out, done.roundness);
   write_value(out, done.worst_gain);
@@ -138,7 +125,7 @@ void write_progress(std::ostream &out, const Progressed &done)
   write_value(out, static_cast<std::uint64_t>(done.spent.size()));
   for (const auto &[phase, seconds] : done.spent)
   {
-    write_string(out, phase);
+    write_text(out, phase);
     write_value(out, seconds);
   }
 }
@@ -155,7 +142,7 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
                                [&](std::ostream &out)
                                {
                                  write_value(out, magic);
-                                 write_string(out, identity_of(parameters));
+                                 write_text(out, identity_of(parameters));
                                  write_progress(out, done);
                                  save(out);
                                });
@@ -199,7 +186,7 @@ void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
       throw std::runtime_error("not a checkpoint of this version");
     if (!is_as_digested(path))
       throw std::runtime_error("checkpoint is damaged");
-    if (const std::string then = read_string(in), now = identity_of(parameters);
+    if (const std::string then = read_text(in), now = identity_of(parameters);
         then != now)
       throw std::runtime_error("is of another case: " +
                                first_difference(then, now));

@@ -1,6 +1,7 @@
 #include "run/preparation_store.h"
 
 #include "errors.h"
+#include "run/binary_text.h"
 #include "run/checkpoint.h"
 #include "run/digest.h"
 #include "run/digested.h"
@@ -22,24 +23,6 @@ std::uint64_t digest_of(const std::string &bytes)
   digest.add(bytes);
   return digest.value();
 }
-
-void write_string(std::ostream &out, const std::string &text)
-{
-  dem::write_value(out, static_cast<std::uint64_t>(text.size()));
-  out << text;
-}
-
-std::string read_string(std::istream &in, std::uint64_t at_most)
-{
-  std::uint64_t size = 0;
-  dem::read_value(in, size);
-  if (size > at_most)
-    throw std::runtime_error("is damaged");
-  std::string text(size, '\0');
-  if (!in.read(text.data(), static_cast<std::streamsize>(size)))
-    throw std::runtime_error("ends too early");
-  return text;
-}
 } // namespace
 
 PreparationStore::PreparationStore(fs::path folder, std::string its_text)
@@ -60,10 +43,10 @@ std::ifstream PreparationStore::open_state() const
   dem::read_value(in, mark);
   if (mark != state_layout)
     throw std::runtime_error("is no preparation of this version");
-  if (read_string(in, fs::file_size(file)) != text)
-    throw std::runtime_error("is of another preparation");
   if (!is_as_digested(file))
     throw std::runtime_error("is damaged");
+  if (read_text(in) != text)
+    throw std::runtime_error("is of another preparation");
   return in;
 }
 
@@ -95,7 +78,7 @@ PreparationStore::keep(const std::function<void(std::ostream &)> &save) const
                  [&](std::ostream &out)
                  {
                    dem::write_value(out, state_layout);
-                   write_string(out, text);
+                   write_text(out, text);
                    save(out);
                  });
   file_out.close();

@@ -42,8 +42,9 @@ def is_taken(folder):
     return said and summary(folder)["preparation"]["is_taken"]
 
 
-def damage_faults(go, store, whole):
-    """Files that are cut, changed in one byte or of something else."""
+def damage_faults(go, store, whole, other):
+    """Files that are cut, changed in one byte or of something else: a word, or
+    what another preparation has left (`other`, bytes)."""
     kept, = store.iterdir()
     sound = kept.read_bytes()
     middle = len(sound) // 2
@@ -55,8 +56,7 @@ def damage_faults(go, store, whole):
             ("changed", sound[:middle] + changed + sound[middle + 1:],
              "is damaged"),
             ("foreign", b"no preparation at all", "of this version"),
-            ("other", sound[:40] + bytes([sound[40] ^ 1]) + sound[41:],
-             "another preparation")):
+            ("other", other, "another preparation")):
         kept.write_bytes(content)
         folder = go("damage_" + name, *QUICK)
         lines = [line for line in
@@ -169,10 +169,12 @@ def main():
         if go("denser", *QUICK, "Preparation/friction=0.45") and is_taken(
                 root / "denser"):
             faults.append("took what another friction has prepared")
-        for path in store.iterdir():
-            if summary(root / "denser")["preparation"]["hash"] in path.name:
-                path.unlink()
-        faults += damage_faults(go, store, own)
+        hash_of_denser = summary(root / "denser")["preparation"]["hash"]
+        denser, = (path for path in store.iterdir()
+                   if hash_of_denser in path.name)
+        other = denser.read_bytes()
+        denser.unlink()
+        faults += damage_faults(go, store, own, other)
         faults += together_faults(spall, root)
         faults += study_faults(spall, root)
     return report_faults(faults)
