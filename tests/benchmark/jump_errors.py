@@ -3,10 +3,11 @@
 
     jump_errors.py STUDY.csv
 
-STUDY.csv is that of data/studies/cycle_jump.prm. Growth comes in bursts on
-which the last digit decides, so that one run of every cycle is one draw: for
-each seed jumps are compared with the mean of all runs of every cycle, and the
-standard deviation of one of those is given beside them.
+STUDY.csv is that of data/studies/cycle_jump.prm or cycle_jump_large.prm. Growth
+comes in bursts on which the last digit decides, so that one run of every cycle
+is one draw: for each seed jumps are compared with the mean of all runs of every
+cycle, and the standard deviation of one of those is given beside them where
+there are several.
 """
 import csv
 import statistics
@@ -42,10 +43,11 @@ def compared(seed, rows):
     yield [seed, f"mean of the {len(jumps)} with jumps",
            *(per_cent(value / true[name] - 1.)
              for name, value in means(jumps).items())]
-    yield [seed, f"one of {len(every)} runs of every cycle",
-           *("± " + per_cent(statistics.stdev(float(row[name])
-                                              for row in every) /
-                             true[name])[1:] for name in OUTCOMES)]
+    if len(every) > 1:
+        yield [seed, f"one of {len(every)} runs of every cycle",
+               *("± " + per_cent(statistics.stdev(float(row[name])
+                                                  for row in every) /
+                                 true[name])[1:] for name in OUTCOMES)]
 
 
 def main():
