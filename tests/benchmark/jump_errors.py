@@ -40,9 +40,10 @@ def compared(seed, rows):
         yield [seed, row["Variants"],
                *(per_cent(float(row[name]) / true[name] - 1.)
                  for name in OUTCOMES)]
-    yield [seed, f"mean of the {len(jumps)} with jumps",
-           *(per_cent(value / true[name] - 1.)
-             for name, value in means(jumps).items())]
+    if len(jumps) > 1:
+        yield [seed, f"mean of the {len(jumps)} with jumps",
+               *(per_cent(value / true[name] - 1.)
+                 for name, value in means(jumps).items())]
     if len(every) > 1:
         yield [seed, f"one of {len(every)} runs of every cycle",
                *("± " + per_cent(statistics.stdev(float(row[name])
