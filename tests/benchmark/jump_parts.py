@@ -11,42 +11,32 @@ there: `brought`; `its rates`: the power law through the rates that the run with
 jumps has observed on both sides, by which it is judged; `true rates`: the same
 law through those of the run of every cycle in the same cycles. Then the rates
 observed after the jumps over the true ones. Sums over all jumps of a pair, and
-the worst single one of what was brought.
+the worst single one of what was brought and of the rates.
 """
-import csv
-import pathlib
 import sys
 
+from after_jumps import cycles_of
 from bench_runs import table
-from jump_floor import COLUMNS, gain
+from jump_errors import per_cent
+from jump_floor import gain
 
 SETTLED, OBSERVED = 7, 4
 
 
-def growth_of(folder, column):
-    """By cycle, and whether it stands for others."""
-    with open(pathlib.Path(folder) / "cycles.csv", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    return ({round(float(row["cycle_1"])): float(row[column]) for row in rows},
-            [(round(float(row["cycle_1"])), float(row["stands_for_1"]) > 1)
-             for row in rows])
-
-
 def jumps_of(cycles):
     """The last cycle before each wear, and the last of the wear."""
-    for k in range(1, len(cycles)):
-        (before, was_wear), (cycle, is_wear) = cycles[k - 1:k + 1]
-        if is_wear and not was_wear:
-            start = before
-        if is_wear and (k + 1 == len(cycles) or not cycles[k + 1][1]):
+    for (cycle, stands_for, _), (_, its, _) in zip(cycles, cycles[1:]):
+        if stands_for == 1 and its > 1:
+            start = cycle
+        elif stands_for > 1 and its == 1:
             yield start, cycle
 
 
-def parts(every, jump, cycles):
-    """Of each jump: true, brought, by its rates, by true rates, rates after."""
+def parts(every, jump, jumps):
+    """Of each: true, brought, by its rates, by true rates, rate after, true."""
     def rate(run, end):
         return (run[end] - run[end - OBSERVED]) / OBSERVED
-    for start, worn in jumps_of(cycles):
+    for start, worn in jumps:
         begin = worn + 1 + SETTLED
         end = begin + OBSERVED
         if end not in jump:
@@ -58,8 +48,8 @@ def parts(every, jump, cycles):
                rate(jump, end), rate(every, end))
 
 
-def per_cent(ratio):
-    return f"{100 * (ratio - 1):+.1f} %".replace("-", "−")
+def worst(ratios):
+    return max((ratio - 1 for ratio in ratios), key=abs)
 
 
 def main():
@@ -67,19 +57,21 @@ def main():
         sys.exit(__doc__)
     lines = []
     for pair in sys.argv[1:]:
-        for column, name in COLUMNS.items():
-            (every, _), (jump, cycles) = (growth_of(folder, column)
-                                          for folder in pair.split(","))
-            found = list(parts(every, jump, cycles))
+        every, jump = map(cycles_of, pair.split(","))
+        jumps = list(jumps_of(jump))
+        for k, name in enumerate(("strain", "abrasion")):
+            found = list(parts(*({cycle: values[k] for cycle, _, values in run}
+                                 for run in (every, jump)), jumps))
+            if not found:
+                sys.exit(f"{pair}: no jump that was judged")
             true, brought, own, law, after, true_after = map(sum, zip(*found))
-            worst = max((one[1] / one[0] for one in found),
-                        key=lambda ratio: abs(ratio - 1))
-            lines.append([pair.split(",")[1], name, len(found),
-                          *(per_cent(part / true)
-                            for part in (brought, own, law)),
-                          per_cent(after / true_after), per_cent(worst)])
+            shares = [part / true - 1 for part in (brought, own, law)]
+            lines.append([pair.split(",")[1], name, len(found), *map(per_cent, (
+                *shares, after / true_after - 1,
+                worst(one[1] / one[0] for one in found),
+                worst(one[4] / one[5] for one in found)))])
     print(table(["run", "growth", "jumps", "brought", "its rates", "true rates",
-                 "rates after", "worst jump"], lines))
+                 "rates after", "worst jump", "worst rate"], lines))
 
 
 if __name__ == "__main__":
