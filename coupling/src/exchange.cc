@@ -479,6 +479,7 @@ void Exchange::save(std::ostream &out) const
 
 void Exchange::restore(std::istream &in)
 {
+  held_events.clear(); // of windows that have not been
   for (Joint &joint : joints)
   {
     joint.body->restore(in);

@@ -42,6 +42,7 @@ void Engine::add_stone(const Body &body, const Vec3 &position,
   stones.material.back() = material;
   stones.has_materials |= material != 0;
   pair_finder.forget();
+  spots.forget();
   const double diameter = 2. * stones.last().radius;
   stones.is_breakable.back() =
       body.series && material == 0 &&

@@ -226,27 +226,34 @@ std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
   return particles.id[static_cast<std::size_t>(other)];
 }
 
-/// Share of overlap and energy that the stone gets: two stones are alike in
-/// their elasticity, walls are rigid [-].
-double share_of(const Request &request, const BreakageParameters &breakage)
+/// Share of overlap and energy that the stone gets: that of its compliance in
+/// the compliance of both; walls are rigid [-].
+double share_of(const ForceContext &context, const ContactBatch &batch,
+                const Request &request)
 {
-  const bool is_split =
-      breakage.share == EnergyShare::compliance && request.batch == 0;
-  return is_split ? 0.5 : 1.;
+  if (context.parameters.breakage.share != EnergyShare::compliance ||
+      request.batch != 0)
+    return 1.;
+  const auto material = [&context](std::int32_t stone)
+  { return context.particles.material[static_cast<std::size_t>(stone)]; };
+  const std::uint8_t a = material(batch.a[request.contact]),
+                     b = material(batch.b[request.contact]);
+  return context.elasticity.pair(a, b).modulus /
+         context.elasticity.on_plate(request.is_side_a ? a : b).modulus;
 }
 
 /// What the contact takes off, where the side was last evaluated.
-Spall spall_at(const ContactBatch &batch, const Request &request,
-               const BreakageParameters &breakage)
+Spall spall_at(const ForceContext &context, const ContactBatch &batch,
+               const Request &request)
 {
   const std::size_t k = request.contact;
   const Triple<double> direction =
       (request.is_side_a ? batch.side_a : batch.side_b).direction[k];
   Spall spall;
   spall.direction = Vec3(direction.x, direction.y, direction.z).normalized();
-  spall.overlap = share_of(request, breakage) * batch.overlap[k];
-  spall.gaussian_curvature =
-      cap_curvature(batch, k, request.is_side_a, breakage.curvature);
+  spall.overlap = share_of(context, batch, request) * batch.overlap[k];
+  spall.gaussian_curvature = cap_curvature(
+      batch, k, request.is_side_a, context.parameters.breakage.curvature);
   spall.volume = cap_of(spall.overlap, spall.gaussian_curvature).volume;
   return spall;
 }
@@ -274,13 +281,14 @@ double reset_all(const ForceContext &context, ContactSet &contacts,
 }
 
 /// What is known of an event before the stone changes.
-BreakageEvent announce(const Particles &particles, ContactBatch &batch,
-                       const Request &request,
-                       const BreakageParameters &breakage)
+BreakageEvent announce(const ForceContext &context, ContactBatch &batch,
+                       const Request &request)
 {
+  const Particles &particles = context.particles;
+  const BreakageParameters &breakage = context.parameters.breakage;
   const std::size_t k = request.contact;
-  const Spall spall = spall_at(batch, request, breakage);
-  const double share = share_of(request, breakage);
+  const Spall spall = spall_at(context, batch, request);
+  const double share = share_of(context, batch, request);
   BreakageEvent event;
   event.stone = particles.id[static_cast<std::size_t>(request.stone)];
   event.other = other_of(particles, batch, request);
@@ -305,7 +313,7 @@ bool carry_out(const ForceContext &context, Particles &particles,
   double &factor = factor_of(batch, request);
   factor = factor_after(event.mode, factor);
   const SpallResult result =
-      apply_spall(particles.body[i], spall_at(batch, request, breakage),
+      apply_spall(particles.body[i], spall_at(context, batch, request),
                   {breakage.kernel_floor, breakage.kernel_scale,
                    breakage.closure, breakage.inscribed},
                   sphere_rule(breakage.quadrature_rings));
@@ -344,7 +352,7 @@ BreakingSum break_stones(const ForceContext &context, Particles &particles,
     sum.refreshed += reset_all(context, contacts, request.stone);
     if (is_off())
       continue;
-    BreakageEvent event = announce(particles, batch, request, breakage);
+    BreakageEvent event = announce(context, batch, request);
     event.time = time;
     if (carry_out(context, particles, contacts, request, event))
       events.push_back(event);

@@ -39,10 +39,11 @@ void carry_over(const Particles &particles, const std::vector<PairKey> &keys,
 }
 
 /// Slots of the stones that stay near go with them, the others retire.
-void carry_over_slots(const FacetCandidates &before, const BatchLayout &layout,
-                      FacetCandidates &after, ContactBatch &batch,
-                      Dissipation &retired)
+void carry_over_slots(const Particles &particles, const FacetCandidates &before,
+                      const BatchLayout &layout, FacetCandidates &after,
+                      ContactBatch &batch, Dissipation &retired)
 {
+  const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
   constexpr auto n_slots = static_cast<std::size_t>(slots_per_stone);
   const auto keys = [](const FacetCandidates &candidates)
   {
@@ -64,6 +65,8 @@ void carry_over_slots(const FacetCandidates &before, const BatchLayout &layout,
     batch.a[k] = after.stone[k / n_slots];
     batch.b[k] = static_cast<std::int32_t>(k);
   }
+  if (is_damage_new)
+    note_corners(particles, batch);
 }
 } // namespace
 
@@ -171,7 +174,7 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
   FacetCandidates fresh = near_facets(particles, surface, search);
   fresh.wake.assign(fresh.stone.size(), 0.);
   fresh.triangle_wake.assign(fresh.triangle.size(), 0.);
-  carry_over_slots(candidates, search.layout, fresh, batch, retired);
+  carry_over_slots(particles, candidates, search.layout, fresh, batch, retired);
   candidates = std::move(fresh);
 }
 

@@ -267,7 +267,8 @@ inline void arrange(const SpotSearchInput &input, const Arrangement &to,
 inline bool is_same_layout(const BatchLayout &one, const BatchLayout &other)
 {
   return one.has_rolling == other.has_rolling &&
-         one.has_damage == other.has_damage && one.has_spots == other.has_spots;
+         one.has_damage == other.has_damage && one.has_turn == other.has_turn &&
+         one.has_peak == other.has_peak && one.has_spots == other.has_spots;
 }
 
 /// The pairs that bounding spheres allow, with what is known of them.

@@ -203,6 +203,28 @@ TEST(Windows, IterationLeavesNoTraceOfItsPasses)
   EXPECT_EQ(std::int64_t(told), scene.engine.n_events());
 }
 
+// Nor are those of windows that have been undone.
+TEST(Windows, RestoringTakesEventsBack)
+{
+  const int n = 4;
+  Scene scene(rules_of(ExchangeRule::iterated, n), brittle);
+  scene.advance(n * stone_step, 500);
+  const auto told = [&scene]
+  {
+    return scene.exchange.take_events().size() +
+           scene.engine.take_events().size();
+  };
+  told();
+  const std::int64_t n_before = scene.engine.n_events();
+  const std::string middle = scene.state();
+  scene.advance(n * stone_step, 300);
+  const std::int64_t n_after = scene.engine.n_events();
+  ASSERT_GT(n_after, n_before);
+  scene.restore(middle);
+  scene.advance(n * stone_step, 300);
+  EXPECT_EQ(std::int64_t(told()), n_after - n_before);
+}
+
 // Work that the stones gave and the bodies took: to round-off with every step,
 // to the tolerance when iterated; one pass stays small where it is stable.
 // Impulses agree to round-off always. Friction and dashpots are there.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <shape/test_shapes.h>
 #include <vector>
 
@@ -189,6 +190,20 @@ double damage_of_noise(double hysteresis)
   return factor(press) - before;
 }
 
+/// Growth of the factor under load, from a twentieth to a tenth of the force of
+/// an event, where rises count so many times from there on.
+double worn_when_set(dem::ContactGeometry geometry, double repetitions)
+{
+  dem::EngineParameters p = press_parameters();
+  p.geometry.geometry = p.geometry.wall_geometry = geometry;
+  Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  EXPECT_TRUE(press.load_to(0.05 * first_event()).empty());
+  const double before = factor(press);
+  press.engine.set_repetitions(repetitions);
+  EXPECT_TRUE(press.load_to(0.1 * first_event()).empty());
+  return factor(press) - before;
+}
+
 /// Growth of the factor while pressed to a twentieth of the force of an event,
 /// let go, and pressed again, when rises count so many times.
 std::vector<double> worn_by_loads(double repetitions)
@@ -294,6 +309,17 @@ TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
   EXPECT_EQ(factor(never), 0.);
 }
 
+TEST(EngineBreakage, RepetitionsMayBeginUnderLoad)
+{
+  using enum dem::ContactGeometry;
+  for (const dem::ContactGeometry geometry : {radial, surface})
+  {
+    const double once = worn_when_set(geometry, 1.);
+    EXPECT_GT(once, 0.03);
+    EXPECT_NEAR(worn_when_set(geometry, 5.), 5. * once, 1e-5);
+  }
+}
+
 // Pressed to a tenth of the force of an event, half let go, and pressed beyond:
 // five times what is new, once what makes up for the fall. By the force of the
 // spring, which the criterion sees.
@@ -325,4 +351,98 @@ TEST(EngineBreakage, EveryLoadCountsAsOften)
   EXPECT_GT(once.back(), 0.02);
   for (std::size_t load = 0; load < once.size(); ++load)
     EXPECT_NEAR(often[load], 5. * once[load], 1e-6) << load;
+}
+
+namespace
+{
+/// Of the first event of a stone pressed on the tip of another solid, which
+/// does not break: volume over that of the cap of the whole overlap [-].
+double volume_share(const dem::SolidMaterial &other)
+{
+  dem::EngineParameters p = press_parameters();
+  p.breakage.share = dem::EnergyShare::compliance;
+  p.other_solids = {other};
+  dem::Engine engine(p);
+  for (const std::uint8_t material : {0, 1})
+  {
+    const double side = material == 0 ? -1. : 1.;
+    engine.add_stone(stone(ellipsoid()), {side * axes.x(), 0., 0.},
+                     dem::Quaternion::Identity(), material);
+    engine.particles().last().velocity.x() = -side * 10.;
+  }
+  while (engine.n_events() == 0 && engine.time() < 1e-3)
+    engine.advance(2e-8);
+  const auto events = engine.take_events();
+  if (events.empty())
+    return 0.;
+  const double overlap = events[0].overlap;
+  return events[0].removed_volume /
+         (std::numbers::pi * tip_radius() * overlap * overlap);
+}
+} // namespace
+
+// delta_i = w_i delta, w_i by (1 - nu) / G: V_i goes with the square.
+TEST(EngineBreakage, SharesAreByCompliance)
+{
+  const dem::StoneMaterial rock;
+  const double own = (1. - rock.poisson_ratio) / rock.shear_modulus;
+  for (const double stiffer : {1., 10.})
+  {
+    const dem::SolidMaterial other{2700., stiffer * rock.shear_modulus, 0.3};
+    const double its = (1. - other.poisson_ratio) / other.shear_modulus;
+    const double share = own / (own + its);
+    EXPECT_NEAR(volume_share(other), share * share, 1e-4);
+  }
+}
+
+namespace
+{
+/// Forces of the first event on the tips of a stone that stands on facets under
+/// a plate, by the kind of the other side, if breaking is switched on under
+/// half of the force of an event [N].
+std::map<int, double> first_events_when_switched_on(dem::WallLaw law)
+{
+  dem::EngineParameters p = press_parameters();
+  p.breakage.is_active = false;
+  p.wall.law = law;
+  p.surface = p.wall;
+  dem::Engine engine(p);
+  engine.add_stone(
+      stone(ellipsoid()), dem::Vec3(0., 0., axes.x()),
+      dem::Quaternion::FromTwoVectors(dem::Vec3::UnitX(), dem::Vec3::UnitZ()));
+  engine.add_plane({0., 0., 2. * axes.x()}, -dem::Vec3::UnitZ());
+  engine.attach_surface(support::coplanar_fan(4, 0.02, 0.3));
+  engine.planes()[0].velocity.z() =
+      law == dem::WallLaw::linear ? -2. * slow : -20. * slow;
+  const double time_step =
+      0.05 * std::sqrt(engine.particles().mass(0) / p.wall.normal_stiffness);
+  while (engine.planes()[0].force.z() < 0.5 * first_event() &&
+         engine.time() < 0.02)
+    engine.advance(time_step);
+  engine.set_breaking(true);
+  std::map<int, double> forces;
+  while (forces.size() < 2 && engine.time() < 0.02)
+  {
+    engine.advance(time_step);
+    for (const dem::BreakageEvent &event : engine.take_events())
+      forces.try_emplace(event.kind, event.force_before);
+  }
+  return forces;
+}
+} // namespace
+
+// What is stored by then has counted, on facets as on planes: with a linear
+// wall, in which the factor grows with the force, one force of an event more.
+TEST(EngineBreakage, SwitchedOnUnderLoadCountsWhatComes)
+{
+  for (const dem::WallLaw law : {dem::WallLaw::linear, dem::WallLaw::hertz})
+  {
+    const std::map<int, double> forces = first_events_when_switched_on(law);
+    ASSERT_TRUE(forces.contains(1) && forces.contains(2));
+    EXPECT_NEAR(forces.at(2), forces.at(1), 0.02 * forces.at(1));
+    if (law == dem::WallLaw::linear)
+    {
+      EXPECT_NEAR(forces.at(1), 1.5 * first_event(), 0.03 * first_event());
+    }
+  }
 }

@@ -93,6 +93,30 @@ TEST(Surface, CollisionsKeepMomentaAndEnergy)
   }
 }
 
+// One that comes to stones that have been there for a while meets them as it
+// does those that came with it.
+TEST(Surface, StoneAddedLaterIsMet)
+{
+  const Vec3 axes(0.01, 0.009, 0.008);
+  const auto series = ellipsoid(axes);
+  const dem::Body body =
+      dem::make_body(series, series->front() * dem::ball_radius_factor);
+  std::vector<Vec3> ends;
+  for (const int n_before : {0, 10})
+  {
+    dem::Engine engine(surface_parameters());
+    engine.add_stone(body, Vec3::Zero(), dem::Quaternion::Identity());
+    support::advance(engine, 1e-6, n_before);
+    engine.add_stone(body, {0., 0., 2. * axes.z() + 2e-5},
+                     dem::Quaternion::Identity());
+    engine.particles().velocity(1) = {0., 0., -1.};
+    support::advance(engine, 1e-6, 20000);
+    EXPECT_GT(engine.particles().velocity(1).z(), -0.9); // they have met
+    ends.push_back(engine.particles().position(1));
+  }
+  EXPECT_LT((ends[1] - ends[0]).norm(), 1e-9);
+}
+
 // At 40 m/s stones go so deep that contacts lose their place and end: what they
 // held is booked, and nothing else (half of the energy was, for one of these).
 TEST(Surface, ContactsThatLoseTheirPlaceKeepTheBooks)

@@ -89,6 +89,8 @@ public:
   void renew_facets(const SpotSearchInput &input, const WatchedFacets &facets,
                     ContactBatch &batch, Dissipation &retired);
 
+  /// Stones have been added.
+  void forget() { reach = -1.; }
   /// The stones have got other numbers.
   void renumber(const std::vector<std::int32_t> &place);
   SpotEvents events;
