@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -110,8 +111,7 @@ enum class MembraneRefinement
 struct BoundaryParameters
 {
   Lateral lateral = Lateral::membrane;
-  std::string mesh;               ///< gmsh file of the membrane; may be empty
-  std::uint64_t mesh_content = 0; ///< digest of the file; 0 without
+  std::string mesh;           ///< gmsh file of the membrane; may be empty
   int elements_per_side = 12; ///< of a box: membrane quads along each edge [-]
   int elements_around = 36;   ///< of a cylinder: membrane quads round it [-]
   MembraneRefinement refined = MembraneRefinement::none;
@@ -260,6 +260,8 @@ struct DrumParameters
   int checkpoint_every = 1; ///< turns; 0: only at the end
 };
 
+constexpr int most_threads = 1024;
+
 struct Case
 {
   CaseKind kind = CaseKind::dynamic_triaxial;
@@ -298,6 +300,8 @@ struct Case
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
+  /// Digests of the files that the case names, by Section/key.
+  std::map<std::string, std::uint64_t> contents;
 
   /// While stones are prepared: with steps of their own they also have contacts
   /// and lists renewed by the tolerances of the program.

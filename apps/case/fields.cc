@@ -75,8 +75,8 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
             "Of the cap: the stone's own, or relative to the other stone."},
            b.curvature, {"own", "relative"});
   list.add({"share", "-",
-            "Of overlap and energy: full for each of two stones, or half (by "
-            "compliance)."},
+            "Of overlap and energy: full for each of two stones, or by their "
+            "compliances (half, if they are alike)."},
            b.share, {"full", "compliance"});
   list.add({"precedence", "-", "Mode of an event that meets both conditions."},
            b.precedence, {"instantaneous", "cumulative"});
@@ -379,7 +379,7 @@ std::vector<Parameter> parameters_of(Case &of)
   list.in("Run");
   list.add(
       {"threads", "-", "OpenMP threads; 0: the number that is fastest now."},
-      of.threads, between(0, 1024));
+      of.threads, between(0, most_threads));
   return std::move(list.parameters);
 }
 

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -245,11 +246,12 @@ Override parse_override(const std::string &text)
 
 namespace
 {
-/// What the file or the command line says; the first kind if neither does, or
-/// says nonsense, which is refused later.
-CaseKind kind_of(const std::string &file, std::span<const Override> overrides)
+/// What the file or the command line says; the first kind if neither does, none
+/// if it is nonsense.
+std::optional<CaseKind> kind_of(const std::string &file,
+                                std::span<const Override> overrides)
 {
-  std::string name;
+  std::string name = kind_names.front();
   for (const Assignment &a : read_assignments(file))
     if (a.section == "Case" && a.key == "kind")
       name = a.value;
@@ -257,9 +259,9 @@ CaseKind kind_of(const std::string &file, std::span<const Override> overrides)
     if (o.section == "Case" && o.key == "kind")
       name = o.value;
   const auto found = std::ranges::find(kind_names, name);
-  return found == kind_names.end()
-             ? CaseKind{}
-             : static_cast<CaseKind>(found - kind_names.begin());
+  if (found == kind_names.end())
+    return std::nullopt;
+  return static_cast<CaseKind>(found - kind_names.begin());
 }
 
 /// Throws InputError for a section that cases of this kind do not have.
@@ -274,24 +276,51 @@ void check_sections(const Case &parameters, const Places &places)
               kind_names[static_cast<std::size_t>(parameters.kind)] +
               " has no section " + section.name);
 }
-/// Of the files that a checkpoint is to know again.
+/// Where the file or folder is, if it is there and may be looked at.
+std::optional<std::string> path_of(const Case &of, const std::string &name)
+{
+  std::error_code status;
+  if (fs::path(name).is_absolute())
+    return fs::exists(name, status) ? std::optional(name) : std::nullopt;
+  for (const fs::path &folder : search_folders(of))
+    if (fs::exists(folder / name, status))
+      return fs::absolute(folder / name).lexically_normal().string();
+  return std::nullopt;
+}
+
+/// Of a file, or of the shape files of a folder.
+std::uint64_t digest_of(const fs::path &path)
+{
+  if (!fs::is_directory(path))
+    return digest_of_file(path);
+  std::map<fs::path, std::uint64_t> files;
+  for (const fs::directory_entry &item : fs::directory_iterator(path))
+    if (item.path().extension() == ".json")
+      files.emplace(item.path().filename(), digest_of_file(item.path()));
+  Digest all;
+  for (const auto &[name, digest] : files)
+    all.add(name.string() + hex_text(digest));
+  return all.value();
+}
+
+/// Of the files that a checkpoint is to know again. One that is not there is
+/// refused where it is used.
 void note_contents(Case &of)
 {
-  const auto note = [&of](const std::string &section, const std::string &mesh,
-                          std::uint64_t &content)
-  {
-    if (!mesh.empty())
-      content = digest_of_file(find_path(of, section, "mesh", mesh));
-  };
-  GroundParameters &ground = of.subgrade.ground;
-  note("Subgrade", ground.mesh, ground.mesh_content);
-  note("Boundary", of.boundary.mesh, of.boundary.mesh_content);
+  for (const Parameter &parameter : parameters_of(of))
+    if (names_path(parameter))
+      if (const std::string &name = *std::get<std::string *>(parameter.value);
+          !name.empty())
+        if (const auto path = path_of(of, name))
+          of.contents[parameter.section + "/" + parameter.key] =
+              digest_of(*path);
 }
 } // namespace
 
 Case read_case(const std::string &file, std::span<const Override> overrides)
 {
-  Case result = default_case(kind_of(file, overrides));
+  const std::optional<CaseKind> kind = kind_of(file, overrides);
+  Case result = default_case(kind.value_or(CaseKind{}));
   result.file = file;
   const std::vector<Parameter> list = parameters_of(result);
   Places places;
@@ -300,7 +329,8 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   take_file(handler, file, list, places);
   take_overrides(handler, result, overrides, list, places);
 
-  check_sections(result, places);
+  if (kind) // else Case/kind itself is refused below
+    check_sections(result, places);
   const std::string named = get(handler, "Material", "file");
   if (!named.empty())
   {
@@ -327,17 +357,13 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
 std::string find_path(const Case &parameters, const std::string &section,
                       const std::string &key, const std::string &path)
 {
-  if (fs::path(path).is_absolute() && fs::exists(path))
-    return path;
+  if (const auto found = path_of(parameters, path))
+    return *found;
   std::string looked;
   if (!fs::path(path).is_absolute())
     for (const fs::path &folder : search_folders(parameters))
-    {
-      if (fs::exists(folder / path))
-        return fs::absolute(folder / path).lexically_normal().string();
-      const std::string name = folder.empty() ? "." : folder.string();
-      looked += (looked.empty() ? ", looked in " : ", ") + name;
-    }
+      looked += (looked.empty() ? ", looked in " : ", ") +
+                (folder.empty() ? "." : folder.string());
   throw InputError(parameters.file + ": " + section + "/" + key + " = " + path +
                    ": no such file or folder" + looked);
 }

@@ -1,5 +1,7 @@
 #include "case/parameter.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -45,6 +47,19 @@ std::string range_text(const std::string &what, const Range &range)
 [[noreturn]] void refuse(const Parameter &parameter)
 {
   throw std::invalid_argument("must be " + allowed(parameter));
+}
+
+/// As summary.json needs it.
+bool is_utf8(const std::string &text)
+{
+  try
+  {
+    return !nlohmann::json(text).dump().empty();
+  }
+  catch (const nlohmann::json::type_error &)
+  {
+    return false;
+  }
 }
 
 double number_in_range(const Parameter &parameter, const std::string &text)
@@ -123,7 +138,7 @@ std::string allowed(const Parameter &parameter)
           [&](int *) { return range_text("a whole number", parameter.range); },
           [](bool *) { return std::string("true or false"); },
           [](std::string *)
-          { return std::string("one line of text without #"); },
+          { return std::string("one line of text (UTF-8) without #"); },
           [](const Choice &choice) {
             return (choice.names.size() > 1 ? "one of " : "") +
                    join(choice.names);
@@ -144,6 +159,14 @@ std::string value_text(const Parameter &parameter)
       parameter.value);
 }
 
+bool names_path(const Parameter &parameter)
+{
+  return std::holds_alternative<std::string *>(parameter.value) &&
+         (parameter.key == "gradation" || parameter.key == "shapes" ||
+          parameter.key == "shape" || parameter.key == "table" ||
+          parameter.key == "share_table" || parameter.key == "mesh");
+}
+
 void assign(const Parameter &parameter, const std::string &text)
 {
   std::visit(
@@ -158,7 +181,8 @@ void assign(const Parameter &parameter, const std::string &text)
           },
           [&](std::string *value)
           {
-            if (text.find_first_of("#\n") != std::string::npos)
+            if (text.find_first_of("#\n") != std::string::npos ||
+                !is_utf8(text))
               refuse(parameter);
             *value = text;
           },

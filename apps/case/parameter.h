@@ -64,6 +64,9 @@ std::string value_text(const Parameter &parameter);
 /// Throws std::invalid_argument that says what is allowed.
 void assign(const Parameter &parameter, const std::string &text);
 
+/// Whether its value is a file or folder that find_path() finds.
+bool names_path(const Parameter &parameter);
+
 /// Shortest text that reads back as the same number.
 std::string number_text(double value);
 

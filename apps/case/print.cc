@@ -59,15 +59,6 @@ void print_case(std::ostream &out, Case of)
   }
 }
 
-/// Files and folders that find_path() finds.
-bool is_path(const Parameter &parameter)
-{
-  return std::holds_alternative<std::string *>(parameter.value) &&
-         (parameter.key == "gradation" || parameter.key == "shapes" ||
-          parameter.key == "shape" || parameter.key == "table" ||
-          parameter.key == "share_table" || parameter.key == "mesh");
-}
-
 std::string joined(const std::vector<std::string> &words)
 {
   std::string text;
@@ -90,7 +81,7 @@ std::string parameters_as_run(const Case &parameters)
 {
   Case resolved = parameters;
   for (Parameter &path : parameters_of(resolved))
-    if (is_path(path))
+    if (names_path(path))
       if (auto *text = std::get<std::string *>(path.value); !text->empty())
         *text = find_path(parameters, path.section, path.key, *text);
 

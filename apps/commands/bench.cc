@@ -65,6 +65,9 @@ void check(const BenchOptions &options)
   if (!geometries.contains(options.geometry))
     throw InputError("bench: --geometry " + options.geometry +
                      ": must be ball, radial or surface");
+  if (options.threads > most_threads)
+    throw InputError("bench: --threads " + std::to_string(options.threads) +
+                     ": must be at most " + std::to_string(most_threads));
   if (options.is_breaking && options.shapes.empty())
     throw InputError("bench: --breakage: needs --shapes DIR, spheres do not "
                      "break");

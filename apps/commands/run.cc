@@ -5,19 +5,24 @@
 #include <charconv>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 
 namespace spall
 {
 namespace
 {
-int positive(const std::string &option, const std::string &text)
+int positive(const std::string &option, const std::string &text,
+             int most = std::numeric_limits<int>::max())
 {
   int value = 0;
   const auto [end, status] =
       std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc{} || end != text.data() + text.size() || value < 1)
-    throw InputError("run: " + option + " " + text +
-                     ": must be a whole number from 1 up");
+  if (status != std::errc{} || end != text.data() + text.size() || value < 1 ||
+      value > most)
+    throw InputError(
+        "run: " + option + " " + text + ": must be a whole number from 1 " +
+        (most < std::numeric_limits<int>::max() ? "to " + std::to_string(most)
+                                                : "up"));
   return value;
 }
 
@@ -38,7 +43,7 @@ RunOptions parse_options(Words words)
     else if (word == "--preparations")
       options.preparations = value();
     else if (word == "--threads")
-      options.threads = positive(word, value());
+      options.threads = positive(word, value(), most_threads);
     else if (word == "--until")
       options.until = positive(word, value());
     else if (word == "--resume")

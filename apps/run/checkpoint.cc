@@ -55,14 +55,13 @@ std::string identity_of(Case parameters)
     parameters.time.local_damping = local_damping;
   }
   parameters.title = defaults.title;
-  // A mesh counts by what is in its file.
+  // A mesh counts by what is in its file alone.
   parameters.subgrade.ground.mesh.clear();
   parameters.boundary.mesh.clear();
-  return without_comments(parameters_as_run(parameters)) +
-         "contents of Subgrade/mesh = " +
-         hex_text(parameters.subgrade.ground.mesh_content) +
-         "\ncontents of Boundary/mesh = " +
-         hex_text(parameters.boundary.mesh_content) + "\n";
+  std::string text = without_comments(parameters_as_run(parameters));
+  for (const auto &[name, digest] : parameters.contents)
+    text += "contents of " + name + " = " + hex_text(digest) + "\n";
+  return text;
 }
 
 /// First line that differs, for the message.

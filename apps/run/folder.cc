@@ -38,7 +38,7 @@ bool is_result(const std::string &name)
       "report.html", "frames",     "checkpoint",   "log.txt"};
   return std::ranges::find(files, name) != files.end() ||
          name.starts_with("roundness_") ||
-         name.starts_with("boundary_profile_");
+         name.starts_with("boundary_profile_") || name.starts_with("sections_");
 }
 
 void remove_results(const fs::path &folder)

@@ -59,8 +59,8 @@ Sheet read(const Case &c)
   try
   {
     const std::string path = find_path(c, "Boundary", "mesh", c.boundary.mesh);
-    if (c.boundary.mesh_content != 0 &&
-        digest_of_file(path) != c.boundary.mesh_content)
+    if (const auto known = c.contents.find("Boundary/mesh");
+        known != c.contents.end() && digest_of_file(path) != known->second)
       refuse(c, "has changed since the run began");
     sheet.mesh = fem::read_surface_mesh(path);
   }

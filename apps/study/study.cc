@@ -2,6 +2,7 @@
 
 #include "case/fields.h"
 #include "errors.h"
+#include "study/levels.h"
 #include "study/measured.h"
 #include "study/words.h"
 
@@ -425,6 +426,26 @@ std::string run_name(std::size_t number)
   return name;
 }
 
+namespace
+{
+/// A condition of an expectation that no case meets is a slip of the pen.
+void check_conditions(const Study &study, const std::vector<StudyPoint> &points)
+{
+  for (const Expectation &e : study.expectations)
+    for (const auto &[key, value] : {std::pair(e.where_key, e.where_value),
+                                     std::pair(e.than_key, e.than_value)})
+    {
+      if (value.empty())
+        continue;
+      const std::size_t place = place_of(study, key);
+      if (std::ranges::none_of(points, [&](const StudyPoint &point)
+                               { return point.values[place] == value; }))
+        throw InputError(study.file + ": Expect/" + e.name + ": " + key + "=" +
+                         value + ": no case of the study has it");
+    }
+}
+} // namespace
+
 std::vector<StudyPoint> points_of(const Study &study)
 {
   std::vector<StudyPoint> points;
@@ -454,6 +475,7 @@ std::vector<StudyPoint> points_of(const Study &study)
     points.push_back(make_point(study, base, base, seed, points.size() + 1));
     points.back().is_base = true; // and of no sweep
   }
+  check_conditions(study, points);
   return points;
 }
 } // namespace spall

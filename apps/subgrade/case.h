@@ -81,10 +81,9 @@ enum class GroundSolver
 
 struct GroundParameters
 {
-  std::string mesh;               ///< gmsh file of hexahedra; empty: a box
-  std::uint64_t mesh_content = 0; ///< digest of the file; 0 without
-  double length = 2.;             ///< along x [m]
-  double width = 2.;              ///< along y [m]
+  std::string mesh;   ///< gmsh file of hexahedra; empty: a box
+  double length = 2.; ///< along x [m]
+  double width = 2.;  ///< along y [m]
   /// thickness [m], E [Pa], nu [-], rho [kg/m^3] of each layer from the top
   /// down; where it yields c [Pa], phi and psi [degrees] too
   std::string layers = "0.4 80e6 0.3 1900, 1 50e6 0.35 1850";

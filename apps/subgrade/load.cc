@@ -66,6 +66,8 @@ SubgradeLoad::SubgradeLoad(const Case &c)
         fem::Drive::read_table(find_path(c, "Pulse", "table", p.table));
     force = table;
     length = table.last_time();
+    if (length <= 0.)
+      throw std::invalid_argument("ends at 0 s: must be a load over time");
     total = table.integral();
     return;
   }

@@ -438,7 +438,7 @@ std::vector<Quantity> Subgrade::measured() const
       {"plate_force_N", force_on_plate()},
       {"subgrade_force_N", force_on_ground()},
       {"stone_velocity_rms_m_per_s",
-       std::sqrt(sum / static_cast<double>(all.size()))},
+       std::sqrt(sum / std::max(1., static_cast<double>(all.size())))},
       {"stone_velocity_peak_m_per_s", peak},
       {"coordination_number_1", network.coordination_number},
       {"n_contacts_1", static_cast<double>(network.n_contacts)},

@@ -133,6 +133,15 @@ WORDS = [
     Bad("option_empty", ["run", "{case}", "--out", ""], ["run", "empty"]),
     Bad("threads_text", ["run", "{case}", "--threads", "all"], ["all"]),
     Bad("threads_zero", ["run", "{case}", "--threads", "-2"], ["-2"]),
+    Bad("threads_many", ["run", "{case}", "--threads", "100000"], ["to 1024"]),
+    Bad("title_latin", CASE, ["Case/title", "UTF-8"],
+        files={"case.prm": prm(merged({"Case": {"title": "Prüfung"}}))
+               .encode("latin-1")}),
+    Bad("kind", [*CASE, "--set", "Case/kind=single_particel",
+                 "--set", "Particle/diameter=0.03"],
+        ["Case/kind = single_particel", "single_particle"]),
+    Bad("stones_in_mm", [*CASE, "--set", "Specimen/side=50"],
+        ["more than 10000000 stones"]),
     Bad("set_form", [*CASE, "--set", "cycles=3"], ["Section/key=value"]),
     Bad("set_section", [*CASE, "--set", "Loding/cycles=3"], ["Loading?"]),
     Bad("set_key", [*CASE, "--set", "Loading/cycle=3"], ["cycles?"]),
@@ -436,6 +445,10 @@ LABS = [
     study("outcome", STUDY + SWEEP +
           "subsection Expect\n  set a = laa rises with Stone/density\nend\n",
           "laa is not in Study/outcomes"),
+    study("condition", STUDY + SWEEP +
+          "subsection Expect\n  set a = n_events rises with Stone/density "
+          "where Stone/density=1\nend\n",
+          "Expect/a: Stone/density=1", "no case"),
     study("hole", STUDY + "subsection Sweep\n"
                           "  set Stone/density = 2000,, 3000\nend\n",
           "Stone/density = 2000,, 3000", "commas"),

@@ -38,7 +38,7 @@ def faults_of(spall, bad):
         try:
             ended = subprocess.run(
                 [spall, *words], cwd=folder, capture_output=True, text=True,
-                timeout=100, check=False,
+                errors="replace", timeout=100, check=False,
                 env={**os.environ, "OMP_NUM_THREADS": "1"})
         except subprocess.TimeoutExpired:
             return ["does not end"]

@@ -37,6 +37,7 @@ def ground(changes, *message):
     return Bad(name.replace(" ", "_"), CASE, [last, *message],
                files={"case.prm": prm(case),
                       "bad.csv": "a,b\n0,1\n0.5;3\n",
+                      "short.csv": "time_s,force_N\n0,1000\n",
                       "no.msh": "no mesh\n", "tetrahedron.msh": TETRAHEDRON,
                       "millimetres.msh": gmsh(*block(
                           ACROSS, ACROSS, [-200., -100., 0.]))})
@@ -64,6 +65,7 @@ SUBGRADES = [
     ground({"Record/stress_depths": "0.5"}, "less deep"),
     ground({"Record/row_interval": 1e-7}, "a window"),
     ground({"Pulse/form": "table", "Pulse/table": ""}, "time_s,force_N"),
+    ground({"Pulse/form": "table", "Pulse/table": "short.csv"}, "ends at 0 s"),
     ground({"Pulse/form": "table", "Pulse/table": "bad.csv"},
            "header time_s,force_N"),
     ground({"Pulse/form": "train", "Pulse/axle_spacing": 30}, "car_length"),

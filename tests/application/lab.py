@@ -6,6 +6,7 @@
 import csv
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from run_views import view_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary, summary_faults)
 
+DATA = pathlib.Path(__file__).parents[2] / "data"
 CUBE = {
     "Case": {"kind": "single_particle"},
     "Particle": {"shape": "shapes/rounded_cube/rounded_cube.json",
@@ -117,8 +119,9 @@ def single_particle(spall, root):
                0.01 * row["force_N"] + 1.]
 
     # Stopped with SIGTERM, gone on with.
+    shape = pathlib.Path(shutil.copy(DATA / CUBE["Particle"]["shape"], root))
     words = [spall, "run", case, "--out", root / "stopped", "--threads", 1,
-             "--set", "Press/speed=5e-3"]
+             "--set", "Press/speed=5e-3", "--set", f"Particle/shape={shape}"]
     with subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, env=ENVIRONMENT) as running:
         table = root / "stopped" / "events.csv"
@@ -134,6 +137,8 @@ def single_particle(spall, root):
     refused = spall_run(words, status=1)
     if "--resume goes on" not in refused.stderr:
         faults.append(f"again without --resume: {refused.stderr}")
+    # Nor does it go on with other stones.
+    faults += other_shape_faults(shape, words)
     spall_run([*words, "--resume"])
     spall_run([*words[:4], root / "whole", *words[5:]])
     faults += resumed_faults(root / "whole", root / "stopped",
@@ -143,6 +148,16 @@ def single_particle(spall, root):
     if "force_displacement" not in page or "First event" not in page:
         faults.append("the report has no force over displacement")
     return faults
+
+
+def other_shape_faults(shape, words):
+    """`words` run a case with this shape file."""
+    text = shape.read_text()
+    shape.write_text(text.replace("0.0842", "0.0841"))
+    refused = spall_run([*words, "--resume"], status=1)
+    shape.write_text(text)
+    return [] if "contents of Particle/shape" in refused.stderr else [
+        f"resumed with another shape: {refused.stderr}"]
 
 
 def los_angeles(spall, root):

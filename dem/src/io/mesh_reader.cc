@@ -13,8 +13,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace dem
@@ -90,6 +93,30 @@ TriangleMesh mesh_of(vtkPolyData &surface)
   return mesh;
 }
 
+/// The reader of VTK takes what is no number as 0.
+void require_vertices(const std::string &path)
+{
+  std::ifstream in(path);
+  int number = 0;
+  for (std::string line; std::getline(in, line);)
+  {
+    ++number;
+    std::istringstream fields(line);
+    std::string word;
+    if (!(fields >> word) || word != "v")
+      continue;
+    for (int d = 0; d < 3; ++d)
+    {
+      const bool is_there = static_cast<bool>(fields >> word);
+      char *end = nullptr;
+      const double value = std::strtod(word.c_str(), &end);
+      if (!is_there || *end != '\0' || !std::isfinite(value))
+        throw std::invalid_argument("line " + std::to_string(number) + ": \"" +
+                                    line + "\": must be v and three numbers");
+    }
+  }
+}
+
 TriangleMesh read_by_ending(const std::string &path)
 {
   const std::string ending = ending_of(path);
@@ -98,7 +125,10 @@ TriangleMesh read_by_ending(const std::string &path)
   if (ending == ".ply")
     return detail::read_ply(path);
   if (ending == ".obj")
+  {
+    require_vertices(path);
     return mesh_of(*read_with<vtkOBJReader>(path));
+  }
   throw std::invalid_argument("unknown ending \"" + ending +
                               "\", must be .stl, .ply or .obj");
 }

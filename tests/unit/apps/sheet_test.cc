@@ -175,7 +175,7 @@ TEST_F(SheetFile, SaysWhatDoesNotFit)
   Case c = base;
   c.boundary.mesh = "sheet.msh";
   EXPECT_THROW(lateral_mesh(c, low, high), InputError);
-  c.boundary.mesh_content = 1; // of another file
+  c.contents["Boundary/mesh"] = 1; // of another file
   EXPECT_THROW(lateral_mesh(c, low, high), InputError);
 }
 } // namespace

@@ -20,6 +20,7 @@ struct GradingCurve
 /// half a smallest stone. The mass of 40 narrow classes follows the curve; what
 /// a class cannot fill goes to the next finer one. The diameter is twice the
 /// ball radius; each stone takes one of `shapes` at random (spheres if empty).
+/// Throws std::invalid_argument if they are more than ten million.
 std::vector<Body>
 draw_stones(const GradingCurve &curve, double solid_volume,
             std::span<const std::shared_ptr<const Coefficients>> shapes,

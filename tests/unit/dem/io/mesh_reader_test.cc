@@ -147,6 +147,9 @@ TEST_F(MeshReader, SaysWhatIsWrongInOneLine)
     expect(write(name, ""), "no triangles");
     expect(write(name, "this is no mesh\n"), "no triangles");
   }
+  for (const char *vertex : {"v 2,5 0 0", "v nan 0 0", "v 1 0", "v a b c"})
+    expect(write("v.obj", std::string(obj) + vertex + "\n"),
+           "must be v and three numbers");
   expect(write("e.ply", ""), "ends within its header");
   expect(write("e.ply", "this is no mesh\n"), "does not begin with");
   expect(write("e.ply", bad_ply), "ends within its header");

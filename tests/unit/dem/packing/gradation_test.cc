@@ -74,6 +74,12 @@ TEST(Gradation, EveryShapeIsUsed)
   EXPECT_NEAR(n_first, 0.5 * n, 2. * std::sqrt(n));
 }
 
+TEST(Gradation, RefusesMoreThanMemoryHolds)
+{
+  dem::Random random(1);
+  EXPECT_THROW(dem::draw_stones(curve, 1e6, {}, random), std::invalid_argument);
+}
+
 TEST(Gradation, SeedSettlesTheStones)
 {
   const Shapes shapes = two_shapes();
