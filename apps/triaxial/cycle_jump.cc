@@ -11,8 +11,8 @@ namespace
 constexpr double steepest_decay = 1.;
 /// Shorter jumps do not pay: a jump costs the cycle that lands.
 constexpr int shortest = 2;
-/// Cycles that one stands for, at most. It wears what happens to be loaded in
-/// it: the more it stands for, the more the same corners blunt, and the less
+/// Cycles that one stands for, at most. The right contacts wear, but stones
+/// give way to that in cycles of their own: the more one stands for, the less
 /// grows after it (docs/verification/cycle_jump.md).
 constexpr int most_in_one = 5;
 /// Of its limit an error should not use more than this, in the mean.

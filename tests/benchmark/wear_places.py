@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Whether what wears in one run is what wears in another.
+
+    wear_places.py RUN,OTHER [RUN,OTHER ...]
+
+Each pair names the folders of two runs of one specimen. From their events.csv:
+how many stones and contacts (of two stones, or of a stone and a boundary) have
+lost material in the other run, and how well the volumes that each stone, and
+each contact, has lost in both go together: 1 where they are in proportion, 0
+where the one says nothing of the other (Pearson's correlation).
+"""
+import collections
+import csv
+import pathlib
+import statistics
+import sys
+
+from bench_runs import table
+
+STONE = "0"  # kind_1 of events.csv: the other side is a stone
+
+
+def removed(folder):
+    """Volume [m^3] by stone, and by contact."""
+    stones, contacts = collections.Counter(), collections.Counter()
+    with open(pathlib.Path(folder) / "events.csv", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            sides = row["particle_1"], row["other_1"]
+            if row["kind_1"] == STONE:
+                sides = tuple(sorted(sides))
+            volume = float(row["removed_volume_m3"])
+            stones[row["particle_1"]] += volume
+            contacts[row["kind_1"], *sides] += volume
+    return stones, contacts
+
+
+def correlation(one, other):
+    places = sorted(one.keys() | other.keys())
+    return statistics.correlation([one[place] for place in places],
+                                  [other[place] for place in places])
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    lines = []
+    for pair in sys.argv[1:]:
+        folders = pair.split(",")
+        one, other = map(removed, folders)
+        lines.append([folders[1], *map(len, other),
+                      *(f"{correlation(*maps):.3f}"
+                        for maps in zip(one, other))])
+    print(table(["run", "stones", "contacts", "by stone", "by contact"], lines))
+
+
+if __name__ == "__main__":
+    main()
