@@ -276,6 +276,7 @@ void check_sections(const Case &parameters, const Places &places)
               kind_names[static_cast<std::size_t>(parameters.kind)] +
               " has no section " + section.name);
 }
+
 /// Where the file or folder is, if it is there and may be looked at.
 std::optional<std::string> path_of(const Case &of, const std::string &name)
 {
@@ -293,8 +294,9 @@ std::uint64_t digest_of(const fs::path &path)
 {
   if (!fs::is_directory(path))
     return digest_of_file(path);
+  std::error_code status;
   std::map<fs::path, std::uint64_t> files;
-  for (const fs::directory_entry &item : fs::directory_iterator(path))
+  for (const fs::directory_entry &item : fs::directory_iterator(path, status))
     if (item.path().extension() == ".json")
       files.emplace(item.path().filename(), digest_of_file(item.path()));
   Digest all;

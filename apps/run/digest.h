@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -33,11 +34,14 @@ private:
   std::uint64_t state = 14695981039346656037u;
 };
 
-/// Of the bytes of a file; of none if it cannot be read.
+/// Of the bytes of a file; of none if it cannot be read, as a folder.
 inline std::uint64_t digest_of_file(const std::string &path)
 {
-  std::ifstream file(path, std::ios::binary);
   Digest digest;
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(path, status))
+    return digest.value();
+  std::ifstream file(path, std::ios::binary);
   digest.add(std::string(std::istreambuf_iterator<char>(file), {}));
   return digest.value();
 }

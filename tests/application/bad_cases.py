@@ -137,6 +137,8 @@ WORDS = [
     Bad("title_latin", CASE, ["Case/title", "UTF-8"],
         files={"case.prm": prm(merged({"Case": {"title": "Prüfung"}}))
                .encode("latin-1")}),
+    Bad("mesh_folder", CASE, ["Boundary/mesh = .", "gmsh"],
+        {"Boundary": {"mesh": "."}}),
     Bad("kind", [*CASE, "--set", "Case/kind=single_particel",
                  "--set", "Particle/diameter=0.03"],
         ["Case/kind = single_particel", "single_particle"]),

@@ -39,7 +39,7 @@ def parts(every, jump, jumps):
     for start, worn in jumps:
         begin = worn + 1 + SETTLED
         end = begin + OBSERVED
-        if end not in jump:
+        if end not in jump or end not in every:
             continue
         laws = [gain((start - OBSERVED / 2, rate(run, start)),
                      (end - OBSERVED / 2, rate(run, end)), start, begin)
