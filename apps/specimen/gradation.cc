@@ -1,6 +1,7 @@
 #include "specimen/gradation.h"
 
 #include "case/parameter.h"
+#include "case/source.h"
 #include "errors.h"
 
 #include <filesystem>
@@ -56,6 +57,7 @@ Gradation read_gradation(const std::string &path)
   std::ifstream in(path);
   if (!in || std::filesystem::is_directory(path))
     throw InputError(path + ": cannot be read as a gradation");
+  skip_byte_order_mark(in); // of spreadsheets
   Gradation curve;
   bool has_header = false;
   int n_lines = 0;

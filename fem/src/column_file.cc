@@ -46,6 +46,8 @@ ColumnPair read_columns(const std::string &path, const std::string &header)
   std::string line;
   for (int number = 1; std::getline(file, line); ++number)
   {
+    if (number == 1 && line.starts_with("\xEF\xBB\xBF")) // of spreadsheets
+      line.erase(0, 3);
     const std::string text = without_blanks(line);
     if (text.empty())
       continue;

@@ -19,6 +19,15 @@ TEST(Gradation, ReadsRowsAndSkipsComments)
   std::filesystem::remove(path);
 }
 
+TEST(Gradation, ReadsWhatSpreadsheetsWrite)
+{
+  const std::string path = testing::TempDir() + "/gradation_test_mark.csv";
+  std::ofstream(path) << "\xEF\xBB\xBF"
+                         "diameter_m,passing_1\r\n0.005,0\r\n0.01,1\r\n";
+  EXPECT_EQ(spall::read_gradation(path).passing, (std::vector<double>{0., 1.}));
+  std::filesystem::remove(path);
+}
+
 TEST(Gradation, RefusesAFolder)
 {
   EXPECT_THROW(spall::read_gradation(testing::TempDir()), spall::InputError);

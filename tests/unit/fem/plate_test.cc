@@ -35,7 +35,8 @@ TEST(Drive, WavesAreWhatTheyAreCalled)
 TEST(Drive, TableIsReadAndChecked)
 {
   const std::string path = testing::TempDir() + "drive.csv";
-  std::ofstream(path) << "time_s, force_N\r\n0,10\n\n1,30 \n3,-10\n\n";
+  std::ofstream(path) << "\xEF\xBB\xBF" // as spreadsheets begin
+                         "time_s, force_N\r\n0,10\n\n1,30 \n3,-10\n\n";
   const fem::Drive drive = fem::Drive::read_table(path);
   EXPECT_DOUBLE_EQ(drive(-1.), 10.);
   EXPECT_DOUBLE_EQ(drive(0.5), 20.);
