@@ -30,7 +30,7 @@ def removed(folder):
                 sides = tuple(sorted(sides))
             volume = float(row["removed_volume_m3"])
             stones[row["particle_1"]] += volume
-            contacts[row["kind_1"], *sides] += volume
+            contacts[(row["kind_1"], *sides)] += volume
     return stones, contacts
 
 
