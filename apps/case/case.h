@@ -260,6 +260,7 @@ struct DrumParameters
   int checkpoint_every = 1; ///< turns; 0: only at the end
 };
 
+/// OpenMP threads that a user may ask for.
 constexpr int most_threads = 1024;
 
 struct Case

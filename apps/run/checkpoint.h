@@ -46,10 +46,11 @@ void require_checkpoint(const std::filesystem::path &path);
 void refuse_shorter(const char *key, double done, double asked);
 
 /// Brings test and files back. Throws InputError if there is no checkpoint, it
-/// is damaged, or it belongs to a case with other parameters (number of cycles
-/// or turns, length of the vibration, limits that stop a run, how often
-/// something is written and threads may differ; of a triaxial test the choice
-/// of the step, at the end of a cycle).
+/// is damaged, or it belongs to a case with other parameters or other contents
+/// of the files that it names (number of cycles or turns, length of the
+/// vibration, limits that stop a run, how often something is written and
+/// threads may differ; of a triaxial test the choice of the step, at the end of
+/// a cycle).
 void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
                      const std::function<void(std::istream &)> &restore,
                      Progressed &done);
