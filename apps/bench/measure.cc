@@ -36,6 +36,6 @@ double energy_residual(const dem::EngineEnergy &e)
 {
   return e.plane_work + e.surface_work + e.gravity_work - e.kinetic -
          e.elastic - e.friction - e.rolling - e.damping - e.breakage -
-         e.shape_work;
+         e.non_conservative_work;
 }
 } // namespace spall

@@ -111,12 +111,16 @@ std::string energy_text(const BenchSample &s)
 
 Json energy_json(const dem::EngineEnergy &e)
 {
-  return {
-      {"kinetic_J", e.kinetic},           {"elastic_J", e.elastic},
-      {"friction_J", e.friction},         {"rolling_J", e.rolling},
-      {"damping_J", e.damping},           {"breakage_J", e.breakage},
-      {"shape_work_J", e.shape_work},     {"plane_work_J", e.plane_work},
-      {"gravity_work_J", e.gravity_work}, {"residual_J", energy_residual(e)}};
+  return {{"kinetic_J", e.kinetic},
+          {"elastic_J", e.elastic},
+          {"friction_J", e.friction},
+          {"rolling_J", e.rolling},
+          {"damping_J", e.damping},
+          {"breakage_J", e.breakage},
+          {"non_conservative_work_J", e.non_conservative_work},
+          {"plane_work_J", e.plane_work},
+          {"gravity_work_J", e.gravity_work},
+          {"residual_J", energy_residual(e)}};
 }
 
 Json sample_json(const BenchSample &s)

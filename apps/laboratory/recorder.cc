@@ -9,9 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <omp.h>
-#include <string_view>
 
 namespace spall
 {
@@ -23,19 +21,6 @@ std::string header_of(const LabTest &test)
   for (const Quantity &one : test.row())
     header += (header.empty() ? "" : ",") + std::string(one.name);
   return header;
-}
-
-/// Energy residual over the work that was done from outside, of the whole test
-/// [-].
-double residual_ratio(const LabTest &test)
-{
-  double residual = 0., scale = 0.;
-  for (const Quantity &one : test.row())
-    if (const std::string name = one.name; name == "energy_residual_J")
-      residual = one.value;
-    else if (name == "external_work_J")
-      scale = one.value;
-  return scale != 0. ? std::abs(residual / scale) : 0.;
 }
 } // namespace
 
@@ -112,13 +97,10 @@ void LabRecorder::write_due(LabTest &test, const Due &due)
 
 void LabRecorder::write_row(const LabTest &test)
 {
+  require_energy(test.energy_balance().residual, test.engine().time());
   std::vector<double> row;
   for (const Quantity &one : test.row())
-  {
-    if (std::string_view(one.name) == "energy_residual_J")
-      require_energy(one.value, test.engine().time());
     row.push_back(one.value);
-  }
   history.write_row(row);
   if (test.exchange())
     ledger.write_row(ledger_row(*test.exchange(), test.engine(),
@@ -199,7 +181,7 @@ void LabRecorder::finish(LabTest &test)
   summary["is_complete"] = test.share_done() >= 1. && !test.ends_early();
   summary["threads"] = omp_get_max_threads();
   test.summarise(summary);
-  summary["energy_residual_ratio_1"] = residual_ratio(test);
+  add_energy_balance(test.reported_balance(), summary);
   if (test.exchange())
     add_ledger(*test.exchange(), summary);
   add_cost(wall_clock(test), summary);

@@ -39,6 +39,8 @@ void describe_end(Progress &progress, const LabTest &test)
     line += text;
   }
   progress.say(line);
+  for (const std::string &one : spall::describe(test.reported_balance()))
+    progress.say(one);
 }
 
 /// Where there is a store for tests of this kind, what is prepared goes there,

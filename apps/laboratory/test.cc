@@ -128,6 +128,18 @@ double LabTest::external_work() const
          body_energy().external;
 }
 
+EnergyBalance LabTest::energy_balance() const
+{
+  const dem::EngineEnergy e = engine().energy();
+  const coupling::BodyEnergy bodies = body_energy();
+  const double work = external_work();
+  return {work,
+          work - (e.kinetic + bodies.kinetic + e.elastic + bodies.stored +
+                  e.friction + e.rolling + e.damping + bodies.lost +
+                  e.breakage + e.non_conservative_work),
+          e.non_conservative_work};
+}
+
 std::vector<Quantity> LabTest::row() const
 {
   std::vector<Quantity> all = {{"time_s", engine().time()}};
@@ -135,23 +147,19 @@ std::vector<Quantity> LabTest::row() const
     all.push_back(one);
   const dem::EngineEnergy e = engine().energy();
   const coupling::BodyEnergy bodies = body_energy();
-  const double work = external_work();
-  const double kinetic = e.kinetic + bodies.kinetic,
-               elastic = e.elastic + bodies.stored,
-               damping = e.damping + bodies.lost;
+  const EnergyBalance balance = energy_balance();
   const std::vector<Quantity> common = {
       {"laa_percent", abrasion_percent()},
       {"n_events_1", static_cast<double>(engine().n_events())},
-      {"external_work_J", work},
-      {"kinetic_energy_J", kinetic},
-      {"elastic_energy_J", elastic},
+      {"external_work_J", balance.external_work},
+      {"kinetic_energy_J", e.kinetic + bodies.kinetic},
+      {"elastic_energy_J", e.elastic + bodies.stored},
       {"friction_dissipation_J", e.friction},
       {"rolling_dissipation_J", e.rolling},
-      {"damping_dissipation_J", damping},
+      {"damping_dissipation_J", e.damping + bodies.lost},
       {"breakage_energy_J", e.breakage},
-      {"shape_work_J", e.shape_work},
-      {"energy_residual_J", work - (kinetic + elastic + e.friction + e.rolling +
-                                    damping + e.breakage + e.shape_work)}};
+      {"non_conservative_work_J", balance.non_conservative_work},
+      {"energy_residual_J", balance.residual}};
   all.insert(all.end(), common.begin(), common.end());
   return all;
 }

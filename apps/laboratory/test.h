@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/case.h"
+#include "run/energy_balance.h"
 #include "run/frames.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
@@ -90,6 +91,11 @@ public:
   /// The row of history.csv now: what the test measures, then counts and
   /// energies.
   std::vector<Quantity> row() const;
+  /// Energies since the start of the test.
+  EnergyBalance energy_balance() const;
+  /// What summary.json and the end of the log show; of the whole test unless a
+  /// kind has a loading of its own.
+  virtual EnergyBalance reported_balance() const { return energy_balance(); }
   /// Adds what summary.json says of this test.
   virtual void summarise(nlohmann::ordered_json &summary) const;
   /// Ends after so many turns, whatever the case says. Throws InputError for a

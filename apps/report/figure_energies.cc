@@ -13,15 +13,16 @@ struct EnergyTerm
   const char *column, *name;
 };
 
-constexpr EnergyTerm energy_terms[]{{"external_work_J", "external work"},
-                                    {"friction_dissipation_J", "friction"},
-                                    {"damping_dissipation_J", "damping"},
-                                    {"rolling_dissipation_J", "rolling"},
-                                    {"elastic_energy_J", "elastic"},
-                                    {"breakage_energy_J", "breakage"},
-                                    {"kinetic_energy_J", "kinetic"},
-                                    {"membrane_strain_energy_J", "membrane"},
-                                    {"shape_work_J", "shape work"}};
+constexpr EnergyTerm energy_terms[]{
+    {"external_work_J", "external work"},
+    {"friction_dissipation_J", "friction"},
+    {"damping_dissipation_J", "damping"},
+    {"rolling_dissipation_J", "rolling"},
+    {"elastic_energy_J", "elastic"},
+    {"breakage_energy_J", "breakage"},
+    {"kinetic_energy_J", "kinetic"},
+    {"membrane_strain_energy_J", "membrane"},
+    {"non_conservative_work_J", "non-conservative work"}};
 
 struct EnergyUnit
 {

@@ -146,7 +146,7 @@ constexpr std::array energy_terms = {
     std::pair{"elastic_energy_J", "elastic"},
     std::pair{"kinetic_energy_J", "kinetic"},
     std::pair{"breakage_energy_J", "breakage"},
-    std::pair{"shape_work_J", "shape work"},
+    std::pair{"non_conservative_work_J", "non-conservative work"},
     std::pair{"energy_residual_J", "residual"}};
 
 std::vector<Chart> energy_charts(std::span<const RunData> runs,

@@ -1,6 +1,7 @@
 #include "report/run_data.h"
 
 #include "errors.h"
+#include "run/energy_balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,13 @@ void read_summary(const fs::path &folder, RunData &run)
   const auto read = nlohmann::ordered_json::parse(
       read_text(folder / "summary.json"), nullptr, false);
   if (read.is_object())
+  {
     run.summary = read;
+    if (const std::string warning = non_conservative_warning(
+            number(read, "non_conservative_work_ratio_1"));
+        !warning.empty())
+      run.notes.push_back(warning);
+  }
   else
     run.notes.push_back("summary.json is not valid JSON and was left out.");
 }
@@ -126,6 +133,8 @@ Table read_table(const std::string &path)
     throw InputError(path + ": cannot be read or has no header line");
   Table table;
   table.names = split(line);
+  std::ranges::replace(table.names, "shape_work_J", // deprecated
+                       "non_conservative_work_J");
   table.columns.resize(table.names.size());
   for (std::vector<double> row; std::getline(in, line);)
   {

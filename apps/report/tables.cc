@@ -300,6 +300,8 @@ std::vector<Row> summary_rows()
       text_row("Breakage events (–)", "n_events"),
       number_row("Energy residual / external work (%)",
                  "energy_residual_ratio_1", 100., 2),
+      number_row("Non-conservative work / external work (%)",
+                 "non_conservative_work_ratio_1", 100., 2),
       {"Exchange gain / limit (–)",
        [](const RunData &run)
        {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "run/energy_balance.h"
+
 #include <array>
 
 namespace spall
@@ -16,8 +18,19 @@ struct Sample
   double unbalanced_force_ratio = 0.;
   double external_work = 0., kinetic_energy = 0., elastic_energy = 0.;
   double friction = 0., rolling = 0., damping = 0., breakage = 0.;
-  double shape_work = 0., membrane_strain_energy = 0., energy_residual = 0.;
+  double non_conservative_work = 0., membrane_strain_energy = 0.,
+         energy_residual = 0.;
 };
+
+/// Energy balance between two rows.
+inline EnergyBalance loading_balance(const Sample &start, const Sample &end)
+{
+  EnergyBalance balance{end.external_work, end.energy_residual,
+                        end.non_conservative_work};
+  balance -=
+      {start.external_work, start.energy_residual, start.non_conservative_work};
+  return balance;
+}
 
 /// A column of history.csv.
 struct SampleColumn
@@ -48,7 +61,7 @@ inline constexpr std::array<SampleColumn, 27> sample_columns = {
      {"rolling_dissipation_J", &Sample::rolling},
      {"damping_dissipation_J", &Sample::damping},
      {"breakage_energy_J", &Sample::breakage},
-     {"shape_work_J", &Sample::shape_work},
+     {"non_conservative_work_J", &Sample::non_conservative_work},
      {"membrane_strain_energy_J", &Sample::membrane_strain_energy},
      {"energy_residual_J", &Sample::energy_residual},
      {"membrane_axial_stress_Pa", &Sample::membrane_axial_stress},

@@ -71,14 +71,11 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
           .coordination_number;
   if (now.stage < Stage::loading)
     return;
-  double residual = 0., work = 0.;
-  for (const Quantity &one : row())
-    if (const std::string name = one.name; name == "energy_residual_J")
-      residual = one.value - now.residual;
-    else if (name == "external_work_J")
-      work = one.value - now.work;
-  summary["loading_work_J"] = work;
-  summary["loading_energy_residual_J"] = residual;
+  EnergyBalance loading = energy_balance();
+  loading -= now.energies;
+  summary["loading_work_J"] = loading.external_work;
+  summary["loading_energy_residual_J"] = loading.residual;
+  summary["loading_non_conservative_work_J"] = loading.non_conservative_work;
 }
 
 std::string Subgrade::preparation_text() const

@@ -243,11 +243,7 @@ void Subgrade::start_loading()
   note_roundness(0.);
   record.begin(parameters.subgrade.record.slices, now.height,
                solid ? axis.heights(solid->solid()) : std::vector<double>());
-  for (const Quantity &one : row())
-    if (const std::string name = one.name; name == "energy_residual_J")
-      now.residual = one.value;
-    else if (name == "external_work_J")
-      now.work = one.value;
+  now.energies = energy_balance();
 }
 
 void Subgrade::load_plate(double time_step)

@@ -66,7 +66,7 @@ private:
     double porosity = 0.;            ///< of the layer then [-]
     double coordination = 0.;        ///< then [-]
     double dead_load = 0.;           ///< on the ground then, down [N]
-    double residual = 0., work = 0.; ///< of the energies then [J]
+    EnergyBalance energies;          ///< then
     double lowest = 0.;              ///< largest settlement of the plate [m]
     double deepest = 0.;             ///< of the ground [m]
     double fastest = 0.;             ///< stone [m/s]

@@ -39,7 +39,8 @@ const std::vector<CycleColumn> cycle_columns = {
     {"damping_dissipation_J", [](const CycleRow &row) { return row.damping; }},
     {"breakage_energy_J", [](const CycleRow &row) { return row.breakage; }},
     {"external_work_J", [](const CycleRow &row) { return row.external_work; }},
-    {"shape_work_J", [](const CycleRow &row) { return row.shape_work; }},
+    {"non_conservative_work_J",
+     [](const CycleRow &row) { return row.non_conservative_work; }},
     {"energy_residual_J",
      [](const CycleRow &row) { return row.energy_residual; }},
     {"elastic_energy_J",
@@ -128,7 +129,8 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
   last.damping = row.damping - state.begun.damping;
   last.breakage = row.breakage - state.begun.breakage;
   last.external_work = row.external_work - state.begun.external_work;
-  last.shape_work = row.shape_work - state.begun.shape_work;
+  last.non_conservative_work =
+      row.non_conservative_work - state.begun.non_conservative_work;
   last.energy_residual = row.energy_residual - state.begun.energy_residual;
   last.peak = state.peak;
   last.rest = network_state(test);

@@ -20,7 +20,7 @@ struct CycleRow
   /// Lost in the cycle [J].
   double friction = 0., rolling = 0., damping = 0., breakage = 0.;
   /// Of the cycle, signs as in history.csv [J].
-  double external_work = 0., shape_work = 0., energy_residual = 0.;
+  double external_work = 0., non_conservative_work = 0., energy_residual = 0.;
   NetworkState peak, rest; ///< half through the cycle and at its end
 };
 

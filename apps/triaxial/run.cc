@@ -153,13 +153,9 @@ void use_store(const std::optional<PreparationStore> &store, Triaxial &test,
 void describe_end(Progress &progress, const Recorder &recorder)
 {
   const Sample &end = recorder.end(), &start = recorder.start_of_loading();
+  for (const std::string &one : spall::describe(loading_balance(start, end)))
+    progress.say(one);
   char line[240];
-  const double work = end.external_work - start.external_work;
-  std::snprintf(line, sizeof line,
-                "energy residual %.2e J of %.3g J external work (%.3f %%)",
-                end.energy_residual - start.energy_residual, work,
-                100. * (end.energy_residual - start.energy_residual) / work);
-  progress.say(line);
   std::snprintf(line, sizeof line,
                 "permanent axial strain %.4f %%, LAA %.5f %%, coordination "
                 "number %.3f -> %.3f, %.0f events",

@@ -80,7 +80,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   const dem::Engine &engine = test.engine();
   const auto &breakable = engine.particles().is_breakable;
   const Triaxial::Prepared &prepared = test.prepared();
-  const double work = record.end.external_work - record.start.external_work;
+  const EnergyBalance balance = loading_balance(record.start, record.end);
   nlohmann::ordered_json out;
   out["kind"] = "dynamic_triaxial";
   out["title"] = parameters.title;
@@ -130,17 +130,9 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
     add_jumps(test.jumps().account(), out);
   out["n_events"] = engine.n_events();
   out["n_refused_events"] = engine.n_refused_events();
-  out["external_work_J"] = work;
-  out["energy_residual_ratio_1"] =
-      work != 0. ? std::abs((record.end.energy_residual -
-                             record.start.energy_residual) /
-                            work)
-                 : 0.;
+  out["external_work_J"] = balance.external_work;
+  add_energy_balance(balance, out);
   add_contact_places(engine, out);
-  // Springs gained (< 0) by turning, over the external work of the loading.
-  out["shape_work_ratio_1"] =
-      work != 0. ? (record.end.shape_work - record.start.shape_work) / work
-                 : 0.;
   if (test.gain())
   {
     out["exchange_gain_1"] = test.gain()->gain;

@@ -369,7 +369,7 @@ void Triaxial::add_energies(Sample &s) const
   s.rolling = energy.rolling;
   s.damping = energy.damping;
   s.breakage = energy.breakage;
-  s.shape_work = energy.shape_work;
+  s.non_conservative_work = energy.non_conservative_work;
   if (cell)
   {
     const double top_work = top_plane().work;
@@ -381,9 +381,9 @@ void Triaxial::add_energies(Sample &s) const
   }
   s.external_work += jump_work;
   s.energy_residual =
-      s.external_work -
-      (s.kinetic_energy + s.elastic_energy + s.friction + s.rolling +
-       s.damping + s.breakage + s.shape_work + s.membrane_strain_energy);
+      s.external_work - (s.kinetic_energy + s.elastic_energy + s.friction +
+                         s.rolling + s.damping + s.breakage +
+                         s.non_conservative_work + s.membrane_strain_energy);
 }
 
 void Triaxial::save(std::ostream &out) const

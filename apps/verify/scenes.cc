@@ -37,7 +37,7 @@ double energy_residual(const dem::Engine &engine)
   const dem::EngineEnergy e = engine.energy();
   return e.plane_work + e.surface_work + e.gravity_work - e.kinetic -
          e.elastic - e.friction - e.rolling - e.damping - e.breakage -
-         e.shape_work;
+         e.non_conservative_work;
 }
 
 std::vector<double> sphere_series(int order, double radius)

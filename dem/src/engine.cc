@@ -249,7 +249,7 @@ void Engine::break_corners()
   if (settings.breakage.memory == FactorMemory::patch)
     exchange_factors(); // of contacts that the events opened
   refused_count += done.n_refused;
-  lost.shape_work += done.refreshed;
+  lost.non_conservative_work += done.refreshed;
   for (std::size_t e = before; e < events.size(); ++e)
   {
     released += events[e].released_energy + events[e].kinetic_energy;
@@ -279,7 +279,7 @@ EngineEnergy Engine::energy() const
   energy.friction = lost.friction;
   energy.rolling = lost.rolling;
   energy.damping = lost.damping;
-  energy.shape_work = lost.shape_work;
+  energy.non_conservative_work = lost.non_conservative_work;
   visit_batches(*this, [&energy](const ContactBatch &batch)
                 { energy.elastic += elastic_energy(batch); });
   for (const SurfaceContacts &facets : facet_surfaces)

@@ -55,7 +55,7 @@ HEADERS = {
         "coordination_number_1,mean_contact_force_N,roundness_1,n_contacts_1,"
         "n_events_1,unbalanced_force_ratio_1,external_work_J,kinetic_energy_J,"
         "elastic_energy_J,friction_dissipation_J,rolling_dissipation_J,"
-        "damping_dissipation_J,breakage_energy_J,shape_work_J,"
+        "damping_dissipation_J,breakage_energy_J,non_conservative_work_J,"
         "membrane_strain_energy_J,energy_residual_J,"
         "membrane_axial_stress_Pa,membrane_lateral_stress_Pa,"
         "porosity_1",
@@ -76,7 +76,7 @@ HEADERS = {
          "resilient_modulus_Pa", "damping_ratio_1", "laa_percent",
          "roundness_1", "n_events_1", "friction_dissipation_J",
          "rolling_dissipation_J", "damping_dissipation_J",
-         "breakage_energy_J", "external_work_J", "shape_work_J",
+         "breakage_energy_J", "external_work_J", "non_conservative_work_J",
          "energy_residual_J", "elastic_energy_J", "kinetic_energy_J",
          "membrane_strain_energy_J", "stands_for_1",
          *(f"{name}{when}_{unit}" for when in ("", "_peak")
@@ -236,7 +236,7 @@ def cycle_faults(folder, found):
         }
         pairs.update({key: last[key] - first[key] for key in (
             "friction_dissipation_J", "rolling_dissipation_J",
-            "damping_dissipation_J", "external_work_J", "shape_work_J")})
+            "damping_dissipation_J", "external_work_J", "non_conservative_work_J")})
         pairs.update({key: last[key] for key in (
             "elastic_energy_J", "kinetic_energy_J",
             "membrane_strain_energy_J")})

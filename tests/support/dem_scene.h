@@ -94,6 +94,6 @@ inline double energy_residual(const dem::Engine &engine)
   const dem::EngineEnergy e = engine.energy();
   return e.plane_work + e.surface_work + e.gravity_work - e.kinetic -
          e.elastic - e.friction - e.rolling - e.damping - e.breakage -
-         e.shape_work;
+         e.non_conservative_work;
 }
 } // namespace support

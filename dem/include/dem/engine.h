@@ -20,16 +20,16 @@ namespace dem
 /// Energy of the stones now, and what has passed since construction [J].
 struct EngineEnergy
 {
-  double kinetic = 0.;    ///< now
-  double elastic = 0.;    ///< now, all springs of all contacts
-  double friction = 0.;   ///< dissipated
-  double rolling = 0.;    ///< dissipated
-  double damping = 0.;    ///< dissipated by dashpots and local damping
-  double breakage = 0.;   ///< released by events, lost kinetic energy included
-  double shape_work = 0.; ///< springs gained (negative) by turning
-  double fracture = 0.;   ///< sum of G_c A_i over the events
-  double plane_work = 0.; ///< done by the planes on the stones
-  double drum_work = 0.;  ///< done by the drum on the stones
+  double kinetic = 0.;  ///< now
+  double elastic = 0.;  ///< now, all springs of all contacts
+  double friction = 0.; ///< dissipated
+  double rolling = 0.;  ///< dissipated
+  double damping = 0.;  ///< dissipated by dashpots and local damping
+  double breakage = 0.; ///< released by events, lost kinetic energy included
+  double non_conservative_work = 0.; ///< springs gained (negative) by turning
+  double fracture = 0.;              ///< sum of G_c A_i over the events
+  double plane_work = 0.;            ///< done by the planes on the stones
+  double drum_work = 0.;             ///< done by the drum on the stones
   double surface_work = 0.; ///< done by the facet surfaces on the stones
   double gravity_work = 0.;
 };

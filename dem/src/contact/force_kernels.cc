@@ -17,13 +17,13 @@ void sum_losses(const BlockLosses &lost, Dissipation &sum)
   {
     LaneTable<4> table;
     table.set(0, {{lost[part].friction, lost[part].rolling, lost[part].damping},
-                  lost[part].shape_work});
+                  lost[part].non_conservative_work});
     for (int lane = 0; lane < n_lanes; ++lane)
     {
       sum.friction += table.value[lane][0];
       sum.rolling += table.value[lane][1];
       sum.damping += table.value[lane][2];
-      sum.shape_work += table.value[lane][3];
+      sum.non_conservative_work += table.value[lane][3];
     }
   }
 }

@@ -80,7 +80,7 @@ void retire_contact(const ContactBatch &batch, std::size_t k,
       0.5 * dot(history.rolling, history.rolling) * history.rolling_compliance;
   retired.rolling += rolling;
   retired.friction += tangential_energy(history) - rolling;
-  retired.shape_work += history.normal_energy;
+  retired.non_conservative_work += history.normal_energy;
 }
 
 void note_corners(const Particles &particles, ContactBatch &batch)

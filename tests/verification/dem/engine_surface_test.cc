@@ -89,7 +89,7 @@ TEST(Surface, CollisionsKeepMomentaAndEnergy)
               1e-9 * before.angular.norm());
     // Second order in the step: 5e-5 at most.
     EXPECT_NEAR((support::energy_residual(engine) + start) / start, 0., 1e-4);
-    EXPECT_LT(std::abs(engine.energy().shape_work), 0.03 * start);
+    EXPECT_LT(std::abs(engine.energy().non_conservative_work), 0.03 * start);
   }
 }
 
@@ -133,7 +133,7 @@ TEST(Surface, ContactsThatLoseTheirPlaceKeepTheBooks)
       engine.advance(5e-7);
       const dem::EngineEnergy e = engine.energy();
       const double now = e.kinetic + e.elastic + e.friction + e.rolling +
-                         e.damping + e.shape_work;
+                         e.damping + e.non_conservative_work;
       worst = std::max(worst, std::abs(now - books) / start);
       books = now;
     }

@@ -59,9 +59,9 @@ void throw_stone(dem::Engine &engine, unsigned seed)
 /// What a run has done with its energy.
 struct EnergyRecord
 {
-  double drift = 0.;      ///< largest, over the energy [-]
-  double shape_work = 0.; ///< at the end, over the energy [-]
-  double stored = 0.;     ///< most, over the energy [-]
+  double drift = 0.;                 ///< largest, over the energy [-]
+  double non_conservative_work = 0.; ///< at the end, over the energy [-]
+  double stored = 0.;                ///< most, over the energy [-]
 };
 
 /// Inside a box, its sides bent in and out, with edges and vertices.
@@ -100,7 +100,7 @@ EnergyRecord run(dem::Engine &engine, double time_step, double end)
     record.drift =
         std::max(record.drift, std::abs((e.kinetic + e.elastic) / start - 1.));
   }
-  record.shape_work = engine.energy().shape_work / start;
+  record.non_conservative_work = engine.energy().non_conservative_work / start;
   return record;
 }
 } // namespace
@@ -117,7 +117,7 @@ TEST(SurfaceOnDrum, StoneKeepsItsEnergy)
     const EnergyRecord record = run(engine, 2e-6, 0.12);
     EXPECT_GT(record.stored, 0.1) << seed;
     EXPECT_LT(record.drift, 3e-4) << seed;
-    EXPECT_LT(std::abs(record.shape_work), 1e-3) << seed;
+    EXPECT_LT(std::abs(record.non_conservative_work), 1e-3) << seed;
     EXPECT_EQ(engine.spot_events().n_jumps, 0);
     EXPECT_EQ(engine.spot_events().n_ended, 0);
     EXPECT_EQ(engine.spot_events().n_late, 0);
@@ -185,7 +185,7 @@ TEST(SurfaceOnFacets, StoneKeepsItsEnergy)
         const EnergyRecord record =
             run(engine, drift == &coarse ? 4e-6 : 1e-6, 0.08);
         EXPECT_GT(record.stored, 0.1);
-        EXPECT_LT(std::abs(record.shape_work), 1e-3);
+        EXPECT_LT(std::abs(record.non_conservative_work), 1e-3);
         *drift += record.drift;
         const dem::SpotEvents &events = engine.spot_events();
         EXPECT_EQ(events.n_jumps + events.n_ended + events.n_late, 0);

@@ -152,14 +152,14 @@ struct Losses
   Real damping = Real(0.);  ///< dashpots
   /// Normal springs gained it (if negative) without work: by turning where the
   /// force has no lever against it, by a change of C_H or of the facet
-  Real shape_work = Real(0.);
+  Real non_conservative_work = Real(0.);
 
   Losses &operator+=(const Losses &other)
   {
     friction += other.friction;
     rolling += other.rolling;
     damping += other.damping;
-    shape_work += other.shape_work;
+    non_conservative_work += other.non_conservative_work;
     return *this;
   }
 };
@@ -326,7 +326,8 @@ advance_contact(const ContactMotion<Real> &motion,
   lost.friction += shear.dissipated;
   lost.damping +=
       0.5 * (dot(history.dashpot, moved_before) + dot(dashpot, moved));
-  lost.shape_work += elastic_work - (spring.energy - history.normal_energy);
+  lost.non_conservative_work +=
+      elastic_work - (spring.energy - history.normal_energy);
 
   if (pair.rolling_friction > 0.)
   {

@@ -175,7 +175,7 @@ void expect_same(const Scene &one, const Scene &two)
   EXPECT_EQ(e.rolling, f.rolling);
   EXPECT_EQ(e.damping, f.damping);
   EXPECT_EQ(e.breakage, f.breakage);
-  EXPECT_EQ(e.shape_work, f.shape_work);
+  EXPECT_EQ(e.non_conservative_work, f.non_conservative_work);
   EXPECT_EQ(e.plane_work, f.plane_work);
   EXPECT_EQ(e.surface_work, f.surface_work);
   EXPECT_EQ(e.gravity_work, f.gravity_work);

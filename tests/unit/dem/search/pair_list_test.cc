@@ -51,7 +51,7 @@ TEST(PairList, ContactsThatTouchComeFirstAndKeepWhatTheyCarry)
   }
   for (int round = 0; round < 2; ++round)
     dem::rebuild_pairs(stones, layout, neighbours(5), batch, retired);
-  EXPECT_EQ(retired.shape_work, 0.);
+  EXPECT_EQ(retired.non_conservative_work, 0.);
 
   const auto size = static_cast<std::size_t>(
       dem::range_size(static_cast<std::int64_t>(batch.size())));
@@ -79,5 +79,5 @@ TEST(PairList, ContactsThatTouchComeFirstAndKeepWhatTheyCarry)
   // What is dropped gives up its springs.
   dem::rebuild_pairs(stones, layout, neighbours(3), batch, retired);
   EXPECT_EQ(batch.size(), neighbours(3).size());
-  EXPECT_GT(retired.shape_work, 0.);
+  EXPECT_GT(retired.non_conservative_work, 0.);
 }
