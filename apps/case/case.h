@@ -182,11 +182,15 @@ struct CycleJumpParameters
   bool is_on() const { return tolerance > 0.; }
 };
 
+/// TimeParameters::impact_error of preparations with steps of their own [-].
+constexpr double preparing_impact_error = 0.1;
+
 struct TimeParameters
 {
   StepRule step = StepRule::fixed;
   double fixed_step = 1e-6;       ///< [s]
   double safety = 0.8;            ///< of the limit, rules stable and error [-]
+  double impact_error = 0.02;     ///< energy error of an impact, not fixed [-]
   double force_tolerance = 0.01;  ///< of a load cycle, rule error [-]
   double energy_tolerance = 0.01; ///< of a load cycle, rule error [-]
   double local_damping = 0.5;     ///< D_a while loading (article, Table 2) [-]
@@ -199,6 +203,7 @@ struct TimeParameters
     {
       rule.step = StepRule::stable;
       rule.safety = own_safety;
+      rule.impact_error = preparing_impact_error;
     }
     return rule;
   }

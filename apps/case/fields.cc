@@ -227,6 +227,11 @@ void add_time(List &list, TimeParameters &t)
   list.add({"safety", "-",
             "Largest share of the stable step, rules stable and error."},
            t.safety, above(0., 1.));
+  list.add({"impact_error", "-",
+            "Rules stable and error: largest non-conservative work of a Hertz "
+            "impact, over its kinetic energy.",
+            "an impact needs at least four steps"},
+           t.impact_error, between(1e-5, 0.14));
   list.add({"force_tolerance", "-",
             "Rule error: of the boundary forces, root mean square of a load "
             "cycle."},

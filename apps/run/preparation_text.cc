@@ -30,6 +30,7 @@ constexpr CaseKey always_deciding[] = {
     {"Time", "step"},
     {"Time", "fixed_step"},
     {"Time", "safety"},
+    {"Time", "impact_error"},
 };
 
 constexpr CaseKey always_later[] = {
@@ -91,7 +92,8 @@ bool has_no_use(const Case &of, const Parameter &parameter, bool has_own_steps)
   const bool is_fixed = of.time.step == StepRule::fixed;
   if (parameter.section == "Time")
     return has_own_steps || (parameter.key == "fixed_step" && !is_fixed) ||
-           (parameter.key == "safety" && is_fixed);
+           (is_fixed &&
+            (parameter.key == "safety" || parameter.key == "impact_error"));
   return parameter.key == "safety" && !has_own_steps;
 }
 } // namespace

@@ -32,6 +32,14 @@ std::string line(const char *format, double a, double b, double c,
   std::snprintf(text, sizeof text, format, a, b, c);
   return text + reason;
 }
+
+std::string describe(const dem::ForeseenImpact &impact)
+{
+  char text[100];
+  std::snprintf(text, sizeof text, "an impact at %.3g m/s that lasts %.3g s",
+                impact.speed, impact.duration);
+  return text;
+}
 } // namespace
 
 StepWatch::StepWatch(const TimeParameters &time, double cap_of_step)
@@ -151,15 +159,19 @@ void StepWatch::allow(const dem::SpringNetwork &network,
 {
   record.limit = std::min(cap, bound.step);
   const double safe = parameters.safety * record.limit;
-  record.longest = std::min(safe, growth * record.longest);
+  // The energy error of an impact is a bound by itself.
+  const double resolving =
+      network.impact.duration / dem::steps_of_impact(parameters.impact_error);
+  record.longest = std::min({safe, resolving, growth * record.longest});
   const double change = record.longest / std::max(record.said, 1e-300);
   if (change < noticeable && change > 1. / noticeable)
     return;
   record.said = record.longest;
   say(line("%.5f s: steps of up to %.3g s, limit %.3g s: ", time,
-           record.longest, record.limit,
-           bound.step < cap ? dem::describe_body(network, bound.body)
-                            : "any stone by itself, or one membrane node"));
+           record.longest, std::min(record.limit, resolving),
+           resolving < safe   ? describe(network.impact)
+           : bound.step < cap ? dem::describe_body(network, bound.body)
+                              : "any stone by itself, or one membrane node"));
 }
 
 void StepWatch::note_used(double step)

@@ -18,8 +18,38 @@ struct Contact
   double normal_stiffness = 0., shear_stiffness = 0.; ///< [N/m]
   double rolling_radius = 0.;                         ///< [m]
   double reduced_mass = 0.;                           ///< of the dashpots [kg]
+  double hertz_prefactor = 0.; ///< C_H; 0: a linear spring [N/m^1.5]
+  double closing_speed = 0.;   ///< now, along the normal; < 0: opening [m/s]
+  double stored = 0.;          ///< by the normal spring now [J]
   ContactCoefficients coefficients;
 };
+
+/// How far ahead contacts are foreseen, and which of them count as impacts.
+struct Foresight
+{
+  double horizon = 0.;      ///< 0: contacts as they stand [s]
+  double least_energy = 0.; ///< of an impact that counts [J]
+  double gained_speed = 0.; ///< by gravity before the horizon [m/s]
+};
+
+/// Impacts below this share of the energy of all particles do not count [-].
+constexpr double negligible_impact = 1e-6;
+
+/// Adds the contact to the impacts if what moves in it is more than what its
+/// spring holds: contacts under a load that stays are no impacts.
+void note_impact(const Contact &c, const Foresight &ahead,
+                 ForeseenImpact &impact)
+{
+  const double kinetic =
+      0.5 * c.reduced_mass * c.closing_speed * c.closing_speed;
+  if (ahead.horizon <= 0. || c.hertz_prefactor <= 0. || kinetic < c.stored ||
+      kinetic + c.stored < ahead.least_energy)
+    return;
+  const double speed = std::sqrt(2. * (kinetic + c.stored) / c.reduced_mass) +
+                       ahead.gained_speed;
+  impact.meet(
+      {impact_duration(c.hertz_prefactor, c.reduced_mass, speed), speed, c.a});
+}
 
 /// Of stones on each other, or on a wall.
 template <class Material>
@@ -29,8 +59,9 @@ ContactCoefficients coefficients_of(const Material &material)
           material.shear_damping};
 }
 
-void append(SpringNetwork &network, const Contact &c)
+void append(SpringNetwork &network, const Contact &c, const Foresight &ahead)
 {
+  note_impact(c, ahead, network.impact);
   const ContactCoefficients &f = c.coefficients;
   // Without friction the shear spring and its dashpot never hold.
   const double shear = f.friction > 0. ? c.shear_stiffness : 0.;
@@ -123,7 +154,14 @@ Stand branch_stand(const Particles &stones, const ContactBatch &batch,
   return {n, r_a * n, -r_b * n, r_a + r_b - distance};
 }
 
-void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
+/// Energy of a Hertz spring at this overlap; none at a gap [J].
+double stored_energy(double normal_prefactor, double overlap)
+{
+  return hertz_spring(normal_prefactor, 0., std::max(0., overlap)).energy;
+}
+
+void add_pairs(const Engine &engine, const Foresight &ahead,
+               SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
   const ContactBatch &batch = engine.pairs();
@@ -139,9 +177,8 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
                             ? true_stand(stones, batch, k)
                             : branch_stand(stones, batch, k, is_radial);
     const double r_a = stand.lever_a.norm(), r_b = stand.lever_b.norm();
-    const double overlap =
-        stand.overlap +
-        horizon * (stones.velocity(j) - stones.velocity(i)).norm();
+    const Vec3 velocity = stones.velocity(j) - stones.velocity(i);
+    const double overlap = stand.overlap + ahead.horizon * velocity.norm();
     if (overlap <= 0. || r_a + r_b <= 0.)
       continue;
     const HertzPrefactors prefactors = prefactors_of(
@@ -157,11 +194,14 @@ void add_pairs(const Engine &engine, double horizon, SpringNetwork &network)
     c.lever_b = stand.lever_b;
     c.normal_stiffness = spring.stiffness;
     c.shear_stiffness = spring.shear_stiffness;
+    c.hertz_prefactor = prefactors.normal;
+    c.closing_speed = -velocity.dot(stand.normal);
+    c.stored = stored_energy(prefactors.normal, stand.overlap);
     c.rolling_radius = r_a * r_b / (r_a + r_b);
     c.reduced_mass =
         stones.mass(i) * stones.mass(j) / (stones.mass(i) + stones.mass(j));
     c.coefficients = coefficients_of(stone);
-    append(network, c);
+    append(network, c, ahead);
   }
 }
 
@@ -200,9 +240,17 @@ double slack_of(const ContactBatch &batch, std::size_t k)
   return batch.layout.has_spots ? batch.slack[k] : 0.;
 }
 
-/// The springs of contact k with a rigid plate at this overlap [m].
+/// How a particle and a wall meet at one contact.
+struct WallMeeting
+{
+  double overlap = 0.;       ///< now; < 0: a gap [m]
+  double grown = 0.;         ///< overlap at the horizon [m]
+  double closing_speed = 0.; ///< now [m/s]
+};
+
+/// The springs of contact k with a rigid plate at the horizon.
 void make_hertz(const Engine &engine, const ContactBatch &batch, std::size_t k,
-                double overlap, Contact &c)
+                const WallMeeting &at, Contact &c)
 {
   const auto i = static_cast<std::size_t>(batch.a[k]);
   const ElasticityTable elasticity(engine.parameters());
@@ -210,12 +258,16 @@ void make_hertz(const Engine &engine, const ContactBatch &batch, std::size_t k,
       batch, k, elasticity.on_plate(engine.particles().material[i]),
       1. / c.rolling_radius, 0.);
   const NormalSpring<double> spring =
-      hertz_spring(prefactors.normal, prefactors.tangential, overlap);
+      hertz_spring(prefactors.normal, prefactors.tangential, at.grown);
   c.normal_stiffness = spring.stiffness;
   c.shear_stiffness = spring.shear_stiffness;
+  c.hertz_prefactor = prefactors.normal;
+  c.closing_speed = at.closing_speed;
+  c.stored = stored_energy(prefactors.normal, at.overlap);
 }
 
-void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
+void add_planes(const Engine &engine, const Foresight &ahead,
+                SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
   const ContactBatch &batch = engine.on_planes();
@@ -230,20 +282,22 @@ void add_planes(const Engine &engine, double horizon, SpringNetwork &network)
     const double gap =
         (stones.position(i) + lever - plane.point).dot(plane.normal) +
         slack_of(batch, k);
-    const double closing =
-        horizon * (plane.velocity - stones.velocity(i)).norm();
+    const Vec3 velocity = plane.velocity - stones.velocity(i);
+    const double closing = ahead.horizon * velocity.norm();
     if (gap >= closing)
       continue;
     Contact c = wall_contact(parameters.wall, lever, -plane.normal);
     if (batch.layout.is_hertz)
-      make_hertz(engine, batch, k, closing - gap, c);
+      make_hertz(engine, batch, k,
+                 {-gap, closing - gap, velocity.dot(plane.normal)}, c);
     c.a = batch.a[k];
     c.reduced_mass = stones.mass(i);
-    append(network, c);
+    append(network, c, ahead);
   }
 }
 
-void add_drum(const Engine &engine, double horizon, SpringNetwork &network)
+void add_drum(const Engine &engine, const Foresight &ahead,
+              SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
   const ContactBatch &batch = engine.on_drum();
@@ -260,25 +314,40 @@ void add_drum(const Engine &engine, double horizon, SpringNetwork &network)
       at = nearest_on_drum(engine.drum(), part, stones.position(i) + lever);
       reach = 0.;
     }
-    const double overlap =
-        reach - at.distance - slack_of(batch, k) +
-        horizon *
-            (engine.drum().velocity_at(part, at.point) - stones.velocity(i))
-                .norm();
-    if (overlap <= 0.)
+    const Vec3 velocity =
+        engine.drum().velocity_at(part, at.point) - stones.velocity(i);
+    const double overlap = reach - at.distance - slack_of(batch, k),
+                 grown = overlap + ahead.horizon * velocity.norm();
+    if (grown <= 0.)
       continue;
     Contact c = wall_contact(parameters.wall, lever, at.normal);
     if (batch.layout.is_hertz)
-      make_hertz(engine, batch, k, overlap, c);
+      make_hertz(engine, batch, k, {overlap, grown, -velocity.dot(at.normal)},
+                 c);
     c.a = batch.a[k];
     c.reduced_mass = stones.mass(i);
-    append(network, c);
+    append(network, c, ahead);
   }
+}
+
+/// Speed at which a particle closes in on the facet that it touches [m/s].
+double closing_speed(const Engine &engine, const FacetSurface &surface,
+                     const FacetSpot &spot, std::int32_t particle)
+{
+  const auto &corner =
+      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+  Vec3 velocity =
+      engine.particles().velocity(static_cast<std::size_t>(particle));
+  for (std::size_t v = 0; v < 3; ++v)
+    velocity -=
+        spot.weight[v] * surface.velocity[static_cast<std::size_t>(corner[v])];
+  return velocity.dot(spot.normal);
 }
 
 /// `first_point`: the body of vertex 0 in the network.
 void add_facets(const Engine &engine, const SurfaceContacts &facets,
-                std::int32_t first_point, SpringNetwork &network)
+                std::int32_t first_point, const Foresight &ahead,
+                SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
   const ContactBatch &batch = facets.batch;
@@ -291,7 +360,10 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
     const Vec3 lever = wall_lever(engine, batch, k, spot.normal);
     Contact c = wall_contact(facets.material, lever, spot.normal);
     if (batch.layout.is_hertz)
-      make_hertz(engine, batch, k, batch.overlap[k], c);
+      make_hertz(engine, batch, k,
+                 {batch.overlap[k], batch.overlap[k],
+                  closing_speed(engine, surface, spot, batch.a[k])},
+                 c);
     // Several facets: on the vertices of the nearest, no softer than they are.
     c.normal_stiffness *= static_cast<double>(spot.shares.walls);
     c.a = batch.a[k];
@@ -308,32 +380,24 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
       over_mass += spot.weight[v] * spot.weight[v] / mass;
     }
     c.reduced_mass = 1. / over_mass;
-    append(network, c);
+    append(network, c, ahead);
   }
-}
-
-/// Overlap of a Hertz spring that has taken up m v^2 / 2 = 2/5 C_H
-/// delta^(5/2) [m].
-double impact_overlap(double normal_prefactor, double mass, double speed)
-{
-  return std::pow(0.5 * mass * speed * speed /
-                      (hertz_energy_share * normal_prefactor),
-                  0.4);
 }
 
 /// Where stones come further before the horizon than the lists see, those that
 /// have nothing near may yet have an impact: on a Hertz plate, or a stone that
 /// does not give way, when both are as fast as the fastest. What is linear is
 /// as stiff at any speed.
-void add_impacts(const Engine &engine, double horizon, SpringNetwork &network)
+void add_impacts(const Engine &engine, const Foresight &ahead,
+                 SpringNetwork &network)
 {
   const Particles &stones = engine.particles();
   const EngineParameters &parameters = engine.parameters();
   double fastest = 0.;
   for (std::size_t i = 0; i < stones.size(); ++i)
     fastest = std::max(fastest, stones.velocity(i).norm());
-  const double speed = 2. * (fastest + parameters.gravity.norm() * horizon);
-  if (speed * horizon <= engine.listed_gap())
+  const double speed = 2. * (fastest + ahead.gained_speed);
+  if (speed * ahead.horizon <= engine.listed_gap())
     return;
   std::vector<char> is_near(stones.size());
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
@@ -360,41 +424,53 @@ void add_impacts(const Engine &engine, double horizon, SpringNetwork &network)
         gap_coefficients({curvature, curvature, other, other, 1.}));
     const NormalSpring<double> spring = hertz_spring(
         prefactors.normal, prefactors.tangential,
-        std::min(speed * horizon,
+        std::min(speed * ahead.horizon,
                  impact_overlap(prefactors.normal, stones.mass(i), speed)));
     Contact c;
     c.a = static_cast<std::int32_t>(i);
     c.lever_a = stones.radius(i) * c.normal;
     c.normal_stiffness = spring.stiffness;
     c.shear_stiffness = spring.shear_stiffness;
+    c.hertz_prefactor = prefactors.normal;
+    c.closing_speed = speed;
     c.rolling_radius = stones.radius(i);
     c.reduced_mass = stones.mass(i);
     c.coefficients = coefficients;
-    append(network, c);
+    append(network, c, ahead);
   }
+}
+
+Foresight foresight_of(const Engine &engine, double horizon)
+{
+  if (horizon <= 0.)
+    return {};
+  const EngineEnergy energy = engine.energy();
+  return {horizon, negligible_impact * (energy.kinetic + energy.elastic),
+          engine.parameters().gravity.norm() * horizon};
 }
 } // namespace
 
 SpringNetwork contact_springs(const Engine &engine, double horizon)
 {
   SpringNetwork network;
+  const Foresight ahead = foresight_of(engine, horizon);
   network.mass = engine.particles().column(&StoneState::mass);
   for (std::size_t i = 0; i < engine.particles().size(); ++i)
     network.inertia.push_back(engine.particles().smallest_moment(i));
-  add_pairs(engine, horizon, network);
-  add_planes(engine, horizon, network);
+  add_pairs(engine, ahead, network);
+  add_planes(engine, ahead, network);
   if (engine.drum().is_there())
-    add_drum(engine, horizon, network);
+    add_drum(engine, ahead, network);
   for (const SurfaceContacts &facets : engine.surfaces())
   {
     const auto first_point = static_cast<std::int32_t>(network.mass.size());
     // Nobody asks for the mass of a prescribed vertex.
     for (const double mass : facets.surface.mass)
       network.mass.push_back(std::isinf(mass) ? 1. : mass);
-    add_facets(engine, facets, first_point, network);
+    add_facets(engine, facets, first_point, ahead, network);
   }
   if (horizon > 0.)
-    add_impacts(engine, horizon, network);
+    add_impacts(engine, ahead, network);
   return network;
 }
 
@@ -412,7 +488,7 @@ double corner_step(const EngineParameters &parameters,
     Contact c = wall_contact(parameters.wall, -lightest.radius * Vec3::Unit(d),
                              -Vec3::Unit(d));
     c.reduced_mass = lightest.mass;
-    append(network, c);
+    append(network, c, {});
   }
   return guaranteed_step(network).step;
 }

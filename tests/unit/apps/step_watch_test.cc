@@ -33,4 +33,48 @@ TEST(StepWatch, SeesAsFarAsTheNextLook)
       EXPECT_LT(watch.state().limit, 1e-3 * cap);
   }
 }
+
+// An undamped ball that falls on the bottom of a drum at rest, again and again:
+// each impact is resolved at the speed that comes.
+TEST(StepWatch, ResolvesImpacts)
+{
+  dem::EngineParameters p = support::bare_parameters();
+  p.wall.law = dem::WallLaw::hertz;
+  p.gravity = {0., 0., -9.81};
+  TimeParameters time;
+  time.step = StepRule::stable;
+  for (const double tolerance : {0.05, 0.01})
+  {
+    time.impact_error = tolerance;
+    dem::Engine engine(p);
+    dem::Drum drum;
+    drum.radius = 0.35;
+    drum.length = 0.5;
+    engine.set_drum(drum);
+    support::add_sphere(engine, 0.015, {0., 0., 0.});
+    const double fall =
+        engine.particles().mass(0) * 9.81 * (drum.radius - 0.015);
+    StepWatch watch(time, 1e-3);
+    int n_impacts = 0;
+    double before = 0., worst = 0.;
+    bool was_up = false;
+    while (n_impacts < 12)
+    {
+      if (watch.is_due(engine.n_steps()))
+        watch.look(engine, {}, watch.state().longest);
+      engine.advance(watch.state().longest);
+      const bool is_up = engine.particles().position(0).z() > -0.3;
+      if (is_up && !was_up && engine.n_steps() > 1)
+      {
+        const double now = engine.energy().non_conservative_work;
+        worst = std::max(worst, std::abs(now - before) / fall);
+        before = now;
+        ++n_impacts;
+      }
+      was_up = is_up;
+    }
+    EXPECT_LT(worst, tolerance);
+    EXPECT_GT(worst, 0.02 * tolerance); // no finer than asked for
+  }
+}
 } // namespace

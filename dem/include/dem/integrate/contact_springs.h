@@ -9,9 +9,12 @@ namespace dem
 /// `horizon` has passed [s]: every gap is closed, and every overlap grows, by
 /// the present relative speed times `horizon`; a wall that is then touched
 /// counts, and for a stone with no contact near an impact. All springs count as
-/// if none slid. Vertices of the facet surfaces are the points, one surface
-/// after the other, with their FacetSurface::mass; those that are prescribed
-/// are walls. Contacts with the surface count while they touch.
+/// if none slid. With a horizon the shortest Hertz impact is noted, too: a
+/// contact in which the energy of the closing motion exceeds that of its
+/// spring, and a millionth of the energy of all particles. Vertices of the
+/// facet surfaces are the points, one surface after the other, with their
+/// FacetSurface::mass; those that are prescribed are walls. Contacts with the
+/// surface count while they touch.
 ///
 /// The only reader of the contact columns here: what follows sees springs.
 SpringNetwork contact_springs(const Engine &engine, double horizon);

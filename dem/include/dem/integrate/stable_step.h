@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/integrate/impact.h>
 #include <dem/vector.h>
 
 #include <array>
@@ -37,6 +38,7 @@ struct SpringNetwork
   std::vector<double> rolling_stiffness; ///< [N m/rad]
   std::vector<double> normal_dashpot;    ///< [N s/m]
   std::vector<double> shear_dashpot;     ///< [N s/m]
+  ForeseenImpact impact;                 ///< the shortest one
 
   std::size_t n_stones() const { return inertia.size(); }
   std::size_t n_bodies() const { return mass.size(); }
