@@ -67,7 +67,7 @@ dem::EngineParameters bench_parameters(const BenchStones &stones)
   parameters.wall = parameters.surface = wall_material();
   parameters.gravity = -gravity * dem::Vec3::UnitZ();
   parameters.geometry.geometry = stones.geometry;
-  parameters.search_margin = 5e-4; // the skin of the peers
+  parameters.geometry.usual_skin = 5e-4; // the skin of the peers
   parameters.breakage.is_active = false;
   return parameters;
 }

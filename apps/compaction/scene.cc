@@ -67,7 +67,7 @@ std::unique_ptr<dem::Engine> empty_container(dem::EngineParameters settings,
                                              const dem::Particles &all,
                                              double radius)
 {
-  settings.search_margin = 0.25 * all.smallest_radius();
+  settings.geometry.usual_skin = 0.25 * all.smallest_radius();
   auto engine = std::make_unique<dem::Engine>(settings);
   engine->add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
   dem::Drum wall;

@@ -110,7 +110,7 @@ struct LosAngeles::Scene
     double smallest = bodies[0].inscribed_radius;
     for (const dem::Body &body : bodies)
       smallest = std::min(smallest, dem::mean_radius(body));
-    settings.search_margin = 0.25 * smallest;
+    settings.geometry.usual_skin = 0.25 * smallest;
     engine = std::make_unique<dem::Engine>(settings);
     const auto n_balls = static_cast<std::size_t>(parameters.charge.balls);
     for (std::size_t i = 0; i < bodies.size(); ++i)

@@ -73,7 +73,7 @@ std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
   settings.friction_limit = parameters.friction_limit;
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.time.local_damping;
-  settings.search_margin = 0.1 * parameters.particle.diameter;
+  settings.geometry.usual_skin = 0.1 * parameters.particle.diameter;
   auto engine = std::make_unique<dem::Engine>(settings);
   const dem::Body stone = make_stone(parameters, shapes);
   const dem::Quaternion turned = orientation(parameters.particle);

@@ -165,7 +165,7 @@ Specimen make_specimen(const Case &parameters)
     throw InputError(parameters.file + ": " + error.what());
   }
   dem::EngineParameters engine = engine_parameters(parameters);
-  engine.search_margin = 0.25 * smallest;
+  engine.geometry.usual_skin = 0.25 * smallest;
   specimen.engine = std::make_unique<dem::Engine>(engine);
   for (std::size_t i = 0; i < stones.size(); ++i)
     specimen.engine->add_stone(stones[i], places[i].position,

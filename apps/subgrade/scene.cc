@@ -75,7 +75,7 @@ StoneBox make_stone_box(const Case &c)
   scene.layers = dem::deal_layers(stones, l.layers);
   scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
   dem::EngineParameters settings = engine_settings(c);
-  settings.search_margin = 0.25 * scene.all.smallest_radius();
+  settings.geometry.usual_skin = 0.25 * scene.all.smallest_radius();
   scene.engine = std::make_unique<dem::Engine>(settings);
   const dem::Vec3 half(0.5 * l.length, 0.5 * l.width, 0.);
   for (int d = 0; d < 2; ++d)

@@ -163,7 +163,7 @@ void Engine::rebuild_lists()
   const PhaseTimer timer(spent.search);
   if (keeps_inside)
     require_inside(walls, barrel, stones);
-  margin.renew(settings.search_margin, list_counts());
+  margin.renew(settings.geometry.usual_skin, list_counts());
   if (stones.size() >= sorted_from)
     sort_in_space();
   renew_lists();

@@ -47,7 +47,7 @@ std::unique_ptr<dem::Engine> lattice(int n, Stones kind,
   constexpr int n_steps = 3;
   dem::EngineParameters parameters;
   parameters.breakage = breakage;
-  parameters.search_margin = 5e-4;
+  parameters.geometry.usual_skin = 5e-4;
   parameters.wall.normal_stiffness = 3e5;
   parameters.wall.shear_stiffness = 3e5;
   auto engine = std::make_unique<dem::Engine>(parameters);

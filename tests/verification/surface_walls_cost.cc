@@ -39,7 +39,7 @@ dem::EngineParameters parameters(bool is_surface)
   p.breakage.is_active = false;
   p.local_damping = 0.2;
   p.gravity = {0., 0., -9.81};
-  p.search_margin = 0.25 * radius;
+  p.geometry.usual_skin = 0.25 * radius;
   return p;
 }
 

@@ -21,6 +21,5 @@ struct EngineParameters
   BreakageParameters breakage;
   Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
   double local_damping = 0.;   ///< D_a [-]
-  double search_margin = 1e-3; ///< of candidate pairs, gap left over [m]
 };
 } // namespace dem

@@ -181,9 +181,10 @@ void BoxServo::update(Engine &engine, double time_step)
     if (follows_load && d < 2)
       wanted -= parameters.yielding * rate_of_load(engine) * moved.length /
                 moved.n_moving;
-    const double fastest = std::min(
-        parameters.speed_share[d] * parameters.max_speed,
-        engine.parameters().search_margin / (steps_in_margin * time_step));
+    const double fastest =
+        std::min(parameters.speed_share[d] * parameters.max_speed,
+                 engine.parameters().geometry.usual_skin /
+                     (steps_in_margin * time_step));
     // A wall that is as fast as it may be would only sum up its delay.
     if (follows_load && std::abs(wanted) < fastest)
       summed[d] += 0.5 * time_step / parameters.response_time * error;

@@ -17,7 +17,7 @@ dem::EngineParameters surface_parameters()
   dem::EngineParameters p = support::bare_parameters();
   p.geometry.geometry = p.geometry.wall_geometry =
       dem::ContactGeometry::surface;
-  p.search_margin = 3e-4;
+  p.geometry.usual_skin = 3e-4;
   return p;
 }
 

@@ -23,7 +23,7 @@ dem::EngineParameters surface_parameters()
   p.wall.normal_stiffness = 1e6;
   p.wall.shear_stiffness = 0.85e6;
   p.surface = p.wall;
-  p.search_margin = 1e-3;
+  p.geometry.usual_skin = 1e-3;
   return p;
 }
 

@@ -66,7 +66,7 @@ dem::EngineParameters parameters()
   p.local_damping = 0.3;
   p.wall.normal_damping = 0.5;
   p.surface = p.wall;
-  p.search_margin = 0.25 * radius;
+  p.geometry.usual_skin = 0.25 * radius;
   return p;
 }
 

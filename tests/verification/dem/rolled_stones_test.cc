@@ -105,7 +105,7 @@ private:
     dem::EngineParameters p = support::bare_parameters();
     p.geometry.geometry = p.geometry.wall_geometry =
         dem::ContactGeometry::surface;
-    p.search_margin = 3e-4;
+    p.geometry.usual_skin = 3e-4;
     p.stone.friction = 0.6;
     p.stone.normal_damping = p.stone.shear_damping = 0.3;
     // The error of the expansions goes with its third power: at the default of

@@ -56,6 +56,8 @@ enum class ContactGeometry
   surface ///< the true surfaces at their common normals
 };
 
+/// How contacts are found and how soon what they know of shapes is renewed: the
+/// only place of the skin of the lists.
 struct GeometryParameters
 {
   ContactGeometry geometry = ContactGeometry::radial; ///< stone on stone
@@ -65,8 +67,12 @@ struct GeometryParameters
   /// The expansion of a side is renewed when the contact direction has moved
   /// this far in the body frame; 0: every step [rad].
   double refresh_tolerance = 5e-3;
-  /// How far beyond contact the lists look [m]; 0: see SearchMargin.
+  /// Skin of the lists of candidates, how far beyond contact they look [m];
+  /// 0: chosen at each rebuild by SearchMargin, around `usual_skin`.
   double search_margin = 0.;
+  /// Skin of the right order for the sizes of the scene [m]: where SearchMargin
+  /// begins and what it stays near; servo walls may not cross it.
+  double usual_skin = 1e-3;
 
   bool follows_surfaces() const
   {

@@ -30,8 +30,8 @@ struct SearchMargin
     Cost cost;
   };
 
-  /// The lists will be made anew: finds their width. `usual` is a width of the
-  /// right order [m].
+  /// The lists will be rebuilt: finds their width. `usual` is
+  /// GeometryParameters::usual_skin [m].
   void renew(double usual, const Lists &old);
 
   /// Whether narrower lists would have paid for a rebuild by now.

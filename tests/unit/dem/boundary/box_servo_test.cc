@@ -106,7 +106,7 @@ TEST(BoxServo, StressIsForceOverFace)
 TEST(BoxServo, SpeedIsTiedToTheSearchMargin)
 {
   dem::EngineParameters parameters = support::bare_parameters();
-  parameters.search_margin = 2e-3;
+  parameters.geometry.usual_skin = 2e-3;
   dem::Engine engine(parameters);
   const dem::BoxPlanes box =
       dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3::Ones());

@@ -140,7 +140,7 @@ void expect_complete(bool is_shaped, double margin)
 {
   dem::EngineParameters p = support::bare_parameters();
   p.wall.normal_stiffness = p.surface.normal_stiffness = 1e6;
-  p.search_margin = margin;
+  p.geometry.usual_skin = margin;
   Gas gas(is_shaped, 120, p);
   int n = 0;
   for (int look = 0; look < 150; ++look)
@@ -173,7 +173,7 @@ Gas rough_gas(double usual_margin, double given_margin)
   p.stone.friction = 0.5;
   p.stone.rolling_friction = 0.2;
   p.wall.normal_stiffness = p.surface.normal_stiffness = 1e6;
-  p.search_margin = usual_margin;
+  p.geometry.usual_skin = usual_margin;
   p.geometry.search_margin = given_margin;
   Gas gas(false, 120, p);
   gas.advance(4e-6, 1500);
