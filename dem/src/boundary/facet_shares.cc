@@ -8,8 +8,8 @@ namespace dem
 {
 namespace
 {
-/// Pieces whose directions differ by less have the same nearest point [-].
-constexpr double same_direction = 1e-12;
+/// A weight below this counts as none: the point lies on an edge [-].
+constexpr double on_edge = 1e-12;
 
 /// A facet, an edge or a vertex that the ball overlaps, by its nearest point.
 struct Piece
@@ -23,30 +23,117 @@ struct Piece
   std::size_t patch = 0;          ///< the touch that it belongs to
 };
 
+/// Where the entry of an edge or a vertex stands; forgets in as many steps as
+/// there are entries, and takes no memory once it has grown.
+class PlaceTable
+{
+public:
+  void grow(std::size_t n)
+  {
+    if (place.size() < n)
+      place.resize(n, none);
+  }
+  bool has(std::size_t key) const { return place[key] != none; }
+  std::size_t at(std::size_t key) const
+  {
+    return static_cast<std::size_t>(place[key]);
+  }
+  void set(std::size_t key, std::size_t where)
+  {
+    place[key] = static_cast<std::int32_t>(where);
+    used.push_back(key);
+  }
+  void clear()
+  {
+    for (const std::size_t key : used)
+      place[key] = none;
+    used.clear();
+  }
+
+private:
+  static constexpr std::int32_t none = -1;
+  std::vector<std::int32_t> place;
+  std::vector<std::size_t> used;
+};
+
+/// Space to work in.
+struct Workspace
+{
+  std::vector<Piece> pieces;
+  /// Pieces by edge (three times the lower facet plus its edge) and vertex.
+  PlaceTable of_edge, of_vertex;
+  PlaceTable shares; ///< by vertex
+
+  void start(const FacetSurface &surface)
+  {
+    pieces.clear();
+    of_edge.grow(3 * surface.triangles.size());
+    of_vertex.grow(surface.position.size());
+    shares.grow(surface.position.size());
+  }
+};
+
+/// Number of an edge of a facet, the same from both sides.
+std::size_t edge_number(const FacetMesh &mesh, std::size_t triangle,
+                        std::size_t edge)
+{
+  const std::int32_t other = mesh.topology.neighbour[triangle][edge];
+  const auto o = static_cast<std::size_t>(other);
+  if (other < 0 || o > triangle)
+    return 3 * triangle + edge;
+  const std::int32_t end = mesh.surface.triangles[triangle][(edge + 1) % 3];
+  std::size_t there = 0; // where the edge of the other facet begins
+  while (there < 2 && mesh.surface.triangles[o][there] != end)
+    ++there;
+  return 3 * o + there;
+}
+
+/// The entry of the edge or the vertex that the point lies on; a new one within
+/// the facet, or if the table has none.
+Piece &piece_at(const FacetMesh &mesh, const Piece &proposed, Workspace &work)
+{
+  const auto t = static_cast<std::size_t>(proposed.triangle);
+  std::size_t n_zero = 0, zero = 0, corner = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (proposed.weight[c] < on_edge)
+    {
+      ++n_zero;
+      zero = c;
+    }
+    else
+      corner = c;
+  const std::size_t fresh = work.pieces.size();
+  if (n_zero > 0)
+  {
+    PlaceTable &table = n_zero == 1 ? work.of_edge : work.of_vertex;
+    const std::size_t key =
+        n_zero == 1
+            ? edge_number(mesh, t, (zero + 1) % 3)
+            : static_cast<std::size_t>(mesh.surface.triangles[t][corner]);
+    if (table.has(key))
+      return work.pieces[table.at(key)];
+    table.set(key, fresh);
+  }
+  work.pieces.push_back(proposed);
+  work.pieces.back().count = 0;
+  return work.pieces.back();
+}
+
 /// Adds the piece with these weights, if the ball overlaps it.
-void add_piece(const FacetMesh &mesh, const PressedBall &ball,
-               const Piece &proposed, std::vector<Piece> &pieces)
+void add_piece(const FacetMesh &mesh, const PressedBall &ball, Piece proposed,
+               Workspace &work)
 {
   const auto corner = corners_of(mesh.surface, proposed.triangle);
   const auto &w = proposed.weight;
   const Vec3 arm =
       w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2] - ball.centre;
-  const double distance = arm.norm(), overlap = ball.radius - distance;
-  if (!(overlap > 0.) || distance == 0.)
+  proposed.distance = arm.norm();
+  const double overlap = ball.radius - proposed.distance;
+  if (!(overlap > 0.) || proposed.distance == 0.)
     return;
-  const Vec3 direction = arm / distance;
-  const auto same =
-      std::find_if(pieces.begin(), pieces.end(),
-                   [&direction](const Piece &known)
-                   {
-                     return (known.direction - direction).squaredNorm() <
-                            same_direction * same_direction;
-                   });
-  if (same != pieces.end())
-    same->count += proposed.count;
-  else
-    pieces.push_back({proposed.count, proposed.triangle, w, direction, distance,
-                      std::pow(overlap, ball.power)});
+  proposed.direction = arm / proposed.distance;
+  proposed.pressing = std::pow(overlap, ball.power);
+  piece_at(mesh, proposed, work).count += proposed.count;
 }
 
 /// Weights of the point of an edge of the triangle that is nearest to x.
@@ -68,34 +155,36 @@ std::array<double, 3> nearest_on_edge(const FacetSurface &surface,
 /// What the ball overlaps. Every edge and vertex of it belongs to triangles
 /// that it overlaps too and is taken once; what cancels is left out.
 void find_pieces(const FacetMesh &mesh, const PressedBall &ball,
-                 const std::vector<FacetTouch> &near,
-                 std::vector<Piece> &pieces)
+                 const std::vector<FacetTouch> &near, Workspace &work)
 {
   const FacetTopology &topology = mesh.topology;
-  pieces.clear();
+  work.start(mesh.surface);
   for (const FacetTouch &touch : near)
   {
     if (touch.distance >= ball.radius)
       continue;
     const std::int32_t own = touch.nearest.triangle;
     const auto t = static_cast<std::size_t>(own);
-    add_piece(mesh, ball, {1, own, touch.nearest.weight}, pieces);
+    add_piece(mesh, ball, {1, own, touch.nearest.weight}, work);
     for (std::size_t c = 0; c < 3; ++c)
     {
       if (topology.neighbour[t][c] > own)
         add_piece(mesh, ball,
                   {-1, own, nearest_on_edge(mesh.surface, own, c, ball.centre)},
-                  pieces);
+                  work);
       const auto v = static_cast<std::size_t>(mesh.surface.triangles[t][c]);
       const auto first = static_cast<std::size_t>(topology.row_start[v]);
       std::array<double, 3> at_corner{};
       at_corner[c] = 1.;
       if (topology.row_triangle[first] == own)
-        add_piece(mesh, ball, {topology.count[v], own, at_corner}, pieces);
+        add_piece(mesh, ball, {topology.count[v], own, at_corner}, work);
     }
   }
-  std::erase_if(pieces, [](const Piece &piece) { return piece.count == 0; });
-  for (Piece &piece : pieces)
+  work.of_edge.clear();
+  work.of_vertex.clear();
+  std::erase_if(work.pieces,
+                [](const Piece &piece) { return piece.count == 0; });
+  for (Piece &piece : work.pieces)
     piece.pressing *= piece.count;
 }
 
@@ -122,66 +211,86 @@ std::size_t patch_of(const Piece &piece, const std::vector<FacetTouch> &touches,
   return best;
 }
 
-/// The share of a vertex, a new one if it has none; null: no room.
-VertexShare *share_of(FacetShares &shares, std::int32_t vertex)
+/// The share of a vertex, a new one if it has none.
+VertexShare &share_of(std::int32_t vertex, PlaceTable &places,
+                      FacetShares &shares)
 {
-  const auto end = shares.of.begin() + shares.size;
-  const auto known = std::find_if(shares.of.begin(), end,
-                                  [vertex](const VertexShare &share)
-                                  { return share.vertex == vertex; });
-  if (known == shares.of.end())
-    return nullptr;
-  if (known == end)
+  const auto key = static_cast<std::size_t>(vertex);
+  if (!places.has(key))
   {
-    ++shares.size;
-    known->vertex = vertex;
+    places.set(key, shares.of.size());
+    shares.of.push_back({vertex});
   }
-  return &*known;
+  return shares.of[places.at(key)];
 }
 
-/// Puts the touch on the pieces of its patch. Forces across the normal go by
-/// pressing over distance: then their point lies below the centre along the
-/// normal, and stone and surface feel the same moment.
-void share(const FacetSurface &surface, const PressedBall &ball,
-           const std::vector<Piece> &pieces, std::size_t patch,
-           FacetTouch &touch, FacetShares &result)
+/// What the pieces of one patch come to.
+struct PatchSum
 {
-  Vec3 sum = Vec3::Zero();
-  double over_distance = 0.;
-  FacetShares shares;
-  shares.walls = 0;
+  Vec3 pressing = Vec3::Zero(); ///< V of docs/theory/facets.md
+  double over_distance = 0.;    ///< of the pressing
+  std::int64_t walls = 0;
+};
+
+PatchSum sum_of(const std::vector<Piece> &pieces, std::size_t patch)
+{
+  PatchSum sum;
   for (const Piece &piece : pieces)
   {
     if (piece.patch != patch)
       continue;
-    sum += piece.pressing * piece.direction;
-    over_distance += piece.pressing / piece.distance;
-    shares.walls += piece.count;
+    sum.pressing += piece.pressing * piece.direction;
+    sum.over_distance += piece.pressing / piece.distance;
+    sum.walls += piece.count;
   }
+  return sum;
+}
+
+/// Puts the touch on the pieces of its patch. Forces across the normal go by
+/// pressing over distance: then their point lies below the centre along the
+/// normal, and stone and surface feel the same moment. Where these weights have
+/// no sum, forces across the normal stay on the nearest facet.
+void share(const FacetSurface &surface, const PressedBall &ball,
+           Workspace &work, std::size_t patch, FacetTouch &touch,
+           FacetShares &result)
+{
+  const PatchSum sum = sum_of(work.pieces, patch);
   // So deep that edges outweigh facets.
-  if (sum.dot(touch.direction) <= 0. || over_distance <= 0. || shares.walls < 1)
+  if (sum.pressing.dot(touch.direction) <= 0.)
     return;
-  const double pressing = sum.norm();
-  for (const Piece &piece : pieces)
+  const double pressing = sum.pressing.norm();
+  const bool has_weights = sum.over_distance > 0.;
+  for (const Piece &piece : work.pieces)
     for (std::size_t c = 0; c < 3; ++c)
     {
       if (piece.patch != patch || piece.weight[c] == 0.)
         continue;
       const auto &corner =
           surface.triangles[static_cast<std::size_t>(piece.triangle)];
-      VertexShare *part = share_of(shares, corner[c]);
-      if (!part)
-        return;
+      VertexShare &part = share_of(corner[c], work.shares, result);
       const double load = piece.weight[c] * piece.pressing;
-      part->weight += load / piece.distance / over_distance;
-      part->along += load / pressing * piece.direction;
+      if (has_weights)
+        part.weight += load / piece.distance / sum.over_distance;
+      part.along += load / pressing * piece.direction;
     }
-  touch.direction = sum / pressing;
-  touch.distance = pressing / over_distance;
-  touch.nearest.point = ball.centre + touch.distance * touch.direction;
-  shares.extra =
+  if (!has_weights)
+  {
+    const auto &corner =
+        surface.triangles[static_cast<std::size_t>(touch.nearest.triangle)];
+    for (std::size_t c = 0; c < 3; ++c)
+      share_of(corner[c], work.shares, result).weight +=
+          touch.nearest.weight[c];
+  }
+  work.shares.clear();
+  result.walls = std::max<std::int64_t>(sum.walls, 1);
+  touch.direction = sum.pressing / pressing;
+  if (has_weights)
+  {
+    touch.distance = pressing / sum.over_distance;
+    touch.nearest.point = ball.centre + touch.distance * touch.direction;
+  }
+  result.extra =
       std::pow(pressing, 1. / ball.power) - (ball.radius - touch.distance);
-  result = shares;
 }
 } // namespace
 
@@ -190,18 +299,21 @@ void share_patches(const FacetMesh &mesh, const PressedBall &ball,
                    std::vector<FacetTouch> &touches,
                    std::vector<FacetShares> &shares)
 {
-  shares.assign(touches.size(), {});
+  if (shares.size() < touches.size())
+    shares.resize(touches.size());
+  for (std::size_t t = 0; t < touches.size(); ++t)
+    shares[t].clear();
   const std::size_t n = n_overlapped(ball, touches);
   if (n == 0 || n_overlapped(ball, near) < 2)
     return;
   // Kept by each thread: a step takes no memory.
-  static thread_local std::vector<Piece> pieces;
-  find_pieces(mesh, ball, near, pieces);
-  for (Piece &piece : pieces)
+  static thread_local Workspace work;
+  find_pieces(mesh, ball, near, work);
+  for (Piece &piece : work.pieces)
     piece.patch = patch_of(piece, touches, n);
   for (std::size_t t = 0; t < n; ++t)
-    if (std::count_if(pieces.begin(), pieces.end(),
+    if (std::count_if(work.pieces.begin(), work.pieces.end(),
                       [t](const Piece &piece) { return piece.patch == t; }) > 1)
-      share(mesh.surface, ball, pieces, t, touches[t], shares[t]);
+      share(mesh.surface, ball, work, t, touches[t], shares[t]);
 }
 } // namespace dem

@@ -27,7 +27,7 @@ Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
                velocity += share.weight * v;
                along += share.along.dot(v);
              });
-  if (spot.shares.size > 0)
+  if (!spot.shares.of.empty())
     velocity += (along - velocity.dot(spot.normal)) * spot.normal;
   return velocity;
 }
@@ -128,7 +128,61 @@ void find_touches(const ForceContext &context, const FacetMesh &mesh,
         {centre, particles.radius(stone), batch.layout.is_hertz ? 1.5 : 1.},
         found.near, found.touches, found.shares);
   else
-    found.shares.assign(found.touches.size(), {});
+  {
+    found.shares.resize(std::max(found.shares.size(), found.touches.size()));
+    for (FacetShares &shares : found.shares)
+      shares.clear();
+  }
+}
+
+/// Where the touch presses; takes no memory once the spot has grown.
+void place_spot(const FacetTouch &touch, const FacetShares &shares,
+                FacetSpot &spot)
+{
+  spot.triangle = touch.nearest.triangle;
+  spot.weight = touch.nearest.weight;
+  spot.normal = touch.direction;
+  spot.shares.walls = shares.walls;
+  spot.shares.extra = shares.extra;
+  spot.shares.of.assign(shares.of.begin(), shares.of.end());
+}
+
+/// The wall at a spot, as a contact meets it that comes from nowhere else.
+WallRow wall_at(const FacetSurface &surface, const FacetSpot &spot)
+{
+  const Vec3 velocity = velocity_on(surface, spot);
+  WallRow row{point_at(surface, spot),
+              spot.normal,
+              velocity,
+              velocity,
+              spot.normal,
+              0.};
+  for_shares(surface, spot,
+             [&](const VertexShare &share)
+             {
+               row.inverse_mass +=
+                   share.along.squaredNorm() /
+                   surface.mass[static_cast<std::size_t>(share.vertex)];
+             });
+  return row;
+}
+
+/// Moves the contact in the slot to the touch; returns its wall.
+WallRow move_slot(const FacetSurface &surface, const FacetTouch &touch,
+                  const FacetShares &shares, bool is_touching, FacetSpot &spot)
+{
+  const Vec3 normal_before = spot.normal;
+  const Vec3 velocity_before =
+      is_touching ? velocity_on(surface, spot) : Vec3(Vec3::Zero());
+  place_spot(touch, shares, spot);
+  WallRow row = wall_at(surface, spot);
+  if (is_touching)
+  {
+    row.velocity_before = velocity_before;
+    row.normal_before = normal_before;
+  }
+  row.point = touch.nearest.point;
+  return row;
 }
 
 /// Walls of all slots of the stone in this row.
@@ -159,14 +213,10 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
   {
     const auto slot = static_cast<std::size_t>(slot_of[t]);
     is_used[slot] = true;
-    FacetSpot &spot = candidates.spot[first + slot];
-    const FacetSpot now{touches[t].nearest.triangle, touches[t].nearest.weight,
-                        touches[t].direction, found.shares[t]};
-    rows[first + slot] =
-        facet_row(surface, now, batch.is_touching(first + slot) ? spot : now);
-    rows[first + slot].point = touches[t].nearest.point;
-    extra[first + slot] = now.shares.extra;
-    spot = now;
+    rows[first + slot] = move_slot(surface, touches[t], found.shares[t],
+                                   batch.is_touching(first + slot),
+                                   candidates.spot[first + slot]);
+    extra[first + slot] = found.shares[t].extra;
   }
   for (std::size_t s = 0; s < slots_per_stone; ++s)
     if (!is_used[s])
@@ -182,16 +232,9 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
 WallRow facet_row(const FacetSurface &surface, const FacetSpot &now,
                   const FacetSpot &before)
 {
-  WallRow row{
-      point_at(surface, now),       now.normal,    velocity_on(surface, now),
-      velocity_on(surface, before), before.normal, 0.};
-  for_shares(surface, now,
-             [&](const VertexShare &share)
-             {
-               row.inverse_mass +=
-                   share.along.squaredNorm() /
-                   surface.mass[static_cast<std::size_t>(share.vertex)];
-             });
+  WallRow row = wall_at(surface, now);
+  row.velocity_before = velocity_on(surface, before);
+  row.normal_before = before.normal;
   return row;
 }
 
@@ -207,7 +250,8 @@ void find_facets(const ForceContext &context, const FacetMesh &mesh,
   const auto n = static_cast<std::int64_t>(candidates.stone.size());
 #pragma omp parallel if (n >= 64)
   {
-    Found found;
+    // Kept by each thread: a step takes no memory.
+    static thread_local Found found;
 #pragma omp for schedule(static)
     for (std::int64_t row = 0; row < n; ++row)
       find_row(context, mesh, batch, static_cast<std::size_t>(row), found,

@@ -87,8 +87,59 @@ void visit_candidates(Candidates &candidates, const Visit &visit)
   visit(candidates.row_start);
   visit(candidates.triangle);
   visit(candidates.triangle_wake);
-  visit(candidates.spot);
   visit(candidates.wake);
+}
+
+/// What a FacetSpot has beside the vertices that carry it.
+struct SpotHead
+{
+  std::int64_t triangle = -1;
+  std::array<double, 3> weight{};
+  Vec3 normal = Vec3::Zero();
+  std::int64_t walls = 1;
+  double extra = 0.;
+  std::int64_t n_shares = 0;
+};
+
+/// Heads in one column, the shares of all spots in another.
+void save_spots(std::ostream &out, const std::vector<FacetSpot> &spots)
+{
+  std::vector<SpotHead> heads;
+  std::vector<VertexShare> shares;
+  heads.reserve(spots.size());
+  for (const FacetSpot &spot : spots)
+  {
+    heads.push_back({spot.triangle, spot.weight, spot.normal, spot.shares.walls,
+                     spot.shares.extra,
+                     static_cast<std::int64_t>(spot.shares.of.size())});
+    shares.insert(shares.end(), spot.shares.of.begin(), spot.shares.of.end());
+  }
+  write_column(out, heads);
+  write_column(out, shares);
+}
+
+void restore_spots(std::istream &in, std::vector<FacetSpot> &spots)
+{
+  std::vector<SpotHead> heads;
+  std::vector<VertexShare> shares;
+  read_column(in, heads);
+  read_column(in, shares);
+  spots.resize(heads.size());
+  auto next = shares.cbegin();
+  for (std::size_t k = 0; k < heads.size(); ++k)
+  {
+    const SpotHead &head = heads[k];
+    if (head.n_shares < 0 || head.n_shares > shares.cend() - next)
+      throw std::runtime_error("checkpoint is damaged");
+    FacetSpot &spot = spots[k];
+    spot.triangle = head.triangle;
+    spot.weight = head.weight;
+    spot.normal = head.normal;
+    spot.shares.walls = head.walls;
+    spot.shares.extra = head.extra;
+    spot.shares.of.assign(next, next + head.n_shares);
+    next += head.n_shares;
+  }
 }
 template <class Batch, class Visit>
 void visit_batch(Batch &batch, const Visit &visit)
@@ -147,6 +198,7 @@ void save_facets(std::ostream &out, const SurfaceContacts &facets)
   visit_surface(facets.surface, put);
   save_batch(out, facets.batch);
   visit_contacts(facets, put);
+  save_spots(out, facets.candidates.spot);
   write_value(out, facets.work);
 }
 
@@ -161,6 +213,7 @@ SurfaceContacts restore_facets(std::istream &in)
   SurfaceContacts facets(name, material, std::move(surface));
   restore_batch(in, facets.batch);
   visit_contacts(facets, get);
+  restore_spots(in, facets.candidates.spot);
   read_value(in, facets.work);
   return facets;
 }

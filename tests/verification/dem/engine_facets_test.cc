@@ -300,7 +300,7 @@ bool is_shared(const dem::Engine &engine, std::size_t ball)
   const dem::ContactBatch &batch = engine.on_facets();
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.a[k] == static_cast<std::int32_t>(ball) && batch.is_touching(k) &&
-        engine.facets().spot[k].shares.size > 0)
+        !engine.facets().spot[k].shares.of.empty())
       return true;
   return false;
 }

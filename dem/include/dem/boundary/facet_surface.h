@@ -111,17 +111,21 @@ struct VertexShare
   Vec3 along = Vec3::Zero();
 };
 
-/// Most vertices that one contact may press on.
-inline constexpr std::size_t most_shares = 10;
-
-/// The vertices that carry a contact on several facets.
+/// The vertices that carry a contact on several facets, as many as there are.
 struct FacetShares
 {
-  std::int64_t size = 0;  ///< 0: on the nearest facet alone
   std::int64_t walls = 1; ///< facets that press, what they share taken off
   /// Overlap beyond that with the plane through the touch's point [m].
   double extra = 0.;
-  std::array<VertexShare, most_shares> of{};
+  std::vector<VertexShare> of; ///< empty: on the nearest facet alone
+
+  /// The same without giving memory back: a step takes none once it has grown.
+  void clear()
+  {
+    walls = 1;
+    extra = 0.;
+    of.clear();
+  }
 };
 
 /// A ball, and the exponent of its force in the overlap with the surface.
@@ -137,8 +141,8 @@ struct PressedBall
 /// counted once (docs/theory/facets.md). `near` has the nearest points of all
 /// triangles that it overlaps, `touches` what keep_minima leaves of these; of a
 /// touch that several carry, direction, point and distance of that along the
-/// direction are set anew, `shares` gets one row per touch. A touch over more
-/// vertices than most_shares stays on its nearest facet.
+/// direction are set anew, `shares` gets one row per touch, or keeps more. The
+/// number of facets and vertices is not limited.
 void share_patches(const FacetMesh &mesh, const PressedBall &ball,
                    const std::vector<FacetTouch> &near,
                    std::vector<FacetTouch> &touches,

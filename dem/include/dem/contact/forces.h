@@ -107,7 +107,7 @@ inline constexpr int slots_per_stone = 4;
 /// Where a contact with the facet surface presses.
 struct FacetSpot
 {
-  std::int64_t triangle = -1; ///< as wide as the rest: no gaps in a checkpoint
+  std::int64_t triangle = -1;
   std::array<double, 3> weight{}; ///< barycentric [-]
   Vec3 normal = Vec3::UnitX();    ///< from the stone to the surface [-]
   FacetShares shares = {};        ///< of vertices, if several facets carry it
@@ -118,9 +118,9 @@ template <class Call>
 void for_shares(const FacetSurface &surface, const FacetSpot &spot,
                 const Call &call)
 {
-  for (std::size_t s = 0; s < static_cast<std::size_t>(spot.shares.size); ++s)
-    call(spot.shares.of[s]);
-  if (spot.shares.size > 0)
+  for (const VertexShare &share : spot.shares.of)
+    call(share);
+  if (!spot.shares.of.empty())
     return;
   const auto &corner =
       surface.triangles[static_cast<std::size_t>(spot.triangle)];

@@ -10,11 +10,13 @@
 namespace dem
 {
 /// Plain memory to and from a stream, bit for bit, on one kind of machine.
-/// Only for types without pointers (Eigen's fixed-size ones included).
+/// Only for types without pointers (Eigen's fixed-size ones included): what
+/// owns memory has a destructor, and is refused.
 template <class T>
 void write_value(std::ostream &out, const T &value)
 {
-  static_assert(std::is_standard_layout_v<T>);
+  static_assert(std::is_standard_layout_v<T> &&
+                std::is_trivially_destructible_v<T>);
   out.write(reinterpret_cast<const char *>(&value), sizeof(T));
 }
 
@@ -22,7 +24,8 @@ void write_value(std::ostream &out, const T &value)
 template <class T>
 void read_value(std::istream &in, T &value)
 {
-  static_assert(std::is_standard_layout_v<T>);
+  static_assert(std::is_standard_layout_v<T> &&
+                std::is_trivially_destructible_v<T>);
   if (!in.read(reinterpret_cast<char *>(&value), sizeof(T)))
     throw std::runtime_error("checkpoint ends too early");
 }
@@ -30,7 +33,8 @@ void read_value(std::istream &in, T &value)
 template <class T>
 void write_column(std::ostream &out, const std::vector<T> &column)
 {
-  static_assert(std::is_standard_layout_v<T>);
+  static_assert(std::is_standard_layout_v<T> &&
+                std::is_trivially_destructible_v<T>);
   write_value(out, static_cast<std::uint64_t>(column.size()));
   out.write(reinterpret_cast<const char *>(column.data()),
             static_cast<std::streamsize>(column.size() * sizeof(T)));
@@ -39,7 +43,8 @@ void write_column(std::ostream &out, const std::vector<T> &column)
 template <class T>
 void read_column(std::istream &in, std::vector<T> &column)
 {
-  static_assert(std::is_standard_layout_v<T>);
+  static_assert(std::is_standard_layout_v<T> &&
+                std::is_trivially_destructible_v<T>);
   std::uint64_t n = 0;
   read_value(in, n);
   if (n > (std::uint64_t{1} << 40) / sizeof(T))

@@ -93,10 +93,10 @@ std::vector<Vec3> loads(const FacetSurface &surface, const PressedBall &ball)
       continue;
     const double force = std::pow(depth, ball.power);
     const FacetShares &shares = found.shares[t];
-    for (std::size_t s = 0; s < std::size_t(shares.size); ++s)
-      load[std::size_t(shares.of[s].vertex)] += force * shares.of[s].along;
+    for (const dem::VertexShare &share : shares.of)
+      load[std::size_t(share.vertex)] += force * share.along;
     const dem::NearestPoint &nearest = found.touch[t].nearest;
-    for (std::size_t c = 0; shares.size == 0 && c < 3; ++c)
+    for (std::size_t c = 0; shares.of.empty() && c < 3; ++c)
       load[std::size_t(surface.triangles[std::size_t(nearest.triangle)][c])] +=
           force * nearest.weight[c] * found.touch[t].direction;
   }
@@ -172,8 +172,8 @@ TEST(FacetShares, ForcesAreTheGradientOfOneEnergy)
     const Touches found = touches_of(surface, ball);
     for (std::size_t t = 0; t < found.touch.size(); ++t)
     {
-      n_shared += found.shares[t].size > 0;
-      n_alone += found.shares[t].size == 0;
+      n_shared += !found.shares[t].of.empty();
+      n_alone += found.shares[t].of.empty();
     }
     const std::vector<Vec3> load = loads(surface, ball);
     const double size = sum_of(load).norm();
@@ -204,6 +204,40 @@ TEST(FacetShares, ForcesAreTheGradientOfOneEnergy)
   EXPECT_GT(n_alone, 10);
 }
 
+// A fine bowl about a ball that presses on hundreds of its facets at once:
+// still one energy, whatever their number.
+TEST(FacetShares, HundredsOfFacetsShareOneEnergy)
+{
+  for (const double power : {1., 1.5})
+  {
+    FacetSurface bowl = rough_square(24, 2e-4, 5);
+    const PressedBall ball{{0.013, 0.021, 0.5 - 0.008}, 0.5, power};
+    for (Vec3 &x : bowl.position)
+      x.z() += x.head<2>().squaredNorm() * 0.9;
+    const Touches found = touches_of(bowl, ball);
+    ASSERT_EQ(found.touch.size(), 1U);
+    const std::vector<dem::VertexShare> &of = found.shares[0].of;
+    EXPECT_GT(of.size(), 60U);
+    const std::vector<Vec3> load = loads(bowl, ball);
+    const double size = sum_of(load).norm();
+    ASSERT_GT(size, 0.);
+    constexpr double h = 1e-6;
+    for (std::size_t s = 0; s < of.size(); s += 7)
+      for (int c = 0; c < 3; ++c)
+      {
+        const auto v = static_cast<std::size_t>(of[s].vertex);
+        const double at = bowl.position[v][c];
+        bowl.position[v][c] = at + h;
+        const double above = energy(bowl, ball);
+        bowl.position[v][c] = at - h;
+        const double below = energy(bowl, ball);
+        bowl.position[v][c] = at;
+        EXPECT_NEAR((below - above) / (2. * h), load[v][c], 1e-5 * size)
+            << v << ' ' << c;
+      }
+  }
+}
+
 // What presses across the normal acts below the centre along it: no moment is
 // lost, whatever carries it.
 TEST(FacetShares, WeightsMeetBelowTheCentre)
@@ -219,14 +253,13 @@ TEST(FacetShares, WeightsMeetBelowTheCentre)
       const FacetShares &shares = found.shares[t];
       double whole = 0.;
       Vec3 point = Vec3::Zero(), along = Vec3::Zero();
-      for (std::size_t s = 0; s < std::size_t(shares.size); ++s)
+      for (const dem::VertexShare &share : shares.of)
       {
-        whole += shares.of[s].weight;
-        along += shares.of[s].along;
-        point += shares.of[s].weight *
-                 surface.position[std::size_t(shares.of[s].vertex)];
+        whole += share.weight;
+        along += share.along;
+        point += share.weight * surface.position[std::size_t(share.vertex)];
       }
-      if (shares.size == 0)
+      if (shares.of.empty())
         continue;
       ++n_shared;
       const FacetTouch &touch = found.touch[t];
