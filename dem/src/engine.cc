@@ -163,6 +163,17 @@ void Engine::advance_unseen(double time_step)
     break_corners();
 }
 
+void Engine::evaluate(double time_step)
+{
+  if (rebuild_count > 0)
+    throw std::logic_error("engine: contacts are evaluated as placed before "
+                           "the first step only");
+  rebuild_lists();
+  std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
+  evaluate_contacts(time_step);
+  load_boundaries(0.);
+}
+
 Speeds Engine::move_stones(double time_step)
 {
   const PhaseTimer timer(spent.motion);

@@ -72,6 +72,13 @@ public:
   /// through a reference from before are velocities seen half a step late.
   void advance_unseen(double time_step);
 
+  /// Loads of all contacts as the scene was placed, before its first step:
+  /// nothing moves. Dashpots see the velocities; tangential and rolling springs
+  /// start at zero and take up the motion of `time_step` [s]. For the look at
+  /// one contact see dem/measure/single_contact.h. Throws std::logic_error once
+  /// lists of contacts are there.
+  void evaluate(double time_step);
+
   const EngineParameters &parameters() const { return settings; }
   void set_friction(double friction);
   void set_local_damping(double damping);

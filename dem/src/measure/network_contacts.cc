@@ -26,35 +26,6 @@ SurfacePoint spot_on_a(const Particles &stones, const ContactBatch &batch,
   return spot;
 }
 
-/// Point and normal of a place where two stones touch.
-struct Place
-{
-  Vec3 point, normal;
-};
-
-Place place_of(const Engine &engine, std::size_t k)
-{
-  const Particles &stones = engine.particles();
-  const ContactBatch &pairs = engine.pairs();
-  if (pairs.layout.has_spots)
-  {
-    const SurfacePoint spot = spot_on_a(stones, pairs, k);
-    return {spot.position - 0.5 * pairs.overlap[k] * spot.normal, spot.normal};
-  }
-  const auto a = static_cast<std::size_t>(pairs.a[k]),
-             b = static_cast<std::size_t>(pairs.b[k]);
-  const Vec3 normal = (stones.position(b) - stones.position(a)).normalized();
-  double radius = stones.radius(a);
-  if (engine.parameters().geometry.geometry == ContactGeometry::radial &&
-      pairs.side_a.is_known(k))
-  {
-    const Vec3 u = stones.orientation(a).conjugate() * normal;
-    radius = pairs.side_a.local_radius(k, {u.x(), u.y(), u.z()});
-  }
-  return {stones.position(a) + (radius - 0.5 * pairs.overlap[k]) * normal,
-          normal};
-}
-
 bool is_at_limit(const EngineParameters &parameters, const ContactBatch &pairs,
                  std::size_t k, const Vec3 &normal)
 {
@@ -79,7 +50,7 @@ bool join_places(const Engine &engine, std::span<const std::int32_t> places,
     const auto k = static_cast<std::size_t>(entry);
     if (!pairs.is_touching(k))
       continue;
-    const Place place = place_of(engine, k);
+    const ContactFrame place = pair_contact_frame(engine, k);
     contact.normal += pairs.normal_force[k] * place.normal;
     contact.point += pairs.normal_force[k] * place.point;
     contact.force += pair_force(engine.particles(), pairs, k);
@@ -106,6 +77,29 @@ void add_walls(const Engine &engine, const ContactBatch &batch,
                        facets != nullptr});
 }
 } // namespace
+
+ContactFrame pair_contact_frame(const Engine &engine, std::size_t k)
+{
+  const Particles &stones = engine.particles();
+  const ContactBatch &pairs = engine.pairs();
+  if (pairs.layout.has_spots)
+  {
+    const SurfacePoint spot = spot_on_a(stones, pairs, k);
+    return {spot.position - 0.5 * pairs.overlap[k] * spot.normal, spot.normal};
+  }
+  const auto a = static_cast<std::size_t>(pairs.a[k]),
+             b = static_cast<std::size_t>(pairs.b[k]);
+  const Vec3 normal = (stones.position(b) - stones.position(a)).normalized();
+  double radius = stones.radius(a);
+  if (engine.parameters().geometry.geometry == ContactGeometry::radial &&
+      pairs.side_a.is_known(k))
+  {
+    const Vec3 u = stones.orientation(a).conjugate() * normal;
+    radius = pairs.side_a.local_radius(k, {u.x(), u.y(), u.z()});
+  }
+  return {stones.position(a) + (radius - 0.5 * pairs.overlap[k]) * normal,
+          normal};
+}
 
 Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
                         std::size_t k)

@@ -42,6 +42,16 @@ struct Network
 /// What touches now, after a step.
 Network contact_network_of(const Engine &engine);
 
+/// Where and along which normal two surfaces touch.
+struct ContactFrame
+{
+  Vec3 point = Vec3::Zero();   ///< in the middle of the overlap [m]
+  Vec3 normal = Vec3::UnitZ(); ///< from A to B [-]
+};
+
+/// Frame of contact k of Engine::pairs(), which touches.
+ContactFrame pair_contact_frame(const Engine &engine, std::size_t k);
+
 /// Where wall contact k of this batch of the engine presses [m].
 Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
                         std::size_t k);
