@@ -103,7 +103,7 @@ Membrane::State::State(const MembraneParameters &p,
   for (double &m : mass)
     m *= p.density * p.thickness;
   midpoints.collect(mass);
-  now.is_tied.assign(mesh.nodes.size(), 0);
+  now.tied.assign(mesh.nodes.size(), 0);
   start_from(mesh.nodes);
 }
 
@@ -117,7 +117,7 @@ std::size_t Membrane::State::checked_node(std::int32_t node) const
 std::size_t Membrane::State::tied_node(std::int32_t node) const
 {
   const std::size_t k = checked_node(node);
-  require(now.is_tied[k], "node", node, "is not tied");
+  require(now.tied[k] != 0, "node", node, "is not tied");
   return k;
 }
 
@@ -145,11 +145,11 @@ void Membrane::State::book_half_step(std::size_t k)
   const Vector half = 0.5 * now.moved[k];
   now.done.pressure_work -= now.pressure * half.dot(now.forces.area[k]);
   now.done.contact_work += half.dot(now.load[k]);
-  if (now.is_tied[k])
-    now.done.tie_work -= half.dot(force(k));
-  else
-    now.done.damping +=
-        parameters.mass_damping * mass[k] * half.dot(now.velocity[k]);
+  if (now.tied[k] != 0)
+    now.done.tie_work -= half.dot(tied_along(k, force(k)));
+  if (now.tied[k] != all_axes)
+    now.done.damping += parameters.mass_damping * mass[k] *
+                        half.dot(free_along(k, now.velocity[k]));
 }
 
 void Membrane::State::start_from(std::span<const Vector> positions)
@@ -184,21 +184,29 @@ Membrane::Membrane(const MembraneParameters &parameters,
 Membrane::~Membrane() = default;
 Membrane::Membrane(Membrane &&) noexcept = default;
 
-void Membrane::tie(const std::vector<std::int32_t> &nodes)
+void Membrane::tie(const std::vector<std::int32_t> &nodes, const TiedAxes &axes)
 {
+  MembraneMotion &now = state->now;
   for (const std::int32_t node : nodes)
   {
     const std::size_t k = state->checked_node(node);
-    if (!state->is_free(k))
+    std::uint8_t fresh = 0;
+    for (int c = 0; c < 3; ++c)
+      if (axes[static_cast<std::size_t>(c)] && !is_tied_along(now.tied[k], c))
+        fresh = static_cast<std::uint8_t>(fresh | 1 << c);
+    if (fresh == 0 || !state->is_free(k))
       continue;
-    state->now.is_tied[k] = 1;
-    state->set_velocity(k, Vector::Zero());
+    now.tied[k] = static_cast<std::uint8_t>(now.tied[k] | fresh);
+    now.acceleration[k] = free_part(fresh, now.acceleration[k]);
+    state->set_velocity(k, free_part(fresh, now.velocity[k]));
   }
 }
 
 void Membrane::set_tied_velocity(std::int32_t node, const Vector &velocity)
 {
-  state->set_velocity(state->tied_node(node), velocity);
+  const std::size_t k = state->tied_node(node);
+  state->set_velocity(k, state->tied_along(k, velocity) +
+                             state->free_along(k, state->now.velocity[k]));
 }
 
 void Membrane::set_pressure(double pressure)
@@ -245,8 +253,8 @@ void Membrane::begin_step(double time_step)
     Vector half = start;
     if (state->is_free(k))
       half += 0.5 * time_step *
-              (state->force(k) / state->mass[k] -
-               state->parameters.mass_damping * start);
+              state->free_along(k, state->force(k) / state->mass[k] -
+                                       state->parameters.mass_damping * start);
     now.moved[k] = time_step * half;
     state->book_half_step(k);
     now.velocity[k] = half;
@@ -275,8 +283,10 @@ void Membrane::end_step(std::span<const Vector> load, double time_step)
   {
     if (state->is_free(k))
       now.velocity[k] =
-          slow * (now.velocity[k] +
-                  0.5 * time_step / state->mass[k] * state->force(k));
+          state->tied_along(k, now.velocity[k]) +
+          slow * state->free_along(k, now.velocity[k] + 0.5 * time_step /
+                                                            state->mass[k] *
+                                                            state->force(k));
     state->book_half_step(k);
   }
   state->midpoints.spread(now.velocity);
@@ -286,9 +296,9 @@ double Membrane::stable_time_step() const
 {
   Sheet taut = state->sheet;
   taut.material.has_wrinkles = false;
-  const double frequency = largest_frequency(
-      taut, {state->mass, state->now.is_tied, state->midpoints},
-      state->now.position, state->now.pressure);
+  const double frequency =
+      largest_frequency(taut, {state->mass, state->now.tied, state->midpoints},
+                        state->now.position, state->now.pressure);
   return frequency > 0. ? 2. / frequency
                         : std::numeric_limits<double>::infinity();
 }
@@ -315,7 +325,14 @@ std::span<const double> Membrane::nodal_mass() const
 
 bool Membrane::is_tied(std::int32_t node) const
 {
-  return state->now.is_tied[state->checked_node(node)] != 0;
+  return state->now.tied[state->checked_node(node)] == all_axes;
+}
+
+TiedAxes Membrane::tied_axes(std::int32_t node) const
+{
+  const std::uint8_t axes = state->now.tied[state->checked_node(node)];
+  return {is_tied_along(axes, 0), is_tied_along(axes, 1),
+          is_tied_along(axes, 2)};
 }
 
 const SurfaceMesh &Membrane::mesh() const
@@ -325,7 +342,8 @@ const SurfaceMesh &Membrane::mesh() const
 
 Vector Membrane::reaction(std::int32_t node) const
 {
-  return state->force(state->tied_node(node));
+  const std::size_t k = state->tied_node(node);
+  return state->tied_along(k, state->force(k));
 }
 
 Vector Membrane::force(std::int32_t node) const
@@ -347,8 +365,8 @@ double Membrane::unbalanced_force_ratio() const
 {
   double largest = 0.;
   for (std::size_t k = 0; k < n_nodes(); ++k)
-    if (!state->now.is_tied[k])
-      largest = std::max(largest, state->force(k).norm());
+    if (state->now.tied[k] != all_axes)
+      largest = std::max(largest, state->free_along(k, state->force(k)).norm());
   if (largest == 0.)
     return 0.;
   return largest / mean_element_force(state->sheet, state->now.position);

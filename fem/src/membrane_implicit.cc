@@ -3,7 +3,9 @@
 #include <Eigen/Sparse>
 #include <Eigen/SparseLU>
 
+#include <array>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace fem
@@ -13,26 +15,43 @@ namespace
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// What moves a node of an element: the first of the three unknowns of a node,
-/// and its weight.
-using Shares = std::vector<std::pair<int, double>>;
+/// Unknowns of a node along x, y, z; below 0: tied.
+using Unknowns = std::array<int, 3>;
 
-/// Of every node: its own unknowns, those of the ends of its edge, or none.
-std::vector<Shares> number_unknowns(std::span<const std::uint8_t> is_tied,
-                                    const Followers &midpoints)
+/// What moves a node of an element: the unknowns of a node, and its weight.
+using Shares = std::vector<std::pair<Unknowns, double>>;
+
+/// Unknowns of the nodes and how many there are.
+struct Numbering
 {
-  std::vector<Shares> shares(is_tied.size());
-  int n_free = 0;
-  for (std::size_t k = 0; k < is_tied.size(); ++k)
-    if (!is_tied[k] && !midpoints.is_hanging(k))
-      shares[k] = {{3 * n_free++, 1.}};
-  for (std::size_t k = 0; k < is_tied.size(); ++k)
+  std::vector<Shares> shares; ///< own, those of the ends of the edge, or none
+  int n = 0;
+
+  /// Of a node that moves by itself.
+  const Unknowns &of(std::size_t k) const { return shares[k].front().first; }
+};
+
+Numbering number_unknowns(std::span<const std::uint8_t> tied,
+                          const Followers &midpoints)
+{
+  Numbering numbers{std::vector<Shares>(tied.size()), 0};
+  for (std::size_t k = 0; k < tied.size(); ++k)
+  {
+    if (tied[k] == all_axes || midpoints.is_hanging(k))
+      continue;
+    Unknowns own{-1, -1, -1};
+    for (int c = 0; c < 3; ++c)
+      if (!is_tied_along(tied[k], c))
+        own[static_cast<std::size_t>(c)] = numbers.n++;
+    numbers.shares[k] = {{own, 1.}};
+  }
+  for (std::size_t k = 0; k < tied.size(); ++k)
     if (midpoints.is_hanging(k))
       for (const auto &[end, weight] : midpoints.parents(k))
-        if (const Shares &own = shares[static_cast<std::size_t>(end)];
+        if (const Shares &own = numbers.shares[static_cast<std::size_t>(end)];
             !own.empty())
-          shares[k].emplace_back(own.front().first, weight);
-  return shares;
+          numbers.shares[k].emplace_back(own.front().first, weight);
+  return numbers;
 }
 
 void add_element(const SheetElement &element, const SheetTangent &tangent,
@@ -48,8 +67,13 @@ void add_element(const SheetElement &element, const SheetTangent &tangent,
     for (int column = 0; column < 12; ++column)
       for (const auto &[r, of_r] : of_row(row))
         for (const auto &[c, of_c] : of_row(column))
-          entries.emplace_back(r + row % 3, c + column % 3,
-                               of_r * of_c * tangent(row, column));
+        {
+          const int at_row = r[static_cast<std::size_t>(row % 3)],
+                    at_column = c[static_cast<std::size_t>(column % 3)];
+          if (at_row >= 0 && at_column >= 0)
+            entries.emplace_back(at_row, at_column,
+                                 of_r * of_c * tangent(row, column));
+        }
 }
 
 double size(const std::vector<Vector> &field)
@@ -65,9 +89,10 @@ void Membrane::State::start_accelerations()
 {
   for (std::size_t k = 0; k < mass.size(); ++k)
     now.acceleration[k] =
-        is_free(k) ? Vector(force(k) / mass[k] -
-                            parameters.mass_damping * now.velocity[k])
-                   : Vector::Zero();
+        is_free(k)
+            ? free_along(k, force(k) / mass[k] -
+                                parameters.mass_damping * now.velocity[k])
+            : Vector::Zero();
   midpoints.spread(now.acceleration);
   now.has_acceleration = 1;
 }
@@ -78,19 +103,27 @@ std::vector<Vector> Membrane::State::residual(const MembraneStep &step) const
   const double am = step.rule.alpha_m, af = step.rule.alpha_f;
   for (std::size_t k = 0; k < mass.size(); ++k)
     if (is_free(k))
-      result[k] =
-          mass[k] *
-              ((1. - am) * now.acceleration[k] + am * step.acceleration[k] +
-               parameters.mass_damping *
-                   ((1. - af) * now.velocity[k] + af * step.velocity[k])) -
-          (1. - af) * force(k) - af * step.force[k];
+      result[k] = free_along(
+          k, mass[k] * ((1. - am) * now.acceleration[k] +
+                        am * step.acceleration[k] +
+                        parameters.mass_damping * ((1. - af) * now.velocity[k] +
+                                                   af * step.velocity[k])) -
+                 (1. - af) * force(k) - af * step.force[k]);
   return result;
 }
 
 void Membrane::State::correct(const MembraneStep &step,
                               const std::vector<Vector> &residual_now)
 {
-  const std::vector<Shares> shares = number_unknowns(now.is_tied, midpoints);
+  const Numbering numbers = number_unknowns(now.tied, midpoints);
+  /// Calls call(node, component, unknown) for all unknowns.
+  const auto for_unknowns = [&](const auto &call)
+  {
+    for (std::size_t k = 0; k < mass.size(); ++k)
+      for (int c = 0; is_free(k) && c < 3; ++c)
+        if (const int u = numbers.of(k)[static_cast<std::size_t>(c)]; u >= 0)
+          call(k, c, u);
+  };
   const double end = 1. - step.rule.alpha_f, dt = step.time_step;
   const double inertia = ((1. - step.rule.alpha_m) / dt +
                           end * step.rule.gamma * parameters.mass_damping) /
@@ -99,32 +132,33 @@ void Membrane::State::correct(const MembraneStep &step,
   for (std::size_t k = 0; k < sheet.elements.size(); ++k)
     add_element(sheet.elements[k],
                 end * element_tangent(sheet, k, now.position, now.pressure),
-                shares, entries);
-  int n = 0;
-  for (std::size_t k = 0; k < mass.size(); ++k)
-    for (int i = 0; i < 3 && is_free(k); ++i, ++n)
-      entries.emplace_back(n, n, inertia * mass[k]);
+                numbers.shares, entries);
+  for_unknowns([&](std::size_t k, int, int u)
+               { entries.emplace_back(u, u, inertia * mass[k]); });
   if (step.springs)
-    for (std::size_t k = 0; k < mass.size(); ++k)
-      for (int i = 0; i < 9 && is_free(k); ++i)
-        entries.emplace_back(shares[k][0].first + i / 3,
-                             shares[k][0].first + i % 3,
-                             end * step.springs->stiffness[k](i / 3, i % 3));
+    for_unknowns(
+        [&](std::size_t k, int row, int u)
+        {
+          for (int column = 0; column < 3; ++column)
+            if (const int v = numbers.of(k)[static_cast<std::size_t>(column)];
+                v >= 0)
+              entries.emplace_back(
+                  u, v, end * step.springs->stiffness[k](row, column));
+        });
 
-  Matrix matrix(n, n);
+  Matrix matrix(numbers.n, numbers.n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd right(n);
-  for (std::size_t k = 0; k < mass.size(); ++k)
-    if (is_free(k))
-      right.segment<3>(shares[k][0].first) = -residual_now[k];
+  Eigen::VectorXd right(numbers.n);
+  for_unknowns([&](std::size_t k, int c, int u)
+               { right[u] = -residual_now[k][c]; });
   Eigen::SparseLU<Matrix> factors(matrix);
   if (factors.info() != Eigen::Success)
-    throw std::runtime_error("membrane: the matrix of an implicit step cannot "
-                             "be factored; a shorter step may help");
+    throw std::runtime_error("membrane: the matrix of an implicit step is "
+                             "singular: " +
+                             why_no_equilibrium(residual_now, round_off(step)));
   const Eigen::VectorXd change = factors.solve(right);
-  for (std::size_t k = 0; k < mass.size(); ++k)
-    if (is_free(k))
-      now.position[k] += change.segment<3>(shares[k][0].first);
+  for_unknowns([&](std::size_t k, int c, int u)
+               { now.position[k][c] += change[u]; });
   midpoints.spread(now.position);
   follow_positions(step);
 }
@@ -191,9 +225,46 @@ double Membrane::State::round_off(const MembraneStep &step) const
   double squared = 0.;
   for (std::size_t k = 0; k < mass.size(); ++k)
     squared += mass[k] * mass[k] * now.position[k].squaredNorm();
-  return 1e-10 * forces +
+  // A stiff spring turns the last digit of a position into a force.
+  double of_springs = 0.;
+  for (std::size_t k = 0; step.springs && k < mass.size(); ++k)
+    if (is_free(k))
+      of_springs +=
+          step.springs->stiffness[k].squaredNorm() *
+          (now.position[k].squaredNorm() + step.springs->rest[k].squaredNorm());
+  return 1e-10 * forces + 1e-15 * std::sqrt(of_springs) +
          1e-15 * std::sqrt(squared) /
              (step.rule.beta * step.time_step * step.time_step);
+}
+
+std::string
+Membrane::State::why_no_equilibrium(const std::vector<Vector> &residual,
+                                    double asked) const
+{
+  std::size_t worst = 0;
+  for (std::size_t k = 0; k < residual.size(); ++k)
+  {
+    if (!residual[k].allFinite())
+      return "positions are no longer finite; a load or a spring is beyond "
+             "what the sheet can balance";
+    if (residual[k].squaredNorm() > residual[worst].squaredNorm())
+      worst = k;
+  }
+  const Vector &at = now.position[worst];
+  const double wrinkled = sheet.material.has_wrinkles
+                              ? 0.
+                              : fem::wrinkled_share(sheet, now.position);
+  std::ostringstream text;
+  text << "node " << worst << " at (" << at.x() << ", " << at.y() << ", "
+       << at.z() << ") m is left with " << residual[worst].norm()
+       << " N, where all nodes together may be left with " << asked << " N; ";
+  if (wrinkled > 0.)
+    text << std::lround(std::ceil(100. * wrinkled))
+         << " % of the sheet is in compression, where it buckles without "
+            "bending stiffness: give it a tension or wrinkling = tension_field";
+  else
+    text << "a shorter step may help";
+  return text.str();
 }
 
 /// Half of the work with the forces and velocities before the step, half with
@@ -235,8 +306,8 @@ void Membrane::advance(std::span<const Vector> load, double time_step,
   {
     step.force.push_back(state->force(k));
     const Vector drift = time_step * now.velocity[k];
-    if (now.is_tied[k])
-      now.position[k] += drift;
+    if (now.tied[k] != 0)
+      now.position[k] += state->tied_along(k, drift);
     step.predicted[k] +=
         drift + (0.5 - rule.beta) * time_step * time_step * now.acceleration[k];
     now.acceleration[k] = (now.position[k] - step.predicted[k]) /
@@ -262,9 +333,10 @@ void Membrane::advance(std::span<const Vector> load, double time_step,
     state->correct(step, residual);
     residual = state->better_residual(step, from, size(residual));
   }
+  const std::string why =
+      state->why_no_equilibrium(residual, state->round_off(step));
   now = before;
   throw std::runtime_error("membrane: no equilibrium of an implicit step of " +
-                           std::to_string(time_step) +
-                           " s; a shorter step may help");
+                           std::to_string(time_step) + " s: " + why);
 }
 } // namespace fem

@@ -8,7 +8,7 @@ namespace fem
 {
 namespace
 {
-constexpr std::uint64_t magic = 0x32304d454d4c5053; // "SPLMEM02"
+constexpr std::uint64_t magic = 0x33304d454d4c5053; // "SPLMEM03"
 
 /// The same list of fields for writing and reading.
 template <typename Motion, typename Field>
@@ -21,7 +21,7 @@ void for_each_field(Motion &motion, const Field &field)
   field(&motion.has_acceleration, std::size_t{1});
   field(motion.moved.data(), n);
   field(motion.load.data(), n);
-  field(motion.is_tied.data(), n);
+  field(motion.tied.data(), n);
   field(motion.forces.internal.data(), n);
   field(motion.forces.area.data(), n);
   field(&motion.forces.strain_energy, std::size_t{1});
@@ -45,7 +45,7 @@ MembraneMotion empty_motion(std::size_t n)
   motion.position = motion.velocity = motion.moved = motion.load = zeros;
   motion.acceleration = zeros;
   motion.forces.internal = motion.forces.area = zeros;
-  motion.is_tied.assign(n, 0);
+  motion.tied.assign(n, 0);
   return motion;
 }
 } // namespace

@@ -6,6 +6,8 @@
 
 #include <fem/membrane.h>
 
+#include <string>
+
 namespace fem
 {
 /// What an implicit step starts from.
@@ -28,10 +30,21 @@ struct Membrane::State
 {
   State(const MembraneParameters &p, const SurfaceMesh &reference);
 
-  /// By its forces: neither tied nor with the ends of its edge.
+  /// By its forces along some axis: neither tied along all nor with the ends of
+  /// its edge.
   bool is_free(std::size_t k) const
   {
-    return !now.is_tied[k] && !midpoints.is_hanging(k);
+    return now.tied[k] != all_axes && !midpoints.is_hanging(k);
+  }
+  /// What of a vector is along the axes where node k is not tied.
+  Eigen::Vector3d free_along(std::size_t k, const Eigen::Vector3d &vector) const
+  {
+    return free_part(now.tied[k], vector);
+  }
+  /// What of it is along the tied axes.
+  Eigen::Vector3d tied_along(std::size_t k, const Eigen::Vector3d &vector) const
+  {
+    return free_part(all_axes & ~now.tied[k], vector);
   }
   std::size_t checked_node(std::int32_t node) const;
   std::size_t tied_node(std::int32_t node) const;
@@ -44,6 +57,9 @@ struct Membrane::State
   /// Internal forces and areas at the present positions.
   void find_forces();
   double round_off(const MembraneStep &step) const;
+  /// Which node is farthest from equilibrium, and the probable cause.
+  std::string why_no_equilibrium(const std::vector<Eigen::Vector3d> &residual,
+                                 double asked) const;
   void book_step_from(const MembraneMotion &before);
   void start_accelerations();
   /// Inertia and damping less the forces of the step, free nodes only [N].

@@ -1,5 +1,7 @@
 #include "stable_step.h"
 
+#include "membrane_motion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -19,13 +21,15 @@ double dot(const Field &a, const Field &b)
   return sum;
 }
 
-/// M^(-1/2), zero where a node does not move by itself.
-std::vector<double> inverse_root(const SheetInertia &inertia)
+/// M^(-1/2), zero where and along which axes a node does not move by itself.
+Field inverse_root(const SheetInertia &inertia)
 {
-  std::vector<double> root(inertia.mass.size(), 0.);
+  Field root(inertia.mass.size(), Eigen::Vector3d::Zero());
   for (std::size_t k = 0; k < root.size(); ++k)
-    if (!inertia.is_tied[k] && !inertia.midpoints.is_hanging(k))
-      root[k] = 1. / std::sqrt(inertia.mass[k]);
+    if (!inertia.midpoints.is_hanging(k))
+      root[k] =
+          free_part(inertia.tied[k],
+                    Eigen::Vector3d::Constant(1. / std::sqrt(inertia.mass[k])));
   return root;
 }
 
@@ -93,11 +97,11 @@ double largest_frequency(const Sheet &sheet, const SheetInertia &inertia,
                          std::span<const Eigen::Vector3d> positions,
                          double pressure)
 {
-  const std::vector<double> root = inverse_root(inertia);
+  const Field root = inverse_root(inertia);
   const auto scale = [&root](Field &field)
   {
     for (std::size_t k = 0; k < field.size(); ++k)
-      field[k] *= root[k];
+      field[k] = field[k].cwiseProduct(root[k]);
   };
   const auto apply = [&](Field direction)
   {

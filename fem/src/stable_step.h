@@ -9,9 +9,9 @@ namespace fem
 {
 struct SheetInertia
 {
-  std::span<const double> mass;          ///< of nodes [kg]
-  std::span<const std::uint8_t> is_tied; ///< these do not move freely
-  const Followers &midpoints;            ///< without mass
+  std::span<const double> mass;       ///< of nodes [kg]
+  std::span<const std::uint8_t> tied; ///< axes, as MembraneMotion::tied
+  const Followers &midpoints;         ///< without mass
 };
 
 /// Largest eigenfrequency of the tangent with lumped masses [rad/s], by the

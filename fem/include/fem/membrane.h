@@ -3,6 +3,7 @@
 #include <fem/implicit_rule.h>
 #include <fem/surface_mesh.h>
 
+#include <array>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -64,6 +65,9 @@ struct NodeSprings
   std::vector<Eigen::Vector3d> rest;      ///< [m]
 };
 
+/// Which of x, y, z are tied.
+using TiedAxes = std::array<bool, 3>;
+
 /// Membrane of codimension one without bending stiffness: total Lagrangian,
 /// plane stress, large displacements, lumped mass,
 /// follower pressure on the outside. Mesh, dofs, masses and output by deal.II;
@@ -78,9 +82,13 @@ public:
   ~Membrane();
   Membrane(Membrane &&) noexcept;
 
-  /// These nodes follow set_tied_velocity instead of their forces; midpoints of
-  /// the mesh among them are passed over, they follow the ends of their edges.
-  void tie(const std::vector<std::int32_t> &nodes);
+  /// These nodes follow set_tied_velocity instead of their forces, along the
+  /// chosen axes; along the others they move freely, as a rim that slides.
+  /// Further calls add axes. Midpoints of the mesh among the nodes are passed
+  /// over, they follow the ends of their edges.
+  void tie(const std::vector<std::int32_t> &nodes,
+           const TiedAxes &axes = {true, true, true});
+  /// Sets the velocity along the tied axes of the node [m/s].
   void set_tied_velocity(std::int32_t node, const Eigen::Vector3d &velocity);
 
   /// Pressure on the outer face, pushing against the outward normal [Pa].
@@ -113,7 +121,8 @@ public:
   /// method with the exact tangent of material, tension and pressure. Throws
   /// std::runtime_error if it does not converge in 30 corrections; the state is
   /// then as before. With a spectral radius of 0 and long steps: equilibrium.
-  /// With springs, which enter the tangent, the load gives way to them.
+  /// With springs, which enter the tangent, the load gives way to them. The
+  /// message names the node with the largest residual and the probable cause.
   void advance(std::span<const Eigen::Vector3d> load, double time_step,
                const ImplicitRule &rule = average_acceleration(),
                const NodeSprings *springs = nullptr);
@@ -129,12 +138,13 @@ public:
   std::span<const Eigen::Vector3d> velocities() const; ///< [m/s]
   /// Lumped, 0 at midpoints, which have given theirs to the ends [kg].
   std::span<const double> nodal_mass() const;
-  bool is_tied(std::int32_t node) const;
+  bool is_tied(std::int32_t node) const; ///< along all axes
+  TiedAxes tied_axes(std::int32_t node) const;
   const SurfaceMesh &mesh() const;
 
-  /// Force that the tied node puts on whatever holds it: internal, pressure
-  /// and contact load [N]. The inertia of the node is left out: whoever holds
-  /// it adds its nodal_mass to the own mass.
+  /// Force that the tied node puts on whatever holds it, along the tied axes:
+  /// internal, pressure and contact load [N]. The inertia of the node is left
+  /// out: whoever holds it adds its nodal_mass to the own mass.
   Eigen::Vector3d reaction(std::int32_t node) const;
 
   /// On a node: internal, pressure and contact load [N]. At a tied node that is
