@@ -297,6 +297,9 @@ struct Watch
   Travelled travelled;
   SecondOf second_of;
 };
+// Clang 14 deduces no arguments of an aggregate without a guide.
+template <class Travelled>
+Watch(std::vector<WatchedPair> &, Travelled, SecondOf) -> Watch<Travelled>;
 
 /// Numbers of the entries by what they are listed by; those on walls stand in
 /// that order.

@@ -1,9 +1,9 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
 #include "expansion_kernels.h"
 
-#include "../contact/lanes.h"
+#include "../contact/lane_rows.h"
 
-#include <cstring>
+#include <bit>
 
 namespace dem::kernel
 {
@@ -43,20 +43,16 @@ inline void fill(Powers &power, double x, double y, int order)
   }
 }
 
+constexpr int reversed(int i)
+{
+  return n_lanes - 1 - i;
+}
+
 /// The lanes have first[0], first[-1], first[-2], ...
 inline Lanes load_reversed(const double *first)
 {
-  using Raw [[gnu::vector_size(sizeof(double) * n_lanes)]] = double;
-  using Places [[gnu::vector_size(sizeof(double) * n_lanes)]] = long long;
-  Places turned = {};
-  for (int lane = 0; lane < n_lanes; ++lane)
-    turned[lane] = n_lanes - 1 - lane;
-  Raw raw;
-  std::memcpy(&raw, first - (n_lanes - 1), sizeof raw);
-  raw = __builtin_shuffle(raw, turned);
-  double values[n_lanes];
-  std::memcpy(values, &raw, sizeof raw);
-  return load(values);
+  const LanePack row = load_pack<n_lanes>(first - (n_lanes - 1));
+  return std::bit_cast<Lanes>(shuffle<n_lanes, reversed>(row, row));
 }
 
 /// p_nm, its derivative by z and half its second one, of two degrees.
