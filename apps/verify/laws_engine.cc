@@ -143,10 +143,12 @@ std::vector<Row> size_ratio()
 }
 
 // Two balls so heavy that they keep their motion, pressed together by delta,
-// slide by s and turn by phi: a = sqrt(R* delta), 1/G* = 2 (2 - nu) / G, R = r
-// / 2 in the rolling spring. They turn so that they do not slide by turning.
-// The way is so short that the branch, which it turns by s / 2r = 5e-7, takes
-// s^2 / 4r off delta: 1e-10 of it.
+// slide by s and turn by phi: a = sqrt(R* delta), 1/G* = 2 (2 - nu) / G, R =
+// r_c / 2 in the rolling spring, r_c = r - delta / 2 from the centre to the
+// contact point. They turn so that they do not slide by turning. The first
+// step, in which their contact begins, is too short to move them. The way is so
+// short that the branch, which it turns by s / 2r = 5e-7, takes s^2 / 4r off
+// delta: 1e-10 of it.
 std::vector<Row> springs()
 {
   constexpr double radius = 0.01, sunk = 1e-5, speed = 1e-5, spin = 2e-4,
@@ -164,7 +166,9 @@ std::vector<Row> springs()
     engine.particles().last().velocity.y() = side * 0.5 * speed;
     engine.particles().last().spin.y() = side * 0.5 * spin;
   }
+  engine.advance(1e-15);
   advance(engine, dt, n_steps);
+  const double lever = radius - 0.5 * sunk;
   const double shear_stiffness =
       8. * 5e8 / (2. * 1.75) * std::sqrt(0.5 * radius * sunk);
   const dem::ContactHistory<double> history = engine.pairs().history(0);
@@ -182,7 +186,7 @@ std::vector<Row> springs()
   return {{"shear spring k_s s", "N", shear_stiffness * speed * moved,
            history.shear.y, 1e-8},
           {"rolling spring k_s R^2 phi", "N m",
-           shear_stiffness * 0.25 * radius * radius * spin * moved,
+           shear_stiffness * 0.25 * lever * lever * spin * moved,
            history.rolling.y, 1e-8},
           {"shear dashpot 2 beta sqrt(m* k_s) ds/dt", "N",
            0.6 * std::sqrt(mass * shear_stiffness) * speed, dashpot, 1e-8},

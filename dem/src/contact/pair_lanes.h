@@ -156,10 +156,8 @@ ContactMotion<Lanes> pair_motion(const Task &task, const StoneLanes &a,
   motion.spin = spin_b - spin_a;
   motion.reduced_mass =
       moving_a.number * moving_b.number / (moving_a.number + moving_b.number);
-  // Entries that only fill the last block know no radius.
-  motion.rolling_radius =
-      pair.radius_a * pair.radius_b /
-      select(pair.overlap > 0., pair.radius_a + pair.radius_b, Lanes(1.));
+  // In contact the sum of both arms is the distance of the centres.
+  motion.rolling_radius = pair.arm_a() * pair.arm_b() * pair.inverse_distance;
   return motion;
 }
 
@@ -174,7 +172,11 @@ NormalSpring<Lanes> pair_spring(const Task &task, std::int64_t k,
     return hertz_spring(load(task.contacts.normal_prefactor + k),
                         load(task.contacts.shear_prefactor + k), pair.overlap);
   }
-  const Lanes root = stdx::sqrt(motion.rolling_radius);
+  // Entries that only fill the last block know no radius.
+  const Lanes radius =
+      pair.radius_a * pair.radius_b /
+      select(pair.overlap > 0., pair.radius_a + pair.radius_b, Lanes(1.));
+  const Lanes root = stdx::sqrt(radius);
   return hertz_spring(Lanes(task.normal_factor * root),
                       Lanes(task.shear_factor * root), pair.overlap);
 }

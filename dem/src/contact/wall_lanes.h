@@ -63,13 +63,12 @@ ContactMotion<Lanes> wall_motion(const StoneLanes &a, const WallLanes &wall,
   motion.velocity = wall.vector(at_wall_velocity) - moving.vector -
                     cross(spin, geometry.distance * geometry.normal);
   // An open contact was where the stone would touch.
-  motion.velocity_before =
-      wall.vector(at_velocity_before) - moving.vector -
-      cross(spin, stdx::min(geometry.distance, geometry.reach) *
-                      motion.normal_before);
+  const Lanes arm = stdx::min(geometry.distance, geometry.reach);
+  motion.velocity_before = wall.vector(at_velocity_before) - moving.vector -
+                           cross(spin, arm * motion.normal_before);
   motion.spin = -spin;
   motion.reduced_mass = moving.number / (1. + moving.number * before.number);
-  motion.rolling_radius = geometry.reach;
+  motion.rolling_radius = arm;
   return motion;
 }
 
@@ -124,7 +123,8 @@ WallHistory load_wall_history(const Task &task, std::int64_t k)
 }
 
 /// Takes from linear springs what they give too much where a contact begins or
-/// ends within the step. Its last force is taken back by a pull.
+/// ends within the step: its last normal force is taken back by a pull, its
+/// first shear force is that of the way since it began.
 void cut_at_crossing(const Task &task, const ContactMotion<Lanes> &motion,
                      const Lanes &overlap, const WallHistory &before,
                      NormalSpring<Lanes> &spring)
@@ -136,6 +136,8 @@ void cut_at_crossing(const Task &task, const ContactMotion<Lanes> &motion,
   const double dt = task.time_step;
   const Lanes stiffness = task.normal_factor * dt * dt / motion.reduced_mass;
   const Lanes closed = -dt * dot(motion.velocity, motion.normal);
+  spring.first_share =
+      select(begins, overlap / stdx::max(overlap, closed), Lanes(1.));
   const Lanes opened = dt * dot(motion.velocity_before, motion.normal_before);
   const Lanes pressing = before.springs.normal_force -
                          dot(before.springs.dashpot, motion.normal_before);

@@ -108,9 +108,24 @@ HertzPrefactors prefactors_of(const ContactBatch &batch, std::size_t k,
 struct Stand
 {
   Vec3 normal = Vec3::UnitX();
-  Vec3 lever_a = Vec3::Zero(), lever_b = Vec3::Zero(); ///< to the contact [m]
+  /// From the centres to the contact point, which is half way in the overlap.
+  Vec3 lever_a = Vec3::Zero(), lever_b = Vec3::Zero(); ///< [m]
   double overlap = 0.;                                 ///< < 0: a gap [m]
 };
+
+/// `lever` less `share` of the overlap (none in a gap), towards the centre.
+Vec3 shortened(const Vec3 &lever, double share, double overlap,
+               const Vec3 &normal)
+{
+  return lever - share * std::max(0., overlap) * normal;
+}
+
+/// 1/R = 1/r_A + 1/r_B with the distances from centre to contact point [m].
+double rolling_radius(const Stand &at)
+{
+  const double r_a = at.lever_a.norm(), r_b = at.lever_b.norm();
+  return r_a * r_b / (r_a + r_b);
+}
 
 /// Where the true surface of a stone has its contact, world frame.
 SurfacePoint point_of(const Particles &stones, std::int32_t stone,
@@ -130,8 +145,9 @@ Stand true_stand(const Particles &stones, const ContactBatch &batch,
   const SurfacePoint b = point_of(stones, batch.b[k], batch.side_b, k);
   const Vec3 branch = stones.position(static_cast<std::size_t>(batch.b[k])) -
                       stones.position(static_cast<std::size_t>(batch.a[k]));
-  return {a.normal, a.position, b.position,
-          (a.position - branch - b.position).dot(a.normal) - batch.slack[k]};
+  const double depth = (a.position - branch - b.position).dot(a.normal);
+  return {a.normal, shortened(a.position, 0.5, depth, a.normal),
+          shortened(b.position, 0.5, depth, -a.normal), depth - batch.slack[k]};
 }
 
 /// Along the branch, by balls or local radii; no overlap if centres coincide.
@@ -151,7 +167,9 @@ Stand branch_stand(const Particles &stones, const ContactBatch &batch,
   const double r_b = is_radial
                          ? reach_of(stones, batch.b[k], batch.side_b, k, -n)
                          : stones.radius(j);
-  return {n, r_a * n, -r_b * n, r_a + r_b - distance};
+  const double overlap = r_a + r_b - distance;
+  return {n, shortened(r_a * n, 0.5, overlap, n),
+          shortened(-r_b * n, 0.5, overlap, -n), overlap};
 }
 
 /// Energy of a Hertz spring at this overlap; none at a gap [J].
@@ -178,12 +196,13 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
                             : branch_stand(stones, batch, k, is_radial);
     const double r_a = stand.lever_a.norm(), r_b = stand.lever_b.norm();
     const Vec3 velocity = stones.velocity(j) - stones.velocity(i);
+    const double half = 0.5 * std::max(0., stand.overlap);
     const double overlap = stand.overlap + ahead.horizon * velocity.norm();
     if (overlap <= 0. || r_a + r_b <= 0.)
       continue;
     const HertzPrefactors prefactors = prefactors_of(
         batch, k, elasticity.pair(stones.material[i], stones.material[j]),
-        1. / r_a, 1. / r_b);
+        1. / (r_a + half), 1. / (r_b + half));
     const NormalSpring<double> spring =
         hertz_spring(prefactors.normal, prefactors.tangential, overlap);
     Contact c;
@@ -197,7 +216,7 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
     c.hertz_prefactor = prefactors.normal;
     c.closing_speed = -velocity.dot(stand.normal);
     c.stored = stored_energy(prefactors.normal, stand.overlap);
-    c.rolling_radius = r_a * r_b / (r_a + r_b);
+    c.rolling_radius = rolling_radius(stand);
     c.reduced_mass =
         stones.mass(i) * stones.mass(j) / (stones.mass(i) + stones.mass(j));
     c.coefficients = coefficients_of(stone);
@@ -205,8 +224,8 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
   }
 }
 
-/// What a wall is to a stone that touches it with this lever; the springs are
-/// linear, make_hertz() takes those of a plate.
+/// What a wall is to a stone with this lever to the contact point; the springs
+/// are linear, make_hertz() takes those of a plate.
 Contact wall_contact(const WallMaterial &wall, const Vec3 &lever,
                      const Vec3 &normal)
 {
@@ -220,7 +239,7 @@ Contact wall_contact(const WallMaterial &wall, const Vec3 &lever,
   return c;
 }
 
-/// From the centre to where the stone of contact k meets a wall.
+/// From the centre to where the surface of the stone of contact k meets a wall.
 Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
                 const Vec3 &normal)
 {
@@ -232,6 +251,15 @@ Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
   return (is_radial ? reach_of(stones, batch.a[k], batch.side_a, k, normal)
                     : stones.radius(static_cast<std::size_t>(batch.a[k]))) *
          normal;
+}
+
+/// From there back to the contact point: to the wall, or half way where true
+/// surfaces meet. `overlap` of the surfaces [m].
+Vec3 lever_at_wall(const ContactBatch &batch, const Vec3 &to_surface,
+                   double overlap, const Vec3 &normal)
+{
+  return shortened(to_surface, batch.layout.has_spots ? 0.5 : 1., overlap,
+                   normal);
 }
 
 /// Overlap of contact k that carries nothing [m].
@@ -256,7 +284,7 @@ void make_hertz(const Engine &engine, const ContactBatch &batch, std::size_t k,
   const ElasticityTable elasticity(engine.parameters());
   const HertzPrefactors prefactors = prefactors_of(
       batch, k, elasticity.on_plate(engine.particles().material[i]),
-      1. / c.rolling_radius, 0.);
+      1. / wall_lever(engine, batch, k, c.normal).norm(), 0.);
   const NormalSpring<double> spring =
       hertz_spring(prefactors.normal, prefactors.tangential, at.grown);
   c.normal_stiffness = spring.stiffness;
@@ -279,14 +307,16 @@ void add_planes(const Engine &engine, const Foresight &ahead,
     if (!plane.is_active)
       continue;
     const Vec3 lever = wall_lever(engine, batch, k, -plane.normal);
-    const double gap =
-        (stones.position(i) + lever - plane.point).dot(plane.normal) +
-        slack_of(batch, k);
+    const double depth =
+        (plane.point - stones.position(i) - lever).dot(plane.normal);
+    const double gap = slack_of(batch, k) - depth;
     const Vec3 velocity = plane.velocity - stones.velocity(i);
     const double closing = ahead.horizon * velocity.norm();
     if (gap >= closing)
       continue;
-    Contact c = wall_contact(parameters.wall, lever, -plane.normal);
+    Contact c = wall_contact(parameters.wall,
+                             lever_at_wall(batch, lever, depth, -plane.normal),
+                             -plane.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k,
                  {-gap, closing - gap, velocity.dot(plane.normal)}, c);
@@ -316,11 +346,14 @@ void add_drum(const Engine &engine, const Foresight &ahead,
     }
     const Vec3 velocity =
         engine.drum().velocity_at(part, at.point) - stones.velocity(i);
-    const double overlap = reach - at.distance - slack_of(batch, k),
+    const double depth = reach - at.distance;
+    const double overlap = depth - slack_of(batch, k),
                  grown = overlap + ahead.horizon * velocity.norm();
     if (grown <= 0.)
       continue;
-    Contact c = wall_contact(parameters.wall, lever, at.normal);
+    Contact c =
+        wall_contact(parameters.wall,
+                     lever_at_wall(batch, lever, depth, at.normal), at.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k, {overlap, grown, -velocity.dot(at.normal)},
                  c);
@@ -357,7 +390,10 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
     const FacetSpot &spot = facets.candidates.spot[k];
     if (!batch.is_touching(k) || spot.triangle < 0)
       continue;
-    const Vec3 lever = wall_lever(engine, batch, k, spot.normal);
+    const double depth =
+        batch.overlap[k] + slack_of(batch, k) - spot.shares.extra;
+    const Vec3 lever = lever_at_wall(
+        batch, wall_lever(engine, batch, k, spot.normal), depth, spot.normal);
     Contact c = wall_contact(facets.material, lever, spot.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k,

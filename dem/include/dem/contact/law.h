@@ -30,9 +30,11 @@ struct ContactMotion
   /// The same and the normal where the contact was in the last step, when its
   /// forces were found: a facet contact may jump.
   Triple<Real> velocity_before, normal_before;
-  Triple<Real> spin;              ///< of B against A [rad/s]
-  Real reduced_mass = Real(0.);   ///< m* [kg]
-  Real rolling_radius = Real(0.); ///< R: 1/R = 1/r_A + 1/r_B [m]
+  Triple<Real> spin;            ///< of B against A [rad/s]
+  Real reduced_mass = Real(0.); ///< m* [kg]
+  /// R: 1/R = 1/r_A + 1/r_B, r from a centre to the contact point, in every
+  /// geometry; a wall has none, R = r_A [m]
+  Real rolling_radius = Real(0.);
 };
 
 /// Stiffness, force and energy of the normal spring at one overlap.
@@ -43,6 +45,10 @@ struct NormalSpring
   Real stiffness = Real(0.); ///< tangent k_n [N/m]
   Real energy = Real(0.);    ///< stored [J]
   Real shear_stiffness = Real(0.); ///< k_s [N/m]
+  /// Mean of k_s over the step in which the contact begins, over k_s at its
+  /// end. Hertz: that of a trapezoid; a linear spring: part of the step in
+  /// which it is there [-]
+  Real first_share = Real(0.5);
 };
 
 /// Share of F delta that a Hertz spring stores: F ~ delta^(3/2).
@@ -84,6 +90,7 @@ DEM_LANE_INLINE NormalSpring<Real> linear_spring(double normal_stiffness,
   spring.force = normal_stiffness * overlap;
   spring.energy = linear_energy(normal_stiffness, overlap);
   spring.shear_stiffness = select(is_touching, Real(shear_stiffness), Real(0.));
+  spring.first_share = Real(1.);
   return spring;
 }
 
@@ -221,23 +228,41 @@ struct Spring
   Triple<Real> moved;         ///< displacement over which it has worked since
 };
 
+/// Stiffness of a spring at the end of a step.
+template <class Real>
+struct SpringStiffness
+{
+  Real value = Real(0.);       ///< 0: the contact is open
+  Real first_share = Real(1.); ///< see NormalSpring::first_share [-]
+};
+
 /// One increment of an elastic-perfectly-plastic spring: turned into the
 /// plane, scaled down when the stiffness falls (so that it makes no energy),
-/// moved by the part of `displacement` in the plane, capped at `limit`.
+/// moved by the part of `displacement` in the plane, capped at `limit`. A
+/// stiffness that rises acts with its mean over the step, one that falls with
+/// its value at the end: both are of second order in the step.
 template <class Real>
 DEM_LANE_INLINE SpringStep<Real>
 advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
-               const Triple<Real> &displacement, const Real &stiffness,
-               const Real &limit)
+               const Triple<Real> &displacement,
+               const SpringStiffness<Real> &stiffness, const Real &limit)
 {
   using std::min;
   using std::sqrt;
-  const Real kept = min(Real(1.), Real(stiffness * old.compliance));
+  const Real &k = stiffness.value;
+  const auto is_there = k > 0., was_there = old.compliance > 0.;
+  const Real compliance_before = select(was_there, old.compliance, Real(1.));
+  const Real k_after = select(is_there, k, Real(1.));
+  // One division for 1 / k of both ends of the step.
+  const Real over_both = 1. / (compliance_before * k_after);
+  const Real mean =
+      select(was_there, Real(0.5 * (k + min(k, Real(k_after * over_both)))),
+             Real(stiffness.first_share * k));
+  const Real kept = min(Real(1.), Real(k * old.compliance));
   const Triple<Real> increment =
       displacement - dot(displacement, normal) * normal;
   SpringStep<Real> step;
-  step.value =
-      kept * turn_into_plane(old.value, normal) + stiffness * increment;
+  step.value = kept * turn_into_plane(old.value, normal) + mean * increment;
   const Real size = dot(step.value, step.value);
   const auto is_sliding = size > limit * limit;
   if (any(is_sliding))
@@ -246,9 +271,8 @@ advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
         is_sliding, limit / sqrt(select(is_sliding, size, Real(1.))), Real(1.));
     step.value = scale * step.value;
   }
-  const auto is_there = stiffness > 0.;
   step.compliance =
-      select(is_there, 1. / select(is_there, stiffness, Real(1.)), Real(0.));
+      select(is_there, Real(compliance_before * over_both), Real(0.));
   step.dissipated =
       0.5 * (dot(old.value, old.moved) + dot(step.value, displacement) +
              dot(old.value, old.value) * old.compliance -
@@ -310,7 +334,7 @@ advance_contact(const ContactMotion<Real> &motion,
   const Real pressing = spring.force + pair.limit_damping * normal_dashpot;
   const SpringStep<Real> shear = advance_spring<Real>(
       {history.shear, history.shear_compliance, moved_before}, n, moved,
-      spring.shear_stiffness, pair.friction * pressing);
+      {spring.shear_stiffness, spring.first_share}, pair.friction * pressing);
   const Triple<Real> shear_dashpot =
       (2. * pair.shear_damping) *
       sqrt(motion.reduced_mass * spring.shear_stiffness) *
@@ -334,7 +358,8 @@ advance_contact(const ContactMotion<Real> &motion,
     const Triple<Real> turn = Real(time_step) * motion.spin;
     const SpringStep<Real> rolling = advance_spring<Real>(
         {history.rolling, history.rolling_compliance, turn}, n, turn,
-        spring.shear_stiffness * motion.rolling_radius * motion.rolling_radius,
+        {spring.shear_stiffness * motion.rolling_radius * motion.rolling_radius,
+         spring.first_share},
         pair.rolling_friction * motion.rolling_radius * pressing);
     lost.rolling += rolling.dissipated;
     history.rolling = rolling.value;
