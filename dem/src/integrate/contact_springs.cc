@@ -1,3 +1,5 @@
+#include "spring_contact.h"
+
 #include <dem/boundary/drum_contacts.h>
 #include <dem/contact/common_normal.h>
 #include <dem/integrate/contact_springs.h>
@@ -9,78 +11,6 @@ namespace dem
 {
 namespace
 {
-/// One contact on its way into the columns.
-struct Contact
-{
-  std::int32_t a = 0;
-  std::array<FarShare, 4> b{};
-  Vec3 normal = Vec3::UnitX(), lever_a = Vec3::Zero(), lever_b = Vec3::Zero();
-  double normal_stiffness = 0., shear_stiffness = 0.; ///< [N/m]
-  double rolling_radius = 0.;                         ///< [m]
-  double reduced_mass = 0.;                           ///< of the dashpots [kg]
-  double hertz_prefactor = 0.; ///< C_H; 0: a linear spring [N/m^1.5]
-  double closing_speed = 0.;   ///< now, along the normal; < 0: opening [m/s]
-  double stored = 0.;          ///< by the normal spring now [J]
-  ContactCoefficients coefficients;
-};
-
-/// How far ahead contacts are foreseen, and which of them count as impacts.
-struct Foresight
-{
-  double horizon = 0.;      ///< 0: contacts as they stand [s]
-  double least_energy = 0.; ///< of an impact that counts [J]
-  double gained_speed = 0.; ///< by gravity before the horizon [m/s]
-};
-
-/// Impacts below this share of the energy of all particles do not count [-].
-constexpr double negligible_impact = 1e-6;
-
-/// Adds the contact to the impacts if what moves in it is more than what its
-/// spring holds: contacts under a load that stays are no impacts.
-void note_impact(const Contact &c, const Foresight &ahead,
-                 ForeseenImpact &impact)
-{
-  const double kinetic =
-      0.5 * c.reduced_mass * c.closing_speed * c.closing_speed;
-  if (ahead.horizon <= 0. || c.hertz_prefactor <= 0. || kinetic < c.stored ||
-      kinetic + c.stored < ahead.least_energy)
-    return;
-  const double speed = std::sqrt(2. * (kinetic + c.stored) / c.reduced_mass) +
-                       ahead.gained_speed;
-  impact.meet(
-      {impact_duration(c.hertz_prefactor, c.reduced_mass, speed), speed, c.a});
-}
-
-/// Of stones on each other, or on a wall.
-template <class Material>
-ContactCoefficients coefficients_of(const Material &material)
-{
-  return {material.friction, material.rolling_friction, material.normal_damping,
-          material.shear_damping};
-}
-
-void append(SpringNetwork &network, const Contact &c, const Foresight &ahead)
-{
-  note_impact(c, ahead, network.impact);
-  const ContactCoefficients &f = c.coefficients;
-  // Without friction the shear spring and its dashpot never hold.
-  const double shear = f.friction > 0. ? c.shear_stiffness : 0.;
-  const double rolling = f.rolling_friction > 0. ? c.shear_stiffness : 0.;
-  network.a.push_back(c.a);
-  network.b.push_back(c.b);
-  network.normal.push_back(c.normal);
-  network.lever_a.push_back(c.lever_a);
-  network.lever_b.push_back(c.lever_b);
-  network.normal_stiffness.push_back(c.normal_stiffness);
-  network.shear_stiffness.push_back(shear);
-  network.rolling_stiffness.push_back(rolling * c.rolling_radius *
-                                      c.rolling_radius);
-  network.normal_dashpot.push_back(
-      2. * f.normal_damping * std::sqrt(c.reduced_mass * c.normal_stiffness));
-  network.shear_dashpot.push_back(2. * f.shear_damping *
-                                  std::sqrt(c.reduced_mass * shear));
-}
-
 /// Radius of the stone towards a world direction, as the last step left it.
 double reach_of(const Particles &stones, std::int32_t stone,
                 const SideColumns &side, std::size_t k, const Vec3 &direction)
@@ -205,7 +135,7 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
         1. / (r_a + half), 1. / (r_b + half));
     const NormalSpring<double> spring =
         hertz_spring(prefactors.normal, prefactors.tangential, overlap);
-    Contact c;
+    SpringContact c;
     c.a = batch.a[k];
     c.b[0] = {batch.b[k], 1.};
     c.normal = stand.normal;
@@ -226,10 +156,10 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
 
 /// What a wall is to a stone with this lever to the contact point; the springs
 /// are linear, make_hertz() takes those of a plate.
-Contact wall_contact(const WallMaterial &wall, const Vec3 &lever,
-                     const Vec3 &normal)
+SpringContact wall_contact(const WallMaterial &wall, const Vec3 &lever,
+                           const Vec3 &normal)
 {
-  Contact c;
+  SpringContact c;
   c.normal = normal;
   c.lever_a = lever;
   c.normal_stiffness = wall.normal_stiffness;
@@ -278,7 +208,7 @@ struct WallMeeting
 
 /// The springs of contact k with a rigid plate at the horizon.
 void make_hertz(const Engine &engine, const ContactBatch &batch, std::size_t k,
-                const WallMeeting &at, Contact &c)
+                const WallMeeting &at, SpringContact &c)
 {
   const auto i = static_cast<std::size_t>(batch.a[k]);
   const ElasticityTable elasticity(engine.parameters());
@@ -314,9 +244,9 @@ void add_planes(const Engine &engine, const Foresight &ahead,
     const double closing = ahead.horizon * velocity.norm();
     if (gap >= closing)
       continue;
-    Contact c = wall_contact(parameters.wall,
-                             lever_at_wall(batch, lever, depth, -plane.normal),
-                             -plane.normal);
+    SpringContact c = wall_contact(
+        parameters.wall, lever_at_wall(batch, lever, depth, -plane.normal),
+        -plane.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k,
                  {-gap, closing - gap, velocity.dot(plane.normal)}, c);
@@ -351,7 +281,7 @@ void add_drum(const Engine &engine, const Foresight &ahead,
                  grown = overlap + ahead.horizon * velocity.norm();
     if (grown <= 0.)
       continue;
-    Contact c =
+    SpringContact c =
         wall_contact(parameters.wall,
                      lever_at_wall(batch, lever, depth, at.normal), at.normal);
     if (batch.layout.is_hertz)
@@ -394,7 +324,7 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
         batch.overlap[k] + slack_of(batch, k) - spot.shares.extra;
     const Vec3 lever = lever_at_wall(
         batch, wall_lever(engine, batch, k, spot.normal), depth, spot.normal);
-    Contact c = wall_contact(facets.material, lever, spot.normal);
+    SpringContact c = wall_contact(facets.material, lever, spot.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k,
                  {batch.overlap[k], batch.overlap[k],
@@ -420,70 +350,6 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
   }
 }
 
-/// Where stones come further before the horizon than the lists see, those that
-/// have nothing near may yet have an impact: on a Hertz plate, or a stone that
-/// does not give way, when both are as fast as the fastest. What is linear is
-/// as stiff at any speed.
-void add_impacts(const Engine &engine, const Foresight &ahead,
-                 SpringNetwork &network)
-{
-  const Particles &stones = engine.particles();
-  const EngineParameters &parameters = engine.parameters();
-  double fastest = 0.;
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    fastest = std::max(fastest, stones.velocity(i).norm());
-  const double speed = 2. * (fastest + ahead.gained_speed);
-  if (speed * ahead.horizon <= engine.listed_gap())
-    return;
-  std::vector<char> is_near(stones.size());
-  for (std::size_t k = 0; k < network.n_contacts(); ++k)
-  {
-    is_near[static_cast<std::size_t>(network.a[k])] = 1;
-    if (const FarShare &far = network.b[k].front();
-        far.body >= 0 && static_cast<std::size_t>(far.body) < stones.size())
-      is_near[static_cast<std::size_t>(far.body)] = 1;
-  }
-  const bool on_plate = parameters.wall.law == WallLaw::hertz;
-  const ContactCoefficients coefficients =
-      on_plate ? coefficients_of(parameters.wall)
-               : coefficients_of(parameters.stone);
-  const ElasticityTable elasticity(parameters);
-  for (std::size_t i = 0; i < stones.size(); ++i)
-  {
-    if (is_near[i])
-      continue;
-    const double curvature = 1. / stones.radius(i),
-                 other = on_plate ? 0. : curvature;
-    const HertzPrefactors prefactors = elliptic_table()(
-        on_plate ? elasticity.on_plate(stones.material[i])
-                 : elasticity.pair(stones.material[i], stones.material[i]),
-        gap_coefficients({curvature, curvature, other, other, 1.}));
-    const NormalSpring<double> spring = hertz_spring(
-        prefactors.normal, prefactors.tangential,
-        std::min(speed * ahead.horizon,
-                 impact_overlap(prefactors.normal, stones.mass(i), speed)));
-    Contact c;
-    c.a = static_cast<std::int32_t>(i);
-    c.lever_a = stones.radius(i) * c.normal;
-    c.normal_stiffness = spring.stiffness;
-    c.shear_stiffness = spring.shear_stiffness;
-    c.hertz_prefactor = prefactors.normal;
-    c.closing_speed = speed;
-    c.rolling_radius = stones.radius(i);
-    c.reduced_mass = stones.mass(i);
-    c.coefficients = coefficients;
-    append(network, c, ahead);
-  }
-}
-
-Foresight foresight_of(const Engine &engine, double horizon)
-{
-  if (horizon <= 0.)
-    return {};
-  const EngineEnergy energy = engine.energy();
-  return {horizon, negligible_impact * (energy.kinetic + energy.elastic),
-          engine.parameters().gravity.norm() * horizon};
-}
 } // namespace
 
 SpringNetwork contact_springs(const Engine &engine, double horizon)
@@ -521,8 +387,8 @@ double corner_step(const EngineParameters &parameters,
   network.inertia = {lightest.inertia};
   for (int d = 0; d < 3; ++d)
   {
-    Contact c = wall_contact(parameters.wall, -lightest.radius * Vec3::Unit(d),
-                             -Vec3::Unit(d));
+    SpringContact c = wall_contact(
+        parameters.wall, -lightest.radius * Vec3::Unit(d), -Vec3::Unit(d));
     c.reduced_mass = lightest.mass;
     append(network, c, {});
   }
