@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -97,36 +96,21 @@ void set(dealii::ParameterHandler &handler, const Assignment &a)
   handler.leave_subsection();
 }
 
-void parse_prm(dealii::ParameterHandler &handler, const std::string &file)
+void take(dealii::ParameterHandler &handler, const Assignment &a,
+          const std::vector<Parameter> &list, Places &places)
 {
-  std::ifstream in(file);
-  try
-  {
-    skip_byte_order_mark(in);
-    handler.parse_input(in, file);
-  }
-  catch (const std::exception &)
-  {
-    throw InputError(file + ": deal.II's ParameterHandler cannot read it");
-  }
+  check_known(a, list);
+  places[a.section + "/" + a.key] = a.place;
+  set(handler, a);
 }
 
-/// Checks the names of a file, remembers its places, parses it.
+/// Checks the names of a file, remembers its places, takes its values.
+/// deal.II's own parser knows no quotes.
 void take_file(dealii::ParameterHandler &handler, const std::string &file,
                const std::vector<Parameter> &list, Places &places)
 {
-  // ParameterHandler of deal.II 9.4 takes the underscore of a JSON key for an
-  // escape, so entries of a .json are set one by one.
-  const bool is_json = fs::path(file).extension() == ".json";
   for (const Assignment &a : read_assignments(file))
-  {
-    check_known(a, list);
-    places[a.section + "/" + a.key] = a.place;
-    if (is_json)
-      set(handler, a);
-  }
-  if (!is_json)
-    parse_prm(handler, file);
+    take(handler, a, list, places);
 }
 
 std::vector<fs::path> search_folders(const Case &parameters)
@@ -134,14 +118,6 @@ std::vector<fs::path> search_folders(const Case &parameters)
   std::vector<fs::path> folders = data_folders();
   folders.insert(folders.begin(), fs::path(parameters.file).parent_path());
   return folders;
-}
-
-void take(dealii::ParameterHandler &handler, const Assignment &a,
-          const std::vector<Parameter> &list, Places &places)
-{
-  check_known(a, list);
-  places[a.section + "/" + a.key] = a.place;
-  set(handler, a);
 }
 
 bool is_preset(const Override &o)
@@ -360,7 +336,13 @@ std::string find_path(const Case &parameters, const std::string &section,
                       const std::string &key, const std::string &path)
 {
   if (const auto found = path_of(parameters, path))
+  {
+    if (found->find_first_of("\r\n") != std::string::npos)
+      throw InputError(parameters.file + ": " + section + "/" + key + " = " +
+                       path + ": is " + *found +
+                       ": a path must have no line break");
     return *found;
+  }
   std::string looked;
   if (!fs::path(path).is_absolute())
     for (const fs::path &folder : search_folders(parameters))

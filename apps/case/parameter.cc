@@ -137,8 +137,7 @@ std::string allowed(const Parameter &parameter)
           [&](double *) { return range_text("a number", parameter.range); },
           [&](int *) { return range_text("a whole number", parameter.range); },
           [](bool *) { return std::string("true or false"); },
-          [](std::string *)
-          { return std::string("one line of text (UTF-8) without #"); },
+          [](std::string *) { return std::string("one line of text (UTF-8)"); },
           [](const Choice &choice) {
             return (choice.names.size() > 1 ? "one of " : "") +
                    join(choice.names);
@@ -181,7 +180,7 @@ void assign(const Parameter &parameter, const std::string &text)
           },
           [&](std::string *value)
           {
-            if (text.find_first_of("#\n") != std::string::npos ||
+            if (text.find_first_of("\r\n") != std::string::npos ||
                 !is_utf8(text))
               refuse(parameter);
             *value = text;

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -24,7 +25,30 @@ std::string trim(const std::string &text)
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// The lines of a .prm one by one: subsection X, set key = value, end, #.
+/// A value in double quotes, where two of them stand for one. Nothing if the
+/// text is no such value, or has more behind it than a comment.
+std::optional<std::string> quoted_value(const std::string &text)
+{
+  if (!text.starts_with('"'))
+    return {};
+  std::string value;
+  for (std::size_t k = 1; k < text.size(); ++k)
+  {
+    if (text[k] != '"')
+      value += text[k];
+    else if (text.substr(k, 2) == "\"\"")
+      value += text[k++];
+    else if (const std::string rest = trim(text.substr(k + 1));
+             rest.empty() || rest.starts_with('#'))
+      return value;
+    else
+      return {};
+  }
+  return {};
+}
+
+/// The lines of a .prm one by one: subsection X, set key = value,
+/// set key = "value", end, #.
 class PrmScanner
 {
 public:
@@ -33,7 +57,16 @@ public:
   void take(const std::string &raw)
   {
     ++line;
-    const std::string text = trim(raw.substr(0, raw.find('#')));
+    if (take_quoted(raw))
+      return;
+    const std::size_t comment = raw.find('#');
+    const std::string text = trim(raw.substr(0, comment));
+    const bool is_inside = comment != std::string::npos && comment > 0 &&
+                           raw[comment - 1] != ' ' && raw[comment - 1] != '\t';
+    if (is_inside && text.starts_with("set"))
+      refuse("cannot read \"" + trim(raw) +
+             "\": a value with # must be in double quotes, a comment after a "
+             "value must have a blank before its #");
     if (text.empty())
       return;
     const std::size_t blank = std::min(text.find_first_of(" \t"), text.size());
@@ -80,18 +113,37 @@ private:
     section.clear();
   }
 
+  /// set key = "value"; false for any other line.
+  bool take_quoted(const std::string &raw)
+  {
+    const std::string text = trim(raw);
+    const std::size_t equal = text.find('=');
+    if (equal > text.find('#') || equal == std::string::npos ||
+        (!text.starts_with("set ") && !text.starts_with("set\t")))
+      return false;
+    const auto value = quoted_value(trim(text.substr(equal + 1)));
+    if (value)
+      add({section, trim(text.substr(4, equal - 4)), *value, place()});
+    return value.has_value();
+  }
+
   void set(const std::string &rest)
   {
     const std::size_t equal = rest.find('=');
     const Assignment a{section, trim(rest.substr(0, equal)),
                        trim(rest.substr(equal + 1)), place()};
+    if (a.value.ends_with('\\'))
+      refuse(a.section + "/" + a.key + " = " + a.value +
+             ": a value is one line");
+    add(a);
+  }
+
+  void add(const Assignment &a)
+  {
     if (section.empty())
       refuse(a.key + " = " + a.value + ": set outside of a section");
     if (!seen.insert(a.section + "/" + a.key).second)
       refuse(a.section + "/" + a.key + " = " + a.value + ": set twice");
-    if (a.value.ends_with('\\'))
-      refuse(a.section + "/" + a.key + " = " + a.value +
-             ": a value is one line");
     assignments.push_back(a);
   }
 

@@ -52,7 +52,10 @@ def read_case(folder):
         elif line.strip() == "end":
             sections.pop()
         elif found := re.match(r"\s*set (\S+)\s*= *(.*?)\s*$", line):
-            case.setdefault("/".join(sections), {})[found[1]] = found[2]
+            value = found[2]
+            if len(value) > 1 and value[0] == value[-1] == '"':
+                value = value[1:-1].replace('""', '"')
+            case.setdefault("/".join(sections), {})[found[1]] = value
     return case
 
 

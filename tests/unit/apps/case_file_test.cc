@@ -246,6 +246,46 @@ TEST_F(CaseFile, PathsAreSoughtBesideTheCaseFirst)
 }
 
 // Over the case and below what the command line says itself.
+// The resolved case gives the path from the root, through a folder whose name
+// would begin a comment.
+TEST_F(CaseFile, PathsAndTitlesMayHoldAnySign)
+{
+  const std::string lot = "lot #2 \"wet\"";
+  fs::create_directories(folder / lot / "shapes#1");
+  write(lot + "/g.csv", "diameter_m,passing_1\n0.008,0\n0.016,1\n");
+  const std::string text =
+      "subsection Case\n  set title = \"a \"\"quick\"\" test, # 3 \" # plain\n"
+      "end\nsubsection Specimen\n  set gradation = g.csv\n"
+      "  set shapes = \"shapes#1\"\nend\nsubsection Coupling\n"
+      "  set exchange = every_step\nend\n";
+  const Case c = read_case(write(lot + "/case.prm", text), {});
+  EXPECT_EQ(c.title, "a \"quick\" test, # 3 ");
+  EXPECT_EQ(c.specimen.shapes, "shapes#1");
+  const Case again = read_case(write("resolved.prm", resolved_case(c)), {});
+  EXPECT_EQ(again.title, c.title);
+  EXPECT_EQ(again.specimen.gradation, (folder / lot / "g.csv").string());
+  EXPECT_EQ(again.specimen.shapes, (folder / lot / "shapes#1").string());
+  EXPECT_EQ(without_comments(resolved_case(again)),
+            without_comments(resolved_case(c)));
+}
+
+// It used to be read as the folder `shapes`, in silence.
+TEST_F(CaseFile, ASignOfCommentsInAValueIsRefused)
+{
+  const std::string file = write("case.prm", "subsection Specimen\n"
+                                             "  set shapes = shapes#1\nend\n");
+  EXPECT_NE(
+      message_of(file).find(":2: cannot read \"set shapes = shapes#1\": a "
+                            "value with # must be in double quotes"),
+      std::string::npos)
+      << message_of(file);
+  EXPECT_EQ(read_case(write_case("subsection Case\n  set title = \"a\" and b\n"
+                                 "end\n"),
+                      {})
+                .title,
+            "\"a\" and b");
+}
+
 TEST_F(CaseFile, PresetsAreOverTheCase)
 {
   const std::string file = write_case(
