@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
 #include <dlfcn.h>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace
@@ -147,6 +150,17 @@ int fail(const std::string &what, int status)
   std::cerr << "spall: " << line << std::endl;
   return status;
 }
+/// What is printed is a result too: it must have reached its file or pipe.
+int finish_output(int status)
+{
+  std::cout.flush();
+  const std::string why = std::fflush(stdout) == 0
+                              ? "an earlier write failed"
+                              : std::generic_category().message(errno);
+  if (std::ferror(stdout) == 0 || status != 0)
+    return status;
+  return fail("standard output: cannot be written: " + why, 2);
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -154,7 +168,8 @@ int main(int argc, char **argv)
   use_one_blas_thread();
   try
   {
-    return run_program(std::vector<std::string>(argv + 1, argv + argc));
+    return finish_output(
+        run_program(std::vector<std::string>(argv + 1, argv + argc)));
   }
   catch (const InputError &error)
   {

@@ -4,7 +4,7 @@
 #include "errors.h"
 #include "report/run_data.h"
 #include "report/text_table.h"
-#include "run/folder.h"
+#include "run/whole_file.h"
 #include "study/programs.h"
 
 #include <algorithm>

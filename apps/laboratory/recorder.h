@@ -1,7 +1,7 @@
 #pragma once
 
 #include "laboratory/test.h"
-#include "run/folder.h"
+#include "run/csv_file.h"
 
 #include <dem/io/vtk_output.h>
 

@@ -1,6 +1,7 @@
 #include "errors.h"
 #include "laboratory/recorder.h"
 #include "run/checkpoint.h"
+#include "run/folder.h"
 #include "run/options.h"
 #include "run/preparation_store.h"
 #include "run/progress.h"
@@ -125,8 +126,10 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
 }
 } // namespace
 
-void run_lab(const RunOptions &options, const Case &parameters)
+void run_lab(const RunOptions &asked, const Case &parameters)
 {
+  RunOptions options = asked;
+  const std::string note = start_over_if_interrupted(options);
   const std::filesystem::path folder = options.out;
   const std::unique_ptr<LabTest> test = make_lab_test(parameters);
   if (options.until)
@@ -147,6 +150,8 @@ void run_lab(const RunOptions &options, const Case &parameters)
   }
   else
     recorder.start(*test);
+  if (!note.empty())
+    progress.say(note);
   describe(progress, *test);
   use_store(store, *test, progress, options.is_resumed ? nullptr : &recorder);
   run_to_end(*test, recorder,

@@ -2,7 +2,7 @@
 
 #include "errors.h"
 #include "report/text.h"
-#include "run/folder.h"
+#include "run/whole_file.h"
 
 #include <fstream>
 #include <sstream>

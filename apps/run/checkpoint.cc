@@ -134,18 +134,16 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
                       const std::function<void(std::ostream &)> &save,
                       const Progressed &done)
 {
-  write_whole(path,
-              [&](std::ostream &file)
-              {
-                write_digested(file,
-                               [&](std::ostream &out)
-                               {
-                                 write_value(out, magic);
-                                 write_text(out, identity_of(parameters));
-                                 write_progress(out, done);
-                                 save(out);
-                               });
-              });
+  const auto write = [&](std::ostream &out)
+  {
+    write_value(out, magic);
+    write_text(out, identity_of(parameters));
+    write_progress(out, done);
+    save(out);
+  };
+  write_whole(
+      path, [&write](std::ostream &file) { write_digested(file, write); },
+      Durability::on_disk);
 }
 
 bool is_of_this_version(const std::filesystem::path &path)

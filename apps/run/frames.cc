@@ -6,6 +6,8 @@
 #include <dem/measure/network.h>
 
 #include <cstdio>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 namespace spall
@@ -50,11 +52,10 @@ void copy_view(const std::filesystem::path &folder)
   for (const std::filesystem::path &data : data_folders())
   {
     const std::filesystem::path script = data / "paraview" / "view.py";
-    std::error_code status; // frames are worth having without it
-    if (std::filesystem::copy_file(
-            script, folder / "view.py",
-            std::filesystem::copy_options::overwrite_existing, status))
-      return;
+    std::ifstream in(script, std::ios::binary);
+    std::ostringstream text;
+    if (in && text << in.rdbuf()) // frames are worth having without it
+      return write_text(folder / "view.py", text.str(), Durability::usual);
   }
 }
 } // namespace
@@ -79,23 +80,27 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
   const dem::ParticleColumns columns{stones.id, position,    velocity,
                                      spin,      orientation, stones.body,
                                      radius,    mass,        loss};
-  const auto add = [&](int part, const char *label)
+  using Path = const std::string &;
+  const auto add =
+      [&](int part, const char *label, const std::function<void(Path)> &write)
   {
     char name[64];
     std::snprintf(name, sizeof name, "frames/%s_%05d.vtu", label, number);
+    write_by_path(folder / name, write);
     entries.push_back({engine.time(), part, name});
-    return (folder / name).string();
   };
-  dem::write_particles(add(0, "particles"), columns);
-  dem::write_contacts(add(1, "contacts"), contact_lines(engine));
+  add(0, "particles", [&](Path path) { dem::write_particles(path, columns); });
+  add(1, "contacts",
+      [&](Path path) { dem::write_contacts(path, contact_lines(engine)); });
   if (parts.membrane)
-    parts.membrane->write_vtu(add(2, "membrane"));
+    add(2, "membrane", [&](Path path) { parts.membrane->write_vtu(path); });
   if (parts.has_surfaces)
-    dem::write_surfaces(add(3, "surfaces"), columns);
+    add(3, "surfaces", [&](Path path) { dem::write_surfaces(path, columns); });
   int part = 4;
   for (const FrameBody &body : parts.bodies)
-    body.write(add(part++, body.name));
-  write_text(folder / "run.pvd", dem::collection_text(entries));
+    add(part++, body.name, body.write);
+  write_text(folder / "run.pvd", dem::collection_text(entries),
+             Durability::usual);
 }
 
 std::vector<dem::FrameEntry>

@@ -15,6 +15,7 @@ namespace spall
 struct FrameBody
 {
   const char *name;
+  /// Throws if it cannot write the file.
   std::function<void(const std::string &path)> write;
 };
 

@@ -5,10 +5,10 @@
 #include "run/checkpoint.h"
 #include "run/digest.h"
 #include "run/digested.h"
+#include "run/whole_file.h"
 
 #include <dem/io/binary.h>
 
-#include <unistd.h>
 #include <utility>
 
 namespace spall
@@ -71,23 +71,21 @@ bool PreparationStore::take(const std::function<void(std::istream &)> &restore,
 std::string
 PreparationStore::keep(const std::function<void(std::ostream &)> &save) const
 {
-  // Another program may write the same file now.
-  const fs::path draft = file.string() + "." + std::to_string(::getpid());
-  std::ofstream file_out(draft, std::ios::binary);
-  write_digested(file_out,
-                 [&](std::ostream &out)
-                 {
-                   dem::write_value(out, state_layout);
-                   write_text(out, text);
-                   save(out);
-                 });
-  file_out.close();
-  std::error_code status;
-  if (file_out)
-    fs::rename(draft, file, status);
-  if (file_out && !status)
+  const auto write = [&](std::ostream &out)
+  {
+    dem::write_value(out, state_layout);
+    write_text(out, text);
+    save(out);
+  };
+  try
+  {
+    write_shared(file,
+                 [&write](std::ostream &out) { write_digested(out, write); });
     return "preparation kept as " + file.string();
-  fs::remove(draft, status);
-  return file.string() + ": the preparation cannot be kept (disk full?)";
+  }
+  catch (const RunFailure &fault)
+  {
+    return fault.what() + std::string(": the preparation is not kept");
+  }
 }
 } // namespace spall

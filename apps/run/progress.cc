@@ -16,9 +16,10 @@ constexpr const char *cut_at_edge = "\r\x1b[?7l",
 } // namespace
 
 Progress::Progress(const std::string &log_file)
-    : log(log_file, std::ios::app), is_terminal(isatty(STDOUT_FILENO) == 1),
-      started(Clock::now()), last_shown(started)
+    : is_terminal(isatty(STDOUT_FILENO) == 1), started(Clock::now()),
+      last_shown(started)
 {
+  log.open_at_end(log_file);
 }
 
 Progress::~Progress()
@@ -60,6 +61,7 @@ void Progress::say(const std::string &line)
     std::cout << '\n';
   has_open_line = false;
   std::cout << line << std::endl;
-  log << line << std::endl;
+  log.add(line + "\n");
+  log.flush();
 }
 } // namespace spall

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "run/appended_file.h"
 #include "run/time_left.h"
 
 #include <chrono>
-#include <fstream>
 #include <string>
 
 namespace spall
@@ -14,7 +14,8 @@ namespace spall
 class Progress
 {
 public:
-  /// Appends to `log_file`.
+  /// Appends to `log_file`. Throws RunFailure if it cannot be written, as
+  /// say() does.
   explicit Progress(const std::string &log_file);
   ~Progress();
   Progress(const Progress &) = delete;
@@ -31,7 +32,7 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  std::ofstream log;
+  AppendedFile log;
   bool is_terminal;
   bool has_open_line = false;
   Clock::time_point started, last_shown;

@@ -3,6 +3,7 @@
 #include "run/checkpoint.h"
 #include "run/folder.h"
 #include "run/time_left.h"
+#include "run/whole_file.h"
 #include "study/programs.h"
 #include "study/study.h"
 
@@ -86,7 +87,7 @@ std::map<std::string, std::string> cases_in(const fs::path &folder)
 /// Whether nothing would be lost there.
 bool is_free(const fs::path &folder)
 {
-  return !fs::exists(folder) || fs::is_empty(folder);
+  return !fs::exists(folder) || holds_first_traces(folder);
 }
 
 /// Whether the folder has this case, run by a program that knew every key of

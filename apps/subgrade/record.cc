@@ -1,6 +1,6 @@
 #include "subgrade/record.h"
 
-#include "case/parameter.h"
+#include "run/csv_file.h"
 
 #include <dem/io/binary.h>
 #include <fem/transfer_function.h>
@@ -10,17 +10,6 @@
 
 namespace spall
 {
-namespace
-{
-std::string csv_row(const std::vector<double> &values)
-{
-  std::string line;
-  for (const double value : values)
-    line += (line.empty() ? "" : ",") + number_text(value);
-  return line + "\n";
-}
-} // namespace
-
 void Slice::add(double speed)
 {
   ++n;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "run/folder.h"
+#include "run/csv_file.h"
 #include "triaxial/hysteresis.h"
 #include "triaxial/network_state.h"
 

@@ -1,6 +1,7 @@
 #include "triaxial/network_state.h"
 
-#include "run/folder.h"
+#include "run/csv_file.h"
+#include "run/whole_file.h"
 
 #include <dem/measure/region_stress.h>
 
@@ -135,10 +136,9 @@ void write_profile(const std::filesystem::path &path,
 {
   const dem::LayerProfile &lateral = profile.lateral,
                           &platens = profile.platens;
-  CsvFile file;
-  file.open(path, "distance_m,porosity_lateral_1,coordination_lateral_1,"
-                  "n_stones_lateral_1,porosity_platens_1,"
-                  "coordination_platens_1,n_stones_platens_1");
+  std::string text = "distance_m,porosity_lateral_1,coordination_lateral_1,"
+                     "n_stones_lateral_1,porosity_platens_1,"
+                     "coordination_platens_1,n_stones_platens_1\n";
   const std::vector<double> &distance =
       lateral.distance.size() > platens.distance.size() ? lateral.distance
                                                         : platens.distance;
@@ -151,8 +151,9 @@ void write_profile(const std::filesystem::path &path,
         row.push_back(k < column->size()
                           ? (*column)[k]
                           : std::numeric_limits<double>::quiet_NaN());
-    file.write_row(row);
+    text += csv_row(row);
   }
+  write_text(path, text);
 }
 
 std::vector<double> section_areas(const Triaxial &test)
@@ -164,11 +165,11 @@ std::vector<double> section_areas(const Triaxial &test)
 void write_sections(const std::filesystem::path &path,
                     std::span<const double> areas)
 {
-  CsvFile file;
-  file.open(path, "height_share_1,section_m2");
+  std::string text = "height_share_1,section_m2\n";
   for (std::size_t k = 0; k < areas.size(); ++k)
-    file.write_row(
+    text += csv_row(
         {(static_cast<double>(k) + 0.5) / static_cast<double>(areas.size()),
          areas[k]});
+  write_text(path, text);
 }
 } // namespace spall

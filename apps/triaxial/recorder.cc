@@ -6,6 +6,7 @@
 #include "run/event_rows.h"
 #include "run/frames.h"
 #include "run/ledger_rows.h"
+#include "run/whole_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "run/checkpoint.h"
+#include "run/folder.h"
 #include "run/options.h"
 #include "run/preparation_store.h"
 #include "run/progress.h"
@@ -204,8 +205,10 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
 
 } // namespace
 
-void run_triaxial(const RunOptions &options, const Case &parameters)
+void run_triaxial(const RunOptions &asked, const Case &parameters)
 {
+  RunOptions options = asked;
+  const std::string note = start_over_if_interrupted(options);
   const int all = parameters.loading.n_cycles(),
             cycles = options.until ? std::min(*options.until, all) : all;
   const std::filesystem::path folder = options.out;
@@ -227,6 +230,8 @@ void run_triaxial(const RunOptions &options, const Case &parameters)
   }
   else
     recorder.start();
+  if (!note.empty())
+    progress.say(note);
   describe(progress, test);
   use_store(store, test, progress, options.is_resumed ? nullptr : &recorder);
   run_to_end(test, recorder,

@@ -1,5 +1,7 @@
 #include "membrane_space.h"
 
+#include "output_file.h"
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -13,7 +15,6 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -257,10 +258,6 @@ void MembraneSpace::write_vtu(const std::string &path, const Sheet &sheet,
   // deal.II answers a bad stream with a page of text, so it gets a good one.
   std::ostringstream text;
   output.write_vtu(text);
-  std::ofstream file(path, std::ios::binary);
-  file << text.view();
-  file.close();
-  if (!file)
-    throw std::runtime_error("cannot write " + path);
+  write_output(path, text.view());
 }
 } // namespace fem

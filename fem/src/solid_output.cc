@@ -1,10 +1,10 @@
+#include "output_file.h"
 #include "solid_state.h"
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/grid/reference_cell.h>
 
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 
 namespace fem
 {
@@ -50,20 +50,19 @@ Patch make_patch(const SolidMesh &mesh, const SolidFields &fields,
 void write_solid_vtu(const std::string &path, const SolidMesh &mesh,
                      const SolidFields &fields)
 {
-  std::ofstream file(path);
-  if (!file)
-    throw std::runtime_error("cannot write " + path);
   std::vector<Patch> patches;
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
     patches.push_back(make_patch(mesh, fields, k));
   const auto vector =
       dealii::DataComponentInterpretation::component_is_part_of_vector;
+  dealii::DataOutBase::VtkFlags flags;
+  flags.print_date_and_time = false; // equal runs write equal files
+  std::ostringstream text;
   dealii::DataOutBase::write_vtu(patches, names,
                                  {{0, 2, "displacement_m", vector},
                                   {3, 5, "velocity_m_per_s", vector},
                                   {6, 8, "load_N", vector}},
-                                 dealii::DataOutBase::VtkFlags(), file);
-  if (!file)
-    throw std::runtime_error("cannot write " + path);
+                                 flags, text);
+  write_output(path, text.view());
 }
 } // namespace fem

@@ -14,6 +14,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cerrno>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -22,6 +23,8 @@
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 
 namespace dem
 {
@@ -60,19 +63,29 @@ void add_scalars(vtkDataSetAttributes *data, const char *name, std::size_t n,
   data->AddArray(array);
 }
 
+void write_file(const std::string &path, std::string_view bytes)
+{
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << bytes;
+  file.close();
+  if (!file)
+    throw std::runtime_error(path + ": cannot be written: " +
+                             std::generic_category().message(errno));
+}
+
+/// VTK makes the bytes only: its own writing prints a page about a full disk.
 void write_grid(const std::string &path, vtkUnstructuredGrid *grid)
 {
-  // VTK prints to the screen instead of throwing: try the path first.
-  if (!std::ofstream(path, std::ios::app))
-    throw std::runtime_error("cannot write '" + path + "'");
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(path.c_str());
+  writer->WriteToOutputStringOn();
   writer->SetInputData(grid);
   writer->SetDataModeToAppended();
   writer->SetCompressorTypeToZLib();
   writer->SetIdTypeToInt32();
   if (writer->Write() != 1 || writer->GetErrorCode() != 0)
-    throw std::runtime_error("writing '" + path + "' failed (disk full?)");
+    throw std::runtime_error(path + ": VTK cannot make its contents");
+  write_file(path, writer->GetOutputString());
 }
 
 void add_particle_fields(vtkPointData *data, const ParticleColumns &in)
