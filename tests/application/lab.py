@@ -63,9 +63,13 @@ def near(name, found, expected, tolerance):
         f"{name} = {found}: must be {expected} within {tolerance} of it"]
 
 
-def resumed_faults(whole, resumed, names):
+def resumed_faults(whole, resumed, names, frames=("",)):
+    """Tables and the frames with one of these in their names, by the byte."""
+    frames = sorted({f"frames/{path.name}" for folder in (whole, resumed)
+                     for path in (folder / "frames").iterdir()
+                     if any(part in path.name for part in frames)})
     faults = [f"{name} differs after a restart"
-              for name in differing(resumed, whole, names)]
+              for name in differing(resumed, whole, [*names, *frames])]
     return faults + summary_faults(summary(resumed), summary(whole))
 
 
