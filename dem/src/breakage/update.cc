@@ -165,8 +165,8 @@ SpallResult apply_spall(const Body &body, const Spall &spall,
     coefficients[j] -= result.depth * kernel[j];
   if (!is_exact)
     coefficients[0] = article_mean(mean, spall.volume);
-  Body after = own_body(std::move(coefficients), rule);
-  if (!(after.inscribed_radius > 0.))
+  Body after = changed_body(body, std::move(coefficients), rule);
+  if (!(after.least_radius > 0.))
     return result;
   if (shape.inscribed == InscribedSphereAt::free)
     free_corner_radius(after, rule);

@@ -1,28 +1,24 @@
-#include "pace.h"
+#include "sure_climb.h"
 
 #include <dem/contact/common_normal.h>
+#include <dem/contact/wall_place.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem
 {
 SurfacePoint surface_point(const Body &body, const Vec3 &direction)
 {
+  if (body.series)
+    return surface_point(scaled_expansion(body, direction));
   SurfacePoint point;
-  if (!body.series)
-  {
-    point.position = body.scale * direction;
-    point.normal = direction;
-    point.bend =
-        (Mat3::Identity() - direction * direction.transpose()) / body.scale;
-    return point;
-  }
-  RadialExpansion at = expand(*body.series, direction);
-  at.radius *= body.scale;
-  at.gradient *= body.scale;
-  at.hessian *= body.scale;
-  return surface_point(at);
+  point.position = body.scale * direction;
+  point.normal = direction;
+  point.bend =
+      (Mat3::Identity() - direction * direction.transpose()) / body.scale;
+  return point;
 }
 
 SurfacePoint surface_point(const RadialExpansion &at)
@@ -75,10 +71,15 @@ SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation)
 
 namespace
 {
+/// What counts as less deep than the start, of the radius: such a climb has
+/// gone down, over to another place.
+constexpr double surely_less = 1e-6;
+
 Spot climb(const Body &a, const Body &b, const RelativePose &pose,
            const Spot &start, const Pace &pace)
 {
   const double size = std::min(mean_radius(a), mean_radius(b));
+  double first_apart = 0.;
   Spot spot = start;
   spot.is_found = false;
   for (int step = 0; step < pace.most_steps && !spot.is_found; ++step)
@@ -86,6 +87,8 @@ Spot climb(const Body &a, const Body &b, const RelativePose &pose,
     const SurfacePoint on_a = surface_point(a, spot.on_a);
     SurfacePoint on_b = turned(surface_point(b, spot.on_b), pose.rotation);
     on_b.position += pose.position;
+    if (step == 0)
+      first_apart = (on_b.position - on_a.position).norm();
     const NormalStep newton = step_to_common_normal(on_a, on_b, size, pace);
     const Vec3 along_a = shortened(newton.on_a, pace.longest_step * size);
     const Vec3 along_b = shortened(newton.on_b, pace.longest_step * size);
@@ -96,6 +99,62 @@ Spot climb(const Body &a, const Body &b, const RelativePose &pose,
     spot.overlap = newton.overlap;
     spot.is_found = newton.is_lens &&
                     newton.on_a.norm() + newton.on_b.norm() < converged * size;
+  }
+  if (spot.overlap < -first_apart - surely_less * size)
+    spot.is_found = false;
+  return spot;
+}
+} // namespace
+
+namespace
+{
+/// How deep a point in the body frame of A is in B, from the direction that the
+/// last point led to.
+class DepthInB
+{
+public:
+  DepthInB(const Body &b, const RelativePose &pose, const Vec3 &start)
+      : stone(b, pose.position, pose.rotation, 0.), on_b(start)
+  {
+  }
+
+  LocalField operator()(const Vec3 &x)
+  {
+    const WallPlace place = depth_of(stone, x, on_b);
+    if (!place.is_found)
+      return {-std::numeric_limits<double>::infinity(), Vec3::Zero(),
+              Mat3::Zero()};
+    on_b = place.on_stone;
+    // D(y) with grad D = -n and -grad grad D = K (I - D K)^-1.
+    const Frame frame = tangents(place.normal);
+    const Mat2 bend = frame.transpose() * stone.at(on_b).bend * frame;
+    const Mat2 depth = bend * floored(Mat2::Identity() - place.overlap * bend,
+                                      lowest_curvature)
+                                  .inverse();
+    return {place.overlap, -place.normal,
+            -(frame * (0.5 * (depth + depth.transpose())) * frame.transpose())};
+  }
+
+  const Vec3 &foot() const { return on_b; }
+
+private:
+  StoneView stone;
+  Vec3 on_b;
+};
+
+/// The point of A that is deepest in B among its neighbours.
+Spot deepest_point(const Body &a, const Body &b, const RelativePose &pose,
+                   const Spot &start)
+{
+  DepthInB depth(b, pose, start.on_b);
+  const Summit top =
+      climb_surely(a, start.on_a, [&depth](const Vec3 &x) { return depth(x); });
+  Spot spot{top.direction, start.on_b, top.value, top.is_found};
+  if (top.is_found)
+  {
+    // The last look need not have been at the summit.
+    depth(scaled_expansion(a, top.direction).radius * top.direction);
+    spot.on_b = depth.foot();
   }
   return spot;
 }
@@ -108,7 +167,10 @@ Spot polish(const Body &a, const Body &b, const RelativePose &pose,
   for (const Pace &pace : {careful_pace, flat_pace})
     if (!spot.is_found)
       spot = climb(a, b, pose, start, pace);
-  return spot;
+  if (spot.is_found)
+    return spot;
+  const Spot deepest = deepest_point(a, b, pose, start);
+  return deepest.is_found ? deepest : spot;
 }
 
 namespace
@@ -116,6 +178,7 @@ namespace
 Support climb_along(const Body &body, const Vec3 &normal, const Vec3 &start,
                     const Pace &pace)
 {
+  double first_height = 0.;
   const double size = mean_radius(body);
   const Frame frame = tangents(normal);
   Support support;
@@ -128,19 +191,30 @@ Support climb_along(const Body &body, const Vec3 &normal, const Vec3 &start,
         pace.trusted(bend, size).llt().solve(-frame.transpose() * at.normal);
     const Vec3 climb = shortened(frame * along, pace.longest_step * size);
     support.direction = (at.position + climb).normalized();
+    if (step == 0)
+      first_height = at.position.dot(normal);
     support.height = at.position.dot(normal) + 0.5 * along.dot(bend * along);
     support.is_found = bend.trace() > 0. && bend.determinant() > 0. &&
                        at.normal.dot(normal) > 0. &&
                        along.norm() < converged * size;
   }
+  if (support.height < first_height - surely_less * size)
+    support.is_found = false;
   return support;
 }
 } // namespace
 
 Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start)
 {
-  const Support support = climb_along(body, normal, start, usual_pace);
-  return support.is_found ? support
-                          : climb_along(body, normal, start, flat_pace);
+  for (const Pace &pace : {usual_pace, flat_pace})
+    if (const Support support = climb_along(body, normal, start, pace);
+        support.is_found)
+      return support;
+  const Summit top =
+      climb_surely(body, start,
+                   [&normal](const Vec3 &x) {
+                     return LocalField{x.dot(normal), normal, Mat3::Zero()};
+                   });
+  return {top.direction, top.value, top.is_found};
 }
 } // namespace dem

@@ -1,4 +1,4 @@
-#include "pace.h"
+#include "sure_climb.h"
 
 #include <dem/contact/wall_place.h>
 
@@ -61,11 +61,16 @@ SurfacePoint smooth_drum(const Drum &drum, DrumPart part, const Vec3 &x)
 
 namespace
 {
+/// What counts as less deep than the start, of the radius: more than two
+/// expansions of a surface differ by.
+constexpr double surely_less = 1e-4;
+
 WallPlace climb_at(const Pace &pace, StoneView &stone, const Drum &drum,
                    DrumPart part, const WallPlace &start)
 {
   WallPlace place = start;
   place.is_found = false;
+  double first_overlap = 0.;
   for (int step = 0; step < pace.most_steps && !place.is_found; ++step)
   {
     const SurfacePoint &at = stone.at(place.on_stone);
@@ -78,6 +83,8 @@ WallPlace climb_at(const Pace &pace, StoneView &stone, const Drum &drum,
     place.normal = -wall.normal;
     place.point = wall.position;
     place.overlap = (at.position - wall.position).dot(place.normal);
+    if (step == 0)
+      first_overlap = place.overlap;
     place.is_found = newton.is_lens &&
                      newton.on_a.norm() < converged * stone.size() &&
                      at.normal.dot(place.normal) > 0.;
@@ -86,6 +93,41 @@ WallPlace climb_at(const Pace &pace, StoneView &stone, const Drum &drum,
           stone.towards(at.position + shortened(newton.on_a, pace.longest_step *
                                                                  stone.size()));
   }
+  // It has gone down, over to another place.
+  if (place.overlap < first_overlap - surely_less * stone.size())
+    place.is_found = false;
+  return place;
+}
+
+/// The same without a step down, on the series.
+WallPlace climb_drum_surely(const StoneView &stone, const Drum &drum,
+                            DrumPart part, const WallPlace &start)
+{
+  const Mat3 back = stone.orientation().transpose();
+  const auto depth = [&](const Vec3 &x)
+  {
+    const DrumPoint at = nearest_on_drum(drum, part, stone.in_world(x));
+    LocalField field{-at.distance, back * at.normal, Mat3::Zero()};
+    if (part == DrumPart::cylinder)
+    {
+      // The distance from the axis is curved round it.
+      const Vec3 round = back * drum.axis.cross(at.normal);
+      field.hessian = round * round.transpose() /
+                      std::max(drum.radius - at.distance, 0.1 * drum.radius);
+    }
+    return field;
+  };
+  const Summit top = climb_surely(stone.shape(), start.on_stone, depth);
+  WallPlace place = start;
+  place.on_stone = top.direction;
+  const double radius = scaled_expansion(stone.shape(), top.direction).radius;
+  const DrumPoint at =
+      nearest_on_drum(drum, part, stone.in_world(radius * top.direction));
+  place.normal = at.normal;
+  place.point = at.point;
+  place.overlap = -at.distance;
+  place.is_found = top.is_found && (part != DrumPart::cylinder ||
+                                    at.distance < 0.9 * drum.radius);
   return place;
 }
 } // namespace
@@ -93,8 +135,11 @@ WallPlace climb_at(const Pace &pace, StoneView &stone, const Drum &drum,
 WallPlace climb_drum(StoneView &stone, const Drum &drum, DrumPart part,
                      const WallPlace &start)
 {
-  const WallPlace place = climb_at(usual_pace, stone, drum, part, start);
-  return place.is_found ? place : climb_at(flat_pace, stone, drum, part, start);
+  for (const Pace &pace : {usual_pace, flat_pace})
+    if (const WallPlace place = climb_at(pace, stone, drum, part, start);
+        place.is_found)
+      return place;
+  return climb_drum_surely(stone, drum, part, start);
 }
 
 bool is_one_patch(const Vec3 &normal, const Vec3 &other)

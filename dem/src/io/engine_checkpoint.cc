@@ -27,7 +27,7 @@ void save_body(std::ostream &out, const Body &body, const Library &library)
     write_column(out, *body.series);
   for (const double value :
        {body.scale, body.volume, body.inscribed_radius, body.corner_radius,
-        body.circumscribed_radius, body.max_slope})
+        body.circumscribed_radius, body.least_radius, body.max_slope})
     write_value(out, value);
   write_value(out, body.gyration);
   write_value(out, body.principal.coeffs());
@@ -52,7 +52,7 @@ void restore_body(std::istream &in, Body &body, const Library &library)
   }
   for (double *value :
        {&body.scale, &body.volume, &body.inscribed_radius, &body.corner_radius,
-        &body.circumscribed_radius, &body.max_slope})
+        &body.circumscribed_radius, &body.least_radius, &body.max_slope})
     read_value(in, *value);
   read_value(in, body.gyration);
   read_value(in, body.principal.coeffs());

@@ -139,8 +139,7 @@ std::vector<std::uint8_t> solid_points(const Particles &stones,
     const auto holds = [&](const Vec3 &arm)
     {
       const double square = arm.squaredNorm();
-      // The smallest radius over the nodes may be beaten between them.
-      if (square < 0.8 * body.inscribed_radius * body.inscribed_radius)
+      if (square < std::pow(std::max(0., body.least_radius), 2))
         return true;
       if (!body.series || square > std::pow(body.circumscribed_radius, 2))
         return !body.series && square <= std::pow(mean_radius(body), 2);

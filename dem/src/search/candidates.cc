@@ -182,7 +182,7 @@ double steepness(const Particles &particles)
 {
   double largest = 0.;
   for (const Body &body : particles.body)
-    largest = std::max(largest, body.max_slope / body.inscribed_radius);
+    largest = std::max(largest, body.max_slope / body.least_radius);
   return largest;
 }
 } // namespace dem

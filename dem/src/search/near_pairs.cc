@@ -229,7 +229,7 @@ PairFinder::Candidate PairFinder::between_spheres(const Particles &particles,
   return {pair,
           distance - a.circumscribed_radius - b.circumscribed_radius +
               travelled,
-          distance - a.inscribed_radius - b.inscribed_radius - travelled};
+          distance - a.least_radius - b.least_radius - travelled};
 }
 
 void PairFinder::search(const Particles &particles, ContactGeometry geometry,

@@ -46,6 +46,20 @@ public:
     return true;
   }
 
+  /// By how much the gap beside a node that is_least() may be smaller still. If
+  /// it is convex there, a minimum half a step aside is below the node by at
+  /// most half of what the neighbour opposite is above it; as much again is for
+  /// gaps by a map that is interpolated. Infinite beside unknown neighbours.
+  float may_hide(int node) const
+  {
+    const float *const own = &value[place(node)];
+    float highest = *own;
+    for (int down = -1; down <= 1; ++down)
+      for (int right = -1; right <= 1; ++right)
+        highest = std::max(highest, own[down * row + right]);
+    return highest - *own;
+  }
+
 private:
   static constexpr DirectionGrid nodes = RadiusMap::nodes;
   static constexpr int row = nodes.n_azimuth + 2;

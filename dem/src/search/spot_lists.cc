@@ -32,9 +32,10 @@ PairList list_pair(const SpotSearchInput &input, const WatchedPair &watched,
   const MappedPair mapped{input.maps.stone(particles, row_of(pair.first)),
                           input.maps.stone(particles, row_of(pair.second)),
                           pose};
-  const Separation separation =
-      separate(mapped, watched.between.isZero(0.) ? pose.position.normalized()
-                                                  : watched.between);
+  const Separation separation = separate(
+      mapped,
+      watched.between.isZero(0.) ? pose.position.normalized() : watched.between,
+      input.margin);
   PairList list;
   list.between = separation.normal;
   list.clear = std::max(separation.gap, input.margin);

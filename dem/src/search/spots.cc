@@ -12,9 +12,9 @@ namespace dem
 {
 namespace
 {
-/// The gap between nodes may be smaller by this part of the radius: a sharp
-/// corner between them.
-constexpr double fine_slack = 0.08;
+/// Where a map bends between its nodes against the rule of
+/// NodeGaps::may_hide(), by this part of the radius at most.
+constexpr double fine_slack = 0.02;
 /// Two places on a stone nearer than this are one [rad].
 constexpr double one_place = 0.03;
 
@@ -38,21 +38,27 @@ std::array<Ordered, 2> both_ways(const MappedPair &pair,
 {
   const Separation back{
       Vec3(-(pair.pose.rotation.transpose() * separation.normal)),
-      separation.gap};
+      separation.gap, separation.top_b, separation.top_a};
   return {Ordered{pair.a, pair.b, pair.pose, separation, false},
           Ordered{pair.b, pair.a, inverted(pair.pose), back, true}};
 }
 
-/// Calls call(position) for every node of one stone that is nearer to the other
-/// one than its neighbours are, and than `range` [m].
+/// Calls call(position) for every node of one particle that is nearer to the
+/// other one than its neighbours are, where the surface between them may come
+/// within `margin` [m].
 template <class Call>
-void for_nearest_nodes(const Ordered &pair, double range, const Call &call)
+void for_nearest_nodes(const Ordered &pair, double margin, const Call &call)
 {
+  const MappedStone &sampled = pair.sampled;
+  const double scale = sampled.body.scale;
+  const double slack = fine_slack * mean_radius(sampled.body);
+  // The node next to a place is no farther than the place but for what the
+  // sharper of both surfaces bends on the way, which the other does not exceed.
+  const double range = margin + slack + 2. * scale * sampled.map.sag();
   // Nothing of the field is lower along the normal than this face.
-  const double face = pair.sampled.map.height(pair.between.normal).height *
-                          pair.sampled.body.scale +
-                      pair.between.gap;
-  NodeList list(pair.sampled, pair.between.normal, face - range);
+  const double face = pair.between.top_a + pair.between.gap;
+  NodeList list(sampled, pair.between.normal,
+                face - range - scale * sampled.map.spacing());
   std::array<float, kernel::map_nodes + kernel::map_spare> gap;
   find_gaps(pair.field, pair.pose, range, list.points(), list.size(),
             gap.data());
@@ -61,7 +67,9 @@ void for_nearest_nodes(const Ordered &pair, double range, const Call &call)
     gaps.set(list.node(k), gap[static_cast<std::size_t>(k)]);
   gaps.close();
   for (int k = 0; k < list.size(); ++k)
-    if (gap[static_cast<std::size_t>(k)] < range && gaps.is_least(list.node(k)))
+    if (const int node = list.node(k);
+        gap[static_cast<std::size_t>(k)] < range && gaps.is_least(node) &&
+        gap[static_cast<std::size_t>(k)] - gaps.may_hide(node) < margin + slack)
       call(list.position(k));
 }
 
@@ -105,10 +113,11 @@ Spot start_at(const Ordered &search, const Vec3 &position)
   return start;
 }
 
-/// Gap of the hulls along a unit vector, and the vector between their summits.
+/// Tops of the nodes of both maps along a unit vector, the gap between them and
+/// the vector between their summits.
 struct HullGap
 {
-  double gap = 0.;
+  Separation slab;
   Vec3 between = Vec3::Zero();
 };
 
@@ -120,9 +129,30 @@ HullGap hull_gap(const MappedPair &pair, const Vec3 &normal)
   const double scale_a = pair.a.body.scale, scale_b = pair.b.body.scale;
   const Vec3 top_a = scale_a * pair.a.map.point(a.node).cast<double>();
   const Vec3 top_b = scale_b * pair.b.map.point(b.node).cast<double>();
-  return {pair.pose.position.dot(normal) - scale_a * a.height -
-              scale_b * b.height,
+  const double high_a = scale_a * a.height, high_b = scale_b * b.height;
+  return {{normal, pair.pose.position.dot(normal) - high_a - high_b, high_a,
+           high_b},
           pair.pose.position + pair.pose.rotation * top_b - top_a};
+}
+
+/// How much higher than its nodes a surface may be [m].
+double sag_of(const MappedStone &stone)
+{
+  return stone.body.scale * stone.map.sag();
+}
+
+/// Height of a particle along a unit vector of its body frame, on the series:
+/// of the nodes that may lie beside its highest point the highest ones are
+/// climbed from.
+double top_of(const MappedStone &stone, const Vec3 &normal)
+{
+  if (!stone.body.series)
+    return stone.body.scale;
+  const double nodes = stone.body.scale * stone.map.height(normal).height;
+  const std::vector<Spot> found =
+      find_supports(stone, normal, {nodes - 2. * sag_of(stone), 0.});
+  // The table of the nodes is a little higher than they are.
+  return found.empty() ? nodes + sag_of(stone) : found.front().overlap;
 }
 } // namespace
 
@@ -131,11 +161,11 @@ bool is_one_place(const Spot &one, const Spot &other)
   return (one.on_a - other.on_a).squaredNorm() < one_place * one_place;
 }
 
-Separation separate(const MappedPair &pair, const Vec3 &guess)
+Separation separate(const MappedPair &pair, const Vec3 &guess, double margin)
 {
   constexpr int most_steps = 8;
   HullGap now = hull_gap(pair, guess);
-  Separation best{guess, now.gap};
+  Separation best = now.slab;
   // Nearest point to the origin of the segment from the last one to the new
   // summits: a point of the difference of the hulls.
   Vec3 nearest = now.between;
@@ -146,20 +176,29 @@ Separation separate(const MappedPair &pair, const Vec3 &guess)
       break;
     const Vec3 normal = nearest / length;
     now = hull_gap(pair, normal);
-    if (now.gap > best.gap)
-      best = {normal, now.gap};
+    if (now.slab.gap > best.gap)
+      best = now.slab;
     const Vec3 edge = now.between - nearest;
     const double square = edge.squaredNorm();
     if (square == 0.)
       break;
     nearest += std::clamp(-nearest.dot(edge) / square, 0., 1.) * edge;
   }
+  // Surfaces may stand out between their nodes.
+  const double rest_a = sag_of(pair.a), rest_b = sag_of(pair.b);
+  const bool is_open = best.gap > margin && best.gap - rest_a - rest_b < margin;
+  best.top_a = is_open ? top_of(pair.a, best.normal) : best.top_a + rest_a;
+  best.top_b =
+      is_open ? top_of(pair.b, -(pair.pose.rotation.transpose() * best.normal))
+              : best.top_b + rest_b;
+  best.gap = pair.pose.position.dot(best.normal) - best.top_a - best.top_b;
   return best;
 }
 
 bool may_touch(const MappedPair &pair, double margin)
 {
-  const Separation separation = separate(pair, pair.pose.position.normalized());
+  const Separation separation =
+      separate(pair, pair.pose.position.normalized(), margin);
   if (separation.gap > margin)
     return false;
   const auto ways = both_ways(pair, separation);
@@ -181,10 +220,8 @@ SpotSearch find_spots(const MappedPair &pair, const Separation &separation,
   const double size = std::min(mean_radius(a), mean_radius(b));
   // A corner of one may fall between the nodes of the other.
   for (const Ordered &search : both_ways(pair, separation))
-  {
-    const double range = margin + fine_slack * mean_radius(search.sampled.body);
     for_nearest_nodes(
-        search, range,
+        search, margin,
         [&](const Vec3 &position)
         {
           const Spot start = start_at(search, position);
@@ -198,7 +235,6 @@ SpotSearch find_spots(const MappedPair &pair, const Separation &separation,
                    !is_listed(spot, known) && !is_listed(spot, found.spots))
             found.spots.push_back(spot);
         });
-  }
   sort_spots(found.spots);
   return found;
 }
@@ -207,8 +243,8 @@ std::vector<Spot> find_supports(const MappedStone &stone, const Vec3 &normal,
                                 const SupportHeights &heights,
                                 std::span<const Spot> known)
 {
-  const NodeList list(stone, normal,
-                      heights.lowest - fine_slack * mean_radius(stone.body));
+  const double slack = fine_slack * mean_radius(stone.body);
+  const NodeList list(stone, normal, heights.lowest - slack - sag_of(stone));
   NodeGaps depths;
   for (int k = 0; k < list.size(); ++k)
     depths.set(list.node(k), -static_cast<float>(list.position(k).dot(normal)));
@@ -216,7 +252,9 @@ std::vector<Spot> find_supports(const MappedStone &stone, const Vec3 &normal,
   std::vector<Spot> found;
   for (int k = 0; k < list.size(); ++k)
   {
-    if (!depths.is_least(list.node(k)))
+    const int node = list.node(k);
+    if (!depths.is_least(node) ||
+        depths.at(node) - depths.may_hide(node) > slack - heights.lowest)
       continue;
     const Spot start{list.position(k).normalized(), Vec3::UnitZ(), 0., false};
     if (leads_to(start, known) || leads_to(start, found))

@@ -13,11 +13,9 @@ namespace
 {
 constexpr double far = std::numeric_limits<double>::infinity();
 constexpr DirectionGrid nodes = RadiusMap::nodes;
-/// Nodes of the first look: every fourth ring and column.
-constexpr int stride = 4;
-/// A node may be nearer than one of the first look beside it by at most this
-/// part of the largest radius; between nodes the gap may be smaller by this.
-constexpr double coarse_slack = 0.4, fine_slack = 0.04;
+/// Where a surface bends between nodes against the rule of
+/// NodeGaps::may_hide(), by this part of the radius at most.
+constexpr double fine_slack = 0.02;
 /// Two places on a stone nearer than this are one [rad].
 constexpr double one_place = 0.03;
 
@@ -34,30 +32,39 @@ Vec3 node_point(const PosedStone &stone, int node)
 }
 
 /// Calls call(node) for every node whose distance from a wall is least among
-/// its neighbours' and below `range`; `distance` tells that of a point, and may
-/// be infinite.
+/// its neighbours', where the surface between them may come within `margin`
+/// [m]; `distance(point, within)` is that of a point, and may be infinite
+/// beyond `within`.
 template <class Distance, class Call>
-void for_nearest_nodes(const PosedStone &stone, double range,
+void for_nearest_nodes(const PosedStone &stone, double margin,
                        const Distance &distance, const Call &call)
 {
+  const RadiusMap &map = stone.stone.map;
+  const double scale = stone.stone.body.scale;
+  const double slack = fine_slack * mean_radius(stone.stone.body);
+  // The node next to a place is farther by no more than the surface bends.
+  const double range = margin + slack + scale * map.sag();
   NodeGaps gaps;
-  const double slack = coarse_slack * stone.stone.body.circumscribed_radius;
   std::vector<int> seen;
-  for (int i = 0; i < nodes.n_polar; i += stride)
-    for (int k = 0; k < nodes.n_azimuth; k += stride)
-      if (distance(node_point(stone, i * nodes.n_azimuth + k), range + slack) <
-          range + slack)
-        for (int down = 0; down < stride; ++down)
-          for (int right = 0; right < stride; ++right)
-          {
-            const int node = (i + down) * nodes.n_azimuth + k + right;
-            gaps.set(node, static_cast<float>(
-                               distance(node_point(stone, node), range)));
-            seen.push_back(node);
-          }
+  for (int block = 0; block < RadiusMap::blocks.size(); ++block)
+  {
+    const int first = RadiusMap::first_node(block);
+    const double near = range + scale * map.block_reach(block);
+    if (!(distance(node_point(stone, first), near) < near))
+      continue;
+    for (int down = 0; down < RadiusMap::block_side; ++down)
+      for (int right = 0; right < RadiusMap::block_side; ++right)
+      {
+        const int node = first + down * nodes.n_azimuth + right;
+        gaps.set(node,
+                 static_cast<float>(distance(node_point(stone, node), range)));
+        seen.push_back(node);
+      }
+  }
   gaps.close();
   for (const int node : seen)
-    if (gaps.at(node) < range && gaps.is_least(node))
+    if (gaps.at(node) < range && gaps.is_least(node) &&
+        gaps.at(node) - gaps.may_hide(node) < margin + slack)
       call(node);
 }
 
@@ -277,14 +284,15 @@ WallSearchResult find_on_facets(const PosedStone &stone, const FacetMesh &mesh,
   Places places(stone, margin, known);
   StoneView view = exact_view(stone);
   const MeshDistance nearby(mesh.surface, triangles);
-  const double range = margin + fine_slack * mean_radius(stone.stone.body);
+  const double range = margin + fine_slack * mean_radius(stone.stone.body) +
+                       stone.stone.body.scale * stone.stone.map.sag();
   const auto distance = [&nearby](const Vec3 &x, double within)
   {
     double least = far;
     nearby.nearest(x, within, least);
     return least;
   };
-  for_nearest_nodes(stone, range, distance,
+  for_nearest_nodes(stone, margin, distance,
                     [&](int node)
                     {
                       const Vec3 x = node_point(stone, node);
@@ -320,10 +328,9 @@ WallSearchResult find_on_drum(const PosedStone &stone, const Drum &drum,
 {
   Places places(stone, margin, known);
   StoneView view = exact_view(stone);
-  const double range = margin + fine_slack * mean_radius(stone.stone.body);
   const auto distance = [&](const Vec3 &x, double)
   { return nearest_on_drum(drum, part, x).distance; };
-  for_nearest_nodes(stone, range, distance,
+  for_nearest_nodes(stone, margin, distance,
                     [&](int node)
                     {
                       WallPlace start;

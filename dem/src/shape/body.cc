@@ -4,6 +4,7 @@
 #include <dem/shape/body.h>
 #include <dem/shape/form.h>
 #include <dem/shape/measures.h>
+#include <dem/shape/radius_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,10 @@ namespace dem
 {
 namespace
 {
-// The nodes miss the true maxima by a little: on the shapes of data/shapes/
-// at most 1 % of r and 3 % of the slope (unit test).
-constexpr double radius_margin = 1.02;
-constexpr double slope_margin = 1.08;
+// Bounds farther than this from the values at the nodes are computed again, in
+// parts of the largest radius and of the largest slope at a node.
+constexpr double loose_radius = 0.03;
+constexpr double loose_slope = 0.25;
 
 double ball_radius(const Coefficients &coefficients)
 {
@@ -57,21 +58,72 @@ void set_gyration(std::span<const double> radii, const SphereQuadrature &rule,
   body.principal = Quaternion(frame).normalized();
 }
 
-/// Everything but the series, from the nodes.
+/// Radius and slope at the nodes of a rule, and their extremes.
+struct NodeFields
+{
+  std::vector<double> radii, slopes;
+  double lowest = 0., highest = 0., steepest = 0.;
+
+  NodeFields(const Coefficients &coefficients, const SphereQuadrature &rule)
+      : radii(node_radii(coefficients, rule)),
+        slopes(detail::node_slopes(coefficients, rule))
+  {
+    const auto [low, high] = std::minmax_element(radii.begin(), radii.end());
+    lowest = *low;
+    highest = *high;
+    steepest = *std::max_element(slopes.begin(), slopes.end());
+  }
+
+  RadiusBounds bounds(const Coefficients &coefficients,
+                      const SphereQuadrature &rule) const
+  {
+    return radius_bounds(coefficients, rule, radii, slopes);
+  }
+
+  bool are_loose(const RadiusBounds &bounds) const
+  {
+    return !(bounds.smallest > 0.) ||
+           bounds.largest > (1. + loose_radius) * highest ||
+           bounds.smallest < lowest - loose_radius * highest ||
+           bounds.slope > (1. + loose_slope) * steepest;
+  }
+};
+
+/// Everything but the series and the bounds, from the nodes.
+Body measured(const NodeFields &nodes, const SphereQuadrature &rule)
+{
+  Body body;
+  body.volume = volume(nodes.radii, rule);
+  body.inscribed_radius = body.corner_radius = nodes.lowest;
+  set_gyration(nodes.radii, rule, body);
+  return body;
+}
+
+void set_bounds(const RadiusBounds &bounds, Body &body)
+{
+  body.circumscribed_radius = bounds.largest;
+  body.least_radius = bounds.smallest;
+  body.max_slope = bounds.slope;
+}
+
 Body measured(const Coefficients &coefficients, const SphereQuadrature &rule)
 {
-  const std::vector<double> radii = node_radii(coefficients, rule);
-  const std::vector<double> slopes = detail::node_slopes(coefficients, rule);
-  const auto [lowest, highest] =
-      std::minmax_element(radii.begin(), radii.end());
-  Body body;
-  body.volume = volume(radii, rule);
-  body.inscribed_radius = body.corner_radius = *lowest;
-  body.circumscribed_radius = radius_margin * *highest;
-  body.max_slope =
-      slope_margin * *std::max_element(slopes.begin(), slopes.end());
-  set_gyration(radii, rule, body);
+  const NodeFields nodes(coefficients, rule);
+  Body body = measured(nodes, rule);
+  set_bounds(nodes.bounds(coefficients, rule), body);
   return body;
+}
+
+/// What the bounds of a shape become by the largest change there can be.
+RadiusBounds widened(const Body &before, const Coefficients &after)
+{
+  Coefficients change = scaled_coefficients(before);
+  change.resize(after.size(), 0.);
+  for (std::size_t j = 0; j < change.size(); ++j)
+    change[j] -= after[j];
+  const DerivativeBounds most = derivative_bounds(change);
+  return {before.circumscribed_radius + most.value,
+          before.least_radius - most.value, before.max_slope + most.first};
 }
 } // namespace
 
@@ -81,7 +133,7 @@ Body make_sphere(double radius)
   body.scale = radius;
   body.volume = 4. / 3. * std::numbers::pi * std::pow(radius, 3);
   body.inscribed_radius = body.corner_radius = radius;
-  body.circumscribed_radius = radius;
+  body.circumscribed_radius = body.least_radius = radius;
   body.gyration.setConstant(0.4 * radius * radius);
   return body;
 }
@@ -105,6 +157,7 @@ Body resized(const Body &body, double radius)
   result.inscribed_radius *= factor;
   result.corner_radius *= factor;
   result.circumscribed_radius *= factor;
+  result.least_radius *= factor;
   result.max_slope *= factor;
   result.gyration *= factor * factor;
   return result;
@@ -114,6 +167,20 @@ Body own_body(Coefficients coefficients, const SphereQuadrature &rule)
 {
   require_order(coefficients);
   Body body = measured(coefficients, rule);
+  body.series = std::make_shared<const Coefficients>(std::move(coefficients));
+  return body;
+}
+
+Body changed_body(const Body &before, Coefficients coefficients,
+                  const SphereQuadrature &rule)
+{
+  require_order(coefficients);
+  const NodeFields nodes(coefficients, rule);
+  Body body = measured(nodes, rule);
+  const RadiusBounds bounds = widened(before, coefficients);
+  set_bounds(nodes.are_loose(bounds) ? nodes.bounds(coefficients, rule)
+                                     : bounds,
+             body);
   body.series = std::make_shared<const Coefficients>(std::move(coefficients));
   return body;
 }

@@ -1,21 +1,24 @@
 #include <dem/shape/quadrature.h>
+#include <dem/shape/radius_bounds.h>
 #include <dem/shape/radius_map.h>
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace dem
 {
 namespace
 {
+constexpr DirectionGrid grid = RadiusMap::nodes;
+
 /// The nodes as a rule to sum series over; its weights are never read.
 const SphereQuadrature &node_rule()
 {
   static const SphereQuadrature rule = []
   {
-    constexpr DirectionGrid grid = RadiusMap::nodes;
     SphereQuadrature made = make_quadrature(grid.n_polar, grid.n_azimuth);
     for (int i = 0; i < grid.n_polar; ++i)
       made.ring_cosine[static_cast<std::size_t>(i)] = grid.direction(i, 0).z();
@@ -27,11 +30,11 @@ const SphereQuadrature &node_rule()
   return rule;
 }
 
-std::vector<Eigen::Vector3f> directions_of(const DirectionGrid &grid)
+std::vector<Eigen::Vector3f> directions_of(const DirectionGrid &over)
 {
   std::vector<Eigen::Vector3f> all;
-  for (int node = 0; node < grid.size(); ++node)
-    all.push_back(grid.direction(node / grid.n_azimuth, node % grid.n_azimuth)
+  for (int node = 0; node < over.size(); ++node)
+    all.push_back(over.direction(node / over.n_azimuth, node % over.n_azimuth)
                       .cast<float>());
   return all;
 }
@@ -50,129 +53,79 @@ const std::vector<Eigen::Vector3f> &side_directions()
   return directions;
 }
 
-/// Every second node of every second ring, as many as there are sides, and as
-/// far from each other.
-constexpr DirectionGrid coarse = RadiusMap::sides;
-static_assert(2 * coarse.n_polar == RadiusMap::nodes.n_polar &&
-              2 * coarse.n_azimuth == RadiusMap::nodes.n_azimuth);
+constexpr int n_blocks = RadiusMap::blocks.size();
+constexpr int block_nodes = RadiusMap::block_side * RadiusMap::block_side;
+static_assert(n_blocks * block_nodes == grid.size());
 
-/// Node of a place in rings of coarse nodes that go round twice.
-constexpr int node_at(int place)
+/// The nodes of every block, one block after the other.
+const std::vector<int> &nodes_by_block()
 {
-  return 2 * (place / (2 * coarse.n_azimuth)) * RadiusMap::nodes.n_azimuth +
-         2 * (place % coarse.n_azimuth);
-}
-
-/// A coarse node seen from a side in column 0 of its ring; that of column k is
-/// at place + k.
-struct Sight
-{
-  int place = 0;
-  float cosine = 0.f; ///< of the angle between them, not less
-};
-
-/// What the sides of each ring see, the nearest first.
-const std::vector<std::vector<Sight>> &sights()
-{
-  static const std::vector<std::vector<Sight>> by_ring = []
+  static const std::vector<int> all = []
   {
-    std::vector<std::vector<Sight>> all(
-        static_cast<std::size_t>(coarse.n_polar));
-    for (int ring = 0; ring < coarse.n_polar; ++ring)
-    {
-      std::vector<Sight> &seen = all[static_cast<std::size_t>(ring)];
-      const Vec3 side = RadiusMap::sides.direction(ring, 0);
-      for (int i = 0; i < coarse.n_polar; ++i)
-        for (int k = 0; k < coarse.n_azimuth; ++k)
-        {
-          const Vec3 node = RadiusMap::nodes.direction(2 * i, 2 * k);
-          seen.push_back({2 * i * coarse.n_azimuth + k,
-                          static_cast<float>(node.dot(side)) + 1e-5f});
-        }
-      std::ranges::sort(seen, std::ranges::greater{}, &Sight::cosine);
-    }
-    return all;
+    std::vector<int> by_block;
+    for (int block = 0; block < n_blocks; ++block)
+      for (int down = 0; down < RadiusMap::block_side; ++down)
+        for (int right = 0; right < RadiusMap::block_side; ++right)
+          by_block.push_back(RadiusMap::first_node(block) +
+                             down * grid.n_azimuth + right);
+    return by_block;
   }();
-  return by_ring;
+  return all;
 }
 
-/// The nodes beside each coarse one, and itself first.
-using Neighbours = std::array<int, 9>;
-
-Neighbours neighbours_of(int node)
-{
-  constexpr DirectionGrid grid = RadiusMap::nodes;
-  Neighbours around{node};
-  std::size_t n = 1;
-  for (int down = -1; down <= 1; ++down)
-    for (int right = -1; right <= 1; ++right)
-      if (down != 0 || right != 0)
-        around[n++] = grid.neighbour(node / grid.n_azimuth,
-                                     node % grid.n_azimuth, down, right);
-  return around;
-}
-
-const std::vector<Neighbours> &neighbours()
-{
-  static const std::vector<Neighbours> by_place = []
-  {
-    std::vector<Neighbours> all;
-    for (int place = 0; place < 2 * coarse.size(); ++place)
-      all.push_back(neighbours_of(node_at(place)));
-    return all;
-  }();
-  return by_place;
-}
-
-/// Finds the nodes that are highest along the sides. The hull of a stone that
-/// has just broken is measured while others wait: only nodes near enough to a
-/// side are looked at.
+/// Finds the nodes that are highest along the sides. The hull of a particle
+/// that has just broken is measured while others wait: only blocks of nodes
+/// that reach high enough are looked at.
 class Summits
 {
 public:
   explicit Summits(const RadiusMap &map)
   {
-    for (int node = 0; node < RadiusMap::nodes.size(); ++node)
+    for (const int node : nodes_by_block())
       points.push_back(map.point(node));
-    for (int place = 0; place < 2 * coarse.size(); ++place)
+    for (int block = 0; block < n_blocks; ++block)
     {
-      rings.push_back(points[static_cast<std::size_t>(node_at(place))]);
-      farthest = std::max(farthest, rings.back().norm());
+      const Eigen::Vector3f &first =
+          points[static_cast<std::size_t>(block * block_nodes)];
+      x[static_cast<std::size_t>(block)] = first.x();
+      y[static_cast<std::size_t>(block)] = first.y();
+      z[static_cast<std::size_t>(block)] = first.z();
+      reach[static_cast<std::size_t>(block)] =
+          static_cast<float>(map.block_reach(block));
     }
   }
 
-  /// The highest of the coarse nodes, or one beside it if that is higher.
-  int along(int side) const
+  /// The highest node; the one of the last side is the first guess.
+  int along(int side)
   {
     const Eigen::Vector3f &direction =
         side_directions()[static_cast<std::size_t>(side)];
-    const int ring = side / coarse.n_azimuth, column = side % coarse.n_azimuth;
-    float highest = 0.f; // the origin is inside
-    int top = 0;
-    for (const Sight &seen : sights()[static_cast<std::size_t>(ring)])
+    float highest = points[last].dot(direction);
+    std::array<float, std::size_t(n_blocks)> bound;
+    for (std::size_t block = 0; block < bound.size(); ++block)
+      bound[block] = x[block] * direction.x() + y[block] * direction.y() +
+                     z[block] * direction.z() + reach[block];
+    for (std::size_t block = 0; block < bound.size(); ++block)
     {
-      if (seen.cosine * farthest < highest)
-        break;
-      const int place = seen.place + column;
-      const float height =
-          rings[static_cast<std::size_t>(place)].dot(direction);
-      if (height > highest)
-      {
-        highest = height;
-        top = place;
-      }
+      if (bound[block] < highest)
+        continue;
+      const std::size_t first = block * std::size_t(block_nodes);
+      for (std::size_t k = first; k < first + std::size_t(block_nodes); ++k)
+        if (const float height = points[k].dot(direction); height > highest)
+        {
+          highest = height;
+          last = k;
+        }
     }
-    const Neighbours &around = neighbours()[static_cast<std::size_t>(top)];
-    return *std::ranges::max_element(
-        around, {},
-        [&](int node)
-        { return points[static_cast<std::size_t>(node)].dot(direction); });
+    return nodes_by_block()[last];
   }
 
 private:
-  std::vector<Eigen::Vector3f> points; ///< all nodes
-  std::vector<Eigen::Vector3f> rings;  ///< the coarse ones, each ring twice
-  float farthest = 0.f;                ///< of those from the origin
+  using Column = std::array<float, std::size_t(n_blocks)>;
+
+  std::vector<Eigen::Vector3f> points; ///< all nodes, block by block
+  Column x, y, z, reach;               ///< of the first node of each block
+  std::size_t last = 0;
 };
 
 std::vector<double> sampled_radii(const Coefficients *series)
@@ -181,39 +134,82 @@ std::vector<double> sampled_radii(const Coefficients *series)
                 : std::vector<double>(
                       static_cast<std::size_t>(RadiusMap::nodes.size()), 1.);
 }
+
+/// Of nodes this far apart no direction is farther than half a diagonal: the
+/// square of that, halved [rad^2].
+constexpr double half_square = 0.25 * (std::numbers::pi / grid.n_polar) *
+                               (std::numbers::pi / grid.n_polar);
+static_assert(grid.n_azimuth == 2 * grid.n_polar);
+
+/// Largest |x''| of x = r(s) s along great circles, (r'' - r) s + 2 r' t, where
+/// no node is farther from the origin than `farthest`.
+double largest_bend(const Coefficients &series, double farthest)
+{
+  const DerivativeBounds most = derivative_bounds(series);
+  const double largest = farthest + half_square * most.second;
+  return std::hypot(most.second + largest, 2. * most.first);
+}
 } // namespace
 
 RadiusMap::RadiusMap(std::shared_ptr<const Coefficients> sampled)
     : series(std::move(sampled))
 {
   radius = GridValues(nodes, sampled_radii(series.get()));
+  measure_nodes();
   measure_hull();
 }
 
-Eigen::Vector3f RadiusMap::point(int node) const
+void RadiusMap::measure_nodes()
 {
-  const auto r = static_cast<float>(
-      radius.at(node / nodes.n_azimuth, node % nodes.n_azimuth));
-  return r * node_directions()[static_cast<std::size_t>(node)];
+  const std::vector<int> &order = nodes_by_block();
+  std::vector<Eigen::Vector3f> points;
+  for (int node = 0; node < nodes.size(); ++node)
+  {
+    points.push_back(point(node));
+    farthest = std::max(farthest, double{points.back().norm()});
+  }
+  const auto at = [&points](int node) -> const Eigen::Vector3f &
+  { return points[static_cast<std::size_t>(node)]; };
+  reach.assign(static_cast<std::size_t>(n_blocks), 0.f);
+  float diagonal = 0.f;
+  for (int k = 0; k < nodes.size(); ++k)
+  {
+    const int node = order[static_cast<std::size_t>(k)],
+              block = k / block_nodes, ring = node / nodes.n_azimuth;
+    float &own = reach[static_cast<std::size_t>(block)];
+    own = std::max(own,
+                   (1.f + 1e-5f) * (at(node) - at(first_node(block))).norm());
+    for (const int down : {-1, 1})
+      for (const int right : {-1, 1})
+        if (down > 0 || ring == 0)
+          diagonal = std::max(
+              diagonal,
+              (at(nodes.neighbour(ring, node % nodes.n_azimuth, down, right)) -
+               at(node))
+                  .norm());
+  }
+  rest = half_square * (series ? largest_bend(*series, farthest) : 1.);
+  widest = 0.5 * double{diagonal} + rest;
 }
 
 void RadiusMap::measure_hull()
 {
-  const Summits summits(*this);
+  Summits summits(*this);
   std::vector<double> heights;
-  double largest = 0.;
   for (int side = 0; side < sides.size(); ++side)
   {
     summit.push_back(summits.along(side));
     const Eigen::Vector3f top = point(summit.back());
     heights.push_back(
         top.dot(side_directions()[static_cast<std::size_t>(side)]));
-    largest = std::max(largest, double{top.norm()});
   }
   hull = GridValues(sides, heights);
-  // Between two sides 0.13 rad apart a point rises by (0.13 / 2)^2 / 2 in
-  // either direction, and corners between nodes by about as much.
-  hull_slack = 0.01 * largest;
+  // Along a side the height of a point p is p.n: in the bilinear table between
+  // four sides it may be missed by step^2 / 8 |p| for either angle. The rest is
+  // that of single precision and of DirectionGrid::locate.
+  constexpr double step = std::numbers::pi / sides.n_polar;
+  static_assert(sides.n_azimuth == 2 * sides.n_polar);
+  hull_slack = (0.25 * step * step + 1e-4) * farthest;
 }
 
 RadiusMap::Height RadiusMap::height(const Vec3 &direction) const

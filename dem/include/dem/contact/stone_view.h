@@ -23,6 +23,10 @@ public:
 
   /// Direction of the body frame towards a point of the world.
   Vec3 towards(const Vec3 &point) const;
+  /// A point of the body frame in the world.
+  Vec3 in_world(const Vec3 &point) const { return position + rotation * point; }
+  const Mat3 &orientation() const { return rotation; } ///< body to world
+  const Body &shape() const { return body; }
   /// Mean radius of the stone [m].
   double size() const { return mean_size; }
   /// The series was asked since the last start_from().

@@ -47,6 +47,6 @@ void rebuild_facets(const Particles &particles, const FacetSurface &surface,
 
 /// c of (1 + c)|v| + reach |omega|, the bound of the speed at which a stone can
 /// close a gap, where overlap is of local radii along the branch: largest
-/// max_slope / inscribed_radius [-].
+/// max_slope / least_radius [-].
 double steepness(const Particles &particles);
 } // namespace dem

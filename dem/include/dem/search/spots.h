@@ -31,14 +31,19 @@ struct Separation
 {
   Vec3 normal = Vec3::UnitZ(); ///< unit, from A to B, body frame of A [-]
   double gap = 0.; ///< between the hulls along it; < 0: they overlap [m]
+  /// No point of A, or of B, is higher from its centre towards the other [m].
+  double top_a = 0., top_b = 0.;
 };
 
 /// The widest slab between the hulls that a few steps find from a first guess
-/// (Gilbert 1966); its gap is a lower bound of that between the stones.
-Separation separate(const MappedPair &pair, const Vec3 &guess);
+/// (Gilbert 1966); its gap is a lower bound of that between the stones. Where
+/// this bound is below `margin` [m] and may not be tight, the tops along the
+/// normal are found on the series.
+Separation separate(const MappedPair &pair, const Vec3 &guess,
+                    double margin = 0.);
 
 /// Whether two stones overlap or come within `margin`, as far as the nodes of
-/// their maps can tell (0.04 of the radius between them) [m].
+/// their maps can tell [m].
 bool may_touch(const MappedPair &pair, double margin);
 
 /// What a search for the places where two stones meet has found.

@@ -20,7 +20,9 @@ struct Body
   double inscribed_radius = 0.; ///< min of r over the quadrature nodes [m]
   /// r_ins that tells corners: the above, or of the largest sphere inside [m]
   double corner_radius = 0.;
-  double circumscribed_radius = 0.; ///< nothing of the stone is outside [m]
+  /// Bounds that hold in every direction, see radius_bounds().
+  double circumscribed_radius = 0.; ///< r is nowhere larger [m]
+  double least_radius = 0.;         ///< r is nowhere smaller [m]
   double max_slope = 0.;            ///< |grad_S r| is nowhere larger [m]
   /// Principal moments of inertia about the origin of the series over the mass
   /// [m^2], and the frame of their axes in the body frame.
@@ -41,9 +43,15 @@ Body make_body(std::shared_ptr<const Coefficients> series, double radius,
 /// are scaled.
 Body resized(const Body &body, double radius);
 
-/// A stone of this shape with exactly these coefficients (after an event).
+/// A particle of this shape with exactly these coefficients.
 Body own_body(Coefficients coefficients,
               const SphereQuadrature &rule = standard_quadrature());
+
+/// The same for a shape that differs little from one that is known (after an
+/// event): its bounds are widened by the largest difference there can be. They
+/// are computed again only when they become loose.
+Body changed_body(const Body &before, Coefficients coefficients,
+                  const SphereQuadrature &rule = standard_quadrature());
 
 /// Tells corners by the largest sphere inside the stone from now on.
 void free_corner_radius(Body &body, const SphereQuadrature &rule);

@@ -46,7 +46,6 @@ protected:
   double size = farthest(map);
 };
 
-// Or one beside it, as every second node is looked at.
 TEST_P(Hull, KnowsTheHighestNodeAlongEachSide)
 {
   for (int side = 0; side < RadiusMap::sides.size(); ++side)
@@ -55,7 +54,7 @@ TEST_P(Hull, KnowsTheHighestNodeAlongEachSide)
         side / RadiusMap::sides.n_azimuth, side % RadiusMap::sides.n_azimuth);
     const int top = map.height(direction).node;
     ASSERT_NEAR(map.point(top).cast<double>().dot(direction),
-                highest_of_all(map, direction), 2e-3 * size)
+                highest_of_all(map, direction), 1e-6 * size)
         << "side " << side;
   }
 }
