@@ -2,12 +2,15 @@
 #include "errors.h"
 #include "shape/file.h"
 #include "shape/generate.h"
+#include "shape/loaded.h"
 #include "shape/report.h"
 #include "shape/words.h"
 
 #include <dem/io/mesh_reader.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -48,6 +51,30 @@ TimedFit fit_file(const ShapeWords &words, const dem::FitOptions &options)
   }
 }
 
+void warn_of_misfit(const std::string &path, const dem::ShapeFit &fit)
+{
+  if (has_misfit(fit))
+    std::fprintf(stderr, "warning: %s: %s\n", path.c_str(),
+                 misfit_text(fit).c_str());
+}
+
+/// Throws InputError where the series misses more of the mesh than allowed.
+void check_misfit(const ShapeWords &words, const dem::ShapeFit &fit)
+{
+  const double misfit =
+      std::max(std::abs(fit.volume_error), std::abs(fit.length_error));
+  if (misfit > words.max_misfit)
+  {
+    char allowed[120];
+    std::snprintf(allowed, sizeof allowed,
+                  "; at most %.3g %% allowed: take a higher order or give "
+                  "--max-misfit",
+                  100. * words.max_misfit);
+    throw InputError(words.inputs[0] + ": " + misfit_text(fit) + allowed);
+  }
+  warn_of_misfit(words.inputs[0], fit);
+}
+
 void report(const std::vector<ShapeFacts> &groups, const std::string &json)
 {
   if (!json.empty())
@@ -73,6 +100,7 @@ int fit_command(const ShapeWords &words)
   if (words.out.empty() || !words.has_order)
     fail_shape_usage();
   const TimedFit timed = fit_file(words, words.fit);
+  check_misfit(words, timed.fit);
   ShapeFile shape;
   shape.order = words.order;
   shape.coefficients = timed.fit.coefficients;
@@ -93,13 +121,16 @@ int fit_command(const ShapeWords &words)
 int info_of_series(const ShapeWords &words)
 {
   if (words.has_unit || words.has_order || words.has_fit)
-    throw InputError("shape: --unit, --order, --from and --max-overhang are "
-                     "for a mesh; " +
+    throw InputError("shape: --unit, --order, --from, --max-overhang and "
+                     "--max-misfit are for a mesh; " +
                      words.inputs[0] + " is a series");
   const ShapeFile shape = read_shape(words.inputs[0]);
   std::printf("%s\n  source: %s\n  licence: %s\n", shape.name.c_str(),
               shape.source.c_str(), shape.licence.c_str());
   report({series_facts(shape.coefficients)}, words.json);
+  // What a run makes of it, and what it refuses.
+  for (const std::string &line : loaded_shape(shape, dem::max_order).warnings)
+    std::fprintf(stderr, "warning: %s\n", line.c_str());
   return 0;
 }
 
@@ -116,6 +147,7 @@ int info_command(const ShapeWords &words)
   report({fit_facts(timed.fit, timed.seconds),
           series_facts(timed.fit.coefficients)},
          words.json);
+  warn_of_misfit(words.inputs[0], timed.fit);
   return 0;
 }
 } // namespace

@@ -1,7 +1,7 @@
 #include "laboratory/single_particle.h"
 
 #include "case/file.h"
-#include "shape/file.h"
+#include "shape/loaded.h"
 
 #include <dem/io/binary.h>
 #include <dem/packing/random.h>
@@ -24,9 +24,9 @@ ShapeLibrary load_shape(const Case &parameters)
   const ParticleParameters &p = parameters.particle;
   if (p.shape.empty())
     return {};
-  return {cut_at(read_shape(find_path(parameters, "Particle", "shape", p.shape))
-                     .coefficients,
-                 p.order)};
+  return {load_with_warnings(
+      read_shape(find_path(parameters, "Particle", "shape", p.shape)),
+      p.order)};
 }
 
 dem::Body make_stone(const Case &parameters, const ShapeLibrary &shapes)

@@ -152,6 +152,7 @@ ShapeFile read_shape(const std::string &path)
 {
   const Json json = parse(path);
   ShapeFile shape;
+  shape.path = path;
   shape.order = read_order(path, json);
   require_convention(path, json);
   double unit = 1.;

@@ -14,6 +14,7 @@ struct ShapeFile
   int order = 0;
   dem::Coefficients coefficients; ///< [m], whatever unit the file has
   std::string name, source, licence;
+  std::string path; ///< it was read from
 };
 
 /// Length of a unit, m, mm or um [m]. Throws InputError.

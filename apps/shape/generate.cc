@@ -175,7 +175,8 @@ int generate_shapes(const ShapeWords &words)
       words.inputs.empty())
     fail_shape_usage();
   if (words.has_unit || words.has_fit)
-    throw InputError("shape: --unit, --from and --max-overhang are for a mesh");
+    throw InputError("shape: --unit, --from, --max-overhang and --max-misfit "
+                     "are for a mesh");
   require_empty(words.out);
   const std::vector<ShapeFile> sample = read_sample(words.inputs);
   const dem::ShapeGenerator generator = make_generator(sample, words.order);

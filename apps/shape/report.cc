@@ -111,10 +111,30 @@ ShapeFacts fit_facts(const dem::ShapeFit &fit, double seconds)
            {"residual_largest_percent", "residual of r, largest", "%",
             100. * fit.residual_max},
            {"volume_error_percent", "volume of the series - of the mesh", "%",
-            100. * (of.volume / fit.mesh_volume - 1.)},
+            100. * fit.volume_error},
+           {"length_error_percent", "length of the series - of the mesh", "%",
+            100. * fit.length_error},
            {"area_error_percent", "area of the series - of the mesh", "%",
             100. * (of.area / fit.mesh_area - 1.)},
            {"time_s", "time of the fit", "s", seconds}}};
+}
+
+bool has_misfit(const dem::ShapeFit &fit)
+{
+  constexpr double much_volume = 0.01, much_length = 0.05;
+  return std::abs(fit.volume_error) > much_volume ||
+         std::abs(fit.length_error) > much_length;
+}
+
+std::string misfit_text(const dem::ShapeFit &fit)
+{
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "order %d does not carry the mesh: the volume of the series "
+                "differs by %.3g %%, its length by %.3g %%",
+                dem::order_of(fit.coefficients.size()), 100. * fit.volume_error,
+                100. * fit.length_error);
+  return text;
 }
 
 void print_facts(const ShapeFacts &facts)

@@ -28,6 +28,11 @@ ShapeFacts series_facts(const dem::Coefficients &coefficients);
 /// what it took [s].
 ShapeFacts fit_facts(const dem::ShapeFit &fit, double seconds);
 
+/// Whether the series misses more than 1 % of the volume or 5 % of the length
+/// of the mesh, and a line that says how much.
+bool has_misfit(const dem::ShapeFit &fit);
+std::string misfit_text(const dem::ShapeFit &fit);
+
 void print_facts(const ShapeFacts &facts);
 
 /// {title: {key: value}}. Throws InputError if the file cannot be written.

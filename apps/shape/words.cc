@@ -51,6 +51,14 @@ void set_overhang(ShapeWords &words, const std::string &word)
           "--max-overhang", word, "0 .. 1");
 }
 
+void set_misfit(ShapeWords &words, const std::string &word)
+{
+  words.max_misfit = number<double>("--max-misfit", word, "0 .. 1");
+  words.has_fit = true;
+  require(words.max_misfit >= 0. && words.max_misfit <= 1., "--max-misfit",
+          word, "0 .. 1");
+}
+
 void set_samples(ShapeWords &words, const std::string &word)
 {
   require(word == "rays" || word == "vertices", "--from", '"' + word + '"',
@@ -88,6 +96,7 @@ const std::map<std::string, Setter> &setters()
   static const std::map<std::string, Setter> all = {
       {"--order", set_order},
       {"--max-overhang", set_overhang},
+      {"--max-misfit", set_misfit},
       {"--from", set_samples},
       {"--unit", set_unit},
       {"--count", set_count},
@@ -136,7 +145,8 @@ void fail_shape_usage(const std::string &what)
   throw InputError(
       "shape: " + what +
       "needs fit MESH --order N --out S.json [--from rays|vertices] "
-      "[--max-overhang F] [--unit m|mm|um] [--json FILE] [--source TEXT] "
+      "[--max-overhang F] [--max-misfit F] [--unit m|mm|um] [--json FILE] "
+      "[--source TEXT] "
       "[--licence TEXT], or info S.json|MESH [--unit m|mm|um] [--json FILE], "
       "or generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
       "[--order N] [--json FILE]");

@@ -3,7 +3,7 @@
 #include "case/digits.h"
 #include "case/file.h"
 #include "errors.h"
-#include "shape/file.h"
+#include "shape/loaded.h"
 #include "specimen/gradation.h"
 #include "specimen/sheet_file.h"
 
@@ -19,15 +19,6 @@
 
 namespace spall
 {
-std::shared_ptr<const dem::Coefficients> cut_at(dem::Coefficients series,
-                                                int order)
-{
-  const auto kept = static_cast<std::size_t>(dem::n_coefficients(order));
-  if (series.size() > kept)
-    series.resize(kept);
-  return std::make_shared<const dem::Coefficients>(std::move(series));
-}
-
 ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
                          const std::string &folder, int order)
 {
@@ -35,7 +26,7 @@ ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
   if (!folder.empty())
     for (const ShapeFile &shape :
          read_shapes(find_path(parameters, section, "shapes", folder)))
-      library.push_back(cut_at(shape.coefficients, order));
+      library.push_back(load_with_warnings(shape, order));
   return library;
 }
 

@@ -15,12 +15,8 @@ namespace spall
 {
 using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
 
-/// A series cut at this order, if it goes beyond.
-std::shared_ptr<const dem::Coefficients> cut_at(dem::Coefficients series,
-                                                int order);
-
 /// The shapes of a folder that the key `shapes` of this section names, cut at
-/// an order; empty: none. Throws InputError.
+/// an order (loaded_shape()); empty: none. Throws InputError.
 ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
                          const std::string &folder, int order = dem::max_order);
 

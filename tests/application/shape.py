@@ -4,7 +4,9 @@
     shape.py SPALL
 """
 import json
+import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -49,6 +51,66 @@ def fit_faults(spall, folder):
             + ([] if 0.9 < series["convexity_1"] < 1. else ["convexity"]))
 
 
+def needle_triangles(ratio, n_rings=96):
+    """A spheroid of half axes 1, 1, ratio in latitudes and longitudes."""
+    n_around = 48
+
+    def point(ring, k):
+        polar, azimuth = math.pi * ring / n_rings, 2 * math.pi * k / n_around
+        return (math.sin(polar) * math.cos(azimuth),
+                math.sin(polar) * math.sin(azimuth),
+                ratio * math.cos(polar))
+
+    for i in range(n_rings):
+        for k in range(n_around):
+            a, b = point(i, k), point(i + 1, k)
+            c, d = point(i + 1, k + 1), point(i, k + 1)
+            if i < n_rings - 1:
+                yield a, b, c
+            if i > 0:
+                yield a, c, d
+
+
+def status_of(spall, folder, *words):
+    """Status and what went to the standard error."""
+    ended = subprocess.run([spall, "shape", *map(str, words)], cwd=folder,
+                           check=False, capture_output=True, text=True)
+    return ended.returncode, ended.stderr
+
+
+def misfit_faults(spall, folder):
+    """A needle of 20:1 at order 30 misses a quarter of its length."""
+    (folder / "needle.stl").write_text(stl(needle_triangles(20)))
+    words = ("fit", "needle.stl", "--order", 30, "--out", "n.json")
+    status, said = status_of(spall, folder, *words)
+    faults = [] if status == 1 and "does not carry" in said \
+        and "--max-misfit" in said else [f"needle is fitted: {said}"]
+    faults += ["refused, but written"] if (folder / "n.json").exists() else []
+    status, said = status_of(spall, folder, *words, "--max-misfit", 0.5,
+                             "--json", "m.json")
+    faults += [] if status == 0 and "warning: needle.stl" in said \
+        else [f"no warning of a misfit: {said}"]
+    length = json.loads((folder / "m.json").read_text())["mesh"][
+        "length_error_percent"]
+    faults += [] if -30 < length < -15 else [f"length error {length} %"]
+    status, said = status_of(spall, folder, "info", "n.json")
+    return faults + ([] if status == 0 and "warning: n.json" in said else
+                     [f"no warning of the series: {said}"])
+
+
+def centroid_faults(spall, folder):
+    """A ball about a point 8 % of its radius off its centre."""
+    series = [0.0] * 9
+    series[0] = math.sqrt(4 * math.pi)
+    series[2] = 0.08 * math.sqrt(4 * math.pi / 3)
+    (folder / "off.json").write_text(json.dumps({
+        "name": "off", "order": 2, "unit": "m", "coefficients": series,
+        "convention": "real orthonormal, no Condon-Shortley phase"}))
+    status, said = status_of(spall, folder, "info", "off.json")
+    return [] if status == 0 and re.search("warning: off.json: the centroid is [78]", said) \
+        else [f"a centroid off its origin: {said}"]
+
+
 def generate_faults(spall, folder):
     sample = [SHAPES / "limestone", SHAPES / "limestone_blocky"]
     for out, count, seed in (("a", 3, 1), ("b", 2, 1), ("c", 2, 2)):
@@ -74,7 +136,9 @@ def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        faults = fit_faults(spall, folder) + generate_faults(spall, folder)
+        faults = (fit_faults(spall, folder) + misfit_faults(spall, folder)
+                  + centroid_faults(spall, folder)
+                  + generate_faults(spall, folder))
     print("\n".join(faults) or "passed")
     return 1 if faults else 0
 

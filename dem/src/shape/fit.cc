@@ -3,6 +3,7 @@
 #include "ray_hits.h"
 
 #include <dem/shape/fit.h>
+#include <dem/shape/measures.h>
 #include <dem/shape/quadrature.h>
 #include <dem/shape/spherical_harmonics.h>
 
@@ -92,6 +93,40 @@ void add_residual(const RadialSamples &samples, ShapeFit &fit)
     throw std::invalid_argument("mesh is too thin for this order: the series "
                                 "has a radius below zero");
 }
+/// Largest minus smallest of a row of heights.
+class Extent
+{
+public:
+  void add(double height)
+  {
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  double width() const { return high - low; }
+
+private:
+  double low = 0., high = 0.; // the centroid is inside
+};
+
+/// What the series misses of the volume and the length of a mesh about its
+/// centroid.
+void add_misfit(const TriangleMesh &mesh, ShapeFit &fit)
+{
+  // A needle may end between the nodes of the standard rule.
+  const SphereQuadrature &rule = sphere_rule(160);
+  const std::vector<double> radii = node_radii(fit.coefficients, rule);
+  fit.volume_error = volume(radii, rule) / fit.mesh_volume - 1.;
+  const Vec3 along = std::ranges::max_element(mesh.points, {},
+                                              [](const Vec3 &point)
+                                              { return point.squaredNorm(); })
+                         ->normalized();
+  Extent of_mesh, of_series;
+  for (const Vec3 &point : mesh.points)
+    of_mesh.add(point.dot(along));
+  for (std::size_t k = 0; k < radii.size(); ++k)
+    of_series.add(radii[k] * rule.direction[k].dot(along));
+  fit.length_error = of_series.width() / of_mesh.width() - 1.;
+}
 } // namespace
 
 ShapeFit fit_shape(const TriangleMesh &mesh, int order,
@@ -116,6 +151,7 @@ ShapeFit fit_shape(const TriangleMesh &mesh, int order,
   fit.coefficients = has_rays ? detail::project(samples, order)
                               : detail::least_squares(samples, order);
   add_residual(samples, fit);
+  add_misfit(closed.mesh, fit);
   return fit;
 }
 } // namespace dem

@@ -36,6 +36,10 @@ struct ShapeFit
   double mesh_area = 0.;            ///< [m^2]
   double residual_rms = 0.;         ///< of r at the samples / mean radius [-]
   double residual_max = 0.;         ///< [-]
+  double volume_error = 0.;         ///< of the series / mesh volume - 1 [-]
+  /// Width of series and mesh along the direction of the mesh's point that is
+  /// farthest from the centroid: their ratio - 1 [-].
+  double length_error = 0.;
   double overhang_fraction = 0.; ///< share of directions hit more than once [-]
   double overhang_loss =
       0.; ///< volume lost by taking one hit / mesh volume [-]
