@@ -196,8 +196,9 @@ void Engine::finish_kick() const
 
 ForceContext Engine::context(double time_step)
 {
-  return {settings,  elasticity, stones,     time_step,
-          travelled, stride,     travel.gaps};
+  return {settings,    elasticity, stones,
+          time_step,   travelled,  stride,
+          travel.gaps, false,      overlap.recent * least_radius};
 }
 
 bool Engine::evaluate_contacts(double time_step)
@@ -221,6 +222,7 @@ bool Engine::run_contacts(const ForceContext &all)
     exchange_factors();
   lost += sum.lost;
   count_places(sum);
+  note_overlap(sum.overlap_ratio);
   return sum.wants_breakage;
 }
 
@@ -272,6 +274,7 @@ void Engine::break_corners()
     travel.gaps += events[e].depth;
   }
   steepest = branch_steepness();
+  least_radius = stones.smallest_radius();
   event_count += static_cast<std::int64_t>(events.size() - before);
   ForceContext still = context(0.);
   still.adds_loads_only = true;

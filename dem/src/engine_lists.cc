@@ -168,6 +168,7 @@ void Engine::rebuild_lists()
     sort_in_space();
   renew_lists();
   steepest = branch_steepness();
+  least_radius = stones.size() > 0 ? stones.smallest_radius() : 0.;
   lists_are_stale = false;
 }
 

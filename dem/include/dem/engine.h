@@ -64,7 +64,8 @@ public:
 
   /// One velocity Verlet step [s]. Velocities of planes and the motion of
   /// facet surfaces (already at the end of the step) are set before. Throws
-  /// std::runtime_error where stones leap by a hundred radii: too long a step.
+  /// std::runtime_error where stones leap by a hundred radii: too long a step;
+  /// OverlapStop where a contact is deeper than OverlapLimits::stop.
   void advance(double time_step);
   /// The same for one who goes on without a look at the stones: the last half
   /// kick waits for the first of the next step, one pass over the stones for
@@ -85,8 +86,9 @@ public:
   /// How soon contacts and lists are renewed, as GeometryParameters has it; the
   /// lists from the next ones on.
   void set_renewal(double refresh_tolerance, double search_margin);
-  /// From now on a stone that has come through a wall does not stop the engine:
-  /// of rough packings, whose overlaps may push some out.
+  /// From now on a stone that has come through a wall does not stop the engine,
+  /// nor does an overlap above OverlapLimits::stop: of rough packings, whose
+  /// overlaps may push some out.
   void let_strays_go() { keeps_inside = false; }
   /// Takes all velocity from the stones; booked as damping.
   void come_to_rest();
@@ -147,6 +149,9 @@ public:
   const SpotEvents &spot_events() const { return spots.events; }
   EngineEnergy energy() const;
   EngineClock clock() const { return spent; }
+  const OverlapRecord &overlaps() const { return overlap; }
+  /// OverlapRecord::recent begins again.
+  void begin_overlap_interval() { overlap.recent = 0.; }
   /// Events since the last call.
   std::vector<BreakageEvent> take_events();
   std::int64_t n_events() const { return event_count; }
@@ -186,6 +191,8 @@ private:
   void meet_walls(double time_step);
   bool run_contacts(const ForceContext &all);
   void count_places(const ForceSum &sum);
+  void note_overlap(double ratio);
+  std::string deepest_contact() const;
   PlacedDrum placed_drum();
   PlacedFacets placed_facets(SurfaceContacts &facets);
   Walls walls_of_planes();
@@ -249,6 +256,8 @@ private:
   std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;
   int refused_count = 0;
   Dissipation lost;
+  OverlapRecord overlap;
+  double least_radius = 0.; ///< no equivalent sphere is smaller [m]
   double released = 0., fractured = 0.;
   std::vector<BreakageEvent> events;
 

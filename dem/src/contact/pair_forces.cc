@@ -53,7 +53,7 @@ ForceSum pair_forces(const ForceContext &context, ContactBatch &batch,
   SurfaceOwner owner{context, batch};
   kernel::Task task = pair_task(owner);
   task.stones.halo = reinterpret_cast<double *>(loads.halo_rows());
-  const ForceSum sum = run_loop(pair_loop(batch), task, batch.size(), ranges);
+  const ForceSum sum = run_loop(pair_loop(batch), task, owner, ranges);
   loads.add_halo(context.particles.load);
   return sum;
 }

@@ -172,21 +172,30 @@ ForceSum &ForceSum::operator+=(const ForceSum &part)
   has_switched |= part.has_switched;
   n_jumps += part.n_jumps;
   n_ended += part.n_ended;
+  overlap_ratio = std::max(overlap_ratio, part.overlap_ratio);
   return *this;
 }
 
-ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
-                  std::vector<RangeSum> &ranges)
+ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
+                  const SurfaceOwner &owner, std::vector<RangeSum> &ranges)
 {
-  const auto n_contacts = static_cast<std::int64_t>(n);
+  const auto n_contacts = static_cast<std::int64_t>(owner.batch.size());
   const std::int64_t size = range_size(n_contacts);
   const std::int64_t n_ranges = (n_contacts + size - 1) / size;
   ranges.assign(static_cast<std::size_t>(n_ranges), RangeSum{});
   // A few contacts are done sooner than threads are woken.
 #pragma omp parallel for schedule(static) if (n_contacts >= 256)
   for (std::int64_t r = 0; r < n_ranges; ++r)
-    loop(task, r * size, std::min((r + 1) * size, n_contacts),
-         ranges[static_cast<std::size_t>(r)]);
+  {
+    const std::int64_t first = r * size,
+                       last = std::min(first + size, n_contacts);
+    RangeSum &range = ranges[static_cast<std::size_t>(r)];
+    loop(task, first, last, range);
+    // While the contacts are in the caches.
+    range.overlap_ratio = largest_overlap_ratio(
+        {owner.batch, owner.context.particles, owner.context.known_overlap},
+        static_cast<std::size_t>(first), static_cast<std::size_t>(last));
+  }
   ForceSum sum;
   for (std::int64_t r = 0; r < n_ranges; ++r)
   {
@@ -201,6 +210,7 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
     sum.has_strayed |= range.has_strayed;
     sum.n_jumps += range.n_jumps;
     sum.n_ended += range.n_ended;
+    sum.overlap_ratio = std::max(sum.overlap_ratio, range.overlap_ratio);
   }
   return sum;
 }

@@ -69,9 +69,10 @@ struct SurfaceOwner
 kernel::Task make_task(SurfaceOwner &owner,
                        const ContactCoefficients &coefficients);
 
-/// Runs a loop over all contacts of the task and adds its loads to the stones.
-ForceSum run_loop(kernel::Loop loop, const kernel::Task &task, std::size_t n,
-                  std::vector<RangeSum> &ranges);
+/// Runs a loop over all contacts of the owner, whose task it is, and adds its
+/// loads to the stones.
+ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
+                  const SurfaceOwner &owner, std::vector<RangeSum> &ranges);
 
 /// Runs a loop over contact k alone with no time passing; returns the energy
 /// that its springs gave up [J]. `make` makes the task of a SurfaceOwner.

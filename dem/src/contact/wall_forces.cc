@@ -61,8 +61,8 @@ ForceSum wall_forces(const ForceContext &context, const Walls &walls,
                      ContactBatch &batch, std::vector<RangeSum> &ranges)
 {
   SurfaceOwner owner{context, batch, walls.rows};
-  return run_loop(wall_loop(walls, batch), wall_task(owner, walls),
-                  batch.size(), ranges);
+  return run_loop(wall_loop(walls, batch), wall_task(owner, walls), owner,
+                  ranges);
 }
 
 double reset_wall(const ForceContext &context, const Walls &walls,

@@ -241,6 +241,8 @@ void Engine::visit_state(Self &self, const Visit &visit)
   visit(self.event_count);
   visit(self.refused_count);
   visit(self.lost);
+  visit(self.overlap);
+  visit(self.least_radius);
   visit(self.travel);
   visit(self.walls_travelled);
   visit(self.sheets_travelled);

@@ -4,6 +4,7 @@
 #include <dem/boundary/plane.h>
 #include <dem/contact/batch.h>
 #include <dem/contact/elasticity_table.h>
+#include <dem/contact/overlap_watch.h>
 #include <dem/contact/pair_loads.h>
 #include <dem/contact/range_sum.h>
 #include <dem/parameters.h>
@@ -41,6 +42,8 @@ struct ForceContext
   /// Forces stay as the last step left them, only loads are added: after some
   /// contacts were reset.
   bool adds_loads_only = false;
+  /// No overlap up to this exceeds the recent ratios of OverlapRecord [m].
+  double known_overlap = 0.;
 };
 
 /// Which columns the contacts of a scene need.
@@ -59,6 +62,7 @@ struct ForceSum
   bool has_strayed = false;  ///< as RangeSum
   int n_jumps = 0;
   int n_ended = 0;
+  double overlap_ratio = 0.; ///< as RangeSum [-]
 
   ForceSum &operator+=(const ForceSum &part);
 };

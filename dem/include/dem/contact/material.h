@@ -1,5 +1,7 @@
 #pragma once
 
+#include <dem/contact/overlap_limits.h>
+
 namespace dem
 {
 /// Stone against stone: rolling-resistant Hertz (article, Table 2).
@@ -73,6 +75,7 @@ struct GeometryParameters
   /// Skin of the right order for the sizes of the scene [m]: where SearchMargin
   /// begins and what it stays near; servo walls may not cross it.
   double usual_skin = 1e-3;
+  OverlapLimits overlap; ///< of all contacts
 
   bool follows_surfaces() const
   {

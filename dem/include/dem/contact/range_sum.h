@@ -19,5 +19,6 @@ struct RangeSum
   bool has_strayed = false;  ///< some contact is no more where it was
   int n_jumps = 0;           ///< loaded contacts that are elsewhere now
   int n_ended = 0;           ///< loaded contacts that have no place any more
+  double overlap_ratio = 0.; ///< largest, as largest_overlap_ratio() [-]
 };
 } // namespace dem

@@ -1,0 +1,96 @@
+// How deep the contacts of the engine are, and when that is too deep.
+#include <dem/engine.h>
+
+#include <cstdio>
+#include <string>
+
+namespace dem
+{
+namespace
+{
+/// A contact of one of the batches.
+struct DeepContact
+{
+  const ContactBatch *batch = nullptr;
+  std::size_t number = 0;
+  double ratio = 0.; ///< overlap over radius [-]
+  std::string wall;  ///< of a contact with a wall
+};
+
+DeepContact deepest_of(const ContactBatch &batch, const Particles &particles)
+{
+  DeepContact deepest{&batch, 0, 0., {}};
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (const double ratio = overlap_ratio(batch, particles, k);
+        batch.is_touching(k) && ratio > deepest.ratio)
+      deepest = {&batch, k, ratio, {}};
+  return deepest;
+}
+
+std::string plane_name(const Plane &plane)
+{
+  char text[80];
+  std::snprintf(text, sizeof text, "the plane of the normal (%.3g, %.3g, %.3g)",
+                plane.normal.x(), plane.normal.y(), plane.normal.z());
+  return text;
+}
+
+std::string particle_name(const Particles &particles, std::size_t i)
+{
+  char text[80];
+  std::snprintf(text, sizeof text, "particle %d (%.3g g, radius %.3g mm)",
+                static_cast<int>(particles.id[i]), 1e3 * particles.mass(i),
+                1e3 * particles.radius(i));
+  return text;
+}
+
+std::string describe(const DeepContact &contact, const Particles &particles)
+{
+  const ContactBatch &batch = *contact.batch;
+  const auto a = static_cast<std::size_t>(batch.a[contact.number]);
+  double radius = particles.radius(a);
+  std::string other = contact.wall;
+  if (batch.layout.has_partners)
+  {
+    const auto b = static_cast<std::size_t>(batch.b[contact.number]);
+    radius = std::min(radius, particles.radius(b));
+    other = particle_name(particles, b);
+  }
+  const Vec3 &at = particles.position(a);
+  char text[200];
+  std::snprintf(text, sizeof text,
+                " overlap by %.3g mm at (%.4g, %.4g, %.4g) m, %.3g of the %s",
+                1e3 * contact.ratio * radius, at.x(), at.y(), at.z(),
+                contact.ratio,
+                batch.layout.has_partners ? "smaller radius" : "radius");
+  return particle_name(particles, a) + " and " + other + text;
+}
+} // namespace
+
+void Engine::note_overlap(double ratio)
+{
+  overlap.note(ratio);
+  if (keeps_inside && ratio > settings.geometry.overlap.stop)
+    throw OverlapStop(deepest_contact());
+}
+
+std::string Engine::deepest_contact() const
+{
+  DeepContact deepest = deepest_of(pair_batch, stones);
+  const auto compare = [&](const ContactBatch &batch, const auto &name)
+  {
+    const DeepContact other = deepest_of(batch, stones);
+    if (other.ratio <= deepest.ratio)
+      return;
+    deepest = other;
+    deepest.wall = name(static_cast<std::size_t>(batch.b[other.number]));
+  };
+  compare(plane_batch,
+          [this](std::size_t plane) { return plane_name(walls[plane]); });
+  compare(drum_batch, [](std::size_t) { return std::string("the drum"); });
+  for (const SurfaceContacts &facets : facet_surfaces)
+    compare(facets.batch, [&facets](std::size_t)
+            { return "the facets '" + facets.name + "'"; });
+  return describe(deepest, stones);
+}
+} // namespace dem
