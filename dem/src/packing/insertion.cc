@@ -189,9 +189,9 @@ std::vector<Placement> insert_stones(std::span<const Body> stones,
     do
     {
       if (++tries > n_tries)
-        throw std::runtime_error("no place for stone " + std::to_string(i + 1) +
-                                 " of " + std::to_string(stones.size()) +
-                                 " in the cloud: lower its solid fraction");
+        throw NoPlace("no place for particle " + std::to_string(i + 1) +
+                      " of " + std::to_string(stones.size()) +
+                      " in the random cloud");
       for (int d = 0; d < 3; ++d)
         place.position[d] =
             std::lerp(box.lower[d], box.upper[d], random.uniform());

@@ -174,7 +174,7 @@ std::vector<Placement> Pouring::cloud_above(double floor,
       Random random(seed + finished.size());
       return insert_stones(layer, box, random);
     }
-    catch (const std::runtime_error &)
+    catch (const NoPlace &)
     {
       if (k == n_tries)
         throw;
@@ -216,7 +216,7 @@ bool Pouring::is_at_rest(const Engine &engine, double limit)
          << " of " << bodies.size() << " is not at rest after "
          << parameters.max_time << " s: resultant forces over weight "
          << now.unbalanced_ratio << ", limit " << limit;
-    throw std::runtime_error(text.str());
+    throw NoRest(text.str());
   }
   return now.unbalanced_ratio < limit;
 }

@@ -4,6 +4,7 @@
 #include <dem/shape/body.h>
 
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace dem
@@ -25,9 +26,16 @@ struct InsertionBox
   bool is_round = false;
 };
 
+/// A particle finds no place in a box.
+class NoPlace : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Random sequential insertion of the stones, in their order, into the box
 /// without overlap along any branch line or towards any face.
-/// Throws std::runtime_error if a stone finds no place in 20 000 tries.
+/// Throws NoPlace if a stone finds none in 20 000 tries.
 std::vector<Placement> insert_stones(std::span<const Body> stones,
                                      const InsertionBox &box, Random &random);
 } // namespace dem

@@ -5,6 +5,7 @@
 
 #include <iosfwd>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace dem
@@ -49,6 +50,13 @@ struct PouringParameters
 /// largest first in each.
 std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n);
 
+/// A layer does not come to rest in time.
+class NoRest : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Fills a room with stones, layer by layer: a cloud of stones falls in, comes
 /// to rest, and is tamped by a plane that comes down until it is felt and the
 /// density is reached (a stroke that springs back is followed by a deeper one)
@@ -91,7 +99,7 @@ public:
   void prepare(Engine &engine);
 
   /// Before each step of the engine: what is due, and the speed of the tamper.
-  /// Throws std::runtime_error if a layer finds no place or no rest.
+  /// Throws NoPlace or NoRest if a layer finds none.
   void steer(Engine &engine, double time_step);
 
   /// Of the whole filling, about: a layer falls and rolls to rest in three
