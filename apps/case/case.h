@@ -157,9 +157,14 @@ struct LoadingParameters
   double amplitude = 100e3;         ///< of the haversine, peak [Pa]
   double frequency = 20.;           ///< [Hz]
   int cycles = 10;
-  double strain_rate = 0.1;         ///< of a compression, of the height [1/s]
-  double final_strain = 0.05;       ///< at the end of a compression [-]
-  double consolidation_time = 0.02; ///< rest on the membrane before [s]
+  double strain_rate = 0.1;   ///< of a compression, of the height [1/s]
+  double final_strain = 0.05; ///< at the end of a compression [-]
+  /// Consolidation on the boundaries of the loading lasts at least this long,
+  /// and until the specimen is at rest [s].
+  double consolidation_time = 0.02;
+  double consolidation_max_time = 1.; ///< to rest after that, or it fails [s]
+  double consolidation_stress_tolerance = 0.02; ///< of each axis at rest [-]
+  double consolidation_unbalanced_ratio = 1e-3; ///< largest at rest [-]
 
   /// Of one load cycle; a compression is one cycle [s].
   double period() const
@@ -194,6 +199,8 @@ struct TimeParameters
   double force_tolerance = 0.01;  ///< of a load cycle, rule error [-]
   double energy_tolerance = 0.01; ///< of a load cycle, rule error [-]
   double local_damping = 0.5;     ///< D_a while loading (article, Table 2) [-]
+  /// A fixed step above the limit of the contacts is no reason to stop.
+  bool allow_unstable_step = false;
 
   /// While stones are prepared: a share of the stable step; 0: as here.
   TimeParameters preparing(double own_safety) const
@@ -258,8 +265,11 @@ struct DrumParameters
   double shelf_height = 0.09;     ///< into the drum; 0: no shelf [m]
   double shelf_thickness = 0.025; ///< [m]
   double turns_per_minute = 32.;
-  double turns = 2000.;       ///< in all [-]
-  double settling_time = 0.5; ///< fall under gravity before the first turn [s]
+  double turns = 2000.; ///< in all [-]
+  /// The charge falls for at least this long, and until it is at rest [s].
+  double settling_time = 0.5;
+  double settling_max_time = 2.; ///< to rest after that, or it turns [s]
+  double settling_unbalanced_ratio = 0.05; ///< at rest, over the weight [-]
   int rows_per_turn = 4;
   int frames_per_turn = 0;
   int checkpoint_every = 1; ///< turns; 0: only at the end

@@ -108,6 +108,15 @@ void check_geometry(const Case &c, const Place &place)
                    "too (stones turn with their inertia tensors then)"});
 }
 
+void check_overlap(const Case &c, const Place &place)
+{
+  const dem::OverlapLimits &limits = c.contact.overlap;
+  if (limits.warning > limits.stop)
+    refuse(place, {"Contact", "overlap_warning", number_text(limits.warning),
+                   "must be at most Contact/overlap_stop = " +
+                       number_text(limits.stop)});
+}
+
 void check_cycle_jump(const Case &c, const Place &place)
 {
   if (c.cycle_jump.is_on() && c.loading.form == LoadForm::compression)
@@ -236,6 +245,7 @@ void check_case(const Case &parameters, const Place &place)
 {
   check_breakage(parameters, place);
   check_geometry(parameters, place);
+  check_overlap(parameters, place);
   check_contact_tangent(parameters, place);
   switch (parameters.kind)
   {

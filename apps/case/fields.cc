@@ -50,6 +50,14 @@ void add_contact(List &list, Case &of)
             "How far beyond contact the lists of candidates look; 0: set at "
             "each rebuild to what costs least at the motion since the last."},
            c.search_margin, between(0., 1.));
+  list.add({"overlap_warning", "-",
+            "Overlap over the radius of the smaller equivalent sphere: a "
+            "warning above it, since Hertz theory no longer holds."},
+           c.overlap.warning, above(0., 1.));
+  list.add({"overlap_stop", "-",
+            "The run fails above this overlap over radius. At 1 a wall reaches "
+            "the centre of a particle."},
+           c.overlap.stop, above(0., 1.));
   list.add({"friction_limit", "-",
             "Normal force in the limits of friction and rolling: elastic, of "
             "the spring alone; total, with its dashpot."},
@@ -189,9 +197,21 @@ void add_loading(List &list, LoadingParameters &l)
            l.strain_rate, above(0., 1e4));
   list.add({"final_strain", "-", "At the end of a compression."},
            l.final_strain, between(1e-6, 0.5));
-  list.add(
-      {"consolidation_time", "s", "Rest at the confinement before cycle 1."},
-      l.consolidation_time, between(0., 1e3));
+  list.add({"consolidation_time", "s",
+            "Shortest consolidation at the confinement before cycle 1. It ends "
+            "when the specimen is at rest."},
+           l.consolidation_time, between(0., 1e3));
+  list.add({"consolidation_max_time", "s",
+            "The run fails if the specimen is not at rest this long after "
+            "consolidation_time."},
+           l.consolidation_max_time, above(0., 1e4));
+  list.add({"consolidation_stress_tolerance", "-",
+            "At rest: the load on the plate and the stress on rigid sides "
+            "differ from the confinement by at most this share."},
+           l.consolidation_stress_tolerance, above(0., 0.5));
+  list.add({"consolidation_unbalanced_ratio", "-",
+            "At rest: largest unbalanced force ratio."},
+           l.consolidation_unbalanced_ratio, above(0., 0.1));
 }
 
 void add_cycle_jump(List &list, CycleJumpParameters &j)
@@ -242,6 +262,10 @@ void add_time(List &list, TimeParameters &t)
            t.energy_tolerance, above(0., 1.));
   list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while loading."},
            t.local_damping, below(0., 1.));
+  list.add({"allow_unstable_step", "-",
+            "true: a fixed step above the limit of the present contacts gives "
+            "warnings; false: the run fails where loading begins with it."},
+           t.allow_unstable_step);
 }
 
 void add_output(List &list, OutputParameters &o)

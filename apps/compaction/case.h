@@ -72,7 +72,11 @@ struct PlateParameters
   int elements = 4; ///< of an elastic plate, from its middle to its rim
   double load = 0.; ///< besides, without mass: a soft spring [N]
   double seating_speed = 0.05; ///< largest, until the stones carry it [m/s]
-  double seating_time = 0.1;   ///< of rest then, before the vibration [s]
+  /// The free plate rests for at least this long, and until it is at rest [s].
+  double seating_time = 0.1;
+  double seating_max_time = 2.;         ///< to rest after that, or it fails [s]
+  double seating_load_tolerance = 0.02; ///< of the static load at rest [-]
+  double seating_unbalanced_ratio = 5e-3; ///< largest at rest [-]
 };
 
 struct VibrationParameters

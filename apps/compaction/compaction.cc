@@ -1,7 +1,10 @@
 #include "compaction/compaction.h"
 
+#include "case/parameter.h"
 #include "compaction/filling.h"
+#include "errors.h"
 #include "run/checkpoint.h"
+#include "run/rest_hint.h"
 
 #include <coupling/membrane_body.h>
 #include <dem/io/binary.h>
@@ -76,12 +79,34 @@ void Compaction::move(double time_step)
 
 void Compaction::fill(double time_step)
 {
-  pouring.steer(engine(), time_step);
+  steer_filling(time_step);
   engine().advance_unseen(time_step);
   if (!pouring.is_done())
     return;
   say_prepared();
   hand_over(height_above_layers());
+}
+
+/// What a layer that finds no place or no rest depends on.
+void Compaction::steer_filling(double time_step)
+{
+  const FillingParameters &f = parameters.filling;
+  try
+  {
+    pouring.steer(engine(), time_step);
+  }
+  catch (const dem::NoPlace &error)
+  {
+    throw RunFailure(std::string(error.what()) + ": Filling/solid_fraction = " +
+                     number_text(f.solid_fraction) +
+                     " must be lower, or Filling/layers more");
+  }
+  catch (const dem::NoRest &error)
+  {
+    throw RunFailure(error.what() + rest_hint("Filling", f.max_time,
+                                              f.unbalanced_ratio,
+                                              f.local_damping));
+  }
 }
 
 std::string Compaction::preparation_text() const
@@ -109,30 +134,21 @@ void Compaction::hand_over(double plate_height)
   engine().set_renewal(parameters.contact.refresh_tolerance,
                        parameters.contact.search_margin);
   engine().set_local_damping(parameters.time.local_damping);
-  warn_of_density();
+  for (const std::string &warning : density_warnings())
+    say("warning: " + warning);
+  if (!pouring.layers().empty() &&
+      pouring.layers().back().density >= parameters.stone.density)
+    throw RunFailure("filled to " +
+                     number_text(pouring.layers().back().density) +
+                     " kg/m^3, above Stone/density = " +
+                     number_text(parameters.stone.density) +
+                     ": the particles lie in each other: stiffer contacts "
+                     "(Stone/shear_modulus, Wall/normal_stiffness) or a lower "
+                     "Filling/tamper_pressure");
   now.stage = Stage::seating;
   if (parameters.plate.form != PlateKind::rigid)
     return join(plate_height);
   engine().place_plane(pouring.tamper(), plate_height * dem::Vec3::UnitZ());
-}
-
-/// Says so where the filling has not come to what it was asked for.
-void Compaction::warn_of_density()
-{
-  constexpr double noticeable = 0.005; // [-]
-  if (pouring.layers().empty())        // packed roughly
-    return;
-  const double asked = parameters.filling.density,
-               reached = pouring.layers().back().density;
-  if (std::abs(reached / asked - 1.) <= noticeable)
-    return;
-  char line[200];
-  std::snprintf(
-      line, sizeof line,
-      "warning: filled to %.0f kg/m^3, Filling/density asks for %.0f: "
-      "see Filling/max_strokes, tamper_pressure, friction",
-      reached, asked);
-  say(line);
 }
 
 /// Until the stones carry it. The last of its speed is too small to shake it.
@@ -218,15 +234,18 @@ void Compaction::step_joined(double time_step)
     if (plate->is_carried(engine()))
       let_go(engine().time());
   }
-  else if (engine().time() >= now.let_go_time + parameters.plate.seating_time)
-    start_vibration();
+  else
+    wait_for_rest();
 }
 
 void Compaction::start_vibration()
 {
   now.stage = Stage::vibration;
+  now.vibration_start = engine().time();
+  plate->start_exciter(now.vibration_start - now.let_go_time);
   now.start_height = height();
   engine().set_breaking(parameters.breakage.is_active);
+  report_step();
   report(0.);
 }
 
@@ -249,8 +268,7 @@ double Compaction::vibrated() const
 double Compaction::progress_at(double time) const
 {
   return now.stage == Stage::vibration
-             ? std::max(0.,
-                        time - now.let_go_time - parameters.plate.seating_time)
+             ? std::max(0., time - now.vibration_start)
              : 0.;
 }
 
@@ -425,6 +443,8 @@ void Compaction::restore(std::istream &in)
   if (now.let_go_time > 0.)
   {
     plate->let_go(now.let_go_time - now.join_time);
+    if (now.stage == Stage::vibration)
+      plate->start_exciter(now.vibration_start - now.let_go_time);
     if (parameters.lateral() == Lateral::membrane)
       build_tube();
   }

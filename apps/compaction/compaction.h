@@ -29,6 +29,8 @@ public:
   double period() const override;         ///< of the exciter [s]
   double frame_interval() const override; ///< without those of reports [s]
   std::string phase() const override;
+  std::string outcome() const override;
+  std::vector<std::string> warnings() const override;
   Due due() const override;
   double progress_at(double time) const override; ///< of the vibration [s]
   const char *progress_column() const override { return "vibration_s"; }
@@ -73,6 +75,7 @@ private:
     double join_time = 0.;       ///< the plate became a body; 0: not yet [s]
     double join_height = 0.;     ///< of the lower face of the plate then [m]
     double let_go_time = 0.;     ///< the stones carried it; 0: not yet [s]
+    double vibration_start = 0.; ///< the exciter started [s]
     double start_height = 0.;    ///< the same when the vibration begins [m]
     double plane_work_gone = 0.; ///< of its plane until it was joined [J]
     double impulse = 0.;         ///< of the stones on it, of vibration [N s]
@@ -89,14 +92,18 @@ private:
   std::vector<dem::BreakageEvent> fresh_events() override;
 
   void fill(double time_step);
+  void steer_filling(double time_step);
   void pack();
   double height_above_layers() const;
-  void warn_of_density();
+  std::vector<std::string> density_warnings() const;
   void hand_over(double plate_height);
   bool fills_by_own_steps() const { return parameters.filling.safety > 0.; }
   void lower_plate(double time_step);
   void join(double height);
   void let_go(double time);
+  void wait_for_rest();
+  bool is_seated() const;
+  std::string unseated_text() const;
   void start_vibration();
   void build_plate();
   void build_tube();

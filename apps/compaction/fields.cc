@@ -120,8 +120,21 @@ void add_plate(List &list, PlateParameters &p)
             "At which the plate is lowered, the slower the more of it the "
             "stones carry; then it is let go."},
            p.seating_speed, above(0., 10.));
-  list.add({"seating_time", "s", "Of the free plate, before it vibrates."},
+  list.add({"seating_time", "s",
+            "Shortest rest of the free plate before it vibrates. It ends when "
+            "plate and particles are at rest."},
            p.seating_time, above(0., 1e3));
+  list.add({"seating_max_time", "s",
+            "The run fails if they are not at rest this long after "
+            "seating_time."},
+           p.seating_max_time, above(0., 1e4));
+  list.add({"seating_load_tolerance", "-",
+            "At rest: the load of the particles on the plate differs from its "
+            "static load by at most this share."},
+           p.seating_load_tolerance, above(0., 0.5));
+  list.add({"seating_unbalanced_ratio", "-",
+            "At rest: largest unbalanced force ratio."},
+           p.seating_unbalanced_ratio, above(0., 0.1));
 }
 
 void add_vibration(List &list, VibrationParameters &v)

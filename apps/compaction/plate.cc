@@ -17,6 +17,8 @@ namespace
 {
 /// Of the weight that stones need not carry yet when the guide goes [-].
 constexpr double missing = 0.02;
+/// No exciter starts then [s].
+constexpr double never = 1e9;
 
 /// A disc as wide as the container, its polygon round the circle.
 fem::SolidMesh plate_mesh(const Case &c, double height)
@@ -115,9 +117,9 @@ fem::Solid elastic_plate(const Case &c, double height)
 CompactionPlate::CompactionPlate(const Case &c, double height,
                                  std::size_t plane, coupling::Exchange &joined,
                                  dem::Engine &engine)
-    : its_form(c.plate.form), plate(c.plate),
-      drive(plate_drive(c.plate, c.vibration))
+    : its_form(c.plate.form), plate(c.plate), vibration(c.vibration)
 {
+  start_exciter(never);
   if (its_form == PlateKind::rigid)
   {
     add_rigid({0., 0., height}, plane, joined, engine);
@@ -144,7 +146,9 @@ void CompactionPlate::add_rigid(const dem::Vec3 &place, std::size_t plane,
   parameters.moves = {false, false, true};
   parameters.turns = {false, false, false};
   auto lid = std::make_unique<coupling::RigidBody>(
-      parameters, coupling::Field{place}, drive);
+      parameters, coupling::Field{place},
+      coupling::RigidDrive{[this](double time) { return drive.load(time); },
+                           {}});
   body = lid.get();
   boundary = plane;
   shares = {1.};
@@ -188,6 +192,13 @@ CompactionPlate::make_elastic(fem::Solid disc, const CouplingParameters &c)
   solid = made.get();
   made->set_drive({[this](double time) { return force(time); }, share});
   return made;
+}
+
+void CompactionPlate::start_exciter(double time)
+{
+  PlateParameters seated = plate;
+  seated.seating_time = time;
+  drive = plate_drive(seated, vibration);
 }
 
 double CompactionPlate::weight() const

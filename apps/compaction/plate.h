@@ -40,6 +40,8 @@ public:
   bool is_carried(const dem::Engine &engine) const;
   /// At this time of the body, since it was joined [s].
   void let_go(double time) { free_from = time; }
+  /// At this time since it was let go; before, there is no exciter [s].
+  void start_exciter(double time);
 
   double height() const;                           ///< of its lower face [m]
   double velocity() const;                         ///< of it, up [m/s]
@@ -66,6 +68,7 @@ private:
 
   PlateKind its_form;
   PlateParameters plate;
+  VibrationParameters vibration;
   coupling::RigidDrive drive;
   /// Time of the body when it was let go [s].
   double free_from = std::numeric_limits<double>::infinity();

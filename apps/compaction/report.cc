@@ -5,11 +5,53 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <utility>
 
 namespace spall
 {
+std::string Compaction::outcome() const
+{
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "settlement %.4g mm, density %.5g kg/m^3, LAA %.5f %%, roundness %.4f, "
+      "%lld events",
+      now.stage == Stage::vibration ? 1e3 * (now.start_height - height()) : 0.,
+      density(), abrasion_percent(), roundness.mean(engine().particles()),
+      static_cast<long long>(engine().n_events()));
+  return text;
+}
+
+/// Where the filling has not come to what it was asked for.
+std::vector<std::string> Compaction::density_warnings() const
+{
+  constexpr double noticeable = 0.005; // [-]
+  if (pouring.layers().empty())        // packed roughly
+    return {};
+  const double asked = parameters.filling.density,
+               reached = pouring.layers().back().density;
+  if (std::abs(reached / asked - 1.) <= noticeable)
+    return {};
+  char line[200];
+  std::snprintf(line, sizeof line,
+                "filled to %.0f kg/m^3, Filling/density asks for %.0f: "
+                "see Filling/max_strokes, tamper_pressure, friction",
+                reached, asked);
+  return {line};
+}
+
+std::vector<std::string> Compaction::warnings() const
+{
+  std::vector<std::string> all = LabTest::warnings();
+  if (now.stage != Stage::filling)
+    for (const std::string &warning : density_warnings())
+      all.push_back(warning);
+  return all;
+}
+
 void Compaction::report(double due)
 {
   Report report;

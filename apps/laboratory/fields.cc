@@ -72,8 +72,18 @@ void add_drum(List &list, DrumParameters &d)
   list.add({"turns_per_minute", "1/min", "31 to 33 in the test."},
            d.turns_per_minute, above(0., 1e4));
   list.add({"turns", "-", "In all."}, d.turns, above(0., 1e7));
-  list.add({"settling_time", "s", "Fall under gravity before the first turn."},
+  list.add({"settling_time", "s",
+            "Shortest fall under gravity before the first turn. It ends when "
+            "the charge is at rest."},
            d.settling_time, between(0., 100.));
+  list.add({"settling_max_time", "s",
+            "The drum turns this long after settling_time in any case, with a "
+            "warning."},
+           d.settling_max_time, between(0., 1e3));
+  list.add({"settling_unbalanced_ratio", "-",
+            "At rest: sum of the resultant forces over the weight; 1: the "
+            "charge is not asked for rest."},
+           d.settling_unbalanced_ratio, above(0., 1.));
   list.add({"rows_per_turn", "-", "Rows of history.csv."}, d.rows_per_turn,
            between(1, 1e6));
   list.add({"frames_per_turn", "-", "Frames for ParaView; 0: first and last."},

@@ -11,6 +11,7 @@
 #include <dem/io/binary.h>
 #include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
+#include <dem/packing/pouring.h>
 
 #include <nlohmann/json.hpp>
 
@@ -84,9 +85,13 @@ std::vector<dem::Placement> place_charge(const Case &parameters,
         bodies, {-corner, corner, parameters.contact.follows_surfaces()},
         random);
   }
-  catch (const std::runtime_error &error)
+  catch (const dem::NoPlace &error)
   {
-    throw InputError(parameters.file + ": " + error.what());
+    throw InputError(
+        parameters.file + ": " + error.what() + " between shelf and axis: " +
+        "Charge/mass = " + number_text(parameters.charge.mass) +
+        " kg must be lower, or Drum/radius = " + number_text(d.radius) +
+        " m or Drum/length = " + number_text(d.length) + " m larger");
   }
 }
 } // namespace
@@ -143,17 +148,84 @@ void LosAngeles::stop_after(int turns)
 void LosAngeles::move(double time_step)
 {
   turns_before = turns();
-  if (!is_turning && engine().time() >= parameters.drum.settling_time)
-  {
-    is_turning = true;
-    start_time = engine().time();
-    engine().drum().spin = spin_of(parameters.drum);
-    engine().set_breaking(parameters.breakage.is_active);
-    keep_roundness();
-  }
+  if (!is_turning && is_settled())
+    begin_turning();
   engine().advance_unseen(time_step);
   if (share_done() >= 1.)
     keep_roundness();
+}
+
+/// The least settling time is over, and the charge is at rest or has had the
+/// longest time.
+bool LosAngeles::is_settled()
+{
+  constexpr std::int64_t rest_interval = 200; // steps
+  const DrumParameters &d = parameters.drum;
+  const double spent = engine().time();
+  if (spent < d.settling_time)
+    return false;
+  if (is_rough || d.settling_unbalanced_ratio >= 1.)
+    return true;
+  const bool is_over = spent > d.settling_time + d.settling_max_time;
+  if (!is_over && engine().n_steps() % rest_interval != 0)
+    return false;
+  unrest = dem::unbalanced_weight_ratio(engine().particles(),
+                                        engine().parameters().gravity);
+  return is_over || unrest <= d.settling_unbalanced_ratio;
+}
+
+void LosAngeles::begin_turning()
+{
+  is_turning = true;
+  start_time = engine().time();
+  engine().drum().spin = spin_of(parameters.drum);
+  engine().set_breaking(parameters.breakage.is_active);
+  keep_roundness();
+  report_step();
+  char line[160];
+  std::snprintf(line, sizeof line,
+                "drum turns from %.3f s, unbalanced force over weight %.2g",
+                start_time, unrest);
+  say(line);
+  for (const std::string &warning : unrest_warnings())
+    say("warning: " + warning);
+}
+
+std::vector<std::string> LosAngeles::unrest_warnings() const
+{
+  const DrumParameters &d = parameters.drum;
+  if (unrest <= d.settling_unbalanced_ratio)
+    return {};
+  return {"the charge was not at rest when the drum began to turn: unbalanced "
+          "force over weight " +
+          number_text(unrest) + ", Drum/settling_unbalanced_ratio = " +
+          number_text(d.settling_unbalanced_ratio) +
+          ": see Drum/settling_max_time"};
+}
+
+std::vector<std::string> LosAngeles::warnings() const
+{
+  std::vector<std::string> all = unrest_warnings();
+  for (const std::string &more : LabTest::warnings())
+    all.push_back(more);
+  return all;
+}
+
+std::string LosAngeles::outcome() const
+{
+  double lost = 0.;
+  const dem::Particles &all = engine().particles();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all.material[i] == 0)
+      lost += all.initial_mass[i] - all.mass(i);
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "LAA %.5f %%, mass lost %.4g g, roundness %.4f, drum work "
+      "%.4g J, %lld events",
+      abrasion_percent(), 1e3 * lost, roundness.mean(engine().particles()),
+      engine().energy().drum_work, static_cast<long long>(engine().n_events()));
+  return text;
 }
 
 void LosAngeles::keep_roundness()
@@ -198,6 +270,7 @@ double LosAngeles::period() const
 /// Until the stones have fallen, and the drum turns.
 double LosAngeles::hasten()
 {
+  is_rough = true;
   while (!is_turning)
     advance();
   return 0.;
@@ -269,6 +342,7 @@ void LosAngeles::save(std::ostream &out) const
   dem::write_value(out, start_time);
   dem::write_value(out, turns_before);
   dem::write_value(out, is_turning);
+  dem::write_value(out, unrest);
 }
 
 void LosAngeles::restore(std::istream &in)
@@ -277,6 +351,7 @@ void LosAngeles::restore(std::istream &in)
   dem::read_value(in, start_time);
   dem::read_value(in, turns_before);
   dem::read_value(in, is_turning);
+  dem::read_value(in, unrest);
   refuse_shorter("Drum/turns", turns(), parameters.drum.turns);
 }
 } // namespace spall

@@ -19,6 +19,8 @@ public:
   double period() const override; ///< of a turn [s]
   double hasten() override;
   std::string phase() const override;
+  std::string outcome() const override;
+  std::vector<std::string> warnings() const override;
   Due due() const override;
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
@@ -36,12 +38,17 @@ private:
   void move(double time_step) override;
   std::vector<Quantity> measured() const override;
   double turns() const; ///< so far [-]
+  bool is_settled();
+  void begin_turning();
+  std::vector<std::string> unrest_warnings() const;
   void keep_roundness();
 
   double last_turn = 0.;    ///< of this run [-]
   double start_time = 0.;   ///< of the first turn [s]
   double turns_before = 0.; ///< at the last step [-]
   bool is_turning = false;
+  bool is_rough = false; ///< of a forecast: not asked for rest
+  double unrest = 0.;    ///< unbalanced weight ratio when it began to turn [-]
   mutable dem::RoundnessBook roundness;
   std::vector<NamedText> files;
 };

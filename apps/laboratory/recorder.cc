@@ -96,13 +96,14 @@ void LabRecorder::write_due(LabTest &test, const Due &due)
     write_frame(test);
 }
 
-void LabRecorder::write_row(const LabTest &test)
+void LabRecorder::write_row(LabTest &test)
 {
   require_energy(test.energy_balance().residual, test.engine().time());
   std::vector<double> row;
   for (const Quantity &one : test.row())
     row.push_back(one.value);
   history.write_row(row);
+  test.engine().begin_overlap_interval();
   if (test.exchange())
     ledger.write_row(ledger_row(*test.exchange(), test.engine(),
                                 test.steps_in_move() * test.time_step()));
@@ -185,6 +186,7 @@ void LabRecorder::finish(LabTest &test)
   add_energy_balance(test.reported_balance(), summary);
   if (test.exchange())
     add_ledger(*test.exchange(), summary);
+  summary["warnings"] = test.warnings();
   add_cost(wall_clock(test), summary);
   summary["version"] = SPALL_VERSION;
   write_text(folder / "summary.json", summary.dump(2) + "\n");

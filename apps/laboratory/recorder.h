@@ -39,7 +39,7 @@ public:
 private:
   void write_files(LabTest &test);
   void write_due(LabTest &test, const Due &due);
-  void write_row(const LabTest &test);
+  void write_row(LabTest &test);
   void write_events(LabTest &test);
   void write_frame(const LabTest &test);
   void write_checkpoint(LabTest &test, const std::string &name = "state.bin");

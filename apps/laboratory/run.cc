@@ -3,12 +3,14 @@
 #include "run/checkpoint.h"
 #include "run/folder.h"
 #include "run/options.h"
+#include "run/overlap_news.h"
 #include "run/preparation_store.h"
 #include "run/progress.h"
 #include "run/quantity_name.h"
 #include "run/refusals.h"
 #include "run/thread_choice.h"
 #include "run/to_end.h"
+#include "run/warnings.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -32,16 +34,9 @@ void describe(Progress &progress, const LabTest &test)
 
 void describe_end(Progress &progress, const LabTest &test)
 {
-  std::string line = test.phase() + ":";
-  for (const Quantity &one : test.row())
-  {
-    char text[80];
-    std::snprintf(text, sizeof text, " %s %.5g", one.name, one.value);
-    line += text;
-  }
-  progress.say(line);
-  for (const std::string &one : spall::describe(test.reported_balance()))
-    progress.say(one);
+  progress.say(spall::describe(test.reported_balance()));
+  progress.say(test.phase() + ": " + test.outcome());
+  say_warnings(progress, test.warnings());
 }
 
 /// Where there is a store for tests of this kind, what is prepared goes there,
@@ -100,6 +95,7 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
   using Clock = std::chrono::steady_clock;
   auto since = Clock::now();
   Refusals refusals(test.engine().n_refused_events());
+  OverlapNews overlaps(test.engine());
   std::int64_t steps_before = test.engine().n_steps();
   while (test.share_done() < 1. && !is_stop_asked())
   {
@@ -111,6 +107,8 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
     if (const std::string news = refusals.news(test.engine().n_refused_events(),
                                                test.engine().time());
         !news.empty())
+      progress.say(news);
+    if (const std::string news = overlaps.news(test.engine()); !news.empty())
       progress.say(news);
     if (test.engine().n_steps() % 64 != 0 || !progress.is_due())
       continue;

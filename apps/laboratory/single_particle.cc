@@ -134,6 +134,16 @@ std::string SingleParticle::phase() const
   return text;
 }
 
+std::string SingleParticle::outcome() const
+{
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "force %.5g N, largest force %.5g N, LAA %.5f %%, %lld events",
+                force(), peak_force, abrasion_percent(),
+                static_cast<long long>(engine().n_events()));
+  return text;
+}
+
 Due SingleParticle::due() const
 {
   const double rows = parameters.press.rows;

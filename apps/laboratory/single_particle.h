@@ -15,6 +15,7 @@ public:
   double share_done() const override;
   double duration() const override;
   std::string phase() const override;
+  std::string outcome() const override;
   Due due() const override;
   double progress_at(double time) const override; ///< displacement [m]
   const char *progress_column() const override { return "displacement_m"; }

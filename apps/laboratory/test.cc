@@ -6,6 +6,7 @@
 #include "laboratory/los_angeles.h"
 #include "laboratory/single_particle.h"
 #include "run/contact_places.h"
+#include "run/warnings.h"
 #include "subgrade/subgrade.h"
 
 #include <dem/io/binary.h>
@@ -151,6 +152,7 @@ std::vector<Quantity> LabTest::row() const
   const std::vector<Quantity> common = {
       {"laa_percent", abrasion_percent()},
       {"n_events_1", static_cast<double>(engine().n_events())},
+      {"overlap_over_radius_1", engine().overlaps().recent},
       {"external_work_J", balance.external_work},
       {"kinetic_energy_J", e.kinetic + bodies.kinetic},
       {"elastic_energy_J", e.elastic + bodies.stored},
@@ -161,6 +163,15 @@ std::vector<Quantity> LabTest::row() const
       {"non_conservative_work_J", balance.non_conservative_work},
       {"energy_residual_J", balance.residual}};
   all.insert(all.end(), common.begin(), common.end());
+  return all;
+}
+
+std::vector<std::string> LabTest::warnings() const
+{
+  std::vector<std::string> all;
+  add_overlap_warning(engine(), all);
+  add_step_warning(parameters.time, watch.state(), all);
+  add_energy_warning(reported_balance(), all);
   return all;
 }
 
@@ -185,6 +196,7 @@ void LabTest::summarise(nlohmann::ordered_json &summary) const
   summary["laa_percent"] = abrasion_percent();
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
+  summary["overlap_over_radius_1"] = engine().overlaps().largest;
   add_contact_places(engine(), summary);
   if (first_event_time >= 0.)
   {

@@ -88,6 +88,10 @@ public:
   /// does.
   virtual double hasten() { return 0.; }
 
+  /// What the test has come to: three to six numbers with their units.
+  virtual std::string outcome() const = 0;
+  /// What a reader of the results must know, a line each.
+  virtual std::vector<std::string> warnings() const;
   /// The row of history.csv now: what the test measures, then counts and
   /// energies.
   std::vector<Quantity> row() const;
@@ -155,6 +159,8 @@ protected:
   void begin_steps(const TimeParameters &rule, double cap);
   /// Steps as the contacts allow them now: at once, where a scene has changed.
   void look_at_contacts();
+  /// Where loading begins: throws RunFailure as StepWatch::report.
+  void report_step() { watch.report(engine(), surroundings(), step); }
   void say_prepared() const;
   /// A line for the one who runs it, after this step.
   void say(const std::string &line) { watch.say(line); }

@@ -36,6 +36,9 @@ th { font-weight: 500; color: #444; } thead th, tfoot th, tfoot td {
 figure { margin: 0 0 .6rem; } figure svg, figure img { max-width: 100%;
   height: auto; display: block; } figure svg { width: 100%; }
 figcaption { font-size: .9rem; color: #333; margin-top: .4rem; }
+.warnings { border: 2px solid #a40000; border-radius: 6px; color: #7a0000;
+  background: #fff2f0; padding: .6rem 1rem; margin: 1rem 0; }
+.warnings p { margin: .2rem 0; }
 .note { color: #7a4a00; font-size: .9rem; margin: .2rem 0; }
 .key { display: inline-block; width: .8em; height: .8em; margin-right: .5em; }
 details { margin: .6rem 0; } summary { cursor: pointer; }
@@ -67,6 +70,27 @@ std::string notes(const std::vector<std::string> &lines)
   return out;
 }
 
+/// What summary.json warns of, at the top of the page; empty: nothing.
+std::string warnings(std::span<const RunData> runs)
+{
+  std::string lines;
+  for (const RunData &run : runs)
+  {
+    const auto list = run.summary.find("warnings");
+    if (list == run.summary.end() || !list->is_array())
+      continue;
+    for (const auto &warning : *list)
+      if (warning.is_string())
+        lines += "<p>" +
+                 escape((runs.size() > 1 ? run.name + ": " : "") +
+                        "Warning: " + warning.get<std::string>()) +
+                 "</p>\n";
+  }
+  return lines.empty()
+             ? ""
+             : "<div class=\"warnings\" role=\"alert\">\n" + lines + "</div>\n";
+}
+
 std::string header(std::span<const RunData> runs)
 {
   std::string names;
@@ -74,7 +98,7 @@ std::string header(std::span<const RunData> runs)
     names += (names.empty() ? "" : ", ") + escape(run.name);
   std::string out = "<header>\n<h1>" + escape(title_of(runs)) +
                     "</h1>\n<p class=\"from\">Spall report of " + names +
-                    "</p>\n" + headline(runs);
+                    "</p>\n" + warnings(runs) + headline(runs);
   for (const RunData &run : runs)
     for (const std::string &note : run.notes)
       out += notes({runs.size() > 1 ? run.name + ": " + note : note});

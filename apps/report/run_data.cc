@@ -1,7 +1,6 @@
 #include "report/run_data.h"
 
 #include "errors.h"
-#include "run/energy_balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,13 +90,7 @@ void read_summary(const fs::path &folder, RunData &run)
   const auto read = nlohmann::ordered_json::parse(
       read_text(folder / "summary.json"), nullptr, false);
   if (read.is_object())
-  {
     run.summary = read;
-    if (const std::string warning = non_conservative_warning(
-            number(read, "non_conservative_work_ratio_1"));
-        !warning.empty())
-      run.notes.push_back(warning);
-  }
   else
     run.notes.push_back("summary.json is not valid JSON and was left out.");
 }

@@ -302,6 +302,8 @@ std::vector<Row> summary_rows()
                  "energy_residual_ratio_1", 100., 2),
       number_row("Non-conservative work / external work (%)",
                  "non_conservative_work_ratio_1", 100., 2),
+      number_row("Largest overlap / radius (–)", "overlap_over_radius_1", 1.,
+                 2),
       {"Exchange gain / limit (–)",
        [](const RunData &run)
        {

@@ -30,6 +30,11 @@ std::string identity_of(Case parameters)
   parameters.loading.cycles = defaults.loading.cycles;
   parameters.coupling.ledger_limit = defaults.coupling.ledger_limit;
   parameters.coupling.rules.gap_limit = defaults.coupling.rules.gap_limit;
+  parameters.contact.overlap = defaults.contact.overlap;
+  parameters.loading.consolidation_max_time =
+      defaults.loading.consolidation_max_time;
+  parameters.plate.seating_max_time = defaults.plate.seating_max_time;
+  parameters.time.allow_unstable_step = defaults.time.allow_unstable_step;
   parameters.output = defaults.output;
   parameters.drum.turns = defaults.drum.turns;
   parameters.drum.rows_per_turn = defaults.drum.rows_per_turn;

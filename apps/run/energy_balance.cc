@@ -26,21 +26,7 @@ double EnergyBalance::non_conservative_ratio() const
                              : 0.;
 }
 
-std::string non_conservative_warning(double ratio)
-{
-  if (!(std::abs(ratio) > non_conservative_limit))
-    return "";
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "warning: non-conservative work is %.3g %% of the external "
-                "work, above %.3g %%: energy was %s by the time integration or "
-                "the contact geometry (docs/theory/energies.md)",
-                100. * ratio, 100. * non_conservative_limit,
-                ratio < 0. ? "injected" : "lost");
-  return text;
-}
-
-std::vector<std::string> describe(const EnergyBalance &balance)
+std::string describe(const EnergyBalance &balance)
 {
   char text[200];
   std::snprintf(text, sizeof text,
@@ -49,12 +35,7 @@ std::vector<std::string> describe(const EnergyBalance &balance)
                 balance.external_work, balance.residual,
                 100. * balance.closure(), balance.non_conservative_work,
                 100. * balance.non_conservative_ratio());
-  std::vector<std::string> lines = {text};
-  if (const std::string warning =
-          non_conservative_warning(balance.non_conservative_ratio());
-      !warning.empty())
-    lines.push_back(warning);
-  return lines;
+  return text;
 }
 
 void add_energy_balance(const EnergyBalance &balance,

@@ -3,7 +3,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
-#include <vector>
 
 namespace spall
 {
@@ -26,15 +25,8 @@ struct EnergyBalance
   double non_conservative_ratio() const;
 };
 
-/// A run whose non-conservative work exceeds this share of its external work is
-/// warned of [-].
-inline constexpr double non_conservative_limit = 0.01;
-
-/// The warning for this non_conservative_ratio(); empty below the limit.
-std::string non_conservative_warning(double ratio);
-
-/// The balance in a line, and the warning in another where it is due.
-std::vector<std::string> describe(const EnergyBalance &balance);
+/// A line for the log.
+std::string describe(const EnergyBalance &balance);
 
 /// Adds energy_residual_ratio_1 and non_conservative_work_ratio_1.
 void add_energy_balance(const EnergyBalance &balance,

@@ -56,6 +56,7 @@ constexpr CaseKey always_later[] = {
     {"Time", "force_tolerance"},
     {"Time", "energy_tolerance"},
     {"Time", "local_damping"},
+    {"Time", "allow_unstable_step"},
     {"Run"},
 };
 
@@ -89,6 +90,9 @@ bool has_no_use(const Case &of, const Parameter &parameter, bool has_own_steps)
   if (CaseKey{"Contact", "refresh_tolerance"}.names(parameter) ||
       CaseKey{"Contact", "search_margin"}.names(parameter))
     return has_own_steps;
+  if (CaseKey{"Contact", "overlap_warning"}.names(parameter) ||
+      CaseKey{"Contact", "overlap_stop"}.names(parameter))
+    return true; // they stop a run, and change nothing
   const bool is_fixed = of.time.step == StepRule::fixed;
   if (parameter.section == "Time")
     return has_own_steps || (parameter.key == "fixed_step" && !is_fixed) ||

@@ -20,6 +20,7 @@ struct Sample
   double friction = 0., rolling = 0., damping = 0., breakage = 0.;
   double non_conservative_work = 0., membrane_strain_energy = 0.,
          energy_residual = 0.;
+  double overlap_over_radius = 0.; ///< largest since the row before
 };
 
 /// Energy balance between two rows.
@@ -39,7 +40,7 @@ struct SampleColumn
   double Sample::*value;
 };
 
-inline constexpr std::array<SampleColumn, 27> sample_columns = {
+inline constexpr std::array<SampleColumn, 28> sample_columns = {
     {{"time_s", &Sample::time},
      {"stage_1", &Sample::stage},
      {"cycle_1", &Sample::cycle},
@@ -66,5 +67,6 @@ inline constexpr std::array<SampleColumn, 27> sample_columns = {
      {"energy_residual_J", &Sample::energy_residual},
      {"membrane_axial_stress_Pa", &Sample::membrane_axial_stress},
      {"membrane_lateral_stress_Pa", &Sample::membrane_lateral_stress},
-     {"porosity_1", &Sample::porosity}}};
+     {"porosity_1", &Sample::porosity},
+     {"overlap_over_radius_1", &Sample::overlap_over_radius}}};
 } // namespace spall

@@ -124,7 +124,8 @@ double StepWatch::gain_step(const dem::Engine &engine,
                    : std::numeric_limits<double>::infinity();
 }
 
-void StepWatch::report(const dem::Engine &engine, const Surroundings &around)
+void StepWatch::report(const dem::Engine &engine, const Surroundings &around,
+                       double present_step)
 {
   const dem::SpringNetwork network = springs(engine, around, 0.);
   const dem::NetworkStep bound = dem::guaranteed_step(network);
@@ -132,6 +133,24 @@ void StepWatch::report(const dem::Engine &engine, const Surroundings &around)
            "s: ",
            static_cast<double>(network.n_contacts()), bound.step,
            dem::sharp_step(network), dem::describe_body(network, bound.body)));
+  if (is_fixed())
+    require_stable(network, bound, present_step);
+}
+
+/// Where loading begins: from then on a longer step falsifies what is measured.
+void StepWatch::require_stable(const dem::SpringNetwork &network,
+                               const dem::NetworkStep &bound, double step)
+{
+  judge_fixed(network, bound, step);
+  if (step <= record.limit || parameters.allow_unstable_step)
+    return;
+  throw RunFailure(
+      line("Time/fixed_step = %.3g s is above the %.3g s from which the "
+           "contacts are unstable (at most %.3g s is stable for sure): ",
+           step, record.limit, bound.step,
+           dem::describe_body(network, bound.body) +
+               ": use a shorter one or Time/step = stable; "
+               "Time/allow_unstable_step = true runs it nevertheless"));
 }
 
 void StepWatch::judge_fixed(const dem::SpringNetwork &network,

@@ -50,7 +50,10 @@ public:
   void look(const dem::Engine &engine, const Surroundings &around,
             double present_step);
   /// Says what the present contacts allow: bound, sharp limit, which stone.
-  void report(const dem::Engine &engine, const Surroundings &around);
+  /// Throws RunFailure where a fixed step is above the sharp limit, unless
+  /// Time/allow_unstable_step says so.
+  void report(const dem::Engine &engine, const Surroundings &around,
+              double present_step);
   /// The membrane has come or gone: its frequency is asked again.
   void forget_membrane() { record.membrane_step = 0.; }
   /// From now on another rule; a longer step is come to look by look.
@@ -78,6 +81,8 @@ private:
                    double step);
   void judge_fixed(const dem::SpringNetwork &network,
                    const dem::NetworkStep &bound, double step);
+  void require_stable(const dem::SpringNetwork &network,
+                      const dem::NetworkStep &bound, double step);
   void allow(const dem::SpringNetwork &network, const dem::NetworkStep &bound,
              double time);
 

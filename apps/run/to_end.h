@@ -1,5 +1,6 @@
 #pragma once
 
+#include "case/parameter.h"
 #include "errors.h"
 #include "run/options.h"
 
@@ -30,6 +31,15 @@ void run_to_end(Test &test, Recorder &recorder, const Loop &loop)
     throw RunFailure(std::string(stop.what()) +
                      "; checkpoint of this moment: " + now +
                      "; last one before: " + before);
+  }
+  catch (const dem::OverlapStop &stop)
+  {
+    throw RunFailure(
+        std::string(stop.what()) + ", above Contact/overlap_stop = " +
+        number_text(test.engine().parameters().geometry.overlap.stop) +
+        ": stiffer contacts (Stone/shear_modulus, Wall/normal_stiffness), a "
+        "lower load or a shorter step; last checkpoint: " +
+        last());
   }
   catch (const std::exception &error)
   {

@@ -2,6 +2,7 @@
 
 #include "case/digits.h"
 #include "case/file.h"
+#include "case/parameter.h"
 #include "errors.h"
 #include "shape/loaded.h"
 #include "specimen/gradation.h"
@@ -151,9 +152,11 @@ Specimen make_specimen(const Case &parameters)
     places = dem::insert_stones(stones, {lower, upper, sees_surfaces, is_round},
                                 random);
   }
-  catch (const std::runtime_error &error)
+  catch (const dem::NoPlace &error)
   {
-    throw InputError(parameters.file + ": " + error.what());
+    throw InputError(parameters.file + ": " + error.what() +
+                     ": Specimen/initial_solid_fraction = " +
+                     number_text(s.initial_solid_fraction) + " must be lower");
   }
   dem::EngineParameters engine = engine_parameters(parameters);
   engine.geometry.usual_skin = 0.25 * smallest;

@@ -1,3 +1,6 @@
+#include "case/parameter.h"
+#include "errors.h"
+#include "run/rest_hint.h"
 #include "subgrade/subgrade.h"
 
 namespace spall
@@ -11,9 +14,32 @@ void Subgrade::begin_pouring()
                 step_limit().step);
 }
 
+/// What a layer that finds no place or no rest depends on.
+void Subgrade::steer_pouring(double time_step)
+{
+  const LayerParameters &l = parameters.subgrade.layer;
+  try
+  {
+    pouring.steer(engine(), time_step);
+  }
+  catch (const dem::NoPlace &error)
+  {
+    throw RunFailure(std::string(error.what()) +
+                     ": Layer/initial_solid_fraction = " +
+                     number_text(l.initial_solid_fraction) +
+                     " must be lower, or Layer/layers more");
+  }
+  catch (const dem::NoRest &error)
+  {
+    throw RunFailure(error.what() + rest_hint("Layer", l.max_time,
+                                              l.unbalanced_ratio,
+                                              l.local_damping));
+  }
+}
+
 void Subgrade::pour(double time_step)
 {
-  pouring.steer(engine(), time_step);
+  steer_pouring(time_step);
   engine().advance_unseen(time_step);
   if (!pouring.is_done())
     return;

@@ -229,6 +229,11 @@ void Subgrade::start_loading()
       plate_body(parameters.subgrade.plate, now.plate_start).centre.z();
   now.porosity =
       1. - solid_volume(all) / (layer.length * layer.width * now.height);
+  if (now.porosity <= 0.)
+    throw RunFailure("porosity of the layer " + number_text(now.porosity) +
+                     ": the particles lie in each other: stiffer contacts "
+                     "(Stone/shear_modulus, Wall and GroundContact"
+                     "/normal_stiffness) or less load on the plate");
   now.coordination =
       dem::contact_network(all, engine().pairs()).coordination_number;
   const coupling::FieldView loads = joined->load_on(*ground);
@@ -238,6 +243,7 @@ void Subgrade::start_loading()
   engine().set_local_damping(parameters.time.local_damping);
   engine().set_breaking(parameters.breakage.is_active);
   now.stage = Stage::loading;
+  report_step();
   now.density = density();
   now.roundness = roundness.mean(all);
   note_roundness(0.);
@@ -285,6 +291,18 @@ double Subgrade::duration() const
 double Subgrade::frame_interval() const
 {
   return parameters.subgrade.record.frame_interval;
+}
+
+std::string Subgrade::outcome() const
+{
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "settlement of the plate %.4g mm, at most %.4g mm, of the "
+                "subgrade at most %.4g mm, largest force on it %.4g N, %lld "
+                "events",
+                1e3 * plate_settlement(), 1e3 * now.lowest, 1e3 * now.deepest,
+                now.peak_force, static_cast<long long>(engine().n_events()));
+  return text;
 }
 
 std::string Subgrade::phase() const

@@ -24,6 +24,7 @@ public:
   double duration() const override;       ///< of the loading [s]
   double frame_interval() const override; ///< in it [s]
   std::string phase() const override;
+  std::string outcome() const override;
   Due due() const override { return due_now; }
   double progress_at(double time) const override; ///< since loading began [s]
   const char *progress_column() const override { return "loading_time_s"; }
@@ -92,6 +93,7 @@ private:
   }
   void begin_pouring();
   void pour(double time_step);
+  void steer_pouring(double time_step);
   void pack();
   void set_plate_down();
   void place(double time_step);

@@ -96,6 +96,7 @@ Hastened Triaxial::hasten()
                 dem::unbalanced_force_ratio(engine().particles(),
                                             engine().pairs()) < unrest);
       });
+  is_rough = true;
   watch.look(engine(), {}, time_step());
   result.step = time_stones(engine(), time_step());
   hand_over();

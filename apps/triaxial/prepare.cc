@@ -77,6 +77,13 @@ void Triaxial::finish_preparation()
 {
   preparation.time = engine().time();
   preparation.porosity = porosity();
+  if (preparation.porosity <= 0.)
+    throw RunFailure("preparation: porosity " +
+                     number_text(preparation.porosity) +
+                     ": the particles have more volume than the specimen, so "
+                     "they lie in each other: stiffer contacts "
+                     "(Stone/shear_modulus, Wall/normal_stiffness) or a lower "
+                     "Preparation/pressure");
   const PreparationParameters &target = parameters.preparation;
   if (target.target == PreparationTarget::porosity &&
       std::abs(preparation.porosity - target.porosity) > porosity_tolerance)
@@ -92,13 +99,22 @@ void Triaxial::finish_preparation()
 
 std::string Triaxial::unprepared_text() const
 {
+  // A servo that is slow or meets a loose packing stays below its target.
+  const double target = parameters.preparation.pressure;
+  const bool is_swinging =
+      (preparation.stress.array() / target - 1.).abs().maxCoeff() > 1.;
   std::ostringstream text;
   text << "preparation is not at rest after " << parameters.preparation.max_time
        << " s: stress " << preparation.stress.transpose() << " Pa (target "
        << parameters.preparation.pressure << "), unbalanced force ratio "
        << preparation.unbalanced_ratio << " (limit "
        << parameters.preparation.unbalanced_ratio
-       << "): see Preparation/max_time, friction, local_damping";
+       << (is_swinging
+               ? "): the servo walls swing about their target: "
+                 "Boundary/servo_response_time = " +
+                     number_text(parameters.boundary.servo_response_time) +
+                     " s must be longer"
+               : "): see Preparation/max_time, friction, local_damping");
   return text.str();
 }
 

@@ -174,6 +174,7 @@ void Recorder::write_history(Triaxial &test)
   if (roundness == 0.)
     roundness = known_roundness.mean(test.engine().particles());
   last = test.sample(roundness);
+  test.engine().begin_overlap_interval();
   require_energy(last.energy_residual, last.time);
   if (test.stage() >= Stage::loading)
     peak_axial_stress = std::max(peak_axial_stress, last.axial_stress);

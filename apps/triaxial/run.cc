@@ -2,12 +2,14 @@
 #include "run/checkpoint.h"
 #include "run/folder.h"
 #include "run/options.h"
+#include "run/overlap_news.h"
 #include "run/preparation_store.h"
 #include "run/progress.h"
 #include "run/refusals.h"
 #include "run/thread_choice.h"
 #include "run/time_left.h"
 #include "run/to_end.h"
+#include "run/warnings.h"
 #include "triaxial/preparation.h"
 #include "triaxial/recorder.h"
 
@@ -151,11 +153,22 @@ void use_store(const std::optional<PreparationStore> &store, Triaxial &test,
     progress.say(said);
 }
 
+void describe_consolidation(Progress &progress, const Triaxial &test)
+{
+  char line[200];
+  const Triaxial::Consolidated &c = test.consolidated();
+  std::snprintf(line, sizeof line,
+                "consolidated in %.3f s: load on the plate within %.2g %%, "
+                "unbalanced force ratio %.1e",
+                c.time, 100. * std::max(c.load_error, c.swing),
+                c.unbalanced_ratio);
+  progress.say(line);
+}
+
 void describe_end(Progress &progress, const Recorder &recorder)
 {
   const Sample &end = recorder.end(), &start = recorder.start_of_loading();
-  for (const std::string &one : spall::describe(loading_balance(start, end)))
-    progress.say(one);
+  progress.say(spall::describe(loading_balance(start, end)));
   char line[240];
   std::snprintf(line, sizeof line,
                 "permanent axial strain %.4f %%, LAA %.5f %%, coordination "
@@ -174,10 +187,11 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
   auto since = started;
   RestTime rest(parameters.preparation.unbalanced_ratio);
   Refusals refusals(test.engine().n_refused_events());
+  OverlapNews overlaps(test.engine());
   std::int64_t steps_before = test.engine().n_steps(), n_windows = 0;
   while (test.stage() != Stage::done && !is_stop_asked())
   {
-    const bool was_preparing = test.stage() == Stage::preparation;
+    const Stage before = test.stage();
     threads.before_step();
     test.advance();
     recorder.after_step(test);
@@ -188,8 +202,12 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
                                                test.engine().time());
         !news.empty())
       progress.say(news);
-    if (was_preparing && test.stage() != Stage::preparation)
+    if (const std::string news = overlaps.news(test.engine()); !news.empty())
+      progress.say(news);
+    if (before == Stage::preparation && test.stage() != Stage::preparation)
       describe_preparation(progress, test);
+    if (before == Stage::consolidation && test.stage() == Stage::loading)
+      describe_consolidation(progress, test);
     if (++n_windows % 64 != 0 || !progress.is_due())
       continue;
     const auto seconds = [](Clock::duration spent)
@@ -243,5 +261,7 @@ void run_triaxial(const RunOptions &asked, const Case &parameters)
                recorder.finish(test);
              });
   describe_end(progress, recorder);
+  say_warnings(progress, test.warnings(loading_balance(
+                             recorder.start_of_loading(), recorder.end())));
 }
 } // namespace spall

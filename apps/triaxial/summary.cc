@@ -132,6 +132,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["n_refused_events"] = engine.n_refused_events();
   out["external_work_J"] = balance.external_work;
   add_energy_balance(balance, out);
+  out["overlap_over_radius_1"] = engine.overlaps().largest;
   add_contact_places(engine, out);
   if (test.gain())
   {
@@ -154,6 +155,13 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
       {"time_s", prepared.time},
       {"hash", hex_text(prepared.hash)},
       {"is_taken", prepared.is_taken != 0}};
+  const Triaxial::Consolidated &rest = test.consolidated();
+  out["consolidation"] = {
+      {"time_s", rest.time},
+      {"load_error_1", std::max(rest.load_error, rest.swing)},
+      {"side_stress_error_1", rest.side_error},
+      {"unbalanced_force_ratio_1", rest.unbalanced_ratio}};
+  out["warnings"] = test.warnings(balance);
   add_cost(record.seconds, out);
   out["version"] = SPALL_VERSION;
   return out.dump(2) + "\n";

@@ -2,6 +2,7 @@
 
 #include "run/checkpoint.h"
 #include "run/digest.h"
+#include "run/warnings.h"
 #include "triaxial/preparation.h"
 
 #include <dem/io/binary.h>
@@ -172,76 +173,6 @@ coupling::Stones Triaxial::stones()
           }};
 }
 
-void Triaxial::consolidate()
-{
-  // The first half hands over from the planes to the membrane, or from one
-  // pressure to the other; the second half is rest.
-  const double done =
-      static_cast<double>(pace.ticks()) + pace.share_after_step();
-  const double share =
-      std::min(1., 2. * done / static_cast<double>(stage_ticks));
-  const double from = parameters.preparation.pressure,
-               to = parameters.loading.confining_pressure;
-  const double isotropic = std::lerp(from, to, share);
-  if (cell->has_membrane())
-  {
-    pressure = share * to;
-    open_sides(share);
-  }
-  else
-    for (int d = 0; d < 2; ++d)
-      servo.follow(d, isotropic);
-  cell->set_drive(-isotropic * area);
-  step_boundaries();
-  if (pace.ticks() >= stage_ticks)
-  {
-    start_height = cell->plate().height() - lower.z();
-    start_volume = volume();
-    engine().set_breaking(parameters.breakage.is_active);
-    servo.follow_load();
-    watch.report(engine(), surroundings());
-    if (parameters.loading.form == LoadForm::compression)
-      hold_plate();
-    enter(Stage::loading);
-  }
-}
-
-/// The rigid sides give way to the membrane, and are gone in the end.
-void Triaxial::open_sides(double share)
-{
-  for (int d = 0; d < 2; ++d)
-    if (share < 1.)
-      servo.follow(d, (1. - share) * parameters.preparation.pressure);
-    else
-      servo.release(engine(), d);
-  if (share < 1.)
-    return;
-  if (specimen.walls.is_round)
-    return put_side_away();
-  for (std::size_t d = 0; d < 2; ++d)
-    for (const std::size_t plane : specimen.walls.planes[d])
-      if (engine().planes()[plane].is_active)
-        engine().deactivate_plane(plane);
-}
-
-void Triaxial::put_side_away()
-{
-  dem::Drum side = engine().drum();
-  if (side.radius > upper.x() - lower.x())
-    return; // it is
-  side.radius *= 100.;
-  engine().set_drum(side);
-}
-
-/// A plate that is driven starts from rest.
-void Triaxial::hold_plate()
-{
-  fem::RigidPlate::State state = cell->plate().state();
-  state.speed = 0.;
-  state.last_drive = -state.last_reaction;
-  cell->set_plate(state);
-}
-
 void Triaxial::load()
 {
   const LoadingParameters &loading = parameters.loading;
@@ -355,8 +286,18 @@ Sample Triaxial::sample(double roundness) const
   s.n_events = static_cast<double>(engine().n_events());
   s.unbalanced_force_ratio =
       dem::unbalanced_force_ratio(stones, engine().pairs());
+  s.overlap_over_radius = engine().overlaps().recent;
   add_energies(s);
   return s;
+}
+
+std::vector<std::string> Triaxial::warnings(const EnergyBalance &loading) const
+{
+  std::vector<std::string> all;
+  add_overlap_warning(engine(), all);
+  add_step_warning(parameters.time, watch.state(), all);
+  add_energy_warning(loading, all);
+  return all;
 }
 
 void Triaxial::add_energies(Sample &s) const
@@ -397,6 +338,7 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, watch.state());
   dem::write_value(out, probe);
   dem::write_value(out, preparation);
+  dem::write_value(out, consolidation);
   dem::write_value(out, is_dense);
   dem::write_value(out, lower);
   dem::write_value(out, upper);
@@ -429,6 +371,7 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, record);
   dem::read_value(in, probe);
   dem::read_value(in, preparation);
+  dem::read_value(in, consolidation);
   dem::read_value(in, is_dense);
   dem::read_value(in, lower);
   dem::read_value(in, upper);

@@ -42,8 +42,9 @@ public:
   /// Builds the scene. Throws InputError.
   explicit Triaxial(const Case &parameters);
 
-  /// One step of the present stage. Throws RunFailure if the preparation does
-  /// not come to rest in time, coupling::GuardStop after a step that a guard
+  /// One step of the present stage. Throws RunFailure if preparation or
+  /// consolidation do not come to rest in time or loading would begin with a
+  /// step that is too long, coupling::GuardStop after a step that a guard
   /// stops at.
   void advance();
 
@@ -105,6 +106,19 @@ public:
     std::int64_t is_taken = 0; ///< not made in this run, but taken from a file
   };
   const Prepared &prepared() const { return preparation; }
+
+  /// How the consolidation stands, and in the end how it ended.
+  struct Consolidated
+  {
+    double time = 0.;       ///< it took so far [s]
+    double load_error = 0.; ///< of the plate, over its load [-]
+    double swing = 0.;      ///< change of that load that its motion makes [-]
+    double side_error = 0.; ///< of the stress on rigid sides [-]
+    double unbalanced_ratio = 0.; ///< [-]
+  };
+  const Consolidated &consolidated() const { return consolidation; }
+  /// What a reader of the results must know, a line each.
+  std::vector<std::string> warnings(const EnergyBalance &loading) const;
   /// What the steps were, and what they were chosen by.
   const StepRecord &step_record() const { return watch.state(); }
   const ProbeState &step_probe() const { return probe; }
@@ -143,6 +157,9 @@ private:
   void step_stage();
   void prepare();
   void consolidate();
+  bool is_consolidated();
+  std::string unconsolidated_text() const;
+  void begin_loading();
   void load();
   void begin_wear();
   void after_tick();
@@ -205,6 +222,8 @@ private:
 
   std::int64_t in_stage = 0;
   Prepared preparation;
+  Consolidated consolidation;
+  bool is_rough = false;     ///< packed by shortcuts: not asked for rest
   std::int64_t is_dense = 0; ///< the target porosity has been met
   std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;

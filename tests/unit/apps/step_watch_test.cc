@@ -1,8 +1,12 @@
+#include "errors.h"
 #include "run/step_watch.h"
+
+#include <dem/integrate/contact_springs.h>
 
 #include <gtest/gtest.h>
 
 #include <dem_scene.h>
+#include <string>
 
 namespace
 {
@@ -77,6 +81,52 @@ TEST(StepWatch, ResolvesImpacts)
     }
     EXPECT_LT(worst, tolerance);
     EXPECT_GT(worst, 0.02 * tolerance); // no finer than asked for
+  }
+}
+
+/// A ball that rests on a wall, and the limit of its step.
+struct Resting
+{
+  dem::Engine engine{support::bare_parameters()};
+  double limit = 0.; ///< [s]
+
+  Resting()
+  {
+    support::add_sphere(engine, 0.01, {0., 0., 0.01 - 1e-6});
+    engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+    engine.advance(1e-12);
+    limit = dem::sharp_step(dem::contact_springs(engine, 0.));
+  }
+
+  /// Where loading begins with a fixed step of so many limits.
+  void report(double share, bool is_allowed)
+  {
+    TimeParameters time;
+    time.fixed_step = share * limit;
+    time.allow_unstable_step = is_allowed;
+    StepWatch watch(time, 1.);
+    watch.report(engine, {}, time.fixed_step);
+    record = watch.state();
+  }
+  StepRecord record;
+};
+
+TEST(StepWatch, RefusesFixedStepAboveTheSharpLimit)
+{
+  Resting ball;
+  EXPECT_THROW(ball.report(1.01, false), RunFailure);
+  EXPECT_NO_THROW(ball.report(0.99, false));
+  EXPECT_LT(ball.record.worst_share, 1.);
+  EXPECT_NO_THROW(ball.report(1.01, true));
+  EXPECT_GT(ball.record.worst_share, 1.);
+  try
+  {
+    ball.report(1.5, false);
+  }
+  catch (const RunFailure &failure)
+  {
+    EXPECT_NE(std::string(failure.what()).find("Time/allow_unstable_step"),
+              std::string::npos);
   }
 }
 } // namespace

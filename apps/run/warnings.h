@@ -1,0 +1,28 @@
+#pragma once
+
+#include "run/energy_balance.h"
+#include "run/progress.h"
+#include "run/step_watch.h"
+
+#include <string>
+#include <vector>
+
+/// What a reader of the results of a run must know. The lines stand in
+/// summary.json, at the end of the log and at the top of the report.
+namespace spall
+{
+/// Contacts were deeper than Contact/overlap_warning.
+void add_overlap_warning(const dem::Engine &engine,
+                         std::vector<std::string> &warnings);
+
+/// Steps were longer than the contacts allowed.
+void add_step_warning(const TimeParameters &time, const StepRecord &record,
+                      std::vector<std::string> &warnings);
+
+/// Non-conservative work exceeds 1 % of the external work.
+void add_energy_warning(const EnergyBalance &balance,
+                        std::vector<std::string> &warnings);
+
+/// A line of the log for each.
+void say_warnings(Progress &progress, const std::vector<std::string> &warnings);
+} // namespace spall
