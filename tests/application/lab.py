@@ -32,7 +32,8 @@ DRUM = {
     "Charge": {"mass": 0.4, "balls": 1, "ball_mass": 0.4,
                "ball_shear_modulus": 1e9},
     "Drum": {"radius": 0.2, "length": 0.2, "shelf_height": 0.05, "turns": 2,
-             "turns_per_minute": 55, "rows_per_turn": 8, "settling_time": 0.3},
+             "turns_per_minute": 55, "rows_per_turn": 8, "settling_time": 0.3,
+             "settling_unbalanced_ratio": 1},  # not asked for: a short test
     "Breakage": {"fracture_energy": 1000},
 }
 

@@ -58,7 +58,7 @@ HEADERS = {
         "damping_dissipation_J,breakage_energy_J,non_conservative_work_J,"
         "membrane_strain_energy_J,energy_residual_J,"
         "membrane_axial_stress_Pa,membrane_lateral_stress_Pa,"
-        "porosity_1",
+        "porosity_1,overlap_over_radius_1",
     "events.csv":
         "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
         "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"
