@@ -131,7 +131,7 @@ TEST(FineMembrane, ABallRestsOnCellsOfAnySize)
     Scene scene(n);
     for (int k = 0; k < n_settling; ++k)
       scene.advance(dt);
-    const double before = scene.engine.energy().shape_work;
+    const double before = scene.engine.energy().non_conservative_work;
     double low = scene.force(), high = low;
     for (int k = 0; k < n_watched; ++k)
     {
@@ -140,7 +140,7 @@ TEST(FineMembrane, ABallRestsOnCellsOfAnySize)
       high = std::max(high, scene.force());
     }
     const double astray =
-        (scene.engine.energy().shape_work - before) / (n_watched * dt);
+        (scene.engine.energy().non_conservative_work - before) / (n_watched * dt);
     // What is left of the first swing: up to 6e-4 of the weight, 2e-6 J/s.
     EXPECT_NEAR(low, weight, 1e-3 * weight) << n;
     EXPECT_NEAR(high, weight, 1e-3 * weight) << n;
