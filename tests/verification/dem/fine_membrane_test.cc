@@ -154,6 +154,8 @@ TEST(FineMembrane, ABallRestsOnCellsOfAnySize)
     std::printf("cells of %.2f c: %.5f to %.5f N, %.1e J/s, %zu vertices\n",
                 8. / n, low, high, astray, vertices);
     if (n > 10)
+    {
       EXPECT_GT(vertices, 10U) << n;
+    }
   }
 }
