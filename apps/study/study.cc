@@ -432,9 +432,10 @@ namespace
 void check_conditions(const Study &study, const std::vector<StudyPoint> &points)
 {
   for (const Expectation &e : study.expectations)
-    for (const auto &[key, value] : {std::pair(e.where_key, e.where_value),
-                                     std::pair(e.than_key, e.than_value)})
+    for (const auto &condition : {std::pair(e.where_key, e.where_value),
+                                  std::pair(e.than_key, e.than_value)})
     {
+      const std::string &key = condition.first, &value = condition.second;
       if (value.empty())
         continue;
       const std::size_t place = place_of(study, key);
