@@ -29,7 +29,7 @@ target_link_libraries(dep_umfpack INTERFACE Eigen3::Eigen ${UMFPACK_LIBRARY})
 
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel
-  IOXML IOXMLParser IOGeometry IOPLY IOImage IOExport
+  IOXML IOXMLParser IOImage IOExport
   FiltersCore FiltersSources
   RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation
   RenderingContext2D RenderingContextOpenGL2 InteractionStyle

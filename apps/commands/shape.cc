@@ -1,3 +1,4 @@
+#include "case/digits.h"
 #include "commands/commands.h"
 #include "errors.h"
 #include "shape/file.h"
@@ -34,6 +35,32 @@ dem::TriangleMesh mesh_in_metres(const ShapeWords &words)
   return mesh;
 }
 
+/// Of particles that a file is taken to be in metres for, if nothing is said
+/// of its unit [m].
+constexpr double least_size = 1e-5, largest_size = 0.5;
+
+/// Throws InputError for a mesh that is hardly in metres, unless --unit says
+/// so.
+void require_unit(const ShapeWords &words, const dem::TriangleMesh &mesh)
+{
+  if (words.has_unit)
+    return;
+  dem::Vec3 lower = mesh.points[0], upper = lower;
+  for (const dem::Vec3 &point : mesh.points)
+  {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  const double size = (upper - lower).maxCoeff();
+  if (size >= least_size && size <= largest_size)
+    return;
+  const std::string found = in_four_digits(size);
+  throw InputError(words.inputs[0] + ": is " + found +
+                   " m across if it is in metres: give its unit, --unit mm "
+                   "for " +
+                   found + " mm, or --unit m if it is of that size");
+}
+
 TimedFit fit_file(const ShapeWords &words, const dem::FitOptions &options)
 {
   using Clock = std::chrono::steady_clock;
@@ -43,6 +70,7 @@ TimedFit fit_file(const ShapeWords &words, const dem::FitOptions &options)
     const Clock::time_point start = Clock::now();
     TimedFit timed{dem::fit_shape(mesh, words.order, options), 0.};
     timed.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    require_unit(words, mesh);
     return timed;
   }
   catch (const std::invalid_argument &error)

@@ -30,8 +30,8 @@ def near(found, expected, tolerance, what):
 def fit_faults(spall, folder):
     """A cube, whose edges a series of order 20 rounds by a few per cent."""
     (folder / "cube.stl").write_text(stl(box_triangles()))
-    shape(spall, folder, "fit", "cube.stl", "--order", 20, "--out", "s.json",
-          "--json", "f.json")
+    shape(spall, folder, "fit", "cube.stl", "--order", 20, "--unit", "m",
+          "--out", "s.json", "--json", "f.json")
     fit = json.loads((folder / "f.json").read_text())
     shape(spall, folder, "info", "s.json", "--json", "i.json")
     info = json.loads((folder / "i.json").read_text())
@@ -39,6 +39,7 @@ def fit_faults(spall, folder):
     faults = [] if info["series"] == series else ["info differs from fit"]
     side = mesh["volume_m3"] ** (1 / 3)
     return (faults
+            + loose_faults(spall, folder)
             + near(mesh["area_m2"], 6 * side**2, 1e-12, "area of the cube")
             + near(series["volume_m3"], side**3, 0.003, "volume")
             + near(series["length_m"], 3**0.5 * side, 0.05, "diagonal")
@@ -81,7 +82,8 @@ def status_of(spall, folder, *words):
 def misfit_faults(spall, folder):
     """A needle of 20:1 at order 30 misses a quarter of its length."""
     (folder / "needle.stl").write_text(stl(needle_triangles(20)))
-    words = ("fit", "needle.stl", "--order", 30, "--out", "n.json")
+    words = ("fit", "needle.stl", "--order", 30, "--unit", "mm",
+             "--out", "n.json")
     status, said = status_of(spall, folder, *words)
     faults = [] if status == 1 and "does not carry" in said \
         and "--max-misfit" in said else [f"needle is fitted: {said}"]
@@ -109,6 +111,23 @@ def centroid_faults(spall, folder):
     status, said = status_of(spall, folder, "info", "off.json")
     return [] if status == 0 and re.search("warning: off.json: the centroid is [78]", said) \
         else [f"a centroid off its origin: {said}"]
+
+
+def loose_faults(spall, folder):
+    """A cube of 20 mm whose triangles have corners up to 2e-6 mm apart, of
+    which each but one at every corner becomes that one."""
+    loose = [tuple(tuple(20 * x + 1e-6 * ((k + d) % 3) for d, x in
+                         enumerate(corner)) for corner in corners)
+             for k, corners in enumerate(box_triangles())]
+    (folder / "loose.stl").write_text(stl(loose))
+    shape(spall, folder, "info", "loose.stl", "--unit", "mm", "--json",
+          "l.json")
+    mesh = json.loads((folder / "l.json").read_text())["mesh"]
+    n_points = len({corner for corners in loose for corner in corners})
+    return (near(mesh["volume_m3"], 8e-6, 1e-6, "volume of the loose cube")
+            + near(mesh["points_welded_1"], n_points - 8, 0, "points welded")
+            + near(mesh["weld_distance_m"], 1e-6 * 3**0.5 * 0.02, 1e-6,
+                   "weld distance"))
 
 
 def generate_faults(spall, folder):

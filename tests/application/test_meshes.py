@@ -1,5 +1,6 @@
 """Meshes that the tests of bad input make for themselves."""
 import math
+import struct
 
 
 def stl(triangles):
@@ -11,6 +12,21 @@ def stl(triangles):
             text += f"vertex {x:.9g} {y:.9g} {z:.9g}\n"
         text += "endloop\nendfacet\n"
     return text + "endsolid test\n"
+
+
+def binary_stl(triangles, promised):
+    """Binary STL whose header promises so many triangles."""
+    data = b" " * 80 + struct.pack("<I", promised)
+    for corners in triangles:
+        data += struct.pack("<3f", 0, 0, 0)
+        data += b"".join(struct.pack("<3f", *corner) for corner in corners)
+        data += b"\0\0"
+    return data
+
+
+def scaled(triangles, factor):
+    return [tuple(tuple(factor * x for x in corner) for corner in corners)
+            for corners in triangles]
 
 
 def box_triangles(n_missing=0):
@@ -86,6 +102,16 @@ def block(x, y, z, place=lambda *at: at):
              for k in range(len(z) - 1) for j in range(len(y) - 1)
              for i in range(len(x) - 1)]
     return nodes, cells
+
+
+def second_order_quad():
+    """A .msh file (format 2) of one quad of eight nodes."""
+    places = ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1))
+    text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n"
+    for k, (x, y) in enumerate(places, 1):
+        text += f"{k} {x} {y} 0\n"
+    return text + "$EndNodes\n$Elements\n1\n1 16 2 1 1 " \
+        "1 2 3 4 5 6 7 8\n$EndElements\n"
 
 
 def extruded(quads, points, z):

@@ -1,12 +1,13 @@
 #include "ply_reader.h"
 
+#include "number_text.h"
+#include "polygon.h"
+
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -75,7 +76,7 @@ Kind kind_of(const std::string &name)
 /// The text of a file and how far it is read.
 struct Cursor
 {
-  const std::string &text;
+  std::string_view text;
   std::size_t place = 0;
 };
 
@@ -85,8 +86,8 @@ std::string next_line(Cursor &cursor)
     fail("ends within its header");
   const std::size_t end =
       std::min(cursor.text.find('\n', cursor.place), cursor.text.size());
-  std::string line = cursor.text.substr(cursor.place, end - cursor.place);
-  cursor.place = end + 1;
+  std::string line(cursor.text.substr(cursor.place, end - cursor.place));
+  cursor.place = std::min(end + 1, cursor.text.size());
   if (!line.empty() && line.back() == '\r')
     line.pop_back();
   return line;
@@ -175,19 +176,23 @@ double binary_number(Cursor &cursor, bool is_swapped)
 
 double text_number(Cursor &cursor)
 {
-  const std::string &text = cursor.text;
-  while (cursor.place < text.size() &&
-         std::isspace(static_cast<unsigned char>(text[cursor.place])))
-    ++cursor.place;
+  constexpr std::string_view blanks = " \t\r\n\v\f";
+  const std::string_view text = cursor.text;
+  cursor.place = text.find_first_not_of(blanks, cursor.place);
   if (cursor.place >= text.size())
     fail("ends before its last triangle");
-  double value = 0.;
-  const auto [stop, error] = std::from_chars(text.data() + cursor.place,
-                                             text.data() + text.size(), value);
-  if (error != std::errc())
-    fail("has a word where a number should be");
-  cursor.place = std::size_t(stop - text.data());
-  return value;
+  const std::size_t end =
+      std::min(text.find_first_of(blanks, cursor.place), text.size());
+  const std::string_view word = text.substr(cursor.place, end - cursor.place);
+  const auto value = any_number_in(word);
+  if (!value)
+    fail("has a word where a number should be, line " +
+         std::to_string(1 + std::count(text.begin(),
+                                       text.begin() + long(cursor.place),
+                                       '\n')) +
+         comma_hint(word));
+  cursor.place = end;
+  return *value;
 }
 
 double next_number(Cursor &cursor, const Header &header, Kind kind)
@@ -230,23 +235,33 @@ void read_numbers(Cursor &cursor, const Header &header,
     numbers.push_back(next_number(cursor, header, property.kind));
 }
 
-std::int32_t point_number(double value)
+/// The polygons of a file, for when all its points are known.
+using Polygons = std::vector<std::vector<std::int32_t>>;
+
+void add_polygon(const std::vector<double> &numbers, Polygons &polygons)
 {
-  if (!(value >= 0. && value < 2147483647. && value == std::floor(value)))
-    fail("has a face with no valid point number");
-  return std::int32_t(value);
+  if (numbers.size() < 3)
+    return;
+  if (numbers.size() > most_corners)
+    fail("has a face of " + std::to_string(numbers.size()) +
+         " corners, must be at most " + std::to_string(most_corners));
+  std::vector<std::int32_t> &corners = polygons.emplace_back();
+  for (const double value : numbers)
+  {
+    if (!(value >= 0. && value < 2147483647. && value == std::floor(value)))
+      fail("has a face with no valid point number");
+    corners.push_back(std::int32_t(value));
+  }
 }
 
-void add_fan(const std::vector<double> &corners, TriangleMesh &mesh)
+struct Surface
 {
-  for (std::size_t i = 2; i < corners.size(); ++i)
-    mesh.triangles.push_back({point_number(corners[0]),
-                              point_number(corners[i - 1]),
-                              point_number(corners[i])});
-}
+  TriangleMesh mesh;
+  Polygons polygons;
+};
 
 void read_entries(Cursor &cursor, const Header &header, const Element &element,
-                  TriangleMesh &mesh)
+                  Surface &surface)
 {
   std::vector<double> numbers;
   if (element.count > 0 && element.properties.empty())
@@ -263,28 +278,30 @@ void read_entries(Cursor &cursor, const Header &header, const Element &element,
         point[name[0] - 'x'] = numbers[0];
       if (element.name == "face" &&
           (name == "vertex_indices" || name == "vertex_index"))
-        add_fan(numbers, mesh);
+        add_polygon(numbers, surface.polygons);
     }
+    if (element.name == "vertex" && !point.allFinite())
+      fail("has a vertex without three finite numbers x, y and z");
     if (element.name == "vertex")
-      mesh.points.push_back(point);
+      surface.mesh.points.push_back(point);
   }
 }
 } // namespace
 
-TriangleMesh read_ply(const std::string &path)
+TriangleMesh read_ply(std::string_view bytes)
 {
-  std::ifstream in(path, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(in)),
-                         std::istreambuf_iterator<char>());
-  Cursor cursor{text};
+  Cursor cursor{bytes};
   const Header header = read_header(cursor);
-  TriangleMesh mesh;
+  Surface surface;
   for (const Element &element : header.elements)
-    read_entries(cursor, header, element, mesh);
-  const auto n_points = std::int32_t(mesh.points.size());
-  for (const auto &triangle : mesh.triangles)
-    if (*std::max_element(triangle.begin(), triangle.end()) >= n_points)
+    read_entries(cursor, header, element, surface);
+  const auto n_points = std::int32_t(surface.mesh.points.size());
+  for (const auto &polygon : surface.polygons)
+  {
+    if (std::ranges::max(polygon) >= n_points)
       fail("has a face with no valid point number");
-  return mesh;
+    add_polygon(polygon, surface.mesh);
+  }
+  return std::move(surface.mesh);
 }
 } // namespace dem::detail

@@ -2,13 +2,12 @@
 
 #include <dem/shape/fit.h>
 
-#include <string>
+#include <string_view>
 
 namespace dem::detail
 {
-/// Reads the vertices and faces of a PLY file, text or binary of either byte
-/// order; polygons are cut into fans. Our own, as the reader of VTK 9.1 breaks
-/// down on a file that was cut short. Throws std::invalid_argument that says
-/// what is wrong, without the path.
-TriangleMesh read_ply(const std::string &path);
+/// Vertices and faces of a PLY file, text or binary of either byte order;
+/// faces of more than three corners are cut into triangles. Throws
+/// std::invalid_argument that says what is wrong, without the path.
+TriangleMesh read_ply(std::string_view bytes);
 } // namespace dem::detail

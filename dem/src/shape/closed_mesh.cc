@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace dem
 {
@@ -65,16 +66,51 @@ std::vector<Side> sorted_sides(const std::vector<Triangle> &triangles)
   return sides;
 }
 
+/// Of the diagonal of the box round a mesh: points that are nearer than this
+/// are one point if the mesh is open without [-].
+constexpr double weld_share = 1e-6;
+
+std::string short_text(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
 void throw_open(Index n_open, Index n_shared)
 {
   if (n_open > 0)
     throw std::invalid_argument(
         "mesh is open: " + std::to_string(n_open) +
-        " edges belong to one triangle only, every edge must have two");
+        " edges belong to one triangle only, every edge must have two; points "
+        "up to " +
+        short_text(weld_share) + " of its diagonal apart are taken as one");
   if (n_shared > 0)
     throw std::invalid_argument(
         "mesh is no single surface: " + std::to_string(n_shared) +
         " edges belong to more than two triangles, every edge must have two");
+}
+
+/// Where the sides of one edge end, in a list that is sorted.
+Index end_of_edge(const std::vector<Side> &sides, Index first)
+{
+  Index end = first + 1;
+  while (end < sides.size() && sides[end].low == sides[first].low &&
+         sides[end].high == sides[first].high)
+    ++end;
+  return end;
+}
+
+bool is_open(const TriangleMesh &mesh)
+{
+  const std::vector<Side> sides = sorted_sides(mesh.triangles);
+  for (Index i = 0, end = 0; i < sides.size(); i = end)
+  {
+    end = end_of_edge(sides, i);
+    if (end - i == 1)
+      return true;
+  }
+  return false;
 }
 
 /// Three links per triangle, in no particular order.
@@ -86,10 +122,7 @@ find_links(const std::vector<Triangle> &triangles)
   Index n_open = 0, n_shared = 0;
   for (Index i = 0, end = 0; i < sides.size(); i = end)
   {
-    end = i + 1;
-    while (end < sides.size() && sides[end].low == sides[i].low &&
-           sides[end].high == sides[i].high)
-      ++end;
+    end = end_of_edge(sides, i);
     n_open += end - i == 1;
     n_shared += end - i > 2;
     if (end - i != 2)
@@ -152,6 +185,30 @@ int turn_outward(TriangleMesh &mesh)
   return n_bodies;
 }
 
+double diagonal(const TriangleMesh &mesh)
+{
+  Vec3 lower = mesh.points[0], upper = lower;
+  for (const Vec3 &point : mesh.points)
+  {
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
+  }
+  return (upper - lower).norm();
+}
+
+/// Takes near points as one. Files with few digits need it.
+void weld_near(detail::ClosedMesh &closed)
+{
+  const double tolerance = weld_share * diagonal(closed.mesh);
+  TriangleMesh welded = weld(closed.mesh, tolerance);
+  if (welded.points.size() == closed.mesh.points.size())
+    return;
+  closed.weld_distance = tolerance;
+  closed.n_welded =
+      std::int32_t(closed.mesh.points.size() - welded.points.size());
+  closed.mesh = std::move(welded);
+}
+
 /// The first point of the mesh is the origin of the sums, so that a mesh far
 /// from zero loses no digits.
 void add_integrals(detail::ClosedMesh &closed)
@@ -176,36 +233,6 @@ void add_integrals(detail::ClosedMesh &closed)
 }
 } // namespace
 
-TriangleMesh weld(const TriangleMesh &mesh)
-{
-  std::vector<std::int32_t> order(mesh.points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](std::int32_t i)
-  {
-    const Vec3 &p = mesh.points[Index(i)];
-    return std::make_tuple(p.x(), p.y(), p.z());
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::int32_t a, std::int32_t b)
-                   { return key(a) < key(b); });
-  TriangleMesh welded;
-  std::vector<std::int32_t> number(mesh.points.size());
-  for (Index i = 0; i < order.size(); ++i)
-  {
-    if (i == 0 || key(order[i]) != key(order[i - 1]))
-      welded.points.push_back(mesh.points[Index(order[i])]);
-    number[Index(order[i])] = std::int32_t(welded.points.size()) - 1;
-  }
-  for (const Triangle &t : mesh.triangles)
-  {
-    const Triangle w = {number[Index(t[0])], number[Index(t[1])],
-                        number[Index(t[2])]};
-    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
-      welded.triangles.push_back(w);
-  }
-  return welded;
-}
-
 namespace detail
 {
 ClosedMesh close_mesh(const TriangleMesh &mesh)
@@ -213,6 +240,8 @@ ClosedMesh close_mesh(const TriangleMesh &mesh)
   require_sound(mesh);
   ClosedMesh closed;
   closed.mesh = weld(mesh);
+  if (is_open(closed.mesh))
+    weld_near(closed);
   require_sound(closed.mesh);
   closed.n_bodies = turn_outward(closed.mesh);
   add_integrals(closed);

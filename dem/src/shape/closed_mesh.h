@@ -5,7 +5,8 @@
 namespace dem::detail
 {
 /// A welded mesh whose every edge has exactly two triangles, all bodies
-/// turned outward.
+/// turned outward. A mesh that is open with equal points merged is welded
+/// again within a millionth of the diagonal of its box.
 struct ClosedMesh
 {
   TriangleMesh mesh;
@@ -13,6 +14,9 @@ struct ClosedMesh
   double volume = 0.;           ///< [m^3]
   double area = 0.;             ///< [m^2]
   Vec3 centroid = Vec3::Zero(); ///< of the volume [m]
+  /// Points that were not equal but nearer than this are one [m]; 0: none.
+  double weld_distance = 0.;
+  std::int32_t n_welded = 0; ///< points that became another one so [-]
 };
 
 /// Throws std::invalid_argument with one line: no triangles, a point that is

@@ -138,6 +138,8 @@ ShapeFit fit_shape(const TriangleMesh &mesh, int order,
   fit.centroid = closed.centroid;
   fit.mesh_volume = closed.volume;
   fit.mesh_area = closed.area;
+  fit.weld_distance = closed.weld_distance;
+  fit.n_welded = closed.n_welded;
   for (Vec3 &point : closed.mesh.points)
     point -= closed.centroid;
   const SphereQuadrature &rule = standard_quadrature();

@@ -43,17 +43,21 @@ struct ShapeFit
   double overhang_fraction = 0.; ///< share of directions hit more than once [-]
   double overhang_loss =
       0.; ///< volume lost by taking one hit / mesh volume [-]
+  double weld_distance = 0.; ///< points nearer than this are one [m]; 0: equal
+  int n_welded = 0;          ///< points that were near, not equal [-]
 };
 
-/// Merges coincident points (STL) and drops degenerate triangles.
-TriangleMesh weld(const TriangleMesh &mesh);
+/// Merges points that are equal, or at most `tolerance` [m] apart, and drops
+/// triangles that are left with fewer than three.
+TriangleMesh weld(const TriangleMesh &mesh, double tolerance = 0.);
 
-/// Least squares for r about the volume centroid. The mesh is welded first and
-/// turned outward. Throws std::invalid_argument with one clear line if the mesh
-/// is open (number of open edges), empty, has more than one body, does not
-/// contain its centroid, or is not star-shaped beyond `max_overhang` (says the
-/// share of directions and the volume lost); from vertices also if a triangle
-/// faces the centroid or there are not two points for every coefficient.
+/// Least squares for r about the volume centroid. The mesh is welded first,
+/// within a millionth of its diagonal if it is open without, and turned
+/// outward. Throws std::invalid_argument with one clear line if the mesh is
+/// open (number of open edges), empty, has more than one body, does not contain
+/// its centroid, or is not star-shaped beyond `max_overhang` (says the share of
+/// directions and the volume lost); from vertices also if a triangle faces the
+/// centroid or there are not two points for every coefficient.
 ShapeFit fit_shape(const TriangleMesh &mesh, int order,
                    const FitOptions &options = {});
 } // namespace dem

@@ -89,6 +89,43 @@ TEST(Weld, MergesEqualPointsAndDropsWhatCollapses)
   EXPECT_EQ(welded.triangles.size(), 12u);
 }
 
+namespace
+{
+/// A cube whose triangles have corners of their own, off by up to this.
+TriangleMesh loose_cube(double off)
+{
+  const TriangleMesh whole = cube();
+  TriangleMesh soup;
+  int k = 0;
+  for (const auto &t : whole.triangles)
+  {
+    const auto first = int(soup.points.size());
+    for (const int point : t)
+      soup.points.push_back(whole.points[std::size_t(point)] +
+                            Vec3::Constant(off * double(k++ % 3 - 1)));
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+} // namespace
+
+// The diagonal of the cube is sqrt(3) of its side: points up to 1.7e-6 of the
+// side apart are one.
+TEST(Weld, MergesNearPointsOfAMeshThatIsOpenWithoutIt)
+{
+  const double side = std::cbrt(fit_shape(cube(), 1).mesh_volume);
+  const TriangleMesh loose = loose_cube(1e-7 * side);
+  EXPECT_GT(weld(loose).points.size(), 8u);
+  EXPECT_EQ(weld(loose, 1e-6 * side).points.size(), 8u);
+  EXPECT_EQ(weld(loose, 1e-8 * side).points.size(), weld(loose).points.size());
+  const ShapeFit fit = fit_shape(loose, 1);
+  EXPECT_EQ(std::size_t(fit.n_welded), weld(loose).points.size() - 8u);
+  EXPECT_NEAR(fit.weld_distance, 1e-6 * std::sqrt(3.) * side, 1e-8 * side);
+  EXPECT_NEAR(fit.mesh_volume, std::pow(side, 3), 1e-6 * std::pow(side, 3));
+  EXPECT_EQ(fit_shape(cube(), 1).n_welded, 0);
+  EXPECT_THROW(fit_shape(loose_cube(1e-5 * side), 1), std::invalid_argument);
+}
+
 // The facets of 120 x 240 are inside by at most (pi / 120)^2 / 8 = 9e-5 of
 // the radius of curvature; the ellipsoid of order 20 itself has 1e-7.
 TEST(Fit, RecoversAnEllipsoidFromItsMesh)
