@@ -1,13 +1,15 @@
+#include "gmsh_cells.h"
+
 #include <fem/solid_mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -124,6 +126,7 @@ void refine(Triangulation &triangulation,
     triangulation.execute_coarsening_and_refinement();
   }
 }
+
 /// Throws std::invalid_argument unless the edges that meet in a corner span a
 /// volume of positive sign, in all corners.
 void check_cells(const SolidMesh &mesh, const std::string &path)
@@ -145,6 +148,42 @@ void check_cells(const SolidMesh &mesh, const std::string &path)
            << at(v).z() << ")";
       throw std::invalid_argument(text.str());
     }
+}
+
+[[noreturn]] void refuse(const std::string &path, const std::string &what)
+{
+  throw std::invalid_argument("solid mesh: " + path + what);
+}
+
+/// The hexahedra of the file, with the quads on their surface.
+void fill(Triangulation &triangulation, const std::string &path)
+{
+  if (std::filesystem::is_directory(path))
+    refuse(path, " is a folder, must be a gmsh file");
+  GmshMesh mesh;
+  try
+  {
+    mesh = read_gmsh(path);
+    mesh.quads = surface_quads(mesh);
+  }
+  catch (const std::invalid_argument &fault)
+  {
+    refuse(path, std::string(" is no gmsh file of hexahedra: ") + fault.what());
+  }
+  if (mesh.hexahedra.empty() || !mesh.other_cell.empty())
+    refuse(path, " has " +
+                     (mesh.other_cell.empty() ? "no cells" : mesh.other_cell) +
+                     ", all cells must be hexahedra");
+  dealii::SubCellData surface; // their material is the boundary's number
+  surface.boundary_quads = cell_data<2>(mesh.quads);
+  try
+  {
+    build<3>(mesh.nodes, cell_data<3>(mesh.hexahedra), surface, triangulation);
+  }
+  catch (const std::exception &)
+  {
+    refuse(path, " has hexahedra that do not fit together");
+  }
 }
 } // namespace
 
@@ -178,25 +217,10 @@ SolidMesh box_mesh(const BoxMesh &box)
 
 SolidMesh read_solid_mesh(const std::string &path)
 {
-  std::ifstream file(path);
-  if (!file)
+  if (!std::ifstream(path))
     throw std::invalid_argument("solid mesh: cannot open " + path);
   Triangulation triangulation;
-  dealii::GridIn<3> reader(triangulation);
-  try
-  {
-    reader.read_msh(file);
-  }
-  catch (const std::exception &)
-  {
-    throw std::invalid_argument("solid mesh: " + path +
-                                " is no gmsh file of hexahedra whose quads, if "
-                                "any, all lie on the surface");
-  }
-  if (!triangulation.all_reference_cells_are_hyper_cube())
-    throw std::invalid_argument("solid mesh: " + path +
-                                " has tetrahedra, prisms or pyramids, all "
-                                "cells must be hexahedra");
+  fill(triangulation, path);
   const SolidMesh mesh = flatten(triangulation);
   check_cells(mesh, path);
   return mesh;

@@ -1,8 +1,8 @@
+#include "gmsh_cells.h"
+
 #include <fem/surface_file.h>
 
-#include <deal.II/grid/grid_in.h>
-#include <deal.II/grid/tria.h>
-
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -12,26 +12,50 @@ namespace
 {
 using Triangulation = dealii::Triangulation<2, 3>;
 
-void read(const std::string &path, Triangulation &triangulation)
+[[noreturn]] void refuse(const std::string &path, const std::string &what)
 {
-  std::ifstream file(path);
-  if (!file)
+  throw std::invalid_argument("surface mesh: " + path + what);
+}
+
+/// The quads of the file, and no other cells.
+GmshMesh quads_of(const std::string &path)
+{
+  if (!std::ifstream(path))
     throw std::invalid_argument("surface mesh: cannot open " + path);
-  dealii::GridIn<2, 3> reader(triangulation);
+  if (std::filesystem::is_directory(path))
+    refuse(path, " is a folder, must be a gmsh file");
+  GmshMesh mesh;
   try
   {
-    reader.read_msh(file);
+    mesh = read_gmsh(path);
+    check_edges(mesh.quads);
+  }
+  catch (const std::invalid_argument &fault)
+  {
+    refuse(path, std::string(" is no gmsh file of a surface of quads: ") +
+                     fault.what());
+  }
+  const std::string other =
+      mesh.hexahedra.empty() ? mesh.other_cell : "hexahedra";
+  if (!other.empty())
+    refuse(path, " has " + other +
+                     ", all cells must be quads: recombine them in gmsh");
+  if (mesh.quads.empty())
+    refuse(path, " has no quads");
+  return mesh;
+}
+
+void read(const std::string &path, Triangulation &triangulation)
+{
+  const GmshMesh mesh = quads_of(path);
+  try
+  {
+    build<2>(mesh.nodes, cell_data<2>(mesh.quads), {}, triangulation);
   }
   catch (const std::exception &)
   {
-    throw std::invalid_argument("surface mesh: " + path +
-                                " is no gmsh file of a surface of quads, each "
-                                "edge on at most two of them");
+    refuse(path, " has quads that are no surface");
   }
-  if (!triangulation.all_reference_cells_are_hyper_cube())
-    throw std::invalid_argument("surface mesh: " + path +
-                                " has triangles, all cells must be quads: "
-                                "recombine them in gmsh");
 }
 } // namespace
 

@@ -15,6 +15,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 from bad_cases import CASES, GRADATION, merged, prm
+from bad_meshes import MESH_FILES
 from bad_subgrades import SUBGRADES
 
 
@@ -70,7 +71,8 @@ def answer_faults(bad, ended):
 
 def main():
     spall, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:]
-    cases = [bad for bad in CASES + SUBGRADES if not names or bad.name in names]
+    cases = [bad for bad in CASES + MESH_FILES + SUBGRADES
+             if not names or bad.name in names]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(lambda bad: faults_of(spall, bad), cases))
     n_failed = 0

@@ -76,10 +76,10 @@ struct QuarterCylinder
 /// Sides: x_lower and y_lower the planes of symmetry, x_upper the round side.
 SolidMesh quarter_cylinder_mesh(const QuarterCylinder &block);
 
-/// Hexahedra of a gmsh file (.msh, formats 2 and 4): physical volumes are the
-/// layers, physical surfaces the boundaries. Throws std::invalid_argument with
-/// the file and what is wrong: it cannot be read, has other cells, or cells
-/// that are turned inside out.
+/// Hexahedra of a gmsh file (.msh as text, formats 1, 2 and 4, order 1):
+/// physical volumes are the layers, physical surfaces the boundaries. Throws
+/// std::invalid_argument with the file, the line and what is wrong: it cannot
+/// be read, has other cells, or cells that are turned inside out.
 SolidMesh read_solid_mesh(const std::string &path);
 
 /// Layer k of a cell is the first whose top lies above its centre; the last

@@ -69,12 +69,112 @@ TEST(SurfaceFile, ReadsQuadsThatFaceAlike)
   EXPECT_NEAR(std::abs(six_volumes(mesh)), 5., 1e-12);
 }
 
+/// The whole text of a file, and what is said about it.
+std::string refusal_of_text(const std::string &text)
+{
+  const File file("");
+  std::ofstream(file.path) << text;
+  return refusal(file.path);
+}
+
+const char *const nodes = "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+                          "5 0 0 1\n6 1 0 1\n";
+
+// Two quads that share an edge, in every format that gmsh has written.
+TEST(SurfaceFile, ReadsAllFormatsAlike)
+{
+  const std::string four_nodes =
+      "\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n$EndNodes\n";
+  const std::string texts[] = {
+      std::string("$NOD\n6\n") + nodes +
+          "$ENDNOD\n$ELM\n2\n1 3 1 1 4 1 2 3 4\n"
+          "2 3 1 1 4 1 2 6 5\n$ENDELM\n",
+      std::string("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n"
+                  "2 1 \"a side\"\n$EndPhysicalNames\n$Nodes\n6\n") +
+          nodes +
+          "$EndNodes\n$Elements\n4\n1 15 2 0 1 1\n2 1 2 0 1 1 2\n"
+          "3 3 2 1 1 1 2 3 4\n4 3 2 1 1 1 2 6 5\n$EndElements\n",
+      std::string("$MeshFormat\n4 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n"
+                  "1 0 0 0 1 1 1 1 7 0\n$EndEntities\n$Nodes\n1 6\n"
+                  "1 2 0 6\n") +
+          nodes +
+          "$EndNodes\n$Elements\n1 2\n1 2 3 2\n1 1 2 3 4\n"
+          "2 1 2 6 5\n$EndElements\n",
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 0 1 0\n"
+      "1 0 0 0 0\n1 0 0 0 1 1 1 1 7 2 1 -2\n$EndEntities\n"
+      "$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6" +
+          four_nodes +
+          "$Elements\n1 2 1 2\n2 1 3 2\n1 1 2 3 4\n2 1 2 6 5\n"
+          "$EndElements\n"};
+  const File file("");
+  for (const std::string &text : texts)
+  {
+    std::ofstream(file.path) << text;
+    const fem::SurfaceMesh mesh = fem::read_surface_mesh(file.path);
+    ASSERT_EQ(mesh.quads.size(), 2u);
+    EXPECT_EQ(mesh.nodes.size(), 6u);
+    Vector sum = Vector::Zero();
+    for (const Vector &node : mesh.nodes)
+      sum += node;
+    EXPECT_EQ(sum, Vector(3., 2., 2.));
+  }
+}
+
 TEST(SurfaceFile, RefusesWhatIsNoSurfaceOfQuads)
 {
   EXPECT_NE(refusal("no/such/file.msh").find("cannot open"), std::string::npos);
   const File triangles("2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n");
   EXPECT_NE(refusal(triangles.path).find("recombine"), std::string::npos);
-  std::ofstream(triangles.path) << "no mesh\n";
-  EXPECT_NE(refusal(triangles.path).find("no gmsh file"), std::string::npos);
+  EXPECT_NE(refusal_of_text("no mesh\n").find("no gmsh file"),
+            std::string::npos);
+}
+
+TEST(SurfaceFile, NamesWhatIsWrongAndTheLine)
+{
+  const auto expect = [](const std::string &elements, const std::string &word)
+  {
+    const std::string message = refusal(File(elements).path);
+    EXPECT_NE(message.find(word), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  };
+  expect("1\n1 16 2 1 1 1 2 3 4 5 6 7 8\n",
+         "line 17: has quads of order 2 (8 nodes each): must be of order 1 "
+         "(Mesh.ElementOrder = 1)");
+  expect("1\n1 10 2 1 1 1 2 3 4 5 6 7 8 1\n", "quads of order 2 (9 nodes");
+  expect("1\n1 36 2 1 1 1\n", "quads of order 3");
+  expect("1\n1 999 2 1 1 1\n", "type 999");
+  expect("1\n1 3 2 1 1 1 2 3 9\n", "names node 9, which is not there");
+  expect("1\n1 3 2 1 1 1 2 3 3\n", "names node 3 twice");
+  expect("3\n1 3 0 1 2 3 4\n2 3 0 1 2 6 5\n3 3 0 1 2 7 8\n",
+         "an edge belongs to more than two quads");
+  expect("2\n1 3 0 1 2 3 4\n", "line 18: \"$EndElements\"");
+  expect("1\n1 3 0 1 2 3 4\n2 3 0 1 2 6 5\n", "must be $EndElements");
+  expect("1\n1 3 0 1,5 2 3 4\n", "(a decimal comma: write 1.5)");
+  expect("1\n1 5 0 1 2 3 4 5 6 7 8\n", "has hexahedra");
+  expect("0\n", "has no quads");
+}
+
+// Files with counts like these took more than 30 s.
+TEST(SurfaceFile, EndsWithTheFileWhateverItsCountsSay)
+{
+  const std::string start = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n";
+  const std::string start_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+  for (const std::string &text :
+       {start + "900000000000000\n" + nodes + "$EndNodes\n",
+        start + "6\n" + nodes + "$EndNodes\n$Elements\n900000000000000\n",
+        start_4 + "$Entities\n900000000000000 0 0 0\n$EndEntities\n",
+        start_4 + "$Nodes\n900000000000000 1 1 1\n",
+        start_4 + "$Nodes\n1 1 1 1\n2 1 0 900000000000000\n1\n0 0 0\n",
+        start_4 + "$Elements\n1 1 1 1\n2 1 3 900000000000000\n"})
+    EXPECT_NE(refusal_of_text(text).find("no gmsh file"), std::string::npos);
+  EXPECT_NE(refusal_of_text(start + "-1\n").find("from 0 on"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_text("$MeshFormat\n4.1 1 8\n").find("Mesh.Binary = 0"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_text("$MeshFormat\n3 0 8\n").find("must be 2 or 4"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_text(start + "2\n1 0 0 0\n1 1 0 0\n")
+                .find("node 1 is given twice"),
+            std::string::npos);
 }
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <istream>
 #include <ostream>
@@ -49,9 +50,17 @@ void read_column(std::istream &in, std::vector<T> &column)
   read_value(in, n);
   if (n > (std::uint64_t{1} << 40) / sizeof(T))
     throw std::runtime_error("checkpoint is damaged");
-  column.resize(n);
-  if (n > 0 && !in.read(reinterpret_cast<char *>(column.data()),
-                        static_cast<std::streamsize>(n * sizeof(T))))
-    throw std::runtime_error("checkpoint ends too early");
+  // In pieces: a wrong size ends with the stream, not with the memory.
+  constexpr std::uint64_t piece = std::uint64_t{1} << 20;
+  column.clear();
+  for (std::uint64_t done = 0; done < n;)
+  {
+    const std::uint64_t now = std::min(piece, n - done);
+    column.resize(done + now);
+    if (!in.read(reinterpret_cast<char *>(column.data() + done),
+                 static_cast<std::streamsize>(now * sizeof(T))))
+      throw std::runtime_error("checkpoint ends too early");
+    done += now;
+  }
 }
 } // namespace dem

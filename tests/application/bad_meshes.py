@@ -1,0 +1,40 @@
+"""Broken mesh files for bad_input.py."""
+from bad_cases import CASE, Bad, fit
+from test_meshes import (binary_stl, box_triangles, scaled, second_order_quad,
+                         stl)
+
+SQUARE_OBJ = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+BOX = stl(box_triangles())
+LARGE = stl(scaled(box_triangles(), 20))
+
+
+def sheet(name, text, *message):
+    """A case whose membrane comes from this file of gmsh."""
+    return Bad("mesh_" + name, CASE, ["Boundary/mesh = m.msh", *message],
+               {"Boundary": {"mesh": "m.msh"}}, {"m.msh": text})
+
+
+MESH_FILES = [
+    *[fit("obj_" + name, "m.obj", SQUARE_OBJ + face, "m.obj: line 5", word)
+      for name, face, word in [
+          ("index", "f 4 1 5 1000008\n", "vertex 1000008, the file has 4"),
+          ("zero", "f 0 1 2\n", "vertex 0"),
+          ("back", "f 1 2 -5\n", "vertex -5"),
+          ("overflow", "f 1 2 99999999999999999999\n", "below 0 to count"),
+          ("comma", "v 0,5 1 2\n", "decimal comma: write 0.5")]],
+    fit("stl_promises", "m.stl", binary_stl(box_triangles(), 0x7fffffff),
+        "promises 2147483647 triangles", "has room for 12"),
+    fit("stl_cut_off", "m.stl", BOX[:700], "without endsolid", "cut off?"),
+    fit("stl_comma", "m.stl", BOX.replace("vertex 1 ", "vertex 1,5 ", 1),
+        "line ", "decimal comma: write 1.5"),
+    fit("stl_gap", "m.stl", BOX.replace("vertex 1 1 1", "vertex 1.00001 1 1",
+                                        1),
+        "is open", "1e-06 of its diagonal"),
+    fit("millimetres", "m.stl", LARGE, "m.stl: is 20 m across", "--unit mm"),
+    Bad("info_millimetres", ["shape", "info", "m.stl"],
+        ["is 20 m across", "--unit mm"], files={"m.stl": LARGE}),
+    sheet("second_order", second_order_quad(), "quads of order 2",
+          "must be of order 1"),
+    sheet("count", second_order_quad().replace("$Nodes\n8", "$Nodes\n900000000")
+          [:81], "line 9", "cut off?"),
+]
