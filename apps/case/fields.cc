@@ -406,9 +406,10 @@ std::vector<Parameter> parameters_of(Case &of)
   add_time(list, of.time);
   add_output(list, of.output);
   list.in("Run");
-  list.add(
-      {"threads", "-", "OpenMP threads; 0: the number that is fastest now."},
-      of.threads, between(0, most_threads));
+  list.add({"threads", "-",
+            "Most OpenMP threads of the run, 0: all cores; the fastest number "
+            "up to it is used."},
+           of.threads, between(0, most_threads));
   return std::move(list.parameters);
 }
 

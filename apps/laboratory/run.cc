@@ -101,6 +101,9 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
   {
     threads.before_step();
     test.advance();
+    threads.after_step();
+    if (const std::string note = threads.take_note(); !note.empty())
+      progress.say(note);
     recorder.after_step(test);
     for (const std::string &note : test.take_notes())
       progress.say(note);

@@ -89,6 +89,7 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
     {
       choice.before_step();
       is_on = advance();
+      choice.after_step();
     }
     return is_on;
   };

@@ -1,36 +1,37 @@
 #pragma once
 
+#include "run/thread_plan.h"
+
 #include <chrono>
 #include <vector>
 
 namespace spall
 {
-/// Numbers of threads that a run may have: `fixed`, or if that is 0 every power
-/// of two up to all cores, and all cores.
-std::vector<int> thread_candidates(int fixed);
+/// Numbers of threads that a run may have: every power of two up to `most`, and
+/// `most`; 0 stands for all cores.
+std::vector<int> thread_candidates(int most);
 
-/// Number of OpenMP threads of a run: fixed, or the one that is fastest now.
-/// Results have the same bits for any number, so the choice may change at any
-/// step; on a busy machine threads that wait for each other can cost more than
+/// Number of OpenMP threads of a run: the fastest now, as ThreadPlan finds it.
+/// Results have the same bits for any number, so the number may change at any
+/// step. On a busy machine threads that wait for each other can cost more than
 /// they bring.
 class ThreadChoice
 {
 public:
-  /// Of several candidates each gets a hundred steps, the fastest is kept, and
-  /// they are asked again every 10 000 steps.
-  explicit ThreadChoice(int fixed);
+  /// `most` as in thread_candidates().
+  explicit ThreadChoice(int most);
 
-  /// To be called before every step.
+  /// Both are called for every step. What happens between steps, as the output
+  /// of files, does not count.
   void before_step();
+  void after_step();
+  /// A line for the log, empty if nothing has changed.
+  std::string take_note() { return plan.take_note(); }
 
 private:
   using Clock = std::chrono::steady_clock;
-  void start_trial(std::size_t candidate);
 
-  std::vector<int> candidates;
-  std::size_t trial = 0, best = 0;
-  double best_time = 0.; ///< of a trial [s]
-  int steps = 0;
+  ThreadPlan plan;
   Clock::time_point started;
 };
 } // namespace spall

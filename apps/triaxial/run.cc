@@ -194,6 +194,9 @@ void run_loop(Triaxial &test, Recorder &recorder, Progress &progress,
     const Stage before = test.stage();
     threads.before_step();
     test.advance();
+    threads.after_step();
+    if (const std::string note = threads.take_note(); !note.empty())
+      progress.say(note);
     recorder.after_step(test);
     recorder.follow_jumps(test);
     for (const std::string &note : test.take_notes())
