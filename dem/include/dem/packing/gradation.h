@@ -8,19 +8,23 @@
 
 namespace dem
 {
-/// Grading curve by mass: share passing at each diameter, straight in ln(d)
-/// between the points; strictly increasing, from 0 to 1.
+/// Grading curve by mass: share passing each sieve, straight in ln(d) between
+/// the sieves. Diameters increase strictly; passing goes from 0 to 1 and may be
+/// flat, where no particle has a size. The size of a particle is twice its mean
+/// radius.
 struct GradingCurve
 {
   std::vector<double> diameter; ///< [m]
   std::vector<double> passing;  ///< [-]
 };
 
-/// Draws stones, largest first, until their volume is `solid_volume` [m^3] to
-/// half a smallest stone. The mass of 40 narrow classes follows the curve; what
-/// a class cannot fill goes to the next finer one. The diameter is twice the
-/// ball radius; each stone takes one of `shapes` at random (spheres if empty).
-/// Throws std::invalid_argument if they are more than ten million.
+/// Draws particles, largest first, of `solid_volume` [m^3] in all. Classes are
+/// narrow and none extends over a sieve. A class is filled to half a particle;
+/// the next finer class gets the rest, at a sieve no more than half a particle
+/// of that size. The volume that passes a sieve is therefore the share of
+/// `solid_volume` to one particle of that size. Each particle takes one of
+/// `shapes` at random (spheres if empty). Throws std::invalid_argument for more
+/// than ten million particles.
 std::vector<Body>
 draw_stones(const GradingCurve &curve, double solid_volume,
             std::span<const std::shared_ptr<const Coefficients>> shapes,

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <shape/test_shapes.h>
 
 namespace
@@ -38,6 +41,98 @@ double passing(const std::vector<dem::Body> &stones, double diameter)
   return sum / volume_of(stones);
 }
 } // namespace
+
+namespace
+{
+/// Mass of the largest particle of a size over that of a sphere [-].
+double volume_factor(const Shapes &shapes)
+{
+  double factor = shapes.empty() ? 1. : 0.;
+  for (const auto &shape : shapes)
+    factor = std::max(factor, dem::make_body(shape, 0.5).volume /
+                                  (std::numbers::pi / 6.));
+  return factor;
+}
+
+/// Volume of the particles that are at most this large [m^3].
+double finer_volume(const std::vector<dem::Body> &particles, double diameter)
+{
+  double sum = 0.;
+  for (const dem::Body &particle : particles)
+    if (2. * dem::mean_radius(particle) <= diameter * (1. + 1e-12))
+      sum += particle.volume;
+  return sum;
+}
+
+/// At every sieve the volume that passes is that of the table to the volume of
+/// one particle of the size of the sieve, and no particle has a size where the
+/// table is flat.
+void expect_table(const dem::GradingCurve &table, double solid_volume,
+                  const Shapes &shapes)
+{
+  dem::Random random(5);
+  const std::vector<dem::Body> particles =
+      dem::draw_stones(table, solid_volume, shapes, random);
+  const double factor = volume_factor(shapes);
+  for (std::size_t k = 0; k < table.diameter.size(); ++k)
+  {
+    const double d = table.diameter[k];
+    EXPECT_NEAR(finer_volume(particles, d), solid_volume * table.passing[k],
+                factor * std::numbers::pi / 6. * d * d * d)
+        << "sieve " << d << " m, " << shapes.size() << " shapes";
+    if (k == 0 || table.passing[k] > table.passing[k - 1])
+      continue;
+    for (const dem::Body &particle : particles)
+    {
+      const double size = 2. * dem::mean_radius(particle);
+      EXPECT_FALSE(size > table.diameter[k - 1] * (1. + 1e-12) &&
+                   size < d * (1. - 1e-12))
+          << size << " m is where the table is flat";
+    }
+  }
+}
+
+// Tables that sieve analyses give.
+const dem::GradingCurve flat_start{{1e-4, 0.020, 0.025}, {0., 0., 1.}},
+    flat_end{{0.020, 0.025, 0.0315}, {0., 1., 1.}},
+    gap_graded{{0.004, 0.008, 0.04, 0.0415}, {0., 0.05, 0.05, 1.}},
+    nearly_flat{{0.004, 0.008, 0.04, 0.0415}, {0., 0.05, 0.051, 1.}},
+    two_gaps{{0.005, 0.006, 0.012, 0.013, 0.027, 0.030},
+             {0., 0.2, 0.2, 0.5, 0.5, 1.}},
+    uniform{{0.010, 0.0125}, {0., 1.}}, single_size{{0.020, 0.02001}, {0., 1.}},
+    long_table{{6.3e-5, 1.25e-4, 2.5e-4, 5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 0.0112,
+                0.016, 0.020, 0.025, 0.0315, 0.045, 0.063},
+               {0., 0., 0., 0., 0., 0., 0., 0., 0., 0., 0., 1., 1., 1., 1.}},
+    well_graded{{0.004, 0.0056, 0.008, 0.0112, 0.016, 0.0224, 0.0315, 0.045},
+                {0., 0.02, 0.1, 0.26, 0.45, 0.7, 0.93, 1.}};
+} // namespace
+
+TEST(Gradation, SievesPassWhatTheTableAsks)
+{
+  for (const Shapes &shapes : {Shapes{}, two_shapes()})
+    for (const dem::GradingCurve *table :
+         {&flat_start, &flat_end, &gap_graded, &nearly_flat, &two_gaps,
+          &uniform, &single_size, &long_table, &well_graded})
+      for (const double solid_volume : {7.4e-3, 3e-4})
+        expect_table(*table, solid_volume, shapes);
+}
+
+// Rows outside the content of a table have no effect.
+TEST(Gradation, RowsOutsideTheContentHaveNoEffect)
+{
+  const dem::GradingCurve content{{0.020, 0.025}, {0., 1.}};
+  const auto draw = [](const dem::GradingCurve &table)
+  {
+    dem::Random random(2);
+    std::vector<double> volumes;
+    for (const dem::Body &body : dem::draw_stones(table, 1e-3, {}, random))
+      volumes.push_back(body.volume);
+    return volumes;
+  };
+  EXPECT_EQ(draw(flat_start), draw(content));
+  EXPECT_EQ(draw(flat_end), draw(content));
+  EXPECT_EQ(draw(long_table), draw(content));
+}
 
 // A class of the curve is filled to half a stone: the largest are 5.9e-6 m^3,
 // 0.6 % of the volume.
