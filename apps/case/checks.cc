@@ -3,7 +3,6 @@
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
-#include "specimen/gradation.h"
 #include "subgrade/checks.h"
 
 #include <algorithm>
@@ -16,6 +15,15 @@ void refuse(const Place &place, const Fault &fault)
   throw InputError(place(fault.section, fault.key) + ": " + fault.section +
                    "/" + fault.key + " = " + fault.value + ": " +
                    fault.allowed);
+}
+
+Gradation check_gradation(const Case &c, const Place &place,
+                          const std::string &section, const std::string &file)
+{
+  if (file.empty())
+    refuse(place, {section, "gradation", "",
+                   "must name a CSV file diameter_m,passing_1"});
+  return read_gradation(find_path(c, section, "gradation", file));
 }
 
 void check_shapes(const Case &c, const Place &place, const std::string &section,
@@ -62,11 +70,7 @@ void check_specimen(const Case &c, const Place &place)
                    number_text(s.initial_solid_fraction),
                    "must be below Specimen/solid_fraction = " +
                        number_text(s.solid_fraction)});
-  if (s.gradation.empty())
-    refuse(place, {"Specimen", "gradation", "",
-                   "must name a CSV file diameter_m,passing_1"});
-  const Gradation curve =
-      read_gradation(find_path(c, "Specimen", "gradation", s.gradation));
+  const Gradation curve = check_gradation(c, place, "Specimen", s.gradation);
   const double largest = curve.diameter.back();
   const auto check_size = [&](const std::string &key, double size)
   {
@@ -74,7 +78,7 @@ void check_specimen(const Case &c, const Place &place)
       refuse(place, {"Specimen", key, number_text(size),
                      "must be at least twice the largest stone of the "
                      "gradation, " +
-                         number_text(largest) + " m"});
+                         largest_text(curve)});
   };
   if (s.form == SpecimenForm::box)
     check_size("side", s.side);
@@ -209,11 +213,8 @@ void check_particle(const Case &c, const Place &place)
 
 void check_drum(const Case &c, const Place &place)
 {
-  if (c.charge.gradation.empty())
-    refuse(place, {"Charge", "gradation", "",
-                   "must name a CSV file diameter_m,passing_1"});
   const Gradation curve =
-      read_gradation(find_path(c, "Charge", "gradation", c.charge.gradation));
+      check_gradation(c, place, "Charge", c.charge.gradation);
   check_shapes(c, place, "Charge", c.charge.shapes);
   if (c.wall.rolling_friction > 0.)
     refuse(place,
@@ -225,12 +226,11 @@ void check_drum(const Case &c, const Place &place)
                    "must be at most 0.29 Drum/radius = " +
                        number_text(0.29 * d.radius) +
                        " (the charge is put between the shelf and the axis)"});
-  if (const double largest = curve.diameter.back();
-      std::min(2. * d.radius, d.length) < 4. * largest)
+  if (std::min(2. * d.radius, d.length) < 4. * curve.diameter.back())
     refuse(place, {"Drum", "radius", number_text(d.radius),
                    "the drum must be four times as wide and long as the "
                    "largest stone of the gradation, " +
-                       number_text(largest) + " m"});
+                       largest_text(curve)});
 }
 
 void check_lab_time(const Case &c, const Place &place)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/case.h"
+#include "specimen/gradation.h"
 
 #include <functional>
 #include <string>
@@ -20,6 +21,9 @@ struct Fault
 /// Throws InputError with the place.
 [[noreturn]] void refuse(const Place &place, const Fault &fault);
 
+/// The table that the key `gradation` of a section names.
+Gradation check_gradation(const Case &c, const Place &place,
+                          const std::string &section, const std::string &file);
 /// A folder of shapes, or none.
 void check_shapes(const Case &c, const Place &place, const std::string &section,
                   const std::string &shapes);

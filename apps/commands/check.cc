@@ -105,6 +105,12 @@ void print_stones(const dem::Particles &stones)
               stones.size(), n_breakable, 2. * smallest, 2. * largest, mass);
 }
 
+void print_gradation(const Case &parameters, const dem::Particles &particles)
+{
+  if (const auto drawn = obtained_gradation(parameters, particles))
+    std::printf("gradation        %s\n", gradation_line(*drawn).c_str());
+}
+
 /// The gain that counts, what the ways of exchange stand, and which to take.
 void print_exchange(const SetupStep &setup, int stone_steps)
 {
@@ -147,6 +153,7 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
 {
   Triaxial test(parameters);
   print_stones(test.engine().particles());
+  print_gradation(parameters, test.engine().particles());
   print_step(parameters, test);
   take_kept(
       find_store(preparations, preparation_text(parameters, test.shapes())),
@@ -154,7 +161,7 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   omp_set_num_threads(thread_candidates(parameters.threads).back());
   const ScratchFolder scratch;
   Recorder recorder(parameters, run_folder_in(scratch));
-  recorder.start();
+  recorder.start(test);
   const Hastened hastened = test.hasten();
   const int n_cycles = parameters.loading.n_cycles();
   const double duration =
@@ -184,6 +191,7 @@ void check_lab(const Case &parameters, const std::string &preparations)
 {
   const std::unique_ptr<LabTest> test = make_lab_test(parameters);
   print_stones(test->all_stones());
+  print_gradation(parameters, test->all_stones());
   const SetupStep *setup = test->setup_step();
   const dem::StepLimit &limit = test->step_limit();
   std::printf("time step        %.4g s, at most %.4g s (%s)\n",

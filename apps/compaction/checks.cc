@@ -2,7 +2,6 @@
 
 #include "case/file.h"
 #include "case/parameter.h"
-#include "specimen/gradation.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -40,15 +39,12 @@ void check_reports(const Case &c, const Place &place)
 
 void check_size(const Case &c, const Place &place)
 {
-  if (c.filling.gradation.empty())
-    refuse(place, {"Filling", "gradation", "",
-                   "must name a CSV file diameter_m,passing_1"});
   const Gradation curve =
-      read_gradation(find_path(c, "Filling", "gradation", c.filling.gradation));
+      check_gradation(c, place, "Filling", c.filling.gradation);
   const double largest = curve.diameter.back();
   const std::string why =
       "must be at least twice the largest stone of the gradation, " +
-      number_text(largest) + " m";
+      largest_text(curve);
   const ContainerParameters &box = c.container;
   if (box.diameter < 2. * largest)
     refuse(place, {"Container", "diameter", number_text(box.diameter), why});

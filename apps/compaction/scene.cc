@@ -1,15 +1,13 @@
 #include "compaction/scene.h"
 
-#include "case/file.h"
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "compaction/plate.h"
 #include "errors.h"
 #include "laboratory/test.h"
-#include "specimen/gradation.h"
+#include "specimen/obtained_gradation.h"
 
 #include <coupling/cell_body.h>
-#include <dem/packing/gradation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,14 +28,12 @@ std::vector<dem::Body> draw_filling(const Case &parameters,
                                     const ShapeLibrary &shapes)
 {
   const FillingParameters &f = parameters.filling;
-  const Gradation gradation = read_gradation(
-      find_path(parameters, "Filling", "gradation", f.gradation));
   const double volume = f.density / parameters.stone.density *
                         room_of(parameters.container).section() *
                         parameters.container.height;
   dem::Random random(static_cast<std::uint64_t>(f.seed));
-  std::vector<dem::Body> stones = dem::draw_stones(
-      {gradation.diameter, gradation.passing}, volume, shapes, random);
+  std::vector<dem::Body> stones =
+      draw_particles(parameters, volume, shapes, random);
   if (stones.size() < static_cast<std::size_t>(f.layers))
     throw InputError(parameters.file +
                      ": Filling/layers = " + std::to_string(f.layers) +

@@ -1,15 +1,13 @@
 #include "laboratory/los_angeles.h"
 
-#include "case/file.h"
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
 #include "laboratory/roundness_table.h"
 #include "run/checkpoint.h"
-#include "specimen/gradation.h"
+#include "specimen/obtained_gradation.h"
 
 #include <dem/io/binary.h>
-#include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
 #include <dem/packing/pouring.h>
 
@@ -38,11 +36,8 @@ std::vector<dem::Body> make_charge(const Case &parameters,
                                    dem::Random &random)
 {
   const ChargeParameters &c = parameters.charge;
-  const Gradation gradation =
-      read_gradation(find_path(parameters, "Charge", "gradation", c.gradation));
-  std::vector<dem::Body> bodies =
-      dem::draw_stones({gradation.diameter, gradation.passing},
-                       c.mass / parameters.stone.density, shapes, random);
+  std::vector<dem::Body> bodies = draw_particles(
+      parameters, c.mass / parameters.stone.density, shapes, random);
   if (bodies.empty())
     throw InputError(parameters.file +
                      ": Charge/mass = " + number_text(c.mass) +

@@ -38,8 +38,16 @@ double LabRecorder::elapsed() const
       .count();
 }
 
+void LabRecorder::write_gradation(const LabTest &test)
+{
+  drawn = obtained_gradation(parameters, test.all_stones());
+  if (drawn)
+    write_text(folder / gradation_file, gradation_table(*drawn));
+}
+
 void LabRecorder::start(LabTest &test)
 {
+  write_gradation(test);
   write_text(folder / "case.prm", resolved_case(parameters));
   history.open(folder / "history.csv", header_of(test));
   events.open(folder / "events.csv", events_header(test.progress_column()));
@@ -52,6 +60,7 @@ void LabRecorder::start(LabTest &test)
 
 void LabRecorder::resume(LabTest &test)
 {
+  write_gradation(test); // before what has broken is restored
   Progressed done;
   read_checkpoint(
       folder / "checkpoint" / "state.bin", parameters,
@@ -183,6 +192,8 @@ void LabRecorder::finish(LabTest &test)
   summary["is_complete"] = test.share_done() >= 1. && !test.ends_early();
   summary["threads"] = omp_get_max_threads();
   test.summarise(summary);
+  if (drawn)
+    summary["gradation_error_1"] = drawn->largest_difference();
   add_energy_balance(test.reported_balance(), summary);
   if (test.exchange())
     add_ledger(*test.exchange(), summary);

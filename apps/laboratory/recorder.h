@@ -2,6 +2,7 @@
 
 #include "laboratory/test.h"
 #include "run/csv_file.h"
+#include "specimen/obtained_gradation.h"
 
 #include <dem/io/vtk_output.h>
 
@@ -32,11 +33,15 @@ public:
   std::string keep_stopped(LabTest &test);
 
   int n_written() const { return n_frames; } ///< frames
+  /// Of the particles as drawn, after start() or resume(); empty for a kind
+  /// without gradation.
+  const std::optional<ObtainedGradation> &gradation() const { return drawn; }
 
   /// Path of the last checkpoint, empty if none.
   std::string last_checkpoint() const;
 
 private:
+  void write_gradation(const LabTest &test);
   void write_files(LabTest &test);
   void write_due(LabTest &test, const Due &due);
   void write_row(LabTest &test);
@@ -48,6 +53,7 @@ private:
 
   Case parameters;
   std::filesystem::path folder;
+  std::optional<ObtainedGradation> drawn;
   CsvFile history, events, ledger;
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;

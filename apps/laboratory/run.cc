@@ -154,6 +154,8 @@ void run_lab(const RunOptions &asked, const Case &parameters)
   if (!note.empty())
     progress.say(note);
   describe(progress, *test);
+  if (recorder.gradation())
+    progress.say("gradation " + gradation_line(*recorder.gradation()));
   use_store(store, *test, progress, options.is_resumed ? nullptr : &recorder);
   run_to_end(*test, recorder,
              [&]

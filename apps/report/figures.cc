@@ -1,6 +1,7 @@
 #include "report/figures.h"
 
 #include "report/figure_parts.h"
+#include "report/gradation_chart.h"
 #include "report/lab_figures.h"
 #include "report/subgrade_figures.h"
 
@@ -120,9 +121,8 @@ Chart event_count_chart(std::span<const RunData> runs)
                        Sampling::every_row};
   return quantity_chart(count, runs);
 }
-} // namespace
 
-std::vector<Chart> make_charts(std::span<const RunData> runs)
+std::vector<Chart> charts_of_kind(std::span<const RunData> runs)
 {
   if (are_subgrade_runs(runs))
     return make_subgrade_charts(runs);
@@ -141,6 +141,15 @@ std::vector<Chart> make_charts(std::span<const RunData> runs)
   for (const Chart &chart : energy_charts(runs))
     charts.push_back(chart);
   charts.push_back(residual_chart(runs));
+  return charts;
+}
+} // namespace
+
+std::vector<Chart> make_charts(std::span<const RunData> runs)
+{
+  std::vector<Chart> charts = charts_of_kind(runs);
+  if (have_gradation(runs))
+    charts.push_back(gradation_chart(runs));
   return charts;
 }
 } // namespace spall

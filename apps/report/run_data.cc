@@ -165,6 +165,7 @@ RunData read_run(const std::string &folder)
   read_if_there(path / "boundary_profile_end.csv", run.profile_end);
   read_if_there(path / "sections_start.csv", run.sections_start);
   read_if_there(path / "sections_end.csv", run.sections_end);
+  read_if_there(path / "gradation.csv", run.gradation);
   if (fs::exists(path / "case.prm"))
     run.case_text = read_text(path / "case.prm");
   else

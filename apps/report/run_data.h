@@ -29,6 +29,7 @@ struct RunData
   Table cycles;                       ///< empty without cycles.csv
   Table profile_start, profile_end;   ///< empty without boundary_profile_*.csv
   Table sections_start, sections_end; ///< empty without sections_*.csv
+  Table gradation;                    ///< empty without gradation.csv
   nlohmann::ordered_json summary;     ///< an empty object without summary.json
   std::string case_text;              ///< empty without case.prm
   std::vector<std::string> notes;     ///< what is missing or odd, one line each

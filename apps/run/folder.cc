@@ -36,10 +36,11 @@ std::string without_part(const std::string &name)
 /// by how it starts.
 bool is_result(const std::string &name)
 {
-  constexpr std::array files = {"history.csv", "events.csv",   "ledger.csv",
-                                "cycles.csv",  "transfer.csv", "profile.csv",
-                                "bowl.csv",    "summary.json", "run.pvd",
-                                "view.py",     "report.html",  "log.txt"};
+  constexpr std::array files = {"gradation.csv", "history.csv", "events.csv",
+                                "ledger.csv",    "cycles.csv",  "transfer.csv",
+                                "profile.csv",   "bowl.csv",    "summary.json",
+                                "run.pvd",       "view.py",     "report.html",
+                                "log.txt"};
   return std::ranges::find(files, name) != files.end() ||
          (name.ends_with(".csv") && (name.starts_with("roundness_") ||
                                      name.starts_with("boundary_profile_") ||

@@ -4,6 +4,7 @@
 #include "case/source.h"
 #include "errors.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -21,6 +22,11 @@ std::string strip(const std::string &text)
   return result;
 }
 
+/// Above it a diameter is refused, as that of Particle/diameter [m].
+constexpr double largest_allowed = 10.;
+constexpr const char *about_units =
+    "diameters are in m, so those of a table in mm must be divided by 1000";
+
 void add_row(Gradation &curve, const std::string &text,
              const std::string &place)
 {
@@ -36,19 +42,49 @@ void add_row(Gradation &curve, const std::string &text,
   catch (const std::invalid_argument &)
   {
     throw InputError(place + ": \"" + text +
-                     "\": a row is two numbers, diameter_m,passing_1");
+                     "\": a row is two numbers with decimal points, "
+                     "diameter_m,passing_1");
   }
   const std::string row = place + ": \"" + text + "\": ";
   if (diameter <= 0.)
     throw InputError(row + "the diameter must be above 0");
+  if (diameter > largest_allowed)
+    throw InputError(row + "the diameter must be at most " +
+                     number_text(largest_allowed) + " m; " + about_units);
   if (passing < 0. || passing > 1.)
-    throw InputError(row + "passing must be between 0 and 1");
+    throw InputError(row + "passing must be between 0 and 1 (a share, not "
+                           "per cent)");
   if (!curve.diameter.empty() && diameter <= curve.diameter.back())
-    throw InputError(row + "the diameters must increase");
+    throw InputError(row + "the diameters must increase; a single size is "
+                           "two rows close together, 0.02,0 and 0.0201,1");
   if (!curve.passing.empty() && passing < curve.passing.back())
     throw InputError(row + "passing must not decrease");
   curve.diameter.push_back(diameter);
   curve.passing.push_back(passing);
+}
+
+[[noreturn]] void refuse_header(const std::string &place,
+                                const std::string &text)
+{
+  const bool is_in_mm = text.find("mm") != std::string::npos;
+  throw InputError(place + ": \"" + text +
+                   "\": the header must be diameter_m,passing_1" +
+                   (is_in_mm ? std::string("; ") + about_units : ""));
+}
+
+/// Leaves out the rows below the last 0 and above the first 1.
+void trim(Gradation &curve)
+{
+  const auto first_filled =
+      std::ranges::find_if(curve.passing, [](double p) { return p > 0.; });
+  const auto first_whole = std::ranges::find(curve.passing, 1.);
+  const auto begin = first_filled - curve.passing.begin() - 1,
+             end = first_whole - curve.passing.begin() + 1;
+  const auto cut = [&](std::vector<double> &values) {
+    values = {values.begin() + begin, values.begin() + end};
+  };
+  cut(curve.diameter);
+  cut(curve.passing);
 }
 } // namespace
 
@@ -72,13 +108,27 @@ Gradation read_gradation(const std::string &path)
     else if (text == "diameter_m,passing_1")
       has_header = true;
     else
-      throw InputError(place + ": \"" + text +
-                       "\": the header must be diameter_m,passing_1");
+      refuse_header(place, text);
   }
   if (curve.diameter.size() < 2)
     throw InputError(path + ": a gradation needs at least two rows");
   if (curve.passing.front() != 0. || curve.passing.back() != 1.)
     throw InputError(path + ": passing must begin with 0 and end with 1");
+  trim(curve);
   return curve;
+}
+
+bool looks_like_millimetres(double diameter)
+{
+  return diameter > 1.;
+}
+
+std::string largest_text(const Gradation &gradation)
+{
+  const double largest = gradation.diameter.back();
+  return number_text(largest) + " m" +
+         (looks_like_millimetres(largest)
+              ? std::string(" (") + about_units + ")"
+              : "");
 }
 } // namespace spall

@@ -5,10 +5,9 @@
 #include "case/parameter.h"
 #include "errors.h"
 #include "shape/loaded.h"
-#include "specimen/gradation.h"
+#include "specimen/obtained_gradation.h"
 #include "specimen/sheet_file.h"
 
-#include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
 #include <fem/membrane.h>
 
@@ -125,14 +124,11 @@ dem::Vec3 cloud_size(const SpecimenParameters &s, double solid_volume)
 Specimen make_specimen(const Case &parameters)
 {
   const SpecimenParameters &s = parameters.specimen;
-  const Gradation gradation = read_gradation(
-      find_path(parameters, "Specimen", "gradation", s.gradation));
   Specimen specimen;
   specimen.shapes = load_shapes(parameters, "Specimen", s.shapes, s.order);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
-  const std::vector<dem::Body> stones =
-      dem::draw_stones({gradation.diameter, gradation.passing},
-                       nominal_solid_volume(s), specimen.shapes, random);
+  const std::vector<dem::Body> stones = draw_particles(
+      parameters, nominal_solid_volume(s), specimen.shapes, random);
   if (stones.empty())
     throw InputError(parameters.file + ": Specimen/solid_fraction = " +
                      std::to_string(s.solid_fraction) +

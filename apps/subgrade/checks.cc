@@ -3,7 +3,6 @@
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
-#include "specimen/gradation.h"
 #include "subgrade/load.h"
 
 #include <algorithm>
@@ -31,15 +30,11 @@ void refuse_if_thrown(const Place &place, const Fault &fault,
 void check_layer(const Case &c, const Place &place)
 {
   const LayerParameters &l = c.subgrade.layer;
-  if (l.gradation.empty())
-    refuse(place, {"Layer", "gradation", "",
-                   "must name a CSV file diameter_m,passing_1"});
-  const Gradation curve =
-      read_gradation(find_path(c, "Layer", "gradation", l.gradation));
+  const Gradation curve = check_gradation(c, place, "Layer", l.gradation);
   check_shapes(c, place, "Layer", l.shapes);
   const double largest = curve.diameter.back();
   const std::string stone =
-      "the largest stone of the gradation, " + number_text(largest) + " m";
+      "the largest stone of the gradation, " + largest_text(curve);
   if (std::min(l.length, l.width) < 3. * largest)
     refuse(place, {"Layer", l.length < l.width ? "length" : "width",
                    number_text(std::min(l.length, l.width)),

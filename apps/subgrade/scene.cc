@@ -1,13 +1,10 @@
 #include "subgrade/scene.h"
 
 #include "case/digits.h"
-#include "case/file.h"
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
-#include "specimen/gradation.h"
-
-#include <dem/packing/gradation.h>
+#include "specimen/obtained_gradation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,11 +47,8 @@ std::vector<dem::Body> draw_layer(const Case &c, const ShapeLibrary &shapes,
                                   dem::Random &random)
 {
   const LayerParameters &l = c.subgrade.layer;
-  const Gradation curve =
-      read_gradation(find_path(c, "Layer", "gradation", l.gradation));
-  std::vector<dem::Body> stones = dem::draw_stones(
-      {curve.diameter, curve.passing},
-      l.solid_fraction * l.length * l.width * l.thickness, shapes, random);
+  std::vector<dem::Body> stones = draw_particles(
+      c, l.solid_fraction * l.length * l.width * l.thickness, shapes, random);
   if (stones.size() < static_cast<std::size_t>(l.layers))
     throw InputError(c.file + ": Layer/layers = " + std::to_string(l.layers) +
                      ": must be at most the number of stones, " +

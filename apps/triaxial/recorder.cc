@@ -45,8 +45,16 @@ double Recorder::elapsed() const
       .count();
 }
 
-void Recorder::start()
+void Recorder::write_gradation(const Triaxial &test)
 {
+  drawn = obtained_gradation(parameters, test.engine().particles());
+  if (drawn)
+    write_text(folder / gradation_file, gradation_table(*drawn));
+}
+
+void Recorder::start(const Triaxial &test)
+{
+  write_gradation(test);
   write_text(folder / "case.prm", resolved_case(parameters));
   history.open(folder / "history.csv", history_header());
   events.open(folder / "events.csv", events_header("cycle_1"));
@@ -86,6 +94,7 @@ Progressed Recorder::bring_back(Triaxial &test, const std::string &name)
 
 void Recorder::resume(Triaxial &test)
 {
+  write_gradation(test); // before what has broken is restored
   spent_before = bring_back(test, "state.bin").spent;
   write_text(folder / "case.prm", resolved_case(parameters));
   stage_before = std::min(test.stage(), Stage::loading);
@@ -263,6 +272,8 @@ void Recorder::finish(Triaxial &test)
   record.worst_gain = worst_gain;
   record.peak_axial_stress = peak_axial_stress;
   record.threads = omp_get_max_threads();
+  if (drawn)
+    record.gradation_error = drawn->largest_difference();
   spent.total = elapsed();
   record.seconds = wall_clock(test, spent, spent_before);
   write_text(folder / "summary.json",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "run/checkpoint.h"
+#include "specimen/obtained_gradation.h"
 #include "triaxial/cycles.h"
 #include "triaxial/summary.h"
 
@@ -20,7 +21,7 @@ public:
   Recorder(const Case &parameters, std::filesystem::path folder);
 
   /// Starts the files of a new run.
-  void start();
+  void start(const Triaxial &test);
   /// Continues from the last checkpoint: state of the test and of the files.
   /// Throws InputError if there is none or it is of another case.
   void resume(Triaxial &test);
@@ -32,6 +33,8 @@ public:
   /// Writes what a finished or stopped run leaves.
   void finish(Triaxial &test);
 
+  /// Of the particles as drawn, after start() or resume().
+  const std::optional<ObtainedGradation> &gradation() const { return drawn; }
   const Sample &start_of_loading() const { return loading_start; }
   const Sample &end() const { return last; } ///< last row of the history
 
@@ -43,6 +46,7 @@ public:
   std::string last_checkpoint() const;
 
 private:
+  void write_gradation(const Triaxial &test);
   void write_due(Triaxial &test);
   void write_history(Triaxial &test);
   void write_events(Triaxial &test);
@@ -56,6 +60,7 @@ private:
 
   Case parameters;
   std::filesystem::path folder;
+  std::optional<ObtainedGradation> drawn;
   CsvFile history, events, ledger;
   CycleRecorder cycles;
   std::vector<dem::FrameEntry> frames;

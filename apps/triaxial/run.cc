@@ -250,10 +250,12 @@ void run_triaxial(const RunOptions &asked, const Case &parameters)
     std::filesystem::remove(folder / "summary.json"); // of where it had ended
   }
   else
-    recorder.start();
+    recorder.start(test);
   if (!note.empty())
     progress.say(note);
   describe(progress, test);
+  if (recorder.gradation())
+    progress.say("gradation " + gradation_line(*recorder.gradation()));
   use_store(store, test, progress, options.is_resumed ? nullptr : &recorder);
   run_to_end(test, recorder,
              [&]

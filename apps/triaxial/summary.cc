@@ -91,6 +91,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["n_breakable"] =
       std::count(breakable.begin(), breakable.end(), std::uint8_t{1});
   out["solid_volume_m3"] = solid_volume(engine.particles());
+  out["gradation_error_1"] = record.gradation_error;
   out["initial_porosity"] = prepared.porosity;
   out["time_step_s"] = test.time_step();
   const StepRecord &steps = test.step_record();

@@ -29,6 +29,7 @@ struct RunRecord
   double worst_gain = 0.;        ///< of the exchange [-]
   double peak_axial_stress = 0.; ///< while loading [Pa]
   int threads = 1;
+  double gradation_error = 0.; ///< obtained less asked mass, at most [-]
   std::map<std::string, double> seconds;
 };
 

@@ -143,7 +143,8 @@ WORDS = [
                  "--set", "Particle/diameter=0.03"],
         ["Case/kind = single_particel", "single_particle"]),
     Bad("stones_in_mm", [*CASE, "--set", "Specimen/side=50"],
-        ["more than 10000000 stones"]),
+        ["Specimen/gradation = g.csv", "more than 10000000 particles",
+         "must be in m"]),
     Bad("set_form", [*CASE, "--set", "cycles=3"], ["Section/key=value"]),
     Bad("set_section", [*CASE, "--set", "Loding/cycles=3"], ["Loading?"]),
     Bad("set_key", [*CASE, "--set", "Loading/cycle=3"], ["cycles?"]),
@@ -227,7 +228,8 @@ FILES = [
 
 
 def gradation(name, text, *message):
-    return Bad("gradation_" + name, CASE, ["bad.csv", *message],
+    names_file = () if "Specimen/side" in message else ("bad.csv",)
+    return Bad("gradation_" + name, CASE, [*names_file, *message],
                {"Specimen": {"gradation": "bad.csv"}}, {"bad.csv": text})
 
 
@@ -243,6 +245,13 @@ GRADATIONS = [
     gradation("negative", HEADER + "-0.008,0\n0.016,1\n", "above 0"),
     gradation("short", HEADER + "0.008,0\n", "two rows"),
     gradation("empty", "", "two rows"),
+    gradation("per_cent", HEADER + "0.008,0\n0.016,100\n", "per cent"),
+    gradation("mm", HEADER + "8,0\n16,1\n", "bad.csv:3", "at most 10 m",
+              "mm must be divided by 1000"),
+    gradation("mm_header", "diameter_mm,passing_1\n8,0\n16,1\n",
+              "mm must be divided by 1000"),
+    gradation("sand_in_mm", HEADER + "0.5,0\n2,1\n", "Specimen/side",
+              "mm must be divided by 1000"),
 ]
 
 

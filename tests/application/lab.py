@@ -200,7 +200,7 @@ def los_angeles(spall, root):
     go("until", "--until", 1)
     go("until", "--resume")
     faults += resumed_faults(root / "whole", root / "until",
-                             ["history.csv", "events.csv"])
+                             ["history.csv", "events.csv", "gradation.csv"])
     # The history ends where the turning does; no run goes on to less.
     go("part", "--set", "Drum/turns=0.3")
     faults += near("last turn_1",

@@ -170,6 +170,19 @@ TEST_F(RunFolder, PageIsWrittenIntoTheRunWithTheNumbers)
         << chart;
 }
 
+TEST_F(RunFolder, GradationObtainedIsDrawnBesideTheOneAsked)
+{
+  const std::string figure = "<figure id=\"gradation\">";
+  EXPECT_FALSE(has(read(report({run()})), figure));
+  write(folder / "run" / "gradation.csv",
+        "diameter_m,asked_passing_1,obtained_passing_1,one_particle_1\n"
+        "0.01,0,0,0.001\n0.015,0.5,0.49,0.002\n0.02,1,1,0.003\n");
+  const std::string page = read(report({run()}));
+  EXPECT_TRUE(has(page, figure));
+  EXPECT_TRUE(has(page, "asked"));
+  EXPECT_TRUE(has(page, "obtained"));
+}
+
 TEST_F(RunFolder, PageIsSelfContainedAndEscaped)
 {
   const std::string page = read(report({run()}));
