@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace dem
@@ -31,6 +32,10 @@ Engine::Engine(const EngineParameters &parameters)
 void Engine::add_stone(const Body &body, const Vec3 &position,
                        const Quaternion &orientation, std::uint8_t material)
 {
+  if (!position.allFinite() || !orientation.coeffs().allFinite())
+    throw std::invalid_argument(
+        "particle " + std::to_string(stones.size()) +
+        ": position and orientation must be finite numbers");
   finish_kick(); // none for the new one
   stones.follows_surfaces = settings.geometry.follows_surfaces();
   Body stone = body;

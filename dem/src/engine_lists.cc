@@ -37,10 +37,17 @@ double fastest_wall(const std::vector<Plane> &planes, const Drum &drum)
 
 double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
 {
-  double square = 0.;
+  double square = 0., check = 0.; // a maximum passes over NaN, a sum does not
   for (const SurfaceContacts &facets : surfaces)
     for (const Vec3 &velocity : facets.surface.velocity)
+    {
       square = std::max(square, velocity.squaredNorm());
+      check += 0. * velocity.squaredNorm();
+    }
+  if (!std::isfinite(check))
+    throw std::runtime_error("a vertex of a boundary surface has a velocity "
+                             "that is no finite number: the step of the "
+                             "boundary is too long");
   return std::sqrt(square);
 }
 
@@ -65,6 +72,29 @@ const SearchMargin::Cost &cost_of_list(ContactGeometry geometry)
     break;
   }
   return list_of_surfaces;
+}
+
+/// Throws std::runtime_error with the first particle whose position, velocity,
+/// spin or orientation is no finite number, before a list or a grid turns it
+/// into a place in memory.
+[[noreturn]] void report_not_finite(const Particles &particles, double time)
+{
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    const StoneState &state = particles.state[i];
+    const bool has_place = state.position.allFinite();
+    if (has_place && state.velocity.allFinite() && state.spin.allFinite() &&
+        particles.orientation(i).coeffs().allFinite())
+      continue;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "particle %lld has %s that is no finite number at %.8g s: "
+                  "the step is too long, or an input is no number",
+                  static_cast<long long>(particles.id[i]),
+                  has_place ? "a velocity or a spin" : "a position", time);
+    throw std::runtime_error(text);
+  }
+  throw std::runtime_error("some particle moves by no finite number");
 }
 
 /// Throws std::runtime_error where stones leap, before they are lost to all
@@ -124,6 +154,8 @@ void require_inside(const std::vector<Plane> &planes, const Drum &drum,
 
 void Engine::keep_lists(const Speeds &fastest, double time_step)
 {
+  if (!fastest.is_finite)
+    report_not_finite(stones, now);
   require_sane(fastest.moving, time_step, stones);
   const double rigid = fastest_wall(walls, barrel),
                sheet = fastest_vertex(facet_surfaces),

@@ -150,6 +150,12 @@ double largest(const Lanes &value)
   return stdx::hmax(value);
 }
 
+/// 0, or NaN if some number is not finite.
+double zero_if_finite(const Lanes &value)
+{
+  return stdx::reduce(Lanes(0. * value));
+}
+
 /// How fast the stones are, after the drift.
 Fastest note_speeds(const Motion &motion, const Places &places,
                     const Movers &stones)
@@ -167,17 +173,19 @@ Fastest note_speeds(const Motion &motion, const Places &places,
   return speeds;
 }
 
-void store_places(const Motion &motion, const Movers &stones)
+/// Returns zero times what is stored, NaN if it is not finite.
+double store_places(const Motion &motion, const Movers &stones)
 {
   const LaneQuad ball = stones.state.quad(at_position);
-  stones.state.set(
-      at_position,
-      {ball.vector + Lanes(motion.drift) * stones.velocity, ball.number});
+  const LaneVector moved = ball.vector + Lanes(motion.drift) * stones.velocity;
+  stones.state.set(at_position, {moved, ball.number});
   if (motion.frame)
     stones.state.set(at_orientation,
                      {stones.orientation.vector, stones.orientation.number});
   stones.load.set(0, {});
   stones.load.set(4, {});
+  return zero_if_finite(moved.x + moved.y + moved.z + stones.spin.x +
+                        stones.spin.y + stones.spin.z);
 }
 
 [[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places)
@@ -191,7 +199,7 @@ void store_places(const Motion &motion, const Movers &stones)
   {
     turn(motion, stones);
     speeds = note_speeds(motion, places, stones);
-    store_places(motion, stones);
+    speeds.check = store_places(motion, stones);
   }
   stones.state.set(at_velocity, {stones.velocity, stones.mass});
   stones.state.set(at_spin, {stones.spin, stones.inertia});
@@ -208,6 +216,7 @@ Fastest move_range(const Motion &motion, std::int64_t first, std::int64_t last)
         fastest.moving > speeds.moving ? fastest.moving : speeds.moving;
     fastest.closing =
         fastest.closing > speeds.closing ? fastest.closing : speeds.closing;
+    fastest.check += speeds.check;
   }
   return fastest;
 }

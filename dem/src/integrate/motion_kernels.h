@@ -31,6 +31,9 @@ struct Fastest
 {
   double moving = 0.; ///< squared
   double closing = 0.;
+  /// Zero times the position and all speeds: NaN if some of them is no finite
+  /// number, which a maximum may pass over.
+  double check = 0.;
 };
 
 /// Moves the stones [first, last).

@@ -45,19 +45,20 @@ Speeds move_all(const kernel::Motion &motion, std::size_t n_stones)
 {
   const auto n = static_cast<std::int64_t>(n_stones);
   const kernel::MotionLoop loop = kernel::motion_loop();
-  double moving = 0., closing = 0.;
+  double moving = 0., closing = 0., check = 0.;
 #pragma omp parallel for schedule(static)                                      \
     reduction(max                                                              \
-              : moving, closing) if (n >= n_worth_threads)
+              : moving, closing) reduction(+ : check) if (n >= n_worth_threads)
   for (std::int64_t first = 0; first < n; first += range)
   {
     const kernel::Fastest fastest =
         loop(motion, first, std::min(first + range, n));
     moving = std::max(moving, fastest.moving);
     closing = std::max(closing, fastest.closing);
+    check += fastest.check; // zeros: in any order the same
   }
   moving = std::sqrt(moving);
-  return {moving, std::max(closing, moving)};
+  return {moving, std::max(closing, moving), std::isfinite(check)};
 }
 } // namespace
 

@@ -97,7 +97,7 @@ void TriangleBins::gather(const Vec3 &x, double reach,
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-/// The nearest cell to a point anywhere.
+/// The nearest cell to a point anywhere; the last one if it is no number.
 TriangleBins::Cell TriangleBins::cell_of(const Vec3 &x) const
 {
   Cell cell;
@@ -105,7 +105,7 @@ TriangleBins::Cell TriangleBins::cell_of(const Vec3 &x) const
   {
     const auto a = static_cast<Eigen::Index>(axis);
     cell[axis] = static_cast<std::int32_t>(
-        std::clamp((x[a] - origin[a]) / size, 0., double(n[axis] - 1)));
+        std::max(0., std::min(double(n[axis] - 1), (x[a] - origin[a]) / size)));
   }
   return cell;
 }

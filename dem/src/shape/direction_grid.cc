@@ -53,8 +53,9 @@ DirectionGrid::Place DirectionGrid::locate(const Vec3 &direction) const
   const double right = angle_of(direction.x(), direction.y()) * n_azimuth /
                        (2. * std::numbers::pi);
   Place place;
-  place.ring = std::min(static_cast<int>(down), n_polar) - 1;
-  place.column = std::min(static_cast<int>(right), n_azimuth - 1);
+  // The limit goes first: std::min then takes it where there is no number.
+  place.ring = static_cast<int>(std::min<double>(n_polar, down)) - 1;
+  place.column = static_cast<int>(std::min<double>(n_azimuth - 1, right));
   place.down = down - (place.ring + 1);
   place.right = right - place.column;
   return place;

@@ -25,6 +25,8 @@ struct Speeds
 {
   double moving = 0.;  ///< |v| [m/s]
   double closing = 0.; ///< closing_speed [m/s]
+  /// False if a position, a velocity or a spin is no finite number.
+  bool is_finite = true;
 };
 
 /// What the first half of a step needs to know.

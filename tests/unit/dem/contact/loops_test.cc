@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <shape/test_shapes.h>
 #include <sstream>
@@ -325,6 +326,46 @@ TEST(MotionLoops, StonesThatLeapStopTheRun)
   }
   for (std::size_t k = 0; k < engine.particles().size(); ++k)
     EXPECT_TRUE(engine.particles().position(k).allFinite());
+}
+
+// NaN is found in any lane and kind of motion; the message names the particle.
+TEST(MotionLoops, ParticleWithoutFinitePositionStopsTheRun)
+{
+  for (const Kind kind : {Kind::spheres, Kind::radial, Kind::surface})
+    for (const int what : {0, 1, 2})
+      for (const std::size_t which : {0, 7, 59})
+      {
+        dem::Engine engine = shaken_box(kind, 60);
+        engine.advance(1e-6);
+        dem::Particles &particles = engine.particles();
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        (what == 0   ? particles.position(which)
+         : what == 1 ? particles.velocity(which)
+                     : particles.spin(which))
+            .y() = none;
+        const std::string name =
+            "particle " + std::to_string(particles.id[which]) + " has ";
+        try
+        {
+          engine.advance(1e-6);
+          ADD_FAILURE() << "ran on without " << name;
+        }
+        catch (const std::runtime_error &stopped)
+        {
+          EXPECT_NE(std::string(stopped.what()).find(name), std::string::npos)
+              << stopped.what();
+        }
+      }
+}
+
+TEST(MotionLoops, ParticlesAreAddedAtFinitePlacesOnly)
+{
+  dem::Engine engine = shaken_box(Kind::spheres, 8);
+  const dem::Body body = engine.particles().body[0];
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(engine.add_stone(body, dem::Vec3(0., none, 0.),
+                                dem::Quaternion::Identity()),
+               std::invalid_argument);
 }
 
 // A step that nobody looks at leaves its last half kick to the next.
