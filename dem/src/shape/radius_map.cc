@@ -159,6 +159,13 @@ RadiusMap::RadiusMap(std::shared_ptr<const Coefficients> sampled)
   measure_hull();
 }
 
+Eigen::Vector3f RadiusMap::point(int node) const
+{
+  const auto r = static_cast<float>(
+      radius.at(node / nodes.n_azimuth, node % nodes.n_azimuth));
+  return r * node_directions()[static_cast<std::size_t>(node)];
+}
+
 void RadiusMap::measure_nodes()
 {
   const std::vector<int> &order = nodes_by_block();
