@@ -150,12 +150,6 @@ double largest(const Lanes &value)
   return stdx::hmax(value);
 }
 
-/// 0, or NaN if some number is not finite.
-double zero_if_finite(const Lanes &value)
-{
-  return stdx::reduce(Lanes(0. * value));
-}
-
 /// How fast the stones are, after the drift.
 Fastest note_speeds(const Motion &motion, const Places &places,
                     const Movers &stones)
@@ -173,8 +167,8 @@ Fastest note_speeds(const Motion &motion, const Places &places,
   return speeds;
 }
 
-/// Returns zero times what is stored, NaN if it is not finite.
-double store_places(const Motion &motion, const Movers &stones)
+/// Adds zero times what is stored to `check`: NaN if it is not finite.
+void store_places(const Motion &motion, const Movers &stones, Lanes &check)
 {
   const LaneQuad ball = stones.state.quad(at_position);
   const LaneVector moved = ball.vector + Lanes(motion.drift) * stones.velocity;
@@ -184,11 +178,12 @@ double store_places(const Motion &motion, const Movers &stones)
                      {stones.orientation.vector, stones.orientation.number});
   stones.load.set(0, {});
   stones.load.set(4, {});
-  return zero_if_finite(moved.x + moved.y + moved.z + stones.spin.x +
-                        stones.spin.y + stones.spin.z);
+  check += 0. * (moved.x + moved.y + moved.z + stones.spin.x + stones.spin.y +
+                 stones.spin.z);
 }
 
-[[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places)
+[[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places,
+                                   Lanes &check)
 {
   Movers stones(motion, places);
   if (motion.owed > 0.)
@@ -199,7 +194,7 @@ double store_places(const Motion &motion, const Movers &stones)
   {
     turn(motion, stones);
     speeds = note_speeds(motion, places, stones);
-    speeds.check = store_places(motion, stones);
+    store_places(motion, stones, check);
   }
   stones.state.set(at_velocity, {stones.velocity, stones.mass});
   stones.state.set(at_spin, {stones.spin, stones.inertia});
@@ -209,15 +204,16 @@ double store_places(const Motion &motion, const Movers &stones)
 Fastest move_range(const Motion &motion, std::int64_t first, std::int64_t last)
 {
   Fastest fastest;
+  Lanes check = 0.;
   for (std::int64_t k = first; k < last; k += n_lanes)
   {
-    const Fastest speeds = move_some(motion, {k, last});
+    const Fastest speeds = move_some(motion, {k, last}, check);
     fastest.moving =
         fastest.moving > speeds.moving ? fastest.moving : speeds.moving;
     fastest.closing =
         fastest.closing > speeds.closing ? fastest.closing : speeds.closing;
-    fastest.check += speeds.check;
   }
+  fastest.check = stdx::reduce(check);
   return fastest;
 }
 } // namespace
