@@ -59,22 +59,22 @@ private:
   struct State
   {
     Stage stage = Stage::pouring;
-    double placed_at = 0.;           ///< [s]
-    double loaded_at = 0.;           ///< [s]
-    double plate_start = 0.;         ///< lower face where it was set down [m]
-    double plate_rest = 0.;          ///< centre when loading began [m]
-    double height = 0.;              ///< of the layer then [m]
-    double porosity = 0.;            ///< of the layer then [-]
-    double coordination = 0.;        ///< then [-]
-    double dead_load = 0.;           ///< on the ground then, down [N]
-    EnergyBalance energies;          ///< then
-    double lowest = 0.;              ///< largest settlement of the plate [m]
-    double deepest = 0.;             ///< of the ground [m]
-    double fastest = 0.;             ///< stone [m/s]
-    double worst_gain = 0.;          ///< [-]
-    double peak_force = 0.;          ///< of the stones on the ground, down [N]
-    double density = 0.;   ///< below the plate when loading began [kg/m^3]
-    double roundness = 1.; ///< then, mean of the stones [-]
+    double placed_at = 0.;    ///< [s]
+    double loaded_at = 0.;    ///< [s]
+    double plate_start = 0.;  ///< lower face where it was set down [m]
+    double plate_rest = 0.;   ///< centre when loading began [m]
+    double height = 0.;       ///< of the layer then [m]
+    double porosity = 0.;     ///< of the layer then [-]
+    double coordination = 0.; ///< then [-]
+    double dead_load = 0.;    ///< on the ground then, down [N]
+    EnergyBalance energies;   ///< then
+    double lowest = 0.;       ///< largest settlement of the plate [m]
+    double deepest = 0.;      ///< of the ground [m]
+    double fastest = 0.;      ///< stone [m/s]
+    double worst_gain = 0.;   ///< [-]
+    double peak_force = 0.;   ///< of the stones on the ground, down [N]
+    double density = 0.;      ///< below the plate when loading began [kg/m^3]
+    double roundness = 1.;    ///< then, mean of the stones [-]
   };
 
   Subgrade(const Case &parameters, StoneBox its_scene);

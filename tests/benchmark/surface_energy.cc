@@ -198,7 +198,7 @@ bool run_impact(const Setting &setting,
   p.geometry.geometry = p.geometry.wall_geometry =
       dem::ContactGeometry::surface;
   p.geometry.refresh_tolerance = setting.tolerance;
-  p.search_margin = 3e-4;
+  p.geometry.usual_skin = 3e-4;
   dem::Engine engine(p);
   dem::Random random(seed);
   const dem::Body body = dem::make_body(series, mean_radius);
@@ -282,7 +282,7 @@ void print_box(const Setting &setting, int n_steps, unsigned seed)
       dem::ContactGeometry::surface;
   p.geometry.refresh_tolerance = setting.tolerance;
   p.wall.normal_stiffness = 1e6;
-  p.search_margin = 1e-3;
+  p.geometry.usual_skin = 1e-3;
   dem::Engine engine(p);
   dem::Random random(seed);
   constexpr double pitch = 0.03;

@@ -30,7 +30,7 @@ GROUPS = [
     ("json", r"nlohmann/"),
     ("zlib", r"zlib\.h$"),
     ("window", r"(EGL/|GL/)"),
-    ("system", r"(dlfcn|unistd|fcntl|spawn|sys/[a-z]+)(\.h)?$"),
+    ("system", r"(dlfcn|unistd|fcntl|sched|spawn|sys/[a-z]+)(\.h)?$"),
     ("std", r"(experimental/simd|[a-z_0-9]+)$"),
 ]
 

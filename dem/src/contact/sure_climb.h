@@ -49,7 +49,7 @@ inline RadialExpansion scaled_expansion(const Body &body, const Vec3 &direction)
 template <class Field>
 Summit climb_surely(const Body &body, const Vec3 &start, const Field &field)
 {
-  constexpr int most_steps = 60, most_halvings = 30;
+  constexpr int most_steps = 200, most_halvings = 30;
   constexpr double longest = 0.1, level = 1e-9; // [rad]
   RadialExpansion at = scaled_expansion(body, start);
   LocalField now = field(Vec3(at.radius * start));
@@ -72,7 +72,7 @@ Summit climb_surely(const Body &body, const Vec3 &start, const Field &field)
                          slope * across.transpose() +
                          across * slope.transpose();
     const Mat2 hill = -0.5 * (hessian + hessian.transpose());
-    const double least = 0.1 * at.radius * now.gradient.norm();
+    const double least = 1e-3 * at.radius * now.gradient.norm();
     Vec2 move = floored(hill, least).inverse() * gradient;
     if (const double length = move.norm(); length > longest)
       move *= longest / length;

@@ -140,7 +140,8 @@ TEST(FineMembrane, ABallRestsOnCellsOfAnySize)
       high = std::max(high, scene.force());
     }
     const double astray =
-        (scene.engine.energy().non_conservative_work - before) / (n_watched * dt);
+        (scene.engine.energy().non_conservative_work - before) /
+        (n_watched * dt);
     // What is left of the first swing: up to 6e-4 of the weight, 2e-6 J/s.
     EXPECT_NEAR(low, weight, 1e-3 * weight) << n;
     EXPECT_NEAR(high, weight, 1e-3 * weight) << n;

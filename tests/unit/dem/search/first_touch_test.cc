@@ -322,7 +322,7 @@ dem::EngineParameters surface_parameters(double mean)
       dem::ContactGeometry::surface;
   p.wall.normal_stiffness = 1e6;
   p.surface = p.wall;
-  p.search_margin = 0.2 * mean;
+  p.geometry.usual_skin = 0.2 * mean;
   return p;
 }
 
