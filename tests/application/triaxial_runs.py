@@ -41,7 +41,9 @@ def summary(folder):
 def summary_faults(mine, other, left_out=()):
     """Where two summaries differ, what a run has cost left out."""
     costs = {"wall_clock_s", "processor_s", "loading_processor_s",
-             "loading_wall_clock_s", "peak_memory_B", *left_out}
+             "loading_wall_clock_s", "peak_memory_B",
+             "threads",  # as many as are quickest at the end
+             *left_out}
     return [f"{key} is {mine.get(key)}, was {value}"
             for key, value in other.items()
             if key not in costs and mine.get(key) != value]

@@ -23,6 +23,15 @@ inline dem::EngineParameters bare_parameters()
   return p;
 }
 
+/// The same without a limit of overlaps: for scenes that put particles deep
+/// into each other or through a wall.
+inline dem::EngineParameters deep_parameters()
+{
+  dem::EngineParameters p = bare_parameters();
+  p.geometry.overlap.stop = 1e9;
+  return p;
+}
+
 inline void add_sphere(dem::Engine &engine, double radius,
                        const dem::Vec3 &position)
 {

@@ -130,10 +130,12 @@ TEST_F(Preparation, TextFollowsTheKeysThatDecideAndNoOthers)
     if (name == "Specimen/gradation" || name == "Specimen/shapes")
       continue; // by their contents, see below
     change(parameter);
-    // Of no use: a step that is not fixed, a box, a pressure.
+    // Of no use: a step that is not fixed, a box, a pressure, limits that
+    // stop a run.
     const bool is_unused =
         name == "Time/fixed_step" || name == "Specimen/diameter" ||
-        name == "Specimen/height" || name == "Preparation/porosity";
+        name == "Specimen/height" || name == "Preparation/porosity" ||
+        name == "Contact/overlap_warning" || name == "Contact/overlap_stop";
     EXPECT_EQ(text_of(other) != before,
               lists(preparation_keys().deciding, parameter) && !is_unused)
         << name;

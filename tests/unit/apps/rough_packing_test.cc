@@ -71,6 +71,7 @@ TEST(RoughPacking, LetsGoOfTheOverlapsOfACrowd)
   packing.fill();
   EXPECT_LT(packing.highest(),
             packing.room.floor.z() + packing.height + 0.01); // largest radius
+  packing.engine.let_strays_go();
   packing.engine.advance_unseen(1e-15);
   const double before = packing.deepest();
   EXPECT_GT(before, 0.005); // of a radius of the smaller ones

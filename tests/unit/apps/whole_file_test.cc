@@ -135,7 +135,8 @@ TEST(CsvFile, GoesBackToTheRowsOfACheckpoint)
   table.write_row({2., 1e-300}); // not yet in the file
   table.resume(path, size);
   table.write_row({3., -0.25});
-  EXPECT_EQ(table.flushed_size(), fs::file_size(path));
+  const std::uint64_t flushed = table.flushed_size();
+  EXPECT_EQ(flushed, fs::file_size(path));
   EXPECT_EQ(text_of(path), "a_1,b_1\n1,0.1\n3,-0.25\n");
   EXPECT_THROW(table.resume(path, 1000), InputError);
   EXPECT_THROW(table.resume(folder.path() / "none.csv", 0), InputError);

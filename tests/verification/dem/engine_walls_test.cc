@@ -258,7 +258,7 @@ TEST(EngineWalls, AStoneThatHasComeThroughIsNamed)
 {
   for (const bool in_drum : {false, true})
   {
-    dem::Engine engine(support::bare_parameters());
+    dem::Engine engine(support::deep_parameters());
     dem::Drum drum;
     drum.radius = 0.1;
     drum.length = 0.2;

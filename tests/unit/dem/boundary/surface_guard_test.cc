@@ -58,7 +58,7 @@ dem::FacetSurface spiral(double degrees, double lift)
 /// A sphere of 10 mm about here in a cube of 100 mm, lists made.
 std::optional<dem::SurfaceFault> left_of(const Vec3 &centre)
 {
-  dem::Engine engine(support::bare_parameters());
+  dem::Engine engine(support::deep_parameters());
   support::add_sphere(engine, 0.01, centre);
   engine.attach_surface(support::box_inside(0.1));
   engine.advance(1e-12);
@@ -169,7 +169,7 @@ TEST(SurfaceGuard, RimLetsStonesPass)
 {
   for (const double z : {0.005, -0.003})
   {
-    dem::Engine engine(support::bare_parameters());
+    dem::Engine engine(support::deep_parameters());
     support::add_sphere(engine, 0.01, {0.053, 0.01, z});
     dem::FacetSurface floor =
         support::coplanar_fan(4, 0.05 * std::sqrt(2.), M_PI / 4.);

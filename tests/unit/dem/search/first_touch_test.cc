@@ -383,7 +383,7 @@ void expect_first_force(const Particle &particle)
 void expect_platens(const Particle &particle)
 {
   constexpr double stiffness = 1e6; // N/m
-  const double speed = 1e-2, step = 1e-5, way = 5e-3 * particle.mean;
+  const double speed = 2e-3, step = 1e-5, way = 5e-3 * particle.mean;
   Vec3 tip;
   particle.dense.least([](const Vec3 &x) { return -x.norm(); }, &tip);
   const dem::Quaternion turned =
