@@ -74,7 +74,7 @@ void add_drum(List &list, DrumParameters &d)
   list.add({"turns", "-", "In all."}, d.turns, above(0., 1e7));
   list.add({"settling_time", "s",
             "Shortest fall under gravity before the first turn. It ends when "
-            "the charge is at rest."},
+            "the charge is at rest. 0: the drum turns at once."},
            d.settling_time, between(0., 100.));
   list.add({"settling_max_time", "s",
             "The drum turns this long after settling_time in any case, with a "

@@ -151,7 +151,7 @@ void LosAngeles::move(double time_step)
 }
 
 /// The least settling time is over, and the charge is at rest or has had the
-/// longest time.
+/// longest time. Without a settling time the drum turns at once.
 bool LosAngeles::is_settled()
 {
   constexpr std::int64_t rest_interval = 200; // steps
@@ -159,7 +159,7 @@ bool LosAngeles::is_settled()
   const double spent = engine().time();
   if (spent < d.settling_time)
     return false;
-  if (is_rough || d.settling_unbalanced_ratio >= 1.)
+  if (is_rough || d.settling_time == 0. || d.settling_unbalanced_ratio >= 1.)
     return true;
   const bool is_over = spent > d.settling_time + d.settling_max_time;
   if (!is_over && engine().n_steps() % rest_interval != 0)
