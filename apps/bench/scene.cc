@@ -67,7 +67,8 @@ dem::EngineParameters bench_parameters(const BenchStones &stones)
   parameters.wall = parameters.surface = wall_material();
   parameters.gravity = -gravity * dem::Vec3::UnitZ();
   parameters.geometry.geometry = stones.geometry;
-  parameters.geometry.usual_skin = 5e-4; // the skin of the peers
+  parameters.geometry.usual_skin = 5e-4;  // the skin of the peers
+  parameters.geometry.overlap.stop = 1e9; // shapes begin deep in each other
   parameters.breakage.is_active = false;
   return parameters;
 }

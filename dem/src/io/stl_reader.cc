@@ -2,6 +2,7 @@
 
 #include "text_lines.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -62,7 +63,10 @@ TriangleMesh read_binary(std::string_view bytes)
 class TextScanner
 {
 public:
-  explicit TextScanner(std::string_view text) : lines(text) {}
+  explicit TextScanner(std::string_view text)
+      : lines(text), last_line(1 + std::count(text.begin(), text.end(), '\n'))
+  {
+  }
 
   TriangleMesh read()
   {
@@ -92,6 +96,8 @@ private:
       add_triangle();
     else if (word == "endsolid")
       is_in_solid = false;
+    else if (is_in_solid && lines.number() == last_line)
+      return; // half a word, where the file is cut off
     else if (word != "facet" && word != "outer" && word != "endloop")
       lines.refuse("must be facet, outer loop, vertex, endloop, endfacet or "
                    "endsolid");
@@ -119,6 +125,7 @@ private:
   }
 
   TextLines lines;
+  std::ptrdiff_t last_line = 0; ///< number, without a line break at its end
   TriangleMesh mesh;
   int n_corners = 0; ///< of the facet that is open
   bool is_in_solid = false;
