@@ -14,7 +14,7 @@ from triaxial_runs import (ENVIRONMENT, command, differing, report_faults, run,
                            summary, summary_faults)
 
 SHORT = ("Loading/frequency=1000", "Loading/cycles=2",
-         "Loading/consolidation_time=2e-3",
+         "Loading/consolidation_time=6e-3",
          "Loading/consolidation_stress_tolerance=0.5",
          "Loading/consolidation_unbalanced_ratio=0.1",
          "Output/frames_per_cycle=0")
