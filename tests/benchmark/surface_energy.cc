@@ -140,7 +140,7 @@ private:
   void look(const dem::Engine &engine)
   {
     contacts = loaded_contacts(engine);
-    shape_work = engine.energy().shape_work;
+    shape_work = engine.energy().non_conservative_work;
     const dem::SpotEvents &e = engine.spot_events();
     events = e.n_late + e.n_jumps + e.n_ended + e.n_merged;
   }
