@@ -49,10 +49,10 @@ constexpr std::array<Command, 8> commands = {
       "[--licence TEXT] | info S.json|MESH [--unit m|mm|um] [--json FILE] | "
       "generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
       "[--order N] [--json FILE]",
-      "fit, measure and generate stone shapes", shape_command, false},
+      "fit, measure and generate particle shapes", shape_command, false},
      {"bench",
       "--packing P.csv [--steps N] [--threads N] [--shapes DIR] "
-      "[--geometry ball|radial|surface] [--breakage] "
+      "[--geometry sphere|radial|surface] [--breakage] "
       "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "
       "[--save P.csv]",
       "time the particle engine on a packing", bench_command, false},

@@ -179,14 +179,14 @@ def population(meshes):
 
 def generate_table(tool, meshes):
     printed = tool.run("generate", *SAMPLE, "--count", 500, "--seed", 1,
-                       "--out", tool.folder / "stones")
+                       "--out", tool.folder / "particles")
     rows = [re.split(r"\s{2,}", line.strip())
             for line in printed.splitlines()[2:]]
     whole = population(meshes)
     for row in rows:
         row.append("{:.3f} ± {:.3f} ({})".format(*whole[row[0]])
                    if row[0] in whole else "")
-    return table(["figure", "sample of 8", "±", "500 stones", "±",
+    return table(["figure", "sample of 8", "±", "500 particles", "±",
                   "source's table"], rows)
 
 

@@ -13,35 +13,35 @@ namespace
 constexpr double pressure = 30e3;     // of the closed box [Pa]
 constexpr double closing_speed = 2.;  // of one wall at most [m/s]
 constexpr double closing_time = 0.05; // to be pressed together, at most [s]
-constexpr double falling_time = 0.08; // in which small stones fall [s]
+constexpr double falling_time = 0.08; // in which small particles fall [s]
 constexpr double resting_time = 0.15; // to come to rest, at most [s]
 constexpr int closing_interval = 200; // [steps]
 
-/// Smooth walls, stones without friction until they are pressed together.
-dem::EngineParameters closing_parameters(const BenchStones &stones)
+/// Smooth walls, particles without friction until they are pressed together.
+dem::EngineParameters closing_parameters(const BenchParticles &particles)
 {
-  dem::EngineParameters parameters = bench_parameters(stones);
-  parameters.stone.friction = 0.;
+  dem::EngineParameters parameters = bench_parameters(particles);
+  parameters.particle.friction = 0.;
   parameters.wall.friction = parameters.wall.rolling_friction = 0.;
   parameters.local_damping = 0.7;
   return parameters;
 }
 
 /// Moves everything away from the origin so that the circumscribed spheres of
-/// stones whose balls touch come apart.
-void spread(BenchStones &stones)
+/// particles whose balls touch come apart.
+void spread(BenchParticles &particles)
 {
-  Packing &packing = stones.packing;
+  Packing &packing = particles.packing;
   double factor = 1.;
   for (std::size_t k = 0; k < packing.size(); ++k)
-    factor = std::max(factor, stones.bodies[k].circumscribed_radius /
+    factor = std::max(factor, particles.bodies[k].circumscribed_radius /
                                   packing.radius[k]);
   packing.box *= factor;
   for (dem::Vec3 &x : packing.position)
     x *= factor;
 }
 
-/// The stones come together as fast as the walls, so that the box closes
+/// The particles come together as fast as the walls, so that the box closes
 /// evenly.
 void drive_evenly(dem::Engine &engine, const dem::BoxPlanes &box,
                   const Packing &packing)
@@ -90,7 +90,7 @@ bool is_at_rest(const ClosedBox &reached)
          reached.unbalanced_ratio < 0.02;
 }
 
-/// The box and the stones in it, its lower corner in the origin.
+/// The box and the particles in it, its lower corner in the origin.
 void take_closed(const dem::Engine &engine, const dem::BoxPlanes &box,
                  Packing &packing)
 {
@@ -104,20 +104,20 @@ void take_closed(const dem::Engine &engine, const dem::BoxPlanes &box,
 }
 } // namespace
 
-ClosedBox close_box(BenchStones &stones)
+ClosedBox close_box(BenchParticles &particles)
 {
-  spread(stones);
+  spread(particles);
   const std::unique_ptr<dem::Engine> engine =
-      fill_engine(stones, closing_parameters(stones));
+      fill_engine(particles, closing_parameters(particles));
   const dem::BoxPlanes box =
-      dem::add_box(*engine, dem::Vec3::Zero(), stones.packing.box);
-  drive_evenly(*engine, box, stones.packing);
+      dem::add_box(*engine, dem::Vec3::Zero(), particles.packing.box);
+  drive_evenly(*engine, box, particles.packing);
   ClosedBox reached;
   reached.step = 1.5 * settling_step(*engine);
   do
     run_interval(*engine, box, nullptr, reached);
   while (!is_compact(*engine, box, reached) && engine->time() < closing_time);
-  engine->set_friction(bench_parameters(stones).stone.friction);
+  engine->set_friction(bench_parameters(particles).particle.friction);
   engine->set_local_damping(0.3);
   dem::BoxServo servo(box, {5e-4, closing_speed});
   for (int d = 0; d < 3; ++d)
@@ -127,7 +127,7 @@ ClosedBox close_box(BenchStones &stones)
     run_interval(*engine, box, &servo, reached);
   while (engine->time() < pressed + falling_time ||
          (!is_at_rest(reached) && engine->time() < pressed + resting_time));
-  take_closed(*engine, box, stones.packing);
+  take_closed(*engine, box, particles.packing);
   return reached;
 }
 } // namespace spall

@@ -13,12 +13,12 @@ struct ClosedBox
   std::int64_t n_steps = 0;
 };
 
-/// Moves the stones apart until no two can touch and closes the box round them
-/// again. Without friction, and with local damping, they are pressed together
-/// to three times 30 kPa; then the servo holds 30 kPa, with friction, for
-/// without it stones that overlap along the branch do not come to rest
-/// (docs/decisions/0004-radial-overlap-at-rest.md). Small stones fall
+/// Moves the particles apart until no two can touch and closes the box round
+/// them again. Without friction, and with local damping, they are pressed
+/// together to three times 30 kPa; then the servo holds 30 kPa, with friction,
+/// for without it particles that overlap along the branch do not come to rest
+/// (docs/decisions/0004-radial-overlap-at-rest.md). Small particles fall
 /// into place for 0.08 s; ends when all are at rest, 0.07 s later at the
-/// latest. Throws InputError if the time step is too long for the stones.
-ClosedBox close_box(BenchStones &stones);
+/// latest. Throws InputError if the time step is too long for the particles.
+ClosedBox close_box(BenchParticles &particles);
 } // namespace spall

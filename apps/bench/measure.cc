@@ -18,7 +18,7 @@ BenchSample measure(dem::Engine &engine, int n_steps, double time_step)
   const double cpu = processor_seconds();
   const auto start = Clock::now();
   for (int step = 0; step < n_steps; ++step)
-    engine.advance_unseen(time_step);
+    engine.advance_deferred(time_step);
   sample.wall = std::chrono::duration<double>(Clock::now() - start).count();
   sample.cpu = processor_seconds() - cpu;
   const dem::EngineClock now = engine.clock();

@@ -33,11 +33,11 @@ using Json = nlohmann::ordered_json;
 
 /// Memory of the scene; not known if the box was closed before it, since that
 /// leaves freed memory behind.
-double per_stone(const BenchResult &result, double bytes)
+double per_particle(const BenchResult &result, double bytes)
 {
   if (result.closed)
     return std::numeric_limits<double>::quiet_NaN();
-  return (bytes - result.before.now) / static_cast<double>(result.n_stones);
+  return (bytes - result.before.now) / static_cast<double>(result.n_particles);
 }
 
 /// Change of the energy residual over the timed steps [J].
@@ -54,7 +54,7 @@ std::string scene_text(const BenchResult &r)
       line("scene", "%s, %s%s, %d thread%s", r.scene.c_str(),
            r.geometry.c_str(), r.is_breaking ? ", breakage on" : "", r.threads,
            r.threads > 1 ? "s" : "") +
-      line("stones", "%zu, %zu breakable", r.n_stones, r.n_breakable) +
+      line("particles", "%zu, %zu breakable", r.n_particles, r.n_breakable) +
       line("box", "%.4g x %.4g x %.4g m, solid fraction %.3f", r.box.x(),
            r.box.y(), r.box.z(), r.solid_fraction);
   if (r.closed)
@@ -185,10 +185,11 @@ std::string bench_text(const BenchResult &r)
          line("memory", "%.1f MB before, %.1f built, %.1f run, %.1f peak",
               1e-6 * r.before.now, 1e-6 * r.built.now, 1e-6 * r.run.now,
               1e-6 * r.run.peak) +
-         (r.closed ? line("per stone", "not known: the box was closed")
-                   : line("per stone", "%.0f bytes built, %.0f run, %.0f peak",
-                          per_stone(r, r.built.now), per_stone(r, r.run.now),
-                          per_stone(r, r.run.peak))) +
+         (r.closed
+              ? line("per particle", "not known: the box was closed")
+              : line("per particle", "%.0f bytes built, %.0f run, %.0f peak",
+                     per_particle(r, r.built.now), per_particle(r, r.run.now),
+                     per_particle(r, r.run.peak))) +
          line("checksum", "%s", hex_text(s.checksum).c_str());
 }
 
@@ -199,7 +200,7 @@ std::string bench_json(const BenchResult &r)
               {"geometry", r.geometry},
               {"breakage", r.is_breaking},
               {"threads", r.threads},
-              {"stones", r.n_stones},
+              {"particles", r.n_particles},
               {"breakable", r.n_breakable},
               {"box_m", {r.box.x(), r.box.y(), r.box.z()}},
               {"solid_fraction_1", r.solid_fraction},
@@ -217,9 +218,9 @@ std::string bench_json(const BenchResult &r)
                          {"built", r.built.now},
                          {"run", r.run.now},
                          {"peak", r.run.peak},
-                         {"per_stone_built", per_stone(r, r.built.now)},
-                         {"per_stone_run", per_stone(r, r.run.now)},
-                         {"per_stone_peak", per_stone(r, r.run.peak)}};
+                         {"per_particle_built", per_particle(r, r.built.now)},
+                         {"per_particle_run", per_particle(r, r.run.now)},
+                         {"per_particle_peak", per_particle(r, r.run.peak)}};
   out["reproducible"] = r.is_reproducible();
   out["median"] = sample_json(r.median());
   for (const BenchSample &sample : r.samples)

@@ -15,18 +15,18 @@ struct BenchResult
 {
   std::string packing, scene,
       geometry; ///< geometry: sphere, or that of --geometry
-  std::size_t n_stones = 0, n_breakable = 0;
+  std::size_t n_particles = 0, n_breakable = 0;
   int threads = 1;
   bool is_breaking = false;
   dem::Vec3 box = dem::Vec3::Zero(); ///< [m]
-  double solid_fraction = 0.;        ///< volume of stones / of the box [-]
+  double solid_fraction = 0.;        ///< volume of particles / of the box [-]
   double coordination = 0.;          ///< at the start of the timed steps [-]
   double unbalanced_ratio = 0.;      ///< at the start of the timed steps [-]
   std::optional<ClosedBox> closed;   ///< if the box was closed
   MemoryUse before;                  ///< the packing read, no scene yet
-  MemoryUse built;                   ///< stones and planes there, no step yet
-  MemoryUse run;                     ///< after the first timed stretch
-  std::vector<BenchSample> samples;  ///< one of each repeat
+  MemoryUse built;                  ///< particles and planes there, no step yet
+  MemoryUse run;                    ///< after the first timed stretch
+  std::vector<BenchSample> samples; ///< one of each repeat
 
   /// The sample with the median CPU time (the lower one of two).
   const BenchSample &median() const;

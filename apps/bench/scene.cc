@@ -19,16 +19,16 @@ namespace
 /// 5e8 Pa. Restitution e = 0.4 from contact to zero overlap, as the peer
 /// LIGGGHTS takes it: its dashpot 2 sqrt(5/6) b sqrt(k m*) with
 /// b = |ln e| / sqrt(pi^2 + ln^2 e) is ours with beta = sqrt(5/6) b = 0.2556.
-dem::StoneMaterial stone_material()
+dem::ParticleMaterial particle_material()
 {
-  dem::StoneMaterial stone;
-  stone.density = 2750.;
-  stone.shear_modulus = 5e8;
-  stone.poisson_ratio = 0.25;
-  stone.friction = 0.5;
-  stone.rolling_friction = 0.2;
-  stone.normal_damping = stone.shear_damping = 0.2556;
-  return stone;
+  dem::ParticleMaterial particle;
+  particle.density = 2750.;
+  particle.shear_modulus = 5e8;
+  particle.poisson_ratio = 0.25;
+  particle.friction = 0.5;
+  particle.rolling_friction = 0.2;
+  particle.normal_damping = particle.shear_damping = 0.2556;
+  return particle;
 }
 
 /// Linear walls in place of the peers' Hertz walls: k_n such that all wall
@@ -54,19 +54,19 @@ void require_stable(const dem::Engine &engine)
   if (bench_step > limit.step)
     throw InputError("bench: the time step of " + number_text(bench_step) +
                      " s must be at most " + number_text(limit.step) +
-                     " s for these stones, set by: " + limit.reason);
+                     " s for these particles, set by: " + limit.reason);
 }
 } // namespace
 
-dem::EngineParameters bench_parameters(const BenchStones &stones)
+dem::EngineParameters bench_parameters(const BenchParticles &particles)
 {
   dem::EngineParameters parameters;
-  parameters.stone = stone_material();
-  if (stones.bodies.front().series)
-    parameters.stone.rolling_friction = 0.5;
+  parameters.particle = particle_material();
+  if (particles.bodies.front().series)
+    parameters.particle.rolling_friction = 0.5;
   parameters.wall = parameters.surface = wall_material();
   parameters.gravity = -gravity * dem::Vec3::UnitZ();
-  parameters.geometry.geometry = stones.geometry;
+  parameters.geometry.geometry = particles.geometry;
   parameters.geometry.usual_skin = 5e-4;  // the skin of the peers
   parameters.geometry.overlap.stop = 1e9; // shapes begin deep in each other
   parameters.breakage.is_active = false;
@@ -74,28 +74,30 @@ dem::EngineParameters bench_parameters(const BenchStones &stones)
 }
 
 std::unique_ptr<dem::Engine>
-fill_engine(const BenchStones &stones, const dem::EngineParameters &parameters)
+fill_engine(const BenchParticles &particles,
+            const dem::EngineParameters &parameters)
 {
   auto engine = std::make_unique<dem::Engine>(parameters);
-  const Packing &packing = stones.packing;
+  const Packing &packing = particles.packing;
   for (std::size_t k = 0; k < packing.size(); ++k)
-    engine->add_stone(stones.bodies[k], packing.position[k],
-                      packing.orientation.empty() ? dem::Quaternion::Identity()
-                                                  : packing.orientation[k]);
+    engine->add_particle(particles.bodies[k], packing.position[k],
+                         packing.orientation.empty()
+                             ? dem::Quaternion::Identity()
+                             : packing.orientation[k]);
   require_stable(*engine);
   return engine;
 }
 
-BenchStones make_bench_stones(Packing packing, const std::string &shapes)
+BenchParticles make_bench_particles(Packing packing, const std::string &shapes)
 {
-  BenchStones stones;
-  std::vector<dem::Body> unit;
+  BenchParticles particles;
+  std::vector<dem::ParticleShape> unit;
   if (!shapes.empty())
     for (const ShapeFile &shape : read_shapes(shapes))
-      unit.push_back(dem::make_body(
+      unit.push_back(dem::make_shape(
           std::make_shared<const dem::Coefficients>(shape.coefficients), 1.));
   for (std::size_t k = 0; k < packing.size(); ++k)
-    stones.bodies.push_back(
+    particles.bodies.push_back(
         unit.empty() ? dem::make_sphere(packing.radius[k])
                      : dem::resized(unit[k % unit.size()], packing.radius[k]));
   if (!unit.empty() && packing.orientation.empty())
@@ -104,17 +106,18 @@ BenchStones make_bench_stones(Packing packing, const std::string &shapes)
     for (std::size_t k = 0; k < packing.size(); ++k)
       packing.orientation.push_back(random.rotation());
   }
-  stones.packing = std::move(packing);
-  return stones;
+  particles.packing = std::move(packing);
+  return particles;
 }
 
-std::unique_ptr<dem::Engine>
-make_bench_engine(const BenchStones &stones, BenchScene scene, bool is_breaking)
+std::unique_ptr<dem::Engine> make_bench_engine(const BenchParticles &particles,
+                                               BenchScene scene,
+                                               bool is_breaking)
 {
-  dem::EngineParameters parameters = bench_parameters(stones);
+  dem::EngineParameters parameters = bench_parameters(particles);
   parameters.breakage.is_active = is_breaking;
-  std::unique_ptr<dem::Engine> engine = fill_engine(stones, parameters);
-  dem::Vec3 upper = stones.packing.box;
+  std::unique_ptr<dem::Engine> engine = fill_engine(particles, parameters);
+  dem::Vec3 upper = particles.packing.box;
   if (scene == BenchScene::collapse)
     upper.x() *= 1.6;
   dem::add_box(*engine, dem::Vec3::Zero(), upper);

@@ -11,7 +11,7 @@
 
 namespace spall
 {
-/// What the stones of a benchmark do.
+/// What the particles of a benchmark do.
 enum class BenchScene
 {
   rest,    ///< lie in their box
@@ -32,39 +32,40 @@ constexpr int settling_steps(BenchScene scene)
   return scene == BenchScene::collapse ? 5000 : 1500;
 }
 
-/// The stones to be timed and where they lie.
-struct BenchStones
+/// The particles to be timed and where they lie.
+struct BenchParticles
 {
   Packing packing;
-  std::vector<dem::Body> bodies;
+  std::vector<dem::ParticleShape> bodies;
   dem::ContactGeometry geometry = dem::ContactGeometry::radial;
 };
 
-/// Spheres, or stones that take the shapes of the folder in turn, their ball
+/// Spheres, or particles that take the shapes of the folder in turn, their ball
 /// radius that of the packing; unless the packing has orientations, they are
 /// turned at random. Throws InputError.
-BenchStones make_bench_stones(Packing packing, const std::string &shapes);
+BenchParticles make_bench_particles(Packing packing, const std::string &shapes);
 
-/// Material, walls and gravity of the peer codes, nothing breaks. Stones with
-/// shapes get a rolling friction of 0.5: at the 0.2 of the spheres they keep
-/// themselves in motion (docs/decisions/0004-radial-overlap-at-rest.md).
-dem::EngineParameters bench_parameters(const BenchStones &stones);
+/// Material, walls and gravity of the peer codes, nothing breaks. Particles
+/// with shapes get a rolling friction of 0.5: at the 0.2 of the spheres they
+/// keep themselves in motion (docs/decisions/0004-radial-overlap-at-rest.md).
+dem::EngineParameters bench_parameters(const BenchParticles &particles);
 
-/// The stones in an engine, without walls. Throws InputError if the time step
-/// is too long for them.
+/// The particles in an engine, without walls. Throws InputError if the time
+/// step is too long for them.
 std::unique_ptr<dem::Engine>
-fill_engine(const BenchStones &stones, const dem::EngineParameters &parameters);
+fill_engine(const BenchParticles &particles,
+            const dem::EngineParameters &parameters);
 
-/// The scene of the peer codes: stones and six planes, with gravity. Throws
+/// The scene of the peer codes: particles and six planes, with gravity. Throws
 /// as fill_engine().
-std::unique_ptr<dem::Engine> make_bench_engine(const BenchStones &stones,
+std::unique_ptr<dem::Engine> make_bench_engine(const BenchParticles &particles,
                                                BenchScene scene,
                                                bool is_breaking);
 
-/// 4e-6 s, shorter for stones of less than 5 mm [s].
+/// 4e-6 s, shorter for particles of less than 5 mm [s].
 double settling_step(const dem::Engine &engine);
 
 /// Steps of settling_step(), with local damping unless the scene flows; then
-/// what the scene does to the stones.
+/// what the scene does to the particles.
 void settle(dem::Engine &engine, BenchScene scene, int n_steps);
 } // namespace spall

@@ -33,28 +33,29 @@ std::size_t count_breakable(const dem::Engine &engine)
 void set_velocities(dem::Engine &engine,
                     const std::vector<dem::Vec3> &velocities)
 {
-  dem::Particles &stones = engine.particles();
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    stones.velocity(k) = velocities[static_cast<std::size_t>(stones.id[k])];
+  dem::ParticleSystem &particles = engine.particles();
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    particles.velocity(k) =
+        velocities[static_cast<std::size_t>(particles.id[k])];
 }
 
 void take_places(const dem::Engine &engine, Packing &packing)
 {
-  const dem::Particles &stones = engine.particles();
-  packing.orientation.resize(stones.size());
-  for (std::size_t k = 0; k < stones.size(); ++k)
+  const dem::ParticleSystem &particles = engine.particles();
+  packing.orientation.resize(particles.size());
+  for (std::size_t k = 0; k < particles.size(); ++k)
   {
-    const auto id = static_cast<std::size_t>(stones.id[k]);
-    packing.position[id] = stones.position(k);
-    packing.orientation[id] = stones.orientation(k);
+    const auto id = static_cast<std::size_t>(particles.id[k]);
+    packing.position[id] = particles.position(k);
+    packing.orientation[id] = particles.orientation(k);
   }
 }
 
 std::uint64_t position_checksum(const dem::Engine &engine)
 {
   Digest digest;
-  for (const dem::StoneState &stone : engine.particles().state)
-    digest.add(std::span<const double>(stone.position.data(), 3));
+  for (const dem::ParticleState &particle : engine.particles().state)
+    digest.add(std::span<const double>(particle.position.data(), 3));
   return digest.value();
 }
 } // namespace spall

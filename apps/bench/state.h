@@ -12,8 +12,8 @@ namespace spall
 /// Contacts at one moment.
 struct ContactCount
 {
-  std::int64_t pairs = 0;  ///< touching, stone on stone
-  std::int64_t walls = 0;  ///< touching, stone on plane
+  std::int64_t pairs = 0;  ///< touching, particle on particle
+  std::int64_t walls = 0;  ///< touching, particle on plane
   std::int64_t listed = 0; ///< candidate pairs
 
   std::int64_t touching() const { return pairs + walls; }
@@ -21,7 +21,7 @@ struct ContactCount
 
 ContactCount count_contacts(const dem::Engine &engine);
 
-/// Stones that may break.
+/// Particles that may break.
 std::size_t count_breakable(const dem::Engine &engine);
 
 void set_velocities(dem::Engine &engine,

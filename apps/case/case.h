@@ -1,5 +1,6 @@
 #pragma once
 
+#include "case/kind.h"
 #include "compaction/case.h"
 #include "subgrade/case.h"
 
@@ -16,20 +17,6 @@
 
 namespace spall
 {
-enum class CaseKind
-{
-  dynamic_triaxial,
-  single_particle,
-  los_angeles,
-  vibratory_compaction,
-  subgrade
-};
-
-/// By the number of CaseKind.
-inline const std::vector<std::string> kind_names = {
-    "dynamic_triaxial", "single_particle", "los_angeles",
-    "vibratory_compaction", "subgrade"};
-
 enum class Lateral
 {
   membrane, ///< deal.II membrane, tied to the plates
@@ -43,7 +30,7 @@ enum class StepRule
   error   ///< as stable, and short enough for the tolerances
 };
 
-/// How stones and membrane go through time together; not said: refused.
+/// How particles and membrane go through time together; not said: refused.
 enum class ExchangeChoice
 {
   none,
@@ -71,7 +58,7 @@ struct SpecimenParameters
   double side = 0.1;           ///< of the cube after compaction, about [m]
   double diameter = 0.1;       ///< of the cylinder after compaction, about [m]
   double height = 0.2;         ///< likewise [m]
-  double solid_fraction = 0.6; ///< with the size: volume of stones [-]
+  double solid_fraction = 0.6; ///< with the size: volume of particles [-]
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/quick_7_22mm.csv";
   /// folder of shape files; empty: spheres
@@ -92,7 +79,7 @@ struct PreparationParameters
   PreparationTarget target = PreparationTarget::pressure;
   double pressure = 30e3;         ///< isotropic [Pa]
   double porosity = 0.4;          ///< of the target porosity [-]
-  double friction = 0.2;          ///< stone on stone while compacting [-]
+  double friction = 0.2;          ///< particle on particle while compacting [-]
   double wall_speed = 0.5;        ///< largest speed of a servo wall [m/s]
   double local_damping = 0.5;     ///< D_a [-]
   double stress_tolerance = 0.02; ///< of each axis against the target [-]
@@ -105,7 +92,7 @@ struct PreparationParameters
 enum class MembraneRefinement
 {
   none,
-  pressed ///< those that stones press on when the membrane takes over
+  pressed ///< those that particles press on when the membrane takes over
 };
 
 struct BoundaryParameters
@@ -144,7 +131,7 @@ struct CouplingParameters
   bool is_body_implicit = false; ///< membrane or subgrade
   int body_steps = 1;            ///< of it in one window [-]
 
-  /// Steps of the stones and the whole of the rules.
+  /// Steps of the particles and the whole of the rules.
   coupling::ExchangeParameters exchange_rules() const;
   /// The same with a membrane or without one.
   coupling::ExchangeParameters exchange_rules(Lateral lateral) const;
@@ -202,7 +189,7 @@ struct TimeParameters
   /// A fixed step above the limit of the contacts is no reason to stop.
   bool allow_unstable_step = false;
 
-  /// While stones are prepared: a share of the stable step; 0: as here.
+  /// While particles are prepared: a share of the stable step; 0: as here.
   TimeParameters preparing(double own_safety) const
   {
     TimeParameters rule = *this;
@@ -224,8 +211,8 @@ struct OutputParameters
   SurfaceFrames surfaces = SurfaceFrames::ends;
 };
 
-/// The stone of the single-particle test.
-struct ParticleParameters
+/// The particle of the single-particle test.
+struct SingleParticleParameters
 {
   /// a shape file
   std::string shape = "shapes/limestone_blocky/MA111-7-coarse-00104.json";
@@ -247,7 +234,7 @@ struct PressParameters
 /// What is in the Los Angeles drum.
 struct ChargeParameters
 {
-  double mass = 10.; ///< of the stones [kg]
+  double mass = 10.; ///< of the particles [kg]
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/los_angeles_20_45mm.csv";
   std::string shapes = "shapes/limestone_blocky";
@@ -260,10 +247,10 @@ struct ChargeParameters
 
 struct DrumParameters
 {
-  double radius = 0.35;           ///< inner [m]
-  double length = 0.5;            ///< inner [m]
-  double shelf_height = 0.09;     ///< into the drum; 0: no shelf [m]
-  double shelf_thickness = 0.025; ///< [m]
+  double radius = 0.35;            ///< inner [m]
+  double length = 0.5;             ///< inner [m]
+  double lifter_height = 0.09;     ///< into the drum; 0: no lifter [m]
+  double lifter_thickness = 0.025; ///< [m]
   double turns_per_minute = 32.;
   double turns = 2000.; ///< in all [-]
   /// The charge falls for at least this long, and until it is at rest [s].
@@ -282,7 +269,7 @@ struct Case
 {
   CaseKind kind = CaseKind::dynamic_triaxial;
   std::string title = "dynamic triaxial test";
-  ParticleParameters particle;
+  SingleParticleParameters single_particle;
   PressParameters press;
   ChargeParameters charge;
   DrumParameters drum;
@@ -293,10 +280,10 @@ struct Case
   SpecimenParameters specimen;
   PreparationParameters preparation;
   std::string material; ///< file with the next three and breakage; may be empty
-  dem::StoneMaterial stone;
+  dem::ParticleMaterial particle;
   dem::WallMaterial wall; ///< plates and rigid sides
-  /// stones on the membrane: a hundredth of the plates, so that a light node
-  /// stays stable at the step of the stones
+  /// particles on the membrane: a hundredth of the plates, so that a light node
+  /// stays stable at the step of the particles
   dem::WallMaterial membrane_contact{.normal_stiffness = 1e6,
                                      .shear_stiffness = 0.85e6,
                                      .friction = 0.21,
@@ -316,11 +303,13 @@ struct Case
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
+  /// One line for each old name that the case uses.
+  std::vector<std::string> deprecated;
   /// Digests of the files that the case names, by Section/key.
   std::map<std::string, std::uint64_t> contents;
 
-  /// While stones are prepared: with steps of their own they also have contacts
-  /// and lists renewed by the tolerances of the program.
+  /// While particles are prepared: with steps of their own they also have
+  /// contacts and lists renewed by the tolerances of the program.
   dem::GeometryParameters contact_preparing(double own_safety) const
   {
     dem::GeometryParameters geometry = contact;
@@ -328,12 +317,12 @@ struct Case
     {
       const dem::GeometryParameters usual;
       geometry.refresh_tolerance = usual.refresh_tolerance;
-      geometry.search_margin = usual.search_margin;
+      geometry.skin = usual.skin;
     }
     return geometry;
   }
 
-  /// Whether a membrane is round the stones.
+  /// Whether a membrane is round the particles.
   Lateral lateral() const
   {
     const bool is_rigid = kind == CaseKind::vibratory_compaction

@@ -48,10 +48,10 @@ void check_every_step(const Case &c, const Place &place)
                    "Subgrade/body = full and Coupling/exchange = one_pass"});
   if (p.exchange != ExchangeChoice::every_step)
     return;
-  if (p.rules.stone_steps != 1)
-    refuse(place,
-           {"Coupling", "stone_steps", std::to_string(p.rules.stone_steps),
-            "must be 1 with Coupling/exchange = every_step"});
+  if (p.rules.particle_steps != 1)
+    refuse(place, {"Coupling", "particle_steps",
+                   std::to_string(p.rules.particle_steps),
+                   "must be 1 with Coupling/exchange = every_step"});
   if (p.body_steps != 1)
     refuse(place, {"Coupling", "body_steps", std::to_string(p.body_steps),
                    "must be 1 with Coupling/exchange = every_step"});
@@ -76,7 +76,7 @@ void check_specimen(const Case &c, const Place &place)
   {
     if (size < 2. * largest)
       refuse(place, {"Specimen", key, number_text(size),
-                     "must be at least twice the largest stone of the "
+                     "must be at least twice the largest particle of the "
                      "gradation, " +
                          largest_text(curve)});
   };
@@ -93,15 +93,15 @@ void check_specimen(const Case &c, const Place &place)
 void check_breakage(const Case &c, const Place &place)
 {
   const dem::BreakageParameters &b = c.breakage;
-  if (2. * b.min_ball_radius > b.min_diameter)
-    refuse(place,
-           {"Breakage", "min_ball_radius", number_text(b.min_ball_radius),
-            "must be at most half of Breakage/min_diameter = " +
-                number_text(b.min_diameter)});
+  if (2. * b.min_equivalent_radius > b.min_diameter)
+    refuse(place, {"Breakage", "min_equivalent_radius",
+                   number_text(b.min_equivalent_radius),
+                   "must be at most half of Breakage/min_diameter = " +
+                       number_text(b.min_diameter)});
 }
 
-/// Where stones meet each other, they turn with one inertia: that of balls, or
-/// their own.
+/// Where particles meet each other, they turn with one inertia: that of balls,
+/// or their own.
 void check_geometry(const Case &c, const Place &place)
 {
   using enum dem::ContactGeometry;
@@ -109,7 +109,7 @@ void check_geometry(const Case &c, const Place &place)
       c.contact.wall_geometry == surface && c.contact.geometry != surface)
     refuse(place, {"Contact", "wall_geometry", "surface",
                    "must be ball or radial, unless Contact/geometry = surface "
-                   "too (stones turn with their inertia tensors then)"});
+                   "too (particles turn with their inertia tensors then)"});
 }
 
 void check_overlap(const Case &c, const Place &place)
@@ -133,7 +133,7 @@ void check_cycle_jump(const Case &c, const Place &place)
 void check_time(const Case &c, const Place &place)
 {
   const double sample = c.loading.period() / c.output.samples_per_cycle;
-  const int n = c.coupling.exchange_rules(c.boundary.lateral).stone_steps;
+  const int n = c.coupling.exchange_rules(c.boundary.lateral).particle_steps;
   if (c.time.step == StepRule::fixed && n * c.time.fixed_step > sample)
     refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
                    "a window of " + std::to_string(n) +
@@ -164,9 +164,9 @@ void check_coupling(const Case &c, const Place &place)
                 " must be one of every_step, one_pass, iterated; spall check "
                 "compares them"});
   check_every_step(c, place);
-  if (c.time.step == StepRule::error && p.rules.stone_steps != 1)
+  if (c.time.step == StepRule::error && p.rules.particle_steps != 1)
     refuse(place, {"Time", "step", "error",
-                   "must be fixed or stable with Coupling/stone_steps above "
+                   "must be fixed or stable with Coupling/particle_steps above "
                    "1"});
   if (c.membrane.law == fem::MembraneLaw::neo_hooke &&
       c.membrane.poisson_ratio != 0.5)
@@ -199,7 +199,7 @@ void check_contact_tangent(const Case &c, const Place &place)
 
 void check_particle(const Case &c, const Place &place)
 {
-  const ParticleParameters &p = c.particle;
+  const SingleParticleParameters &p = c.single_particle;
   if (!p.shape.empty())
     find_path(c, "Particle", "shape", p.shape);
   if (p.seed == 0 && p.axis_x == 0. && p.axis_y == 0. && p.axis_z == 0.)
@@ -221,15 +221,15 @@ void check_drum(const Case &c, const Place &place)
            {"Wall", "rolling_friction", number_text(c.wall.rolling_friction),
             "must be 0: the rolling law takes walls not to turn"});
   const DrumParameters &d = c.drum;
-  if (d.shelf_height > 0.29 * d.radius)
-    refuse(place, {"Drum", "shelf_height", number_text(d.shelf_height),
+  if (d.lifter_height > 0.29 * d.radius)
+    refuse(place, {"Drum", "lifter_height", number_text(d.lifter_height),
                    "must be at most 0.29 Drum/radius = " +
                        number_text(0.29 * d.radius) +
-                       " (the charge is put between the shelf and the axis)"});
+                       " (the charge is put between the lifter and the axis)"});
   if (std::min(2. * d.radius, d.length) < 4. * curve.diameter.back())
     refuse(place, {"Drum", "radius", number_text(d.radius),
                    "the drum must be four times as wide and long as the "
-                   "largest stone of the gradation, " +
+                   "largest particle of the gradation, " +
                        largest_text(curve)});
 }
 

@@ -40,9 +40,10 @@ void add_relaxation(List &list, coupling::ExchangeParameters &rules)
             "iterated: share of a residual that a pass corrects; with aitken "
             "of the first."},
            rules.relaxation.factor, above(0., 1.));
-  list.add({"tolerance", "m",
-            "iterated: gap left between the body and what stones saw of it."},
-           rules.tolerance, above(0., 1e-3));
+  list.add(
+      {"tolerance", "m",
+       "iterated: gap left between the body and what particles saw of it."},
+      rules.tolerance, above(0., 1e-3));
   list.add(
       {"max_passes", "-", "iterated: of one window; then the last counts."},
       rules.max_passes, between(1, 1e4));
@@ -57,21 +58,26 @@ void add_coupling(List &list, CouplingParameters &c)
   list.in("Coupling");
   list.add(
       {"exchange", "-",
-       "every_step: stones and body (membrane, subgrade, elastic plate) take "
+       "every_step: particles and body (membrane, subgrade, elastic plate) "
+       "take "
        "the same explicit steps; one_pass: window by window, the body "
        "predicted with the last loads; iterated: until motion and loads of "
        "each window agree; none: there is no such body (with one it is "
        "refused; templates write every_step for a membrane, one_pass for a "
        "subgrade)."},
       c.exchange, {"none", "every_step", "one_pass", "iterated"});
-  list.add({"stone_steps", "-",
-            "Steps of the stones in one window; at most, with "
-            "window_tolerance."},
-           c.rules.stone_steps, between(1, 1e4));
+  list.add({"particle_steps",
+            "-",
+            "Steps of the particles in one window; at most, with "
+            "window_tolerance.",
+            "",
+            {"stone_steps"}},
+           c.rules.particle_steps, between(1, 1e4));
   list.add({"window_tolerance", "-",
             "one_pass on a full subgrade: windows are as long as the gain of "
-            "the contacts allows, and shorter where more than this share of "
-            "the work that crosses the interface goes astray; 0: all are of "
+            "the contacts allows, and shorter where the interface energy error "
+            "exceeds this share of "
+            "the work that crosses the interface; 0: all are of "
             "one length."},
            c.rules.window_tolerance, below(0., 1.));
   list.add({"body_time", "-", "How the body takes its steps."},
@@ -85,8 +91,8 @@ void add_coupling(List &list, CouplingParameters &c)
            c.rules.has_contact_tangent);
   add_relaxation(list, c.rules);
   list.add({"ledger_limit", "-",
-            "Of the work that crosses the interface this share may go astray; "
-            "beyond it the run stops."},
+            "The run stops where the interface energy error exceeds this share "
+            "of the work that crosses the interface."},
            c.ledger_limit, above(0., 1e6));
 }
 

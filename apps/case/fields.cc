@@ -8,20 +8,20 @@ namespace spall
 {
 namespace
 {
-void add_stone(List &list, dem::StoneMaterial &s)
+void add_particle(List &list, dem::ParticleMaterial &s)
 {
-  list.in("Stone");
-  list.add({"density", "kg/m^3", "Of the solid, rho."}, s.density,
+  list.in("Particle");
+  list.add({"density", "kg/m^3", "Density of the solid, rho."}, s.density,
            above(0., 3e4));
   list.add({"shear_modulus", "Pa", "G of the Hertz contact."}, s.shear_modulus,
            between(1., 1e13));
   list.add({"poisson_ratio", "-", "nu of the Hertz contact."}, s.poisson_ratio,
            below(0., 0.5));
-  list.add({"friction", "-", "Coulomb, stone on stone, f."}, s.friction,
+  list.add({"friction", "-", "Coulomb, particle on particle, f."}, s.friction,
            between(0., 10.));
-  list.add(
-      {"rolling_friction", "-", "Rolling resistance, stone on stone, f_r."},
-      s.rolling_friction, between(0., 10.));
+  list.add({"rolling_friction", "-",
+            "Rolling resistance, particle on particle, f_r."},
+           s.rolling_friction, between(0., 10.));
   list.add({"normal_damping", "-", "Share of critical damping, beta_n."},
            s.normal_damping, between(0., 5.));
   list.add({"shear_damping", "-", "Share of critical damping, beta_s."},
@@ -32,24 +32,29 @@ void add_contact(List &list, Case &of)
 {
   dem::GeometryParameters &c = of.contact;
   list.in("Contact");
-  list.add({"geometry", "-",
-            "ball: overlap of the ball carriers; radial: of the local radii "
-            "along the branch; surface: of the true surfaces, at every place "
-            "where they meet, with the inertia tensors of the stones."},
-           c.geometry, {"ball", "radial", "surface"});
+  list.add(
+      {"geometry", "-",
+       "sphere: overlap of the equivalent spheres; radial: of the local radii "
+       "along the branch; surface: of the true surfaces, at every place "
+       "where they meet, with the inertia tensors of the particles."},
+      c.geometry, {"sphere", "radial", "surface"}, {{"ball", "sphere"}});
   list.add({"wall_geometry", "-",
-            "The same for stones on platens, rigid sides, the membrane and "
-            "the drum; surface needs geometry = surface where stones meet."},
-           c.wall_geometry, {"ball", "radial", "surface"});
+            "The same for particles on platens, rigid sides, the membrane and "
+            "the drum; surface needs geometry = surface where particles meet."},
+           c.wall_geometry, {"sphere", "radial", "surface"},
+           {{"ball", "sphere"}});
   list.add(
       {"refresh_tolerance", "rad",
        "The expansion of a shape is renewed when the contact direction has "
        "moved this far in the body; 0: every step."},
       c.refresh_tolerance, between(0., 0.1));
-  list.add({"search_margin", "m",
+  list.add({"skin",
+            "m",
             "How far beyond contact the lists of candidates look; 0: set at "
-            "each rebuild to what costs least at the motion since the last."},
-           c.search_margin, between(0., 1.));
+            "each rebuild to what costs least at the motion since the last.",
+            "",
+            {"search_margin"}},
+           c.skin, between(0., 1.));
   list.add({"overlap_warning", "-",
             "Overlap over the radius of the smaller equivalent sphere: a "
             "warning above it, since Hertz theory no longer holds."},
@@ -73,23 +78,25 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
            b.hysteresis, below(0., 1.));
   list.add({"contacts", "-",
             "seen: only contacts whose overlap follows the surface break "
-            "stones; all: also where balls overlap."},
+            "particles; all: also where balls overlap."},
            b.contacts, {"seen", "all"});
   list.add({"energy", "-",
-            "Of the criterion: the normal spring's, or with the shear "
+            "Energy of the criterion: the normal spring's, or with the shear "
             "spring's."},
            b.energy, {"normal", "with_shear"});
   list.add({"curvature", "-",
-            "Of the cap: the stone's own, or relative to the other stone."},
+            "Curvature of the cap: the particle's own, or relative to the "
+            "other particle."},
            b.curvature, {"own", "relative"});
   list.add({"share", "-",
-            "Of overlap and energy: full for each of two stones, or by their "
+            "Share of overlap and energy: full for each of two particles, or "
+            "by their "
             "compliances (half, if they are alike)."},
            b.share, {"full", "compliance"});
   list.add({"precedence", "-", "Mode of an event that meets both conditions."},
            b.precedence, {"instantaneous", "cumulative"});
   list.add({"sides", "-",
-            "Where both stones of a contact ask: the one with the larger "
+            "Where both particles of a contact ask: the one with the larger "
             "energy ratio, or both."},
            b.sides, {"larger", "both"});
   list.add({"closure", "-",
@@ -99,7 +106,7 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
   list.add(
       {"memory", "-",
        "Where the cumulative factor of a contact that opens goes: lost with "
-       "the contact, or kept by the patch of the stone."},
+       "the contact, or kept by the patch of the particle."},
       b.memory, {"contact", "patch"});
   list.add({"inscribed", "-",
             "Sphere of r_ins, which tells corners: about the origin of the "
@@ -110,15 +117,20 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
 void add_breakage(List &list, dem::BreakageParameters &b)
 {
   list.in("Breakage");
-  list.add({"is_active", "-", "Stones may break at all, once loading begins."},
-           b.is_active);
+  list.add(
+      {"is_active", "-", "Particles may break at all, once loading begins."},
+      b.is_active);
   list.add({"fracture_energy", "J/m^2", "Breakage energy per area, G_c."},
            b.fracture_energy, above(0., 1e12));
+  list.add({"min_equivalent_radius",
+            "m",
+            "A particle does not break further below this.",
+            "",
+            {"min_ball_radius"}},
+           b.min_equivalent_radius, between(0., 10.));
   list.add(
-      {"min_ball_radius", "m", "A stone does not break further below this."},
-      b.min_ball_radius, between(0., 10.));
-  list.add({"min_diameter", "m", "Stones below this initial size never break."},
-           b.min_diameter, between(0., 10.));
+      {"min_diameter", "m", "Particles below this initial size never break."},
+      b.min_diameter, between(0., 10.));
   list.add({"curvature_floor_ratio", "-",
             "beta: curvatures are at least 1 / (beta r_ins)."},
            b.curvature_floor_ratio, between(1., 1e6));
@@ -127,7 +139,7 @@ void add_breakage(List &list, dem::BreakageParameters &b)
        "c: the kernel is at least c / order wide, what the series carries."},
       b.kernel_floor, between(1., 10.));
   list.add({"quadrature_rings", "-",
-            "n: 2 n^2 nodes (N_q) measure a stone anew after an event.",
+            "n: 2 n^2 nodes (N_q) measure a particle anew after an event.",
             "exact volumes need 3 order < 2 n"},
            b.quadrature_rings, between(4, 400));
   list.add({"kernel_scale", "-",
@@ -143,36 +155,39 @@ void add_boundary(List &list, BoundaryParameters &b)
             "membrane: deal.II membrane; rigid: four planes, or the side of a "
             "cylinder, under servo control."},
            b.lateral, {"membrane", "rigid"});
-  list.add({"mesh", "-",
-            "File of gmsh (.msh) with the quads of the membrane: the side of "
-            "an upright box, or of a cylinder round the z axis, which is "
-            "stretched to the specimen; empty: equal quads."},
-           b.mesh);
+  list.add_path(
+      {"mesh", "-",
+       "File of gmsh (.msh) with the quads of the membrane: the side of "
+       "an upright box, or of a cylinder round the z axis, which is "
+       "stretched to the specimen; empty: equal quads."},
+      b.mesh);
   list.add({"elements_per_side", "-",
-            "Of a box without a mesh: membrane quads along each edge."},
+            "Membrane quads along each edge of a box without a mesh."},
            b.elements_per_side, between(2, 200));
   list.add({"elements_around", "-",
-            "Of a cylinder without a mesh: membrane quads round it; along it "
+            "Membrane quads round a cylinder without a mesh; along it "
             "they are about "
             "as long."},
            b.elements_around, between(6, 1000));
-  list.add({"refined", "-",
-            "none: all quads as they are; pressed: those that stones press on "
-            "when the membrane takes over are halved both ways."},
-           b.refined, {"none", "pressed"});
+  list.add(
+      {"refined", "-",
+       "none: all quads as they are; pressed: those that particles press on "
+       "when the membrane takes over are halved both ways."},
+      b.refined, {"none", "pressed"});
   list.add({"servo_response_time", "s",
-            "Of servo planes: a stress error falls to 1/e in it."},
+            "Time in which servo planes reduce a stress error to 1/e."},
            b.servo_response_time, above(0., 1.));
   list.add({"servo_yielding", "-",
-            "Of rigid sides under load: the rate at which they give way over "
+            "Yielding of rigid sides under load: their rate over "
             "that at which the plate shortens the specimen; 0: they wait for "
             "an error."},
            b.servo_yielding, between(0., 0.5));
-  list.add({"servo_dead_band", "-",
-            "Of rigid sides under load: errors up to this share of the "
-            "pressure do not move them."},
-           b.servo_dead_band, between(0., 0.5));
-  list.add({"plate_mass", "kg", "Of the top plate."}, b.plate_mass,
+  list.add(
+      {"servo_dead_band", "-",
+       "Dead band of rigid sides under load: errors up to this share of the "
+       "pressure do not move them."},
+      b.servo_dead_band, between(0., 0.5));
+  list.add({"plate_mass", "kg", "Mass of the top plate."}, b.plate_mass,
            above(0., 1e6));
 }
 
@@ -189,11 +204,11 @@ void add_loading(List &list, LoadingParameters &l)
       l.confining_pressure, above(0., 1e8));
   list.add({"amplitude", "Pa", "Peak of the haversine above the confinement."},
            l.amplitude, between(0., 1e9));
-  list.add({"frequency", "Hz", "Of the haversine."}, l.frequency,
+  list.add({"frequency", "Hz", "Frequency of the haversine."}, l.frequency,
            above(0., 1e4));
   list.add({"cycles", "-", "Number of load cycles."}, l.cycles,
            between(1, 1e7));
-  list.add({"strain_rate", "1/s", "Of a compression, over the height."},
+  list.add({"strain_rate", "1/s", "Rate of a compression, over the height."},
            l.strain_rate, above(0., 1e4));
   list.add({"final_strain", "-", "At the end of a compression."},
            l.final_strain, between(1e-6, 0.5));
@@ -278,8 +293,9 @@ void add_output(List &list, OutputParameters &o)
            o.frames_per_cycle, between(0, 1e4));
   list.add({"checkpoint_every", "-", "Cycles; 0: only at the end."},
            o.checkpoint_every, between(0, 1e7));
-  list.add({"surfaces", "-", "True surfaces of the stones: in which frames."},
-           o.surfaces, {"none", "ends", "all"});
+  list.add(
+      {"surfaces", "-", "True surfaces of the particles: in which frames."},
+      o.surfaces, {"none", "ends", "all"});
 }
 } // namespace
 
@@ -290,10 +306,10 @@ void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
            w.normal_stiffness, above(0., 1e15));
   list.add({"shear_stiffness", "N/m", "Linear spring, k_s."}, w.shear_stiffness,
            between(0., 1e15));
-  list.add({"friction", "-", "Coulomb, stone on boundary, f_w."}, w.friction,
+  list.add({"friction", "-", "Coulomb, particle on boundary, f_w."}, w.friction,
            between(0., 10.));
-  list.add({"rolling_friction", "-", "Rolling resistance, stone on boundary.",
-            reason},
+  list.add({"rolling_friction", "-",
+            "Rolling resistance, particle on boundary.", reason},
            w.rolling_friction, rolling);
   list.add({"normal_damping", "-", "Share of critical damping, beta_nw."},
            w.normal_damping, between(0., 5.));
@@ -301,60 +317,60 @@ void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
            w.shear_damping, between(0., 5.));
 }
 
-bool Section::is_of(CaseKind kind) const
-{
-  return kinds.empty() || std::ranges::find(kinds, kind) != kinds.end();
-}
-
 const std::vector<Section> &sections()
 {
   using enum CaseKind;
   static const std::vector<Section> list = {
       {"Case", "What is run."},
-      {"Particle", "The stone between the platens.", {single_particle}},
       {"Press",
        "Two rigid platens; the upper one comes down.",
        {single_particle}},
-      {"Charge", "Stones and steel balls in the drum.", {los_angeles}},
+      {"Charge", "Particles and steel balls in the drum.", {los_angeles}},
       {"Drum", "The Los Angeles drum and how long it turns.", {los_angeles}},
-      {"Container", "What the stones are in.", {vibratory_compaction}},
+      {"Container", "What the particles are in.", {vibratory_compaction}},
       {"Filling",
-       "The stones, and how they get to their density.",
+       "The particles, and how they get to their density.",
        {vibratory_compaction}},
       {"Plate",
-       "The plate on the stones: rigid, and it may tilt, or elastic.",
+       "The plate on the particles: rigid, and it may tilt, or elastic.",
        {vibratory_compaction}},
       {"Vibration",
        "The exciter on the plate, and what is written.",
        {vibratory_compaction}},
       {"Layer",
-       "The stones on the subgrade, in a box with rigid sides.",
+       "The particles on the subgrade, in a box with rigid sides.",
        {subgrade}},
-      {"LoadPlate", "The rigid body that loads the stones.", {subgrade}},
+      {"LoadPlate", "The rigid body that loads the particles.", {subgrade}},
       {"Subgrade",
        "The ground, its top at z = 0: elastic, or of layers that yield.",
        {subgrade}},
       {"Pulse", "What the plate or sleeper gets while loading.", {subgrade}},
       {"Record", "What is written, and how often.", {subgrade}},
-      {"Specimen", "The stones and the room they fill.", {dynamic_triaxial}},
+      {"Specimen", "The particles and the room they fill.", {dynamic_triaxial}},
       {"Preparation",
        "Compaction of the random cloud by servo walls.",
        {dynamic_triaxial}},
-      {"Material", "Values of Stone, Wall, MembraneContact and Breakage."},
-      {"Stone", "Stone against stone: rolling-resistant Hertz."},
-      {"Wall", "Stone against plates, rigid sides, platens and drum."},
+      {"Material", "Values of Particle, Wall, MembraneContact and Breakage."},
+      {"Particle",
+       "Material of the particles: rolling-resistant Hertz contacts between "
+       "them. Single particle: its shape, too.",
+       {},
+       {"Stone"}},
+      {"Wall", "Particle against plates, rigid sides, platens and drum."},
       {"MembraneContact",
-       "Stone against membrane: linear springs.",
+       "Particle against membrane: linear springs.",
        {dynamic_triaxial, vibratory_compaction}},
       {"Contact", "What counts as overlap."},
       {"Breakage", "Energy criterion of micro-breakage."},
-      {"GroundContact", "Stone against subgrade: linear springs.", {subgrade}},
+      {"GroundContact",
+       "Particle against subgrade: linear springs.",
+       {subgrade}},
       {"Membrane",
        "The finite-element membrane round the specimen.",
        {dynamic_triaxial, vibratory_compaction}},
       {"Boundary", "What holds the specimen.", {dynamic_triaxial}},
       {"Coupling",
-       "How stones and membrane, subgrade or elastic plate exchange motion "
+       "How particles and membrane, subgrade or elastic plate exchange motion "
        "and loads.",
        {dynamic_triaxial, vibratory_compaction, subgrade}},
       {"Loading",
@@ -379,16 +395,17 @@ std::vector<Parameter> parameters_of(Case &of)
   add_specimen(list, of.specimen);
   add_preparation(list, of.preparation);
   list.in("Material");
-  list.add({"file", "-",
-            "File with any of Stone, Wall, MembraneContact and Breakage; what "
-            "the case itself sets wins. "
-            "Empty: none."},
-           of.material);
-  add_stone(list, of.stone);
+  list.add(
+      {"file", "-",
+       "File with any of Particle, Wall, MembraneContact and Breakage; what "
+       "the case itself sets wins. "
+       "Empty: none."},
+      of.material);
+  add_particle(list, of.particle);
   list.in("Wall");
   list.add({"law", "-",
-            "linear: the springs below; hertz: stone on a rigid plate, with "
-            "the curvatures of the stone."},
+            "linear: the springs below; hertz: particle on a rigid plate, with "
+            "the curvatures of the particle."},
            of.wall.law, {"linear", "hertz"});
   add_wall(list, of.wall, between(0., 10.), "");
   list.in("MembraneContact");
@@ -415,7 +432,7 @@ std::vector<Parameter> parameters_of(Case &of)
 
 bool is_material_section(const std::string &section)
 {
-  return section == "Stone" || section == "Wall" ||
+  return section == "Particle" || section == "Wall" ||
          section == "MembraneContact" || section == "Breakage";
 }
 
@@ -425,11 +442,11 @@ Case default_case(CaseKind kind)
   c.kind = kind;
   if (kind == CaseKind::dynamic_triaxial)
   {
-    // Long stones with the rolling friction of the material never come to rest
-    // with radii along the branch.
+    // Long particles with the rolling friction of the material never come to
+    // rest with radii along the branch.
     c.specimen.shapes = "shapes/limestone_blocky";
-    c.stone.rolling_friction = 0.5;
-    // Without it a sheet rings between the stones: docs/verification/
+    c.particle.rolling_friction = 0.5;
+    // Without it a sheet rings between the particles: docs/verification/
     // error_of_boundary.md.
     c.membrane.mass_damping = 200.;
     return c;
@@ -442,9 +459,9 @@ Case default_case(CaseKind kind)
   if (kind == CaseKind::vibratory_compaction)
   {
     c.title = "vibratory compaction test";
-    // As in the drum below: stones that are poured spin.
+    // As in the drum below: particles that are poured spin.
     c.wall.law = dem::WallLaw::hertz;
-    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::sphere;
     c.breakage.contacts = dem::EventContacts::all;
     c.time.step = StepRule::stable;
     // A sleeve that stands 330 kPa from above, not latex.
@@ -459,12 +476,12 @@ Case default_case(CaseKind kind)
   else
   {
     c.title = "Los Angeles abrasion test";
-    // Radii along the branch feed stones that spin with energy; balls break
-    // stones although their overlaps do not see it.
-    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::ball;
+    // Radii along the branch feed particles that spin with energy; balls break
+    // particles although their overlaps do not see it.
+    c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::sphere;
     c.breakage.contacts = dem::EventContacts::all;
     c.time.step = StepRule::stable;
-    c.time.local_damping = 0.; // stones fly
+    c.time.local_damping = 0.; // particles fly
   }
   return c;
 }

@@ -8,9 +8,10 @@ namespace spall
 struct Section
 {
   std::string name, sentence;
-  std::vector<CaseKind> kinds = {}; ///< that have it; empty: all
+  std::vector<CaseKind> kinds = {};        ///< that have it; empty: all
+  std::vector<std::string> old_names = {}; ///< deprecated, still read
 
-  bool is_of(CaseKind kind) const;
+  bool is_of(CaseKind kind) const { return is_among(kinds, kind); }
 };
 
 /// The sections of a case in the order of printing.

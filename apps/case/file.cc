@@ -2,6 +2,7 @@
 
 #include "case/checks.h"
 #include "case/data_folders.h"
+#include "case/deprecated.h"
 #include "case/fields.h"
 #include "case/source.h"
 #include "errors.h"
@@ -96,21 +97,29 @@ void set(dealii::ParameterHandler &handler, const Assignment &a)
   handler.leave_subsection();
 }
 
-void take(dealii::ParameterHandler &handler, const Assignment &a,
-          const std::vector<Parameter> &list, Places &places)
+/// What the assignments of files and command line come to.
+struct Values
 {
+  dealii::ParameterHandler handler;
+  Places places;
+  std::vector<std::string> deprecated;
+};
+
+void take(Values &values, Assignment a, const std::vector<Parameter> &list)
+{
+  use_present_names(a, list, values.deprecated);
   check_known(a, list);
-  places[a.section + "/" + a.key] = a.place;
-  set(handler, a);
+  values.places[a.section + "/" + a.key] = a.place;
+  set(values.handler, a);
 }
 
 /// Checks the names of a file, remembers its places, takes its values.
 /// deal.II's own parser knows no quotes.
-void take_file(dealii::ParameterHandler &handler, const std::string &file,
-               const std::vector<Parameter> &list, Places &places)
+void take_file(Values &values, const std::string &file,
+               const std::vector<Parameter> &list)
 {
   for (const Assignment &a : read_assignments(file))
-    take(handler, a, list, places);
+    take(values, a, list);
 }
 
 std::vector<fs::path> search_folders(const Case &parameters)
@@ -150,18 +159,18 @@ std::string preset_file(const Case &parameters, const std::string &name)
       (known.empty() ? ": a case of kind " + kind + " has none" : names));
 }
 
-void take_overrides(dealii::ParameterHandler &handler, const Case &parameters,
+void take_overrides(Values &values, const Case &parameters,
                     std::span<const Override> overrides,
-                    const std::vector<Parameter> &list, Places &places)
+                    const std::vector<Parameter> &list)
 {
   for (const Override &o : overrides)
     if (is_preset(o))
       for (const Assignment &a :
            read_assignments(preset_file(parameters, o.value)))
-        take(handler, a, list, places);
+        take(values, a, list);
   for (const Override &o : overrides)
     if (!is_preset(o))
-      take(handler, {o.section, o.key, o.value, "--set"}, list, places);
+      take(values, {o.section, o.key, o.value, "--set"}, list);
 }
 
 /// The parameters that a material file may set.
@@ -172,26 +181,27 @@ std::vector<Parameter> of_material(const std::vector<Parameter> &list,
   for (const Parameter &parameter : list)
     if (is_material_section(parameter.section))
       result.push_back(parameter);
-  for (const Assignment &a : read_assignments(file))
-    if (!is_material_section(a.section))
-      throw InputError(a.place + ": " + a.section + "/" + a.key + " = " +
-                       a.value +
-                       ": a material file has only the sections Stone, Wall, "
-                       "MembraneContact and Breakage");
+  std::vector<std::string> notes;
+  for (Assignment a : read_assignments(file))
+    if (use_present_names(a, list, notes); !is_material_section(a.section))
+      throw InputError(
+          a.place + ": " + a.section + "/" + a.key + " = " + a.value +
+          ": a material file has only the sections Particle, Wall, "
+          "MembraneContact and Breakage");
   return result;
 }
 
 /// Values from the handler into the fields of the case.
-void assign_all(dealii::ParameterHandler &handler,
-                const std::vector<Parameter> &list, const Places &places)
+void assign_all(Values &values, const std::vector<Parameter> &list)
 {
   for (const Parameter &parameter : list)
   {
     const std::string name = parameter.section + "/" + parameter.key;
-    const auto place = places.find(name);
-    if (place == places.end())
+    const auto place = values.places.find(name);
+    if (place == values.places.end())
       continue; // the default stays
-    const std::string text = get(handler, parameter.section, parameter.key);
+    const std::string text =
+        get(values.handler, parameter.section, parameter.key);
     try
     {
       assign(parameter, text);
@@ -240,17 +250,29 @@ std::optional<CaseKind> kind_of(const std::string &file,
   return static_cast<CaseKind>(found - kind_names.begin());
 }
 
-/// Throws InputError for a section that cases of this kind do not have.
-void check_sections(const Case &parameters, const Places &places)
+/// Throws InputError for a section or key that cases of this kind do not have.
+void check_kind(const Case &parameters, const std::vector<Parameter> &list,
+                const Places &places)
 {
+  const auto refuse = [&](const auto &of_place, const std::string &what)
+  {
+    throw InputError(of_place.second + ": " + of_place.first +
+                     ": a case of kind " +
+                     kind_names[static_cast<std::size_t>(parameters.kind)] +
+                     " has no " + what);
+  };
   for (const Section &section : sections())
     if (!section.is_of(parameters.kind))
-      for (const auto &[name, place] : places)
-        if (name.starts_with(section.name + "/"))
-          throw InputError(
-              place + ": " + name + ": a case of kind " +
-              kind_names[static_cast<std::size_t>(parameters.kind)] +
-              " has no section " + section.name);
+      for (const auto &place : places)
+        if (place.first.starts_with(section.name + "/"))
+          refuse(place, "section " + section.name);
+  for (const Parameter &parameter : list)
+    if (!is_among(parameter.kinds, parameters.kind))
+      if (const auto place =
+              places.find(parameter.section + "/" + parameter.key);
+          place != places.end())
+        refuse(*place,
+               "key " + parameter.key + " in section " + parameter.section);
 }
 
 /// Where the file or folder is, if it is there and may be looked at.
@@ -286,7 +308,7 @@ std::uint64_t digest_of(const fs::path &path)
 void note_contents(Case &of)
 {
   for (const Parameter &parameter : parameters_of(of))
-    if (names_path(parameter))
+    if (parameter.is_path)
       if (const std::string &name = *std::get<std::string *>(parameter.value);
           !name.empty())
         if (const auto path = path_of(of, name))
@@ -301,33 +323,33 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   Case result = default_case(kind.value_or(CaseKind{}));
   result.file = file;
   const std::vector<Parameter> list = parameters_of(result);
-  Places places;
-  dealii::ParameterHandler handler;
-  declare(handler, list);
-  take_file(handler, file, list, places);
-  take_overrides(handler, result, overrides, list, places);
+  Values values;
+  declare(values.handler, list);
+  take_file(values, file, list);
+  take_overrides(values, result, overrides, list);
 
   if (kind) // else Case/kind itself is refused below
-    check_sections(result, places);
-  const std::string named = get(handler, "Material", "file");
+    check_kind(result, list, values.places);
+  const std::string named = get(values.handler, "Material", "file");
   if (!named.empty())
   {
     const std::string material = find_path(result, "Material", "file", named);
     const std::vector<Parameter> allowed = of_material(list, material);
-    places.clear();
-    take_file(handler, material, allowed, places);
-    take_file(handler, file, list, places); // the case wins
-    take_overrides(handler, result, overrides, list, places);
+    values.places.clear();
+    take_file(values, material, allowed);
+    take_file(values, file, list); // the case wins
+    take_overrides(values, result, overrides, list);
   }
-  assign_all(handler, list, places);
+  assign_all(values, list);
+  result.deprecated = values.deprecated;
   note_contents(result);
 
   check_case(result,
              [&](const std::string &section, const std::string &key)
              {
-               const auto place = places.find(section + "/" + key);
-               return place == places.end() ? file + " (default)"
-                                            : place->second;
+               const auto place = values.places.find(section + "/" + key);
+               return place == values.places.end() ? file + " (default)"
+                                                   : place->second;
              });
   return result;
 }

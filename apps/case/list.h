@@ -11,13 +11,19 @@ namespace spall
 struct Text
 {
   std::string key, unit, sentence, reason = "";
+  std::vector<std::string> old_keys = {};
 };
 
 /// Collects the lines of one section after the other.
 class List
 {
 public:
-  void in(const std::string &name) { section = name; }
+  /// `only` the cases of these kinds have the keys that follow; empty: all.
+  void in(const std::string &name, const std::vector<CaseKind> &only = {})
+  {
+    section = name;
+    kinds = only;
+  }
   void add(const Text &text, double &field, const Range &range)
   {
     put(text, &field, range);
@@ -28,11 +34,18 @@ public:
   }
   void add(const Text &text, bool &field) { put(text, &field, {}); }
   void add(const Text &text, std::string &field) { put(text, &field, {}); }
+  void add_path(const Text &text, std::string &field)
+  {
+    put(text, &field, {});
+    parameters.back().is_path = true;
+  }
   /// `names` in the order of the enumeration.
   template <class Enum>
-  void add(const Text &text, Enum &field, const std::vector<std::string> &names)
+  void add(const Text &text, Enum &field, const std::vector<std::string> &names,
+           const std::map<std::string, std::string> &old_names = {})
   {
-    Choice choice{names, [&field] { return static_cast<std::size_t>(field); },
+    Choice choice{names, old_names,
+                  [&field] { return static_cast<std::size_t>(field); },
                   [&field](std::size_t k) { field = static_cast<Enum>(k); }};
     put(text, std::move(choice), {});
   }
@@ -44,10 +57,12 @@ private:
            const Range &range)
   {
     parameters.push_back({section, text.key, text.unit, text.sentence,
-                          std::move(value), range, text.reason});
+                          std::move(value), range, text.reason, text.old_keys,
+                          kinds});
   }
 
   std::string section;
+  std::vector<CaseKind> kinds;
 };
 
 void add_specimen(List &list, SpecimenParameters &s);

@@ -158,14 +158,6 @@ std::string value_text(const Parameter &parameter)
       parameter.value);
 }
 
-bool names_path(const Parameter &parameter)
-{
-  return std::holds_alternative<std::string *>(parameter.value) &&
-         (parameter.key == "gradation" || parameter.key == "shapes" ||
-          parameter.key == "shape" || parameter.key == "table" ||
-          parameter.key == "share_table" || parameter.key == "mesh");
-}
-
 void assign(const Parameter &parameter, const std::string &text)
 {
   std::visit(

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "case/kind.h"
+
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,6 +43,7 @@ constexpr Range below(double lower, double upper)
 struct Choice
 {
   std::vector<std::string> names;
+  std::map<std::string, std::string> old_names; ///< deprecated -> present
   std::function<std::size_t()> get;
   std::function<void(std::size_t)> set;
 };
@@ -51,8 +55,11 @@ struct Parameter
   std::string unit;     ///< SI, "-" if none
   std::string sentence; ///< what it is
   std::variant<double *, int *, bool *, std::string *, Choice> value;
-  Range range;        ///< of numbers
-  std::string reason; ///< why this range, if it needs one
+  Range range;                            ///< of numbers
+  std::string reason;                     ///< why this range, if it needs one
+  std::vector<std::string> old_keys = {}; ///< deprecated, still read
+  std::vector<CaseKind> kinds = {};       ///< that have it; empty: all
+  bool is_path = false; ///< its value is a file or folder, see find_path()
 };
 
 /// "a number above 0 and below 0.5", "one of membrane, rigid", ...
@@ -63,9 +70,6 @@ std::string value_text(const Parameter &parameter);
 
 /// Throws std::invalid_argument that says what is allowed.
 void assign(const Parameter &parameter, const std::string &text);
-
-/// Whether its value is a file or folder that find_path() finds.
-bool names_path(const Parameter &parameter);
 
 /// Shortest text that reads back as the same number.
 std::string number_text(double value);

@@ -63,7 +63,8 @@ void print_case(std::ostream &out, Case of)
     print_comment(out, "", section.sentence);
     out << "subsection " << section.name << '\n';
     for (const Parameter &parameter : list)
-      if (parameter.section == section.name)
+      if (parameter.section == section.name &&
+          is_among(parameter.kinds, of.kind))
       {
         print_comment(out, "  ", describe(parameter));
         const std::string value = prm_value(value_text(parameter));
@@ -96,7 +97,7 @@ std::string parameters_as_run(const Case &parameters)
 {
   Case resolved = parameters;
   for (Parameter &path : parameters_of(resolved))
-    if (names_path(path))
+    if (path.is_path)
       if (auto *text = std::get<std::string *>(path.value); !text->empty())
         *text = find_path(parameters, path.section, path.key, *text);
 
@@ -156,12 +157,14 @@ std::string template_case(const std::string &kind)
 
 namespace
 {
-/// The default, or those of the kinds of the section where they differ.
-std::string default_text(const Section &section, std::size_t place)
+/// The default, or those of the kinds that have it where they differ.
+std::string default_text(const Section &section,
+                         const std::vector<CaseKind> &kinds, std::size_t place)
 {
   std::vector<std::string> texts, lines;
   for (std::size_t k = 0; k < kind_names.size(); ++k)
-    if (const auto kind = static_cast<CaseKind>(k); section.is_of(kind))
+    if (const auto kind = static_cast<CaseKind>(k);
+        section.is_of(kind) && is_among(kinds, kind))
     {
       Case defaults = default_case(kind);
       texts.push_back(value_text(parameters_of(defaults)[place]));
@@ -172,10 +175,10 @@ std::string default_text(const Section &section, std::size_t place)
   return is_one ? texts[0] : joined(lines);
 }
 
-std::string kinds_text(const Section &section)
+std::string kinds_text(const std::vector<CaseKind> &kinds)
 {
   std::vector<std::string> names;
-  for (const CaseKind kind : section.kinds)
+  for (const CaseKind kind : kinds)
     names.push_back(kind_names[static_cast<std::size_t>(kind)]);
   return names.empty() ? "" : " Kinds: " + joined(names) + ".";
 }
@@ -193,14 +196,14 @@ std::string parameter_tables()
   for (const Section &section : sections())
   {
     out << "\n## " << section.name << "\n\n"
-        << section.sentence << kinds_text(section) << "\n\n"
+        << section.sentence << kinds_text(section.kinds) << "\n\n"
         << "| key | unit | default | allowed | meaning |\n"
         << "|---|---|---|---|---|\n";
     for (std::size_t k = 0; k < list.size(); ++k)
       if (const Parameter &p = list[k]; p.section == section.name)
         out << "| `" << p.key << "` | " << p.unit << " | "
-            << cell(default_text(section, k)) << " | " << allowed(p) << " | "
-            << cell(p.sentence) << " |\n";
+            << cell(default_text(section, p.kinds, k)) << " | " << allowed(p)
+            << " | " << cell(p.sentence + kinds_text(p.kinds)) << " |\n";
   }
   return out.str();
 }

@@ -29,7 +29,7 @@ const std::map<std::string, BenchScene> scenes = {
     {"collapse", BenchScene::collapse}};
 
 const std::map<std::string, dem::ContactGeometry> geometries = {
-    {"ball", dem::ContactGeometry::ball},
+    {"sphere", dem::ContactGeometry::sphere},
     {"radial", dem::ContactGeometry::radial},
     {"surface", dem::ContactGeometry::surface}};
 
@@ -64,7 +64,7 @@ void check(const BenchOptions &options)
                      ": must be rest, jolt or collapse");
   if (!geometries.contains(options.geometry))
     throw InputError("bench: --geometry " + options.geometry +
-                     ": must be ball, radial or surface");
+                     ": must be sphere, radial or surface");
   if (options.threads > most_threads)
     throw InputError("bench: --threads " + std::to_string(options.threads) +
                      ": must be at most " + std::to_string(most_threads));
@@ -115,25 +115,26 @@ BenchOptions parse_options(Words words)
 /// What the engine says about the scene when the timed steps begin.
 void describe(const dem::Engine &engine, BenchResult &result)
 {
-  const dem::Particles &stones = engine.particles();
+  const dem::ParticleSystem &particles = engine.particles();
   result.n_breakable = count_breakable(engine);
-  result.solid_fraction = solid_volume(stones) / result.box.prod();
+  result.solid_fraction = solid_volume(particles) / result.box.prod();
   result.coordination =
-      dem::contact_network(stones, engine.pairs()).coordination_number;
-  result.unbalanced_ratio = dem::unbalanced_force_ratio(stones, engine.pairs());
+      dem::contact_network(particles, engine.pairs()).coordination_number;
+  result.unbalanced_ratio =
+      dem::unbalanced_force_ratio(particles, engine.pairs());
 }
 
 /// Builds the scene anew and times it; every repeat does the same.
-void time_once(const BenchOptions &options, const BenchStones &stones,
+void time_once(const BenchOptions &options, const BenchParticles &particles,
                BenchResult &result)
 {
   const BenchScene scene = scenes.at(options.scene);
-  const auto engine = make_bench_engine(stones, scene, options.is_breaking);
+  const auto engine = make_bench_engine(particles, scene, options.is_breaking);
   const MemoryUse built = memory_use();
   settle(*engine, scene,
          options.settle < 0 ? settling_steps(scene) : options.settle);
   for (int step = 0; step < warm_up_steps; ++step)
-    engine->advance_unseen(bench_step);
+    engine->advance_deferred(bench_step);
   const bool is_first = result.samples.empty();
   if (is_first)
     describe(*engine, result);
@@ -144,21 +145,22 @@ void time_once(const BenchOptions &options, const BenchStones &stones,
   result.run = memory_use();
 }
 
-BenchStones prepare(const BenchOptions &options, BenchResult &result)
+BenchParticles prepare(const BenchOptions &options, BenchResult &result)
 {
   Packing packing = read_packing(options.packing);
   const bool is_closed = !packing.orientation.empty();
-  BenchStones stones = make_bench_stones(std::move(packing), options.shapes);
-  stones.geometry = geometries.at(options.geometry);
+  BenchParticles particles =
+      make_bench_particles(std::move(packing), options.shapes);
+  particles.geometry = geometries.at(options.geometry);
   if (!options.shapes.empty() && !is_closed)
   {
-    std::cout << "closing the box round " << stones.packing.size()
-              << " stones ..." << std::endl;
-    result.closed = close_box(stones);
+    std::cout << "closing the box round " << particles.packing.size()
+              << " particles ..." << std::endl;
+    result.closed = close_box(particles);
   }
   if (!options.save.empty())
-    write_packing(options.save, stones.packing);
-  return stones;
+    write_packing(options.save, particles.packing);
+  return particles;
 }
 } // namespace
 
@@ -167,17 +169,17 @@ int bench_command(Words words)
   const BenchOptions options = parse_options(words);
   omp_set_num_threads(options.threads);
   BenchResult result;
-  const BenchStones stones = prepare(options, result);
+  const BenchParticles particles = prepare(options, result);
   result.packing = std::filesystem::path(options.packing).filename().string();
   result.scene = options.scene;
   result.geometry = options.shapes.empty() ? "sphere" : options.geometry;
-  result.n_stones = stones.packing.size();
+  result.n_particles = particles.packing.size();
   result.threads = options.threads;
   result.is_breaking = options.is_breaking;
-  result.box = stones.packing.box;
+  result.box = particles.packing.box;
   result.before = memory_use();
   for (int repeat = 0; repeat < options.repeat; ++repeat)
-    time_once(options, stones, result);
+    time_once(options, particles, result);
   std::cout << bench_text(result);
   if (!options.json.empty())
     write_asked(options.json, bench_json(result));

@@ -57,7 +57,7 @@ MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
     }
     catch (const coupling::GuardStop &)
     {
-      return false; // stones that are packed roughly may come to that
+      return false; // particles that are packed roughly may come to that
     }
     writer.after_step(test);
     return !is_over();
@@ -89,30 +89,32 @@ void print_memory()
               memory_use().peak / (1024. * 1024.));
 }
 
-void print_stones(const dem::Particles &stones)
+void print_particles(const dem::ParticleSystem &particles)
 {
-  double smallest = stones.radius(0), largest = smallest, mass = 0.;
+  double smallest = particles.radius(0), largest = smallest, mass = 0.;
   std::size_t n_breakable = 0;
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    smallest = std::min(smallest, stones.radius(i));
-    largest = std::max(largest, stones.radius(i));
-    mass += stones.mass(i);
-    n_breakable += stones.is_breakable[i];
+    smallest = std::min(smallest, particles.radius(i));
+    largest = std::max(largest, particles.radius(i));
+    mass += particles.mass(i);
+    n_breakable += particles.is_breakable[i];
   }
-  std::printf("stones           %zu, %zu breakable, diameter %.4g to %.4g m, "
-              "%.4g kg\n",
-              stones.size(), n_breakable, 2. * smallest, 2. * largest, mass);
+  std::printf(
+      "particles           %zu, %zu breakable, diameter %.4g to %.4g m, "
+      "%.4g kg\n",
+      particles.size(), n_breakable, 2. * smallest, 2. * largest, mass);
 }
 
-void print_gradation(const Case &parameters, const dem::Particles &particles)
+void print_gradation(const Case &parameters,
+                     const dem::ParticleSystem &particles)
 {
   if (const auto drawn = obtained_gradation(parameters, particles))
     std::printf("gradation        %s\n", gradation_line(*drawn).c_str());
 }
 
 /// The gain that counts, what the ways of exchange stand, and which to take.
-void print_exchange(const SetupStep &setup, int stone_steps)
+void print_exchange(const SetupStep &setup, int particle_steps)
 {
   const coupling::ExchangeGain &gain = *setup.gain;
   const coupling::WindowGain &window = setup.window;
@@ -126,7 +128,7 @@ void print_exchange(const SetupStep &setup, int stone_steps)
               setup.membrane_step);
   const char *advice = "iterated with aitken";
   const bool is_mild = window.gain < 0.5 * window.one_pass_limit;
-  if (is_mild && stone_steps > 1)
+  if (is_mild && particle_steps > 1)
     advice = "one_pass"; // the body takes fewer steps
   else if (window.gain < 0.5 * window.unrelaxed_limit &&
            setup.step < setup.membrane_step)
@@ -143,16 +145,16 @@ void print_step(const Case &parameters, const Triaxial &test)
   std::printf("time step        %.4g s, stable up to %.4g s (%s)\n",
               test.setup_step().step, limit.step, limit.reason.c_str());
   std::printf(
-      "in a corner      %.4g s (the same stone on three walls)\n",
+      "in a corner      %.4g s (the same particle on three walls)\n",
       dem::corner_step(test.engine().parameters(), test.engine().particles()));
   if (test.gain())
-    print_exchange(test.setup_step(), parameters.coupling.rules.stone_steps);
+    print_exchange(test.setup_step(), parameters.coupling.rules.particle_steps);
 }
 
 void check_triaxial(const Case &parameters, const std::string &preparations)
 {
   Triaxial test(parameters);
-  print_stones(test.engine().particles());
+  print_particles(test.engine().particles());
   print_gradation(parameters, test.engine().particles());
   print_step(parameters, test);
   take_kept(
@@ -162,7 +164,7 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
   const ScratchFolder scratch;
   Recorder recorder(parameters, run_folder_in(scratch));
   recorder.start(test);
-  const Hastened hastened = test.hasten();
+  const FastPreparation fast = test.fast_preparation();
   const int n_cycles = parameters.loading.n_cycles();
   const double duration =
       test.period() * n_cycles + parameters.loading.consolidation_time;
@@ -170,11 +172,11 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
       run_a_while(parameters, test, recorder, {duration, test.period()},
                   [&test] { return test.stage() == Stage::done; });
   print_predicted(duration, step);
-  if (!hastened.is_packed)
+  if (!fast.is_packed)
     std::printf("too low          the specimen was still loose after the time "
                 "for packing: --preparations DIR times one that is kept\n");
-  if (!hastened.was_prepared)
-    print_preparing(test.preparation_time(), hastened.step);
+  if (!fast.was_prepared)
+    print_preparing(test.preparation_time(), fast.step);
   if (parameters.cycle_jump.is_on())
   {
     const int n = least_cycles(parameters.cycle_jump, n_cycles);
@@ -190,22 +192,22 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
 void check_lab(const Case &parameters, const std::string &preparations)
 {
   const std::unique_ptr<LabTest> test = make_lab_test(parameters);
-  print_stones(test->all_stones());
-  print_gradation(parameters, test->all_stones());
+  print_particles(test->all_particles());
+  print_gradation(parameters, test->all_particles());
   const SetupStep *setup = test->setup_step();
   const dem::StepLimit &limit = test->step_limit();
   std::printf("time step        %.4g s, at most %.4g s (%s)\n",
               setup ? setup->step : first_step(parameters, limit), limit.step,
               limit.reason.c_str());
   if (setup && setup->gain)
-    print_exchange(*setup, parameters.coupling.rules.stone_steps);
+    print_exchange(*setup, parameters.coupling.rules.particle_steps);
   test->describe();
   take_kept(find_store(preparations, test->preparation_text()), *test);
   omp_set_num_threads(thread_candidates(parameters.threads).back());
   const ScratchFolder scratch;
   LabRecorder recorder(parameters, run_folder_in(scratch));
   recorder.start(*test);
-  const double preparing = test->hasten();
+  const double preparing = test->fast_preparation();
   const MeanStep step =
       run_a_while(parameters, *test, recorder,
                   {test->duration(), test->period(), test->frame_interval(),
@@ -214,7 +216,7 @@ void check_lab(const Case &parameters, const std::string &preparations)
   print_predicted(test->duration(), step);
   if (preparing > 0.)
     print_preparing(test->preparation_time(),
-                    time_stones(test->engine(), preparing));
+                    time_particles(test->engine(), preparing));
   print_memory();
 }
 } // namespace
@@ -237,6 +239,7 @@ int check_command(Words words)
   if (file.empty())
     throw InputError("check: a case file must be given");
   const Case parameters = read_case(file, overrides);
+  report_deprecated(parameters.deprecated);
   std::printf("case             %s: %s\n", file.c_str(),
               parameters.title.c_str());
   if (parameters.kind == CaseKind::dynamic_triaxial)

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace spall
 {
@@ -17,4 +18,7 @@ int study_command(Words words);
 int shape_command(Words words);
 int bench_command(Words words);
 int verify_command(Words words);
+
+/// Prints the lines about old names of a case or study to stderr.
+void report_deprecated(const std::vector<std::string> &lines);
 } // namespace spall

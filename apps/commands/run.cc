@@ -88,6 +88,7 @@ int run_command(Words words)
 {
   const RunOptions options = parse_options(words);
   const Case parameters = read_case(options.case_file, options.overrides);
+  report_deprecated(parameters.deprecated);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   if (parameters.kind == CaseKind::dynamic_triaxial)

@@ -154,6 +154,7 @@ int study_command(Words words)
 {
   const StudyOptions options = parse_options(words);
   const Study study = read_study(options.file, options.overrides);
+  report_deprecated(study.deprecated);
   std::vector<StudyPoint> points = points_of(study);
   const fs::path folder = options.out;
   if (!options.page.empty())

@@ -13,19 +13,19 @@ enum class ContainerForm
   flexible ///< a tube of membrane, held at both rims
 };
 
-/// What the stones are poured into: an upright cylinder on a rigid floor.
+/// What the particles are poured into: an upright cylinder on a rigid floor.
 struct ContainerParameters
 {
   ContainerForm form = ContainerForm::rigid;
   double diameter = 0.15; ///< inner [m]
-  double height = 0.15;   ///< that the stones are to fill [m]
+  double height = 0.15;   ///< that the particles are to fill [m]
   /// Flexible: quads round the tube; along it they are about as long.
   int elements_around = 36;
-  double freeboard = 0.02; ///< of the flexible tube above the stones [m]
+  double freeboard = 0.02; ///< of the flexible tube above the particles [m]
   double pressure = 0.;    ///< on the flexible tube, from outside [Pa]
 };
 
-/// The stones, and how they get into the container.
+/// The particles, and how they get into the container.
 struct FillingParameters
 {
   /// CSV: diameter_m, passing_1
@@ -33,11 +33,12 @@ struct FillingParameters
   std::string shapes = "shapes/limestone"; ///< folder; empty: spheres
   int order = dem::max_order; ///< N_s: at most this many degrees of the files
   int seed = 1;
-  double density = 1760.; ///< mass of stones over volume of container [kg/m^3]
+  double density =
+      1760.; ///< mass of particles over volume of container [kg/m^3]
   int layers = 4;
   double undercompaction = 0.06;  ///< of the first layer [-]
   double solid_fraction = 0.2;    ///< of the cloud that falls [-]
-  double friction = 1.2;          ///< stone on stone while filling [-]
+  double friction = 1.2;          ///< particle on particle while filling [-]
   double friction_decay = 0.7;    ///< per stroke on what stays loose [-]
   double local_damping = 0.5;     ///< D_a while filling [-]
   double tamper_speed = 0.1;      ///< [m/s]
@@ -71,7 +72,7 @@ struct PlateParameters
   double load_radius = 0.04;
   int elements = 4; ///< of an elastic plate, from its middle to its rim
   double load = 0.; ///< besides, without mass: a soft spring [N]
-  double seating_speed = 0.05; ///< largest, until the stones carry it [m/s]
+  double seating_speed = 0.05; ///< largest, until the particles carry it [m/s]
   /// The free plate rests for at least this long, and until it is at rest [s].
   double seating_time = 0.1;
   double seating_max_time = 2.;         ///< to rest after that, or it fails [s]

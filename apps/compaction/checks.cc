@@ -43,7 +43,7 @@ void check_size(const Case &c, const Place &place)
       check_gradation(c, place, "Filling", c.filling.gradation);
   const double largest = curve.diameter.back();
   const std::string why =
-      "must be at least twice the largest stone of the gradation, " +
+      "must be at least twice the largest particle of the gradation, " +
       largest_text(curve);
   const ContainerParameters &box = c.container;
   if (box.diameter < 2. * largest)
@@ -74,15 +74,15 @@ void check_compaction(const Case &c, const Place &place)
   check_plate(c, place);
   check_shapes(c, place, "Filling", c.filling.shapes);
   check_reports(c, place);
-  if (c.filling.density > 0.75 * c.stone.density)
+  if (c.filling.density > 0.75 * c.particle.density)
     refuse(place, {"Filling", "density", number_text(c.filling.density),
-                   "must be at most 0.75 Stone/density = " +
-                       number_text(0.75 * c.stone.density) +
+                   "must be at most 0.75 Particle/density = " +
+                       number_text(0.75 * c.particle.density) +
                        ": random packings stay below"});
   const double longest = 0.05 / c.vibration.frequency;
   const Lateral soft =
       c.plate.form == PlateKind::elastic ? Lateral::membrane : c.lateral();
-  const int n = c.coupling.exchange_rules(soft).stone_steps;
+  const int n = c.coupling.exchange_rules(soft).particle_steps;
   if (c.time.step == StepRule::fixed && n * c.time.fixed_step > longest)
     refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
                    "a window of " + std::to_string(n) +

@@ -62,7 +62,7 @@ coupling::ExchangeParameters Compaction::exchange_rules() const
 
 int Compaction::steps_in_move() const
 {
-  return joined ? exchange_rules().stone_steps : 1;
+  return joined ? exchange_rules().particle_steps : 1;
 }
 
 void Compaction::move(double time_step)
@@ -80,7 +80,7 @@ void Compaction::move(double time_step)
 void Compaction::fill(double time_step)
 {
   steer_filling(time_step);
-  engine().advance_unseen(time_step);
+  engine().advance_deferred(time_step);
   if (!pouring.is_done())
     return;
   say_prepared();
@@ -132,26 +132,27 @@ void Compaction::hand_over(double plate_height)
   if (fills_by_own_steps())
     change_steps(parameters.time, step_limit().step);
   engine().set_renewal(parameters.contact.refresh_tolerance,
-                       parameters.contact.search_margin);
+                       parameters.contact.skin);
   engine().set_local_damping(parameters.time.local_damping);
   for (const std::string &warning : density_warnings())
     say("warning: " + warning);
   if (!pouring.layers().empty() &&
-      pouring.layers().back().density >= parameters.stone.density)
-    throw RunFailure("filled to " +
-                     number_text(pouring.layers().back().density) +
-                     " kg/m^3, above Stone/density = " +
-                     number_text(parameters.stone.density) +
-                     ": the particles lie in each other: stiffer contacts "
-                     "(Stone/shear_modulus, Wall/normal_stiffness) or a lower "
-                     "Filling/tamper_pressure");
+      pouring.layers().back().density >= parameters.particle.density)
+    throw RunFailure(
+        "filled to " + number_text(pouring.layers().back().density) +
+        " kg/m^3, above Particle/density = " +
+        number_text(parameters.particle.density) +
+        ": the particles lie in each other: stiffer contacts "
+        "(Particle/shear_modulus, Wall/normal_stiffness) or a lower "
+        "Filling/tamper_pressure");
   now.stage = Stage::seating;
   if (parameters.plate.form != PlateKind::rigid)
     return join(plate_height);
   engine().place_plane(pouring.tamper(), plate_height * dem::Vec3::UnitZ());
 }
 
-/// Until the stones carry it. The last of its speed is too small to shake it.
+/// Until the particles carry it. The last of its speed is too small to shake
+/// it.
 void Compaction::lower_plate(double time_step)
 {
   constexpr double slowest = 0.02; // [-]
@@ -159,12 +160,12 @@ void Compaction::lower_plate(double time_step)
   if (carried >= 1.)
   {
     join(plate_plane().point.z());
-    return let_go(engine().time());
+    return release(engine().time());
   }
   engine().planes()[pouring.tamper()].velocity =
       -parameters.plate.seating_speed * std::clamp(1. - carried, slowest, 1.) *
       dem::Vec3::UnitZ();
-  engine().advance_unseen(time_step);
+  engine().advance_deferred(time_step);
 }
 
 double Compaction::weight() const
@@ -182,10 +183,10 @@ void Compaction::join(double plate_height)
 }
 
 /// The guide, which has held the plate until this time [s].
-void Compaction::let_go(double time)
+void Compaction::release(double time)
 {
-  now.let_go_time = time;
-  plate->let_go(now.let_go_time - now.join_time);
+  now.release_time = time;
+  plate->release(now.release_time - now.join_time);
   if (parameters.lateral() == Lateral::rigid)
     return;
   // The mould is taken away.
@@ -211,7 +212,7 @@ void Compaction::build_tube()
   tube = sleeve.get();
   const fem::SurfaceMesh mesh = sleeve->membrane().mesh();
   joined->add(std::move(sleeve), mesh, "membrane", parameters.membrane_contact,
-              coupling::StoneSide::inside, engine());
+              coupling::ParticleSide::inside, engine());
 }
 
 void Compaction::step_joined(double time_step)
@@ -220,7 +221,7 @@ void Compaction::step_joined(double time_step)
   if (tube)
     tube->membrane().set_pressure(
         parameters.container.pressure *
-        std::min(1., 2. * (engine().time() + window - now.let_go_time) /
+        std::min(1., 2. * (engine().time() + window - now.release_time) /
                          parameters.plate.seating_time));
   // With windows the impulse is set to zero when one begins.
   const double before = joined->rule() == coupling::ExchangeRule::every_step
@@ -229,10 +230,10 @@ void Compaction::step_joined(double time_step)
   exchange_window(*joined, window);
   if (now.stage == Stage::vibration)
     return follow_vibration(window, plate->impulse(engine()) - before);
-  if (now.let_go_time == 0.)
+  if (now.release_time == 0.)
   {
     if (plate->is_carried(engine()))
-      let_go(engine().time());
+      release(engine().time());
   }
   else
     wait_for_rest();
@@ -242,7 +243,7 @@ void Compaction::start_vibration()
 {
   now.stage = Stage::vibration;
   now.vibration_start = engine().time();
-  plate->start_exciter(now.vibration_start - now.let_go_time);
+  plate->start_exciter(now.vibration_start - now.release_time);
   now.start_height = height();
   engine().set_breaking(parameters.breakage.is_active);
   report_step();
@@ -397,7 +398,7 @@ coupling::BodyEnergy Compaction::body_energy() const
   return sum;
 }
 
-/// What the plane does on the stones comes from its body once it has one.
+/// What the plane does on the particles comes from its body once it has one.
 double Compaction::external_work() const
 {
   return LabTest::external_work() -
@@ -406,7 +407,7 @@ double Compaction::external_work() const
 
 Surroundings Compaction::surroundings() const
 {
-  const coupling::Body *stiff = tube;
+  const coupling::DeformableBody *stiff = tube;
   if (plate && plate->elastic()) // faster than any membrane
     stiff = plate->elastic();
   return {joined.get(), stiff, scene.setup.window, steps_in_move()};
@@ -440,11 +441,11 @@ void Compaction::restore(std::istream &in)
     change_steps(parameters.time, step_limit().step);
   if (now.join_time > 0.)
     build_plate();
-  if (now.let_go_time > 0.)
+  if (now.release_time > 0.)
   {
-    plate->let_go(now.let_go_time - now.join_time);
+    plate->release(now.release_time - now.join_time);
     if (now.stage == Stage::vibration)
-      plate->start_exciter(now.vibration_start - now.let_go_time);
+      plate->start_exciter(now.vibration_start - now.release_time);
     if (parameters.lateral() == Lateral::membrane)
       build_tube();
   }

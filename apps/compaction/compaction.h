@@ -9,7 +9,7 @@
 
 namespace spall
 {
-/// A vibratory compaction: stones are poured into a cylinder in layers and
+/// A vibratory compaction: particles are poured into a cylinder in layers and
 /// tamped, a plate comes down on them, gets its weight, and vibrates.
 class Compaction : public LabTest
 {
@@ -18,7 +18,7 @@ public:
   {
     filling,
     seating,  ///< the plate comes down, then its weight
-    vibration ///< stones may break
+    vibration ///< particles may break
   };
 
   /// Throws InputError.
@@ -39,10 +39,13 @@ public:
   const SetupStep *setup_step() const override { return &scene.setup; }
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
-  const dem::Particles &all_stones() const override { return scene.all; }
+  const dem::ParticleSystem &all_particles() const override
+  {
+    return scene.all;
+  }
   int steps_in_move() const override;
   double preparation_time() const override;
-  double hasten() override;
+  double fast_preparation() override;
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int periods) override;
   bool ends_early() const override
@@ -56,7 +59,7 @@ public:
   void restore(std::istream &in) override;
 
 private:
-  /// What a report says besides the roundness of each stone.
+  /// What a report says besides the roundness of each particle.
   struct Report
   {
     double time = 0.; ///< of vibration [s]
@@ -74,13 +77,13 @@ private:
     double time_before = 0.;     ///< at the last step [s]
     double join_time = 0.;       ///< the plate became a body; 0: not yet [s]
     double join_height = 0.;     ///< of the lower face of the plate then [m]
-    double let_go_time = 0.;     ///< the stones carried it; 0: not yet [s]
+    double release_time = 0.;    ///< the particles carried it; 0: not yet [s]
     double vibration_start = 0.; ///< the exciter started [s]
     double start_height = 0.;    ///< the same when the vibration begins [m]
     double plane_work_gone = 0.; ///< of its plane until it was joined [J]
-    double impulse = 0.;         ///< of the stones on it, of vibration [N s]
+    double impulse = 0.;         ///< of the particles on it, of vibration [N s]
     double lift_off = 0.;        ///< time of vibration without a load on it [s]
-    double peak_load = 0.;       ///< of the stones on it, mean of a window [N]
+    double peak_load = 0.; ///< of the particles on it, mean of a window [N]
   };
 
   Compaction(const Case &parameters, CompactionScene scene);
@@ -100,23 +103,23 @@ private:
   bool fills_by_own_steps() const { return parameters.filling.safety > 0.; }
   void lower_plate(double time_step);
   void join(double height);
-  void let_go(double time);
+  void release(double time);
   void wait_for_rest();
   bool is_seated() const;
   std::string unseated_text() const;
   void start_vibration();
   void build_plate();
   void build_tube();
-  bool has_windows() const; ///< Coupling says how stones and bodies meet
+  bool has_windows() const; ///< Coupling says how particles and bodies meet
   coupling::ExchangeParameters exchange_rules() const;
-  double plate_load() const; ///< of the stones, up [N]
+  double plate_load() const; ///< of the particles, up [N]
   void step_joined(double time_step);
   void follow_vibration(double window, double impulse);
   void report(double due); ///< time of vibration [s]
   double weight() const;   ///< of the plate and the load on it [N]
   double vibrated() const; ///< so far [s]
-  double height() const;   ///< of the stones [m]
-  double volume() const;   ///< that the stones fill [m^3]
+  double height() const;   ///< of the particles [m]
+  double volume() const;   ///< that the particles fill [m^3]
   double density() const;  ///< [kg/m^3]
   const dem::Plane &plate_plane() const;
 

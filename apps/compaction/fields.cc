@@ -10,15 +10,16 @@ void add_container(List &list, ContainerParameters &c)
   list.add({"form", "-",
             "rigid: a cylinder that does not move, as Wall; flexible: a tube "
             "of membrane held at both rims, which takes the place of the mould "
-            "that the stones were poured into."},
+            "that the particles were poured into."},
            c.form, {"rigid", "flexible"});
-  list.add({"diameter", "m", "Inner."}, c.diameter, above(0., 100.));
-  list.add({"height", "m", "That the stones are to fill."}, c.height,
+  list.add({"diameter", "m", "Inner diameter."}, c.diameter, above(0., 100.));
+  list.add({"height", "m", "Height that the particles fill."}, c.height,
            above(0., 100.));
   list.add({"elements_around", "-",
             "Flexible: quads round the tube, about as long as wide."},
            c.elements_around, between(8, 400));
-  list.add({"freeboard", "m", "Flexible: of the tube above Container/height."},
+  list.add({"freeboard", "m",
+            "Flexible: length of the tube above Container/height."},
            c.freeboard, between(0., 100.));
   list.add({"pressure", "Pa",
             "Flexible: on the tube from outside; comes while the plate is "
@@ -29,16 +30,19 @@ void add_container(List &list, ContainerParameters &c)
 void add_filling(List &list, FillingParameters &f)
 {
   list.in("Filling");
-  list.add({"gradation", "-",
-            "CSV file diameter_m,passing_1: share of the mass that passes."},
-           f.gradation);
-  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, f.shapes);
+  list.add_path(
+      {"gradation", "-",
+       "CSV file diameter_m,passing_1: share of the mass that passes."},
+      f.gradation);
+  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
+                f.shapes);
   list.add({"order", "-", "N_s: what the files have beyond is cut off."},
            f.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, f.seed,
-           between(0, 2147483647));
+  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
+           f.seed, between(0, 2147483647));
   list.add({"density", "kg/m^3",
-            "Asked for: mass of the stones over the volume that they fill."},
+            "Requested density: mass of the particles over the volume that "
+            "they fill."},
            f.density, above(0., 3e4));
   list.add({"layers", "-", "Poured and tamped one by one."}, f.layers,
            between(1, 100));
@@ -46,27 +50,28 @@ void add_filling(List &list, FillingParameters &f)
             "Layers are tamped to less than the density, since the next ones "
             "press on them: the first by this share, the last by none."},
            f.undercompaction, below(0., 0.5));
-  list.add({"solid_fraction", "-", "Of the cloud of a layer that falls in.",
+  list.add({"solid_fraction", "-",
+            "Solid fraction of the cloud of one layer before it falls.",
             "random insertion jams above"},
            f.solid_fraction, above(0., 0.35));
-  list.add(
-      {"friction", "-",
-       "Stone on stone while filling, to begin with: high is loose, and the "
-       "tamper makes dense what is looser than asked."},
-      f.friction, between(0., 10.));
+  list.add({"friction", "-",
+            "Particle on particle while filling, to begin with: high is loose, "
+            "and the "
+            "tamper makes dense what is looser than asked."},
+           f.friction, between(0., 10.));
   list.add({"friction_decay", "-",
             "Share of it left by each stroke that meets tamper_pressure above "
-            "the density, when all stones are in; 1: the friction stays."},
+            "the density, when all particles are in; 1: the friction stays."},
            f.friction_decay, above(0., 1.));
   list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while filling."},
            f.local_damping, below(0., 1.));
-  list.add({"tamper_speed", "m/s", "Of the tamper, down and up."},
+  list.add({"tamper_speed", "m/s", "Speed of the tamper, down and up."},
            f.tamper_speed, above(0., 10.));
   list.add({"tamper_pressure", "Pa",
-            "At which the tamper turns back, whatever the density."},
+            "Pressure at which the tamper reverses, whatever the density."},
            f.tamper_pressure, above(0., 1e9));
-  list.add({"max_strokes", "-", "Of the tamper on one layer."}, f.max_strokes,
-           between(1, 1000));
+  list.add({"max_strokes", "-", "Most strokes of the tamper on one layer."},
+           f.max_strokes, between(1, 1000));
   list.add({"unbalanced_ratio", "-",
             "At rest: sum of the resultant forces over the weight."},
            f.unbalanced_ratio, above(0., 0.1));
@@ -74,7 +79,7 @@ void add_filling(List &list, FillingParameters &f)
            f.max_time, above(0., 1e4));
   list.add({"safety", "-",
             "Above 0: share of the stable step while filling, with the usual "
-            "Contact/refresh_tolerance and search_margin, so that cases with "
+            "Contact/refresh_tolerance and skin, so that cases with "
             "others and other steps in Time share a filling; 0: as Contact and "
             "Time say."},
            f.safety, between(0., 1.));
@@ -86,25 +91,27 @@ void add_plate(List &list, PlateParameters &p)
   list.add({"form", "-",
             "rigid: moves along z only; tilting: rigid, moves along z and "
             "turns; elastic: bends about its axis, which is guided along z, "
-            "with Coupling for what the stones and it "
+            "with Coupling for what the particles and it "
             "tell each other."},
            p.form, {"rigid", "tilting", "elastic"});
   list.add({"mass", "kg",
             "All that moves with the plate: static load and exciter with its "
             "eccentric mass."},
            p.mass, above(0., 1e7));
-  list.add({"height", "m",
-            "Tilting: of the solid cylinder, as wide as the container, that "
-            "has the mass."},
-           p.height, above(0., 100.));
-  list.add({"thickness", "m", "Elastic: of the plate, wide as the container."},
+  list.add(
+      {"height", "m",
+       "Tilting: height of the solid cylinder, as wide as the container, that "
+       "has the mass."},
+      p.height, above(0., 100.));
+  list.add({"thickness", "m",
+            "Elastic: thickness of the plate, as wide as the container."},
            p.thickness, above(0., 10.));
   list.add({"youngs_modulus", "Pa", "Elastic: E."}, p.youngs_modulus,
            above(0., 1e15));
   list.add({"poisson_ratio", "-", "Elastic: nu."}, p.poisson_ratio,
            Range{0., 0.5, false, true});
-  list.add({"density", "kg/m^3", "Elastic: of the plate itself."}, p.density,
-           above(0., 3e4));
+  list.add({"density", "kg/m^3", "Elastic: density of the plate itself."},
+           p.density, above(0., 3e4));
   list.add({"load_radius", "m",
             "Elastic: all but the plate's own mass, and the forces on it, are "
             "within, spread evenly; they do not stiffen it."},
@@ -116,10 +123,11 @@ void add_plate(List &list, PlateParameters &p)
             "Presses on the plate besides its weight and has no mass: a soft "
             "spring."},
            p.load, between(0., 1e9));
-  list.add({"seating_speed", "m/s",
-            "At which the plate is lowered, the slower the more of it the "
-            "stones carry; then it is let go."},
-           p.seating_speed, above(0., 10.));
+  list.add(
+      {"seating_speed", "m/s",
+       "Speed at which the plate is lowered, the slower the more of it the "
+       "particles carry; then it is let go."},
+      p.seating_speed, above(0., 10.));
   list.add({"seating_time", "s",
             "Shortest rest of the free plate before it vibrates. It ends when "
             "plate and particles are at rest."},
@@ -143,13 +151,16 @@ void add_vibration(List &list, VibrationParameters &v)
   list.add({"eccentric_mass", "kg",
             "Turns at frequency: force m e (2 pi f)^2 sin(2 pi f t) along z."},
            v.eccentric_mass, between(0., 1e6));
-  list.add({"eccentricity", "m", "Of the mass from its axis."}, v.eccentricity,
-           between(0., 10.));
-  list.add({"frequency", "Hz", "Of the exciter."}, v.frequency, above(0., 1e4));
-  list.add({"duration", "s", "Of the vibration."}, v.duration, above(0., 1e6));
+  list.add(
+      {"eccentricity", "m", "Distance of the eccentric mass from its axis."},
+      v.eccentricity, between(0., 10.));
+  list.add({"frequency", "Hz", "Frequency of the exciter."}, v.frequency,
+           above(0., 1e4));
+  list.add({"duration", "s", "Duration of the vibration."}, v.duration,
+           above(0., 1e6));
   list.add({"reports", "-",
             "Times of vibration in seconds, with blanks between: density, "
-            "abrasion and the roundness of every stone are written then."},
+            "abrasion and the roundness of every particle are written then."},
            v.reports);
   list.add({"rows_per_period", "-", "Rows of history.csv."}, v.rows_per_period,
            between(1, 1e6));

@@ -4,12 +4,12 @@ namespace spall
 {
 namespace
 {
-/// Friction among stones is Filling/friction, and that of Stone for their last
-/// rest; damping is Filling/local_damping.
+/// Friction among particles is Filling/friction, and that of Particle for their
+/// last rest; damping is Filling/local_damping.
 constexpr CaseKey deciding[] = {{"Container", "diameter"},
                                 {"Container", "height"},
                                 {"Filling"},
-                                {"Stone", "friction"}};
+                                {"Particle", "friction"}};
 
 constexpr CaseKey later[] = {{"Container", "form"},
                              {"Container", "elements_around"},

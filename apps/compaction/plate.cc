@@ -15,7 +15,7 @@ namespace spall
 {
 namespace
 {
-/// Of the weight that stones need not carry yet when the guide goes [-].
+/// Of the weight that particles need not carry yet when the guide goes [-].
 constexpr double missing = 0.02;
 /// No exciter starts then [s].
 constexpr double never = 1e9;
@@ -129,12 +129,12 @@ CompactionPlate::CompactionPlate(const Case &c, double height,
   const fem::SurfaceMesh face =
       fem::boundary_surface(plate_mesh(c, height), fem::z_lower).mesh;
   shares = fem::area_shares(face);
-  std::unique_ptr<coupling::Body> made =
+  std::unique_ptr<coupling::DeformableBody> made =
       its_form == PlateKind::tilting
           ? make_tilting(face, 0.5 * c.container.diameter)
           : make_elastic(elastic_plate(c, height), c.coupling);
   body = &joined.add(std::move(made), face, "plate", c.wall,
-                     coupling::StoneSide::outside, engine);
+                     coupling::ParticleSide::outside, engine);
 }
 
 void CompactionPlate::add_rigid(const dem::Vec3 &place, std::size_t plane,
@@ -153,11 +153,11 @@ void CompactionPlate::add_rigid(const dem::Vec3 &place, std::size_t plane,
   boundary = plane;
   shares = {1.};
   free_from = 0.;
-  joined.add(std::move(lid), std::make_unique<coupling::PlaneSeam>(plane),
+  joined.add(std::move(lid), std::make_unique<coupling::PlaneAdapter>(plane),
              engine);
 }
 
-std::unique_ptr<coupling::Body>
+std::unique_ptr<coupling::DeformableBody>
 CompactionPlate::make_tilting(const fem::SurfaceMesh &face, double radius)
 {
   fem::PlateBodyParameters parameters;
@@ -180,7 +180,7 @@ CompactionPlate::make_tilting(const fem::SurfaceMesh &face, double radius)
   return made;
 }
 
-std::unique_ptr<coupling::Body>
+std::unique_ptr<coupling::DeformableBody>
 CompactionPlate::make_elastic(fem::Solid disc, const CouplingParameters &c)
 {
   std::vector<double> share(disc.nodal_mass().begin(), disc.nodal_mass().end());
@@ -242,7 +242,7 @@ double CompactionPlate::height() const
 /// 0 while it is being made.
 double CompactionPlate::velocity() const
 {
-  if (const coupling::Body *present = solid ? solid : body)
+  if (const coupling::DeformableBody *present = solid ? solid : body)
     return mean_z(shares, present->motion().velocity);
   return 0.;
 }

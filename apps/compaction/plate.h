@@ -21,9 +21,10 @@ coupling::RigidDrive plate_drive(const PlateParameters &plate,
 /// mass than Plate/mass.
 fem::Solid elastic_plate(const Case &parameters, double height);
 
-/// The plate once it is joined to the stones: a plane, or a disc with nodes. A
-/// disc is guided at first: its speed is at most Plate/seating_speed, the less
-/// the more of it the stones carry, v = v0 (1 - F / W) but for its inertia.
+/// The plate once it is joined to the particles: a plane, or a disc with nodes.
+/// A disc is guided at first: its speed is at most Plate/seating_speed, the
+/// less the more of it the particles carry, v = v0 (1 - F / W) but for its
+/// inertia.
 class CompactionPlate
 {
 public:
@@ -36,10 +37,10 @@ public:
                   coupling::Exchange &joined, dem::Engine &engine);
 
   bool is_disc() const { return its_form != PlateKind::rigid; }
-  /// Whether the stones carry it, so that it may be let go.
+  /// Whether the particles carry it, so that it may be let go.
   bool is_carried(const dem::Engine &engine) const;
   /// At this time of the body, since it was joined [s].
-  void let_go(double time) { free_from = time; }
+  void release(double time) { free_from = time; }
   /// At this time since it was let go; before, there is no exciter [s].
   void start_exciter(double time);
 
@@ -47,20 +48,20 @@ public:
   double velocity() const;                         ///< of it, up [m/s]
   double tilt() const;                             ///< to the level [rad]
   double bending() const;                          ///< off its mean plane [m]
-  double load(const dem::Engine &engine) const;    ///< of the stones, up [N]
+  double load(const dem::Engine &engine) const;    ///< of the particles, up [N]
   double impulse(const dem::Engine &engine) const; ///< of it [N s]
   coupling::BodyEnergy energy() const { return body->energy(); }
-  const coupling::Body &joint() const { return *body; }
+  const coupling::DeformableBody &coupled() const { return *body; }
   /// Null unless it bends.
   const coupling::SolidBody *elastic() const { return solid; }
 
 private:
   void add_rigid(const dem::Vec3 &place, std::size_t plane,
                  coupling::Exchange &joined, dem::Engine &engine);
-  std::unique_ptr<coupling::Body> make_tilting(const fem::SurfaceMesh &face,
-                                               double radius);
-  std::unique_ptr<coupling::Body> make_elastic(fem::Solid disc,
-                                               const CouplingParameters &c);
+  std::unique_ptr<coupling::DeformableBody>
+  make_tilting(const fem::SurfaceMesh &face, double radius);
+  std::unique_ptr<coupling::DeformableBody>
+  make_elastic(fem::Solid disc, const CouplingParameters &c);
   double force(double time) const; ///< along z, guide included [N]
   double weight() const;           ///< load included [N]
   double guide() const;            ///< force over speed [N s/m]
@@ -72,7 +73,7 @@ private:
   coupling::RigidDrive drive;
   /// Time of the body when it was let go [s].
   double free_from = std::numeric_limits<double>::infinity();
-  coupling::Body *body = nullptr;
+  coupling::DeformableBody *body = nullptr;
   coupling::RigidBody *rigid = nullptr; ///< if it tilts
   coupling::SolidBody *solid = nullptr; ///< if it bends
   std::size_t boundary = 0;             ///< number of its plane or surface

@@ -86,7 +86,7 @@ std::vector<Quantity> Compaction::measured() const
       {"vibration_s", vibrated()},
       {"settlement_m", is_vibrating ? now.start_height - height() : 0.},
       {"density_kg_per_m3", dense},
-      {"porosity_1", 1. - dense / parameters.stone.density},
+      {"porosity_1", 1. - dense / parameters.particle.density},
       {"plate_height_m", height()},
       {"plate_velocity_m_per_s", plate ? plate->velocity() : 0.},
       {"plate_load_N", plate_load()},

@@ -7,7 +7,7 @@
 #include "laboratory/test.h"
 #include "specimen/obtained_gradation.h"
 
-#include <coupling/cell_body.h>
+#include <coupling/triaxial_cell.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,28 +24,28 @@ dem::Room room_of(const ContainerParameters &c)
 }
 
 /// Largest first.
-std::vector<dem::Body> draw_filling(const Case &parameters,
-                                    const ShapeLibrary &shapes)
+std::vector<dem::ParticleShape> draw_filling(const Case &parameters,
+                                             const ShapeLibrary &shapes)
 {
   const FillingParameters &f = parameters.filling;
-  const double volume = f.density / parameters.stone.density *
+  const double volume = f.density / parameters.particle.density *
                         room_of(parameters.container).section() *
                         parameters.container.height;
   dem::Random random(static_cast<std::uint64_t>(f.seed));
-  std::vector<dem::Body> stones =
+  std::vector<dem::ParticleShape> particles =
       draw_particles(parameters, volume, shapes, random);
-  if (stones.size() < static_cast<std::size_t>(f.layers))
+  if (particles.size() < static_cast<std::size_t>(f.layers))
     throw InputError(parameters.file +
                      ": Filling/layers = " + std::to_string(f.layers) +
-                     ": must be at most the number of stones, " +
-                     std::to_string(stones.size()));
-  return stones;
+                     ": must be at most the number of particles, " +
+                     std::to_string(particles.size()));
+  return particles;
 }
 
 dem::EngineParameters engine_settings(const Case &parameters)
 {
   dem::EngineParameters settings;
-  settings.stone = parameters.stone;
+  settings.particle = parameters.particle;
   settings.wall = parameters.wall;
   settings.surface = parameters.lateral() == Lateral::membrane
                          ? parameters.membrane_contact
@@ -60,7 +60,7 @@ dem::EngineParameters engine_settings(const Case &parameters)
 
 /// Floor and wall; the ends of the cylinder are out of reach.
 std::unique_ptr<dem::Engine> empty_container(dem::EngineParameters settings,
-                                             const dem::Particles &all,
+                                             const dem::ParticleSystem &all,
                                              double radius)
 {
   settings.geometry.usual_skin = 0.25 * all.smallest_radius();
@@ -80,7 +80,7 @@ void mind_plate(const Case &c, CompactionScene &scene)
 {
   const CouplingParameters &rules = c.coupling;
   const fem::Solid plate = elastic_plate(c, 0.);
-  const int n = rules.exchange_rules().stone_steps;
+  const int n = rules.exchange_rules().particle_steps;
   const double own = plate.stable_time_step().guaranteed * rules.body_steps / n;
   if (!rules.is_body_implicit && own < scene.limit.step)
   {
@@ -116,9 +116,10 @@ CompactionScene make_compaction_scene(const Case &parameters)
   scene.room = room_of(parameters.container);
   scene.shapes = load_shapes(parameters, "Filling", parameters.filling.shapes,
                              parameters.filling.order);
-  const std::vector<dem::Body> stones = draw_filling(parameters, scene.shapes);
-  scene.all = unplaced_stones(parameters, stones);
-  scene.layers = dem::deal_layers(stones, parameters.filling.layers);
+  const std::vector<dem::ParticleShape> particles =
+      draw_filling(parameters, scene.shapes);
+  scene.all = unplaced_particles(parameters, particles);
+  scene.layers = dem::deal_layers(particles, parameters.filling.layers);
   scene.engine = empty_container(engine_settings(parameters), scene.all,
                                  0.5 * parameters.container.diameter);
   choose_first_step(parameters, scene);

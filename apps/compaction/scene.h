@@ -7,20 +7,21 @@
 
 namespace spall
 {
-/// Container and stones of a vibratory compaction before anything is poured.
+/// Container and particles of a vibratory compaction before anything is poured.
 struct CompactionScene
 {
   ShapeLibrary shapes;
   dem::Room room;
-  std::vector<std::vector<dem::Body>> layers;
-  dem::Particles all; ///< the stones as they will be, nowhere in particular
-  /// A floor, which is plane 0, and an upright cylinder; no stones.
+  std::vector<std::vector<dem::ParticleShape>> layers;
+  dem::ParticleSystem
+      all; ///< the particles as they will be, nowhere in particular
+  /// A floor, which is plane 0, and an upright cylinder; no particles.
   std::unique_ptr<dem::Engine> engine;
-  dem::StepLimit limit; ///< for any one stone, and one node of the membrane
+  dem::StepLimit limit; ///< for any one particle, and one node of the membrane
   SetupStep setup;
 };
 
-/// Reads gradation and shapes, draws the stones, chooses the first step.
+/// Reads gradation and shapes, draws the particles, chooses the first step.
 /// Throws InputError.
 CompactionScene make_compaction_scene(const Case &parameters);
 

@@ -12,7 +12,7 @@ namespace spall
 void Compaction::wait_for_rest()
 {
   constexpr std::int64_t rest_interval = 100; // windows
-  const double spent = engine().time() - now.let_go_time;
+  const double spent = engine().time() - now.release_time;
   if (spent < parameters.plate.seating_time)
     return;
   if (joined->n_windows() % rest_interval == 0 && is_seated())

@@ -6,72 +6,93 @@ namespace spall
 {
 namespace
 {
-void add_particle(List &list, ParticleParameters &p)
+void add_single_particle(List &list, SingleParticleParameters &p)
 {
-  list.in("Particle");
-  list.add({"shape", "-", "Shape file; empty: a sphere, which never breaks."},
-           p.shape);
+  list.in("Particle", {CaseKind::single_particle});
+  list.add_path(
+      {"shape", "-", "Shape file; empty: a sphere, which never breaks."},
+      p.shape);
   list.add({"diameter", "m", "Twice the ball radius, d."}, p.diameter,
            above(0., 10.));
   list.add({"order", "-", "N_s: what the file has beyond is cut off."}, p.order,
            between(1, dem::max_order));
-  list.add({"axis_x", "-", "Body direction that points up (seed 0)."}, p.axis_x,
-           between(-1e6, 1e6));
-  list.add({"axis_y", "-", "Likewise."}, p.axis_y, between(-1e6, 1e6));
-  list.add({"axis_z", "-", "Likewise."}, p.axis_z, between(-1e6, 1e6));
-  list.add({"seed", "-", "Of a random orientation; 0: by the axis."}, p.seed,
-           between(0, 2147483647));
+  list.add({"axis_x", "-",
+            "Component x of the body direction that points up (seed 0)."},
+           p.axis_x, between(-1e6, 1e6));
+  list.add({"axis_y", "-", "Component y of the body direction that points up."},
+           p.axis_y, between(-1e6, 1e6));
+  list.add({"axis_z", "-", "Component z of the body direction that points up."},
+           p.axis_z, between(-1e6, 1e6));
+  list.add({"seed", "-",
+            "Seed of a random orientation; 0: the orientation of axis_x, "
+            "axis_y, axis_z."},
+           p.seed, between(0, 2147483647));
 }
 
 void add_press(List &list, PressParameters &p)
 {
   list.in("Press");
-  list.add({"displacement", "m", "Of the upper platen, in all."},
+  list.add({"displacement", "m", "Total displacement of the upper platen."},
            p.displacement, above(0., 1.));
-  list.add({"speed", "m/s",
-            "Of the upper platen. The test has 8.3e-6 (0.5 mm/min); any speed "
-            "whose double changes nothing will do."},
-           p.speed, above(0., 10.));
-  list.add({"rows", "-", "Of history.csv; one more at each event."}, p.rows,
-           between(10, 1e7));
+  list.add(
+      {"speed", "m/s",
+       "Speed of the upper platen. The test has 8.3e-6 (0.5 mm/min); any speed "
+       "whose double changes nothing will do."},
+      p.speed, above(0., 10.));
+  list.add({"rows", "-", "Rows of history.csv; one more at each event."},
+           p.rows, between(10, 1e7));
 }
 
 void add_charge(List &list, ChargeParameters &c)
 {
   list.in("Charge");
-  list.add({"mass", "kg", "Of the stones."}, c.mass, above(0., 1e4));
-  list.add({"gradation", "-",
-            "CSV file diameter_m,passing_1: share of the mass that passes."},
-           c.gradation);
-  list.add({"shapes", "-", "Folder of shape files; empty: spheres."}, c.shapes);
+  list.add({"mass", "kg", "Total mass of the particles."}, c.mass,
+           above(0., 1e4));
+  list.add_path(
+      {"gradation", "-",
+       "CSV file diameter_m,passing_1: share of the mass that passes."},
+      c.gradation);
+  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
+                c.shapes);
   list.add({"order", "-", "N_s: what the files have beyond is cut off."},
            c.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Of sizes, shapes, places and orientations."}, c.seed,
-           between(0, 2147483647));
+  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
+           c.seed, between(0, 2147483647));
   list.add({"balls", "-", "Number of steel balls."}, c.balls, between(0, 1000));
-  list.add({"ball_mass", "kg", "Of all balls together."}, c.ball_mass,
-           above(0., 1e4));
-  list.add({"ball_density", "kg/m^3", "Steel."}, c.steel.density,
-           above(0., 3e4));
+  list.add({"ball_mass", "kg", "Mass of all steel balls together."},
+           c.ball_mass, above(0., 1e4));
+  list.add({"ball_density", "kg/m^3", "Density of the steel balls."},
+           c.steel.density, above(0., 3e4));
   list.add({"ball_shear_modulus", "Pa",
-            "Steel. Friction and damping of the balls are those of Stone."},
+            "Shear modulus of the steel balls. Their friction and damping are "
+            "those of Particle."},
            c.steel.shear_modulus, between(1., 1e13));
-  list.add({"ball_poisson_ratio", "-", "Steel."}, c.steel.poisson_ratio,
-           below(0., 0.5));
+  list.add({"ball_poisson_ratio", "-", "Poisson's ratio of the steel balls."},
+           c.steel.poisson_ratio, below(0., 0.5));
 }
 
 void add_drum(List &list, DrumParameters &d)
 {
   list.in("Drum");
-  list.add({"radius", "m", "Inner."}, d.radius, above(0., 100.));
-  list.add({"length", "m", "Inner."}, d.length, above(0., 100.));
-  list.add({"shelf_height", "m", "Of the shelf, into the drum; 0: no shelf."},
-           d.shelf_height, between(0., 100.));
-  list.add({"shelf_thickness", "m", "Of the shelf."}, d.shelf_thickness,
-           above(0., 100.));
-  list.add({"turns_per_minute", "1/min", "31 to 33 in the test."},
-           d.turns_per_minute, above(0., 1e4));
-  list.add({"turns", "-", "In all."}, d.turns, above(0., 1e7));
+  list.add({"radius", "m", "Inner radius."}, d.radius, above(0., 100.));
+  list.add({"length", "m", "Inner length."}, d.length, above(0., 100.));
+  list.add({"lifter_height",
+            "m",
+            "Radial height of the lifter inside the drum; 0: no lifter.",
+            "",
+            {"shelf_height"}},
+           d.lifter_height, between(0., 100.));
+  list.add({"lifter_thickness",
+            "m",
+            "Thickness of the lifter.",
+            "",
+            {"shelf_thickness"}},
+           d.lifter_thickness, above(0., 100.));
+  list.add(
+      {"turns_per_minute", "1/min", "Rotation rate; 31 to 33 in the test."},
+      d.turns_per_minute, above(0., 1e4));
+  list.add({"turns", "-", "Total number of revolutions."}, d.turns,
+           above(0., 1e7));
   list.add({"settling_time", "s",
             "Shortest fall under gravity before the first turn. It ends when "
             "the charge is at rest. 0: the drum turns at once."},
@@ -88,14 +109,15 @@ void add_drum(List &list, DrumParameters &d)
            between(1, 1e6));
   list.add({"frames_per_turn", "-", "Frames for ParaView; 0: first and last."},
            d.frames_per_turn, between(0, 1e4));
-  list.add({"checkpoint_every", "-", "Turns; 0: only at the end."},
+  list.add({"checkpoint_every", "-",
+            "Revolutions between checkpoints; 0: only at the end."},
            d.checkpoint_every, between(0, 1e7));
 }
 } // namespace
 
 void add_laboratory(List &list, Case &of)
 {
-  add_particle(list, of.particle);
+  add_single_particle(list, of.single_particle);
   add_press(list, of.press);
   add_charge(list, of.charge);
   add_drum(list, of.drum);

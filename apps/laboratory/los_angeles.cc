@@ -30,22 +30,23 @@ double spin_of(const DrumParameters &d)
   return d.turns_per_minute / 60. * 2. * std::numbers::pi;
 }
 
-/// Stones by the gradation, then the balls; largest first, as they are placed.
-std::vector<dem::Body> make_charge(const Case &parameters,
-                                   const ShapeLibrary &shapes,
-                                   dem::Random &random)
+/// Particles by the gradation, then the balls; largest first, as they are
+/// placed.
+std::vector<dem::ParticleShape> make_charge(const Case &parameters,
+                                            const ShapeLibrary &shapes,
+                                            dem::Random &random)
 {
   const ChargeParameters &c = parameters.charge;
-  std::vector<dem::Body> bodies = draw_particles(
-      parameters, c.mass / parameters.stone.density, shapes, random);
+  std::vector<dem::ParticleShape> bodies = draw_particles(
+      parameters, c.mass / parameters.particle.density, shapes, random);
   if (bodies.empty())
     throw InputError(parameters.file +
                      ": Charge/mass = " + number_text(c.mass) +
-                     ": too small for a single stone of the gradation");
+                     ": too small for a single particle of the gradation");
   if (c.balls > 0)
   {
     const double volume = c.ball_mass / c.balls / c.steel.density;
-    const dem::Body ball =
+    const dem::ParticleShape ball =
         dem::make_sphere(std::cbrt(0.75 * volume / std::numbers::pi));
     bodies.insert(bodies.begin(), static_cast<std::size_t>(c.balls), ball);
   }
@@ -55,7 +56,7 @@ std::vector<dem::Body> make_charge(const Case &parameters,
 dem::EngineParameters engine_settings(const Case &parameters)
 {
   dem::EngineParameters settings;
-  settings.stone = parameters.stone;
+  settings.particle = parameters.particle;
   settings.other_solids = {parameters.charge.steel};
   settings.wall = settings.surface = parameters.wall;
   settings.geometry = parameters.contact;
@@ -66,24 +67,24 @@ dem::EngineParameters engine_settings(const Case &parameters)
   return settings;
 }
 
-/// In a box about the axis that the shelf, which points up, does not reach.
-std::vector<dem::Placement> place_charge(const Case &parameters,
-                                         const std::vector<dem::Body> &bodies,
-                                         dem::Random &random)
+/// In a box about the axis that the lifter, which points up, does not reach.
+std::vector<dem::Placement>
+place_charge(const Case &parameters,
+             const std::vector<dem::ParticleShape> &bodies, dem::Random &random)
 {
   const DrumParameters &d = parameters.drum;
   const double half = d.radius / std::numbers::sqrt2;
   const dem::Vec3 corner(half, 0.5 * d.length, half);
   try
   {
-    return dem::insert_stones(
+    return dem::insert_particles(
         bodies, {-corner, corner, parameters.contact.follows_surfaces()},
         random);
   }
   catch (const dem::NoPlace &error)
   {
     throw InputError(
-        parameters.file + ": " + error.what() + " between shelf and axis: " +
+        parameters.file + ": " + error.what() + " between lifter and axis: " +
         "Charge/mass = " + number_text(parameters.charge.mass) +
         " kg must be lower, or Drum/radius = " + number_text(d.radius) +
         " m or Drum/length = " + number_text(d.length) + " m larger");
@@ -102,26 +103,26 @@ struct LosAngeles::Scene
                            parameters.charge.order))
   {
     dem::Random random(static_cast<std::uint64_t>(parameters.charge.seed));
-    const std::vector<dem::Body> bodies =
+    const std::vector<dem::ParticleShape> bodies =
         make_charge(parameters, shapes, random);
     const std::vector<dem::Placement> places =
         place_charge(parameters, bodies, random);
     dem::EngineParameters settings = engine_settings(parameters);
     double smallest = bodies[0].inscribed_radius;
-    for (const dem::Body &body : bodies)
+    for (const dem::ParticleShape &body : bodies)
       smallest = std::min(smallest, dem::mean_radius(body));
     settings.geometry.usual_skin = 0.25 * smallest;
     engine = std::make_unique<dem::Engine>(settings);
     const auto n_balls = static_cast<std::size_t>(parameters.charge.balls);
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      engine->add_stone(bodies[i], places[i].position, places[i].orientation,
-                        i < n_balls ? steel : std::uint8_t{0});
+      engine->add_particle(bodies[i], places[i].position, places[i].orientation,
+                           i < n_balls ? steel : std::uint8_t{0});
     const DrumParameters &d = parameters.drum;
     dem::Drum drum;
     drum.radius = d.radius;
     drum.length = d.length;
-    drum.shelf_height = d.shelf_height;
-    drum.shelf_thickness = d.shelf_thickness;
+    drum.lifter_height = d.lifter_height;
+    drum.lifter_thickness = d.lifter_thickness;
     engine->set_drum(drum);
     engine->set_breaking(false);
   }
@@ -145,7 +146,7 @@ void LosAngeles::move(double time_step)
   turns_before = turns();
   if (!is_turning && is_settled())
     begin_turning();
-  engine().advance_unseen(time_step);
+  engine().advance_deferred(time_step);
   if (share_done() >= 1.)
     keep_roundness();
 }
@@ -209,7 +210,7 @@ std::vector<std::string> LosAngeles::warnings() const
 std::string LosAngeles::outcome() const
 {
   double lost = 0.;
-  const dem::Particles &all = engine().particles();
+  const dem::ParticleSystem &all = engine().particles();
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)
       lost += all.initial_mass[i] - all.mass(i);
@@ -262,8 +263,8 @@ double LosAngeles::period() const
   return 60. / parameters.drum.turns_per_minute;
 }
 
-/// Until the stones have fallen, and the drum turns.
-double LosAngeles::hasten()
+/// Until the particles have fallen, and the drum turns.
+double LosAngeles::fast_preparation()
 {
   is_rough = true;
   while (!is_turning)
@@ -317,7 +318,7 @@ std::vector<Quantity> LosAngeles::measured() const
 void LosAngeles::summarise(nlohmann::ordered_json &summary) const
 {
   LabTest::summarise(summary);
-  const dem::Particles &all = engine().particles();
+  const dem::ParticleSystem &all = engine().particles();
   double lost = 0., now = 0.;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)

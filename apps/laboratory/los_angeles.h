@@ -6,8 +6,8 @@
 
 namespace spall
 {
-/// The Los Angeles test: stones and steel balls fall into a drum at rest, then
-/// it turns. Breakage counts from the first turn.
+/// The Los Angeles test: particles and steel balls fall into a drum at rest,
+/// then it turns. Breakage counts from the first turn.
 class LosAngeles : public LabTest
 {
 public:
@@ -17,7 +17,7 @@ public:
   double share_done() const override;
   double duration() const override;
   double period() const override; ///< of a turn [s]
-  double hasten() override;
+  double fast_preparation() override;
   std::string phase() const override;
   std::string outcome() const override;
   std::vector<std::string> warnings() const override;

@@ -40,7 +40,7 @@ double LabRecorder::elapsed() const
 
 void LabRecorder::write_gradation(const LabTest &test)
 {
-  drawn = obtained_gradation(parameters, test.all_stones());
+  drawn = obtained_gradation(parameters, test.all_particles());
   if (drawn)
     write_text(folder / gradation_file, gradation_table(*drawn));
 }

@@ -7,19 +7,20 @@
 
 namespace spall
 {
-std::string roundness_table(const dem::Particles &stones,
+std::string roundness_table(const dem::ParticleSystem &particles,
                             dem::RoundnessBook &roundness)
 {
-  std::vector<std::string> rows(stones.size());
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  std::vector<std::string> rows(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    if (stones.material[i] != 0)
+    if (particles.material[i] != 0)
       continue;
-    std::string &row = rows[static_cast<std::size_t>(stones.id[i])];
-    row = std::to_string(stones.id[i]);
-    for (const double value : {2. * stones.radius(i), stones.mass(i),
-                               1. - stones.mass(i) / stones.initial_mass[i],
-                               roundness.of(stones.body[i])})
+    std::string &row = rows[static_cast<std::size_t>(particles.id[i])];
+    row = std::to_string(particles.id[i]);
+    for (const double value :
+         {2. * particles.radius(i), particles.mass(i),
+          1. - particles.mass(i) / particles.initial_mass[i],
+          roundness.of(particles.shape[i])})
       row += "," + number_text(value);
   }
   std::string text = "id_1,diameter_m,mass_kg,mass_loss_1,roundness_1\n";

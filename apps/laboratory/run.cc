@@ -27,7 +27,7 @@ void describe(Progress &progress, const LabTest &test)
   const dem::StepLimit &limit = test.step_limit();
   std::snprintf(line, sizeof line,
                 "%zu bodies, time step %.3g s, at most %.3g s (%s)",
-                test.all_stones().size(), test.time_step(), limit.step,
+                test.all_particles().size(), test.time_step(), limit.step,
                 limit.reason.c_str());
   progress.say(line);
 }

@@ -5,7 +5,7 @@
 
 #include <dem/io/binary.h>
 #include <dem/packing/random.h>
-#include <dem/search/spots.h>
+#include <dem/search/contact_points.h>
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +21,7 @@ constexpr std::size_t lower_platen = 0, upper_platen = 1;
 /// The shape of the case, cut at its order; none: a sphere.
 ShapeLibrary load_shape(const Case &parameters)
 {
-  const ParticleParameters &p = parameters.particle;
+  const SingleParticleParameters &p = parameters.single_particle;
   if (p.shape.empty())
     return {};
   return {load_with_warnings(
@@ -29,17 +29,18 @@ ShapeLibrary load_shape(const Case &parameters)
       p.order)};
 }
 
-dem::Body make_stone(const Case &parameters, const ShapeLibrary &shapes)
+dem::ParticleShape make_particle(const Case &parameters,
+                                 const ShapeLibrary &shapes)
 {
-  const double radius = 0.5 * parameters.particle.diameter;
+  const double radius = 0.5 * parameters.single_particle.diameter;
   return shapes.empty()
              ? dem::make_sphere(radius)
-             : dem::make_body(
+             : dem::make_shape(
                    shapes[0], radius,
                    dem::sphere_rule(parameters.breakage.quadrature_rings));
 }
 
-dem::Quaternion orientation(const ParticleParameters &p)
+dem::Quaternion orientation(const SingleParticleParameters &p)
 {
   if (p.seed == 0)
     return dem::Quaternion::FromTwoVectors(
@@ -48,11 +49,11 @@ dem::Quaternion orientation(const ParticleParameters &p)
   return random.rotation();
 }
 
-/// How far the stone reaches along a body direction, as its contacts see it.
-double reach(const dem::Body &body, dem::ContactGeometry geometry,
+/// How far the particle reaches along a body direction, as its contacts see it.
+double reach(const dem::ParticleShape &body, dem::ContactGeometry geometry,
              const dem::Vec3 &direction)
 {
-  if (!body.series || geometry == dem::ContactGeometry::ball)
+  if (!body.series || geometry == dem::ContactGeometry::sphere)
     return dem::mean_radius(body);
   if (geometry == dem::ContactGeometry::radial)
     return body.scale * dem::radius(*body.series, direction);
@@ -67,22 +68,22 @@ std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
                                         const ShapeLibrary &shapes)
 {
   dem::EngineParameters settings;
-  settings.stone = parameters.stone;
+  settings.particle = parameters.particle;
   settings.wall = settings.surface = parameters.wall;
   settings.geometry = parameters.contact;
   settings.friction_limit = parameters.friction_limit;
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.time.local_damping;
-  settings.geometry.usual_skin = 0.1 * parameters.particle.diameter;
+  settings.geometry.usual_skin = 0.1 * parameters.single_particle.diameter;
   auto engine = std::make_unique<dem::Engine>(settings);
-  const dem::Body stone = make_stone(parameters, shapes);
-  const dem::Quaternion turned = orientation(parameters.particle);
-  engine->add_stone(stone, dem::Vec3::Zero(), turned);
+  const dem::ParticleShape particle = make_particle(parameters, shapes);
+  const dem::Quaternion turned = orientation(parameters.single_particle);
+  engine->add_particle(particle, dem::Vec3::Zero(), turned);
   const dem::Vec3 up = turned.conjugate() * dem::Vec3::UnitZ();
   const dem::ContactGeometry geometry = parameters.contact.wall_geometry;
   const dem::Vec3 z = dem::Vec3::UnitZ();
-  engine->add_plane(-reach(stone, geometry, -up) * z, z);
-  engine->add_plane(reach(stone, geometry, up) * z, -z);
+  engine->add_plane(-reach(particle, geometry, -up) * z, z);
+  engine->add_plane(reach(particle, geometry, up) * z, -z);
   engine->planes()[upper_platen].velocity = -parameters.press.speed * z;
   return engine;
 }
@@ -101,7 +102,7 @@ void SingleParticle::move(double time_step)
 {
   displacement_before = progress_at(engine().time());
   events_before = events_now;
-  engine().advance_unseen(time_step);
+  engine().advance_deferred(time_step);
   events_now = engine().n_events();
   peak_force = std::max(peak_force, force());
 }

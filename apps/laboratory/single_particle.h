@@ -4,8 +4,8 @@
 
 namespace spall
 {
-/// One stone between two rigid platens. The lower one stands, the upper one
-/// comes down at constant speed; both touch the stone at the start.
+/// One particle between two rigid platens. The lower one stands, the upper one
+/// comes down at constant speed; both touch the particle at the start.
 class SingleParticle : public LabTest
 {
 public:

@@ -31,8 +31,9 @@ double first_step(const Case &parameters, const dem::StepLimit &limit)
 
 LabTest::LabTest(const Case &c, ShapeLibrary library,
                  std::unique_ptr<dem::Engine> scene)
-    : parameters(c), shapes(std::move(library)), stones(std::move(scene)),
-      limit(dem::critical_step(stones->parameters(), stones->particles())),
+    : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
+      limit(dem::critical_step(owned_engine->parameters(),
+                               owned_engine->particles())),
       watch(c.time, limit.step), step(first_step(c, limit))
 {
 }
@@ -40,7 +41,7 @@ LabTest::LabTest(const Case &c, ShapeLibrary library,
 LabTest::LabTest(const Case &c, ShapeLibrary library,
                  std::unique_ptr<dem::Engine> scene,
                  const dem::StepLimit &its_limit, double its_step)
-    : parameters(c), shapes(std::move(library)), stones(std::move(scene)),
+    : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
       limit(its_limit), watch(c.time, limit.step), step(its_step)
 {
 }
@@ -48,14 +49,14 @@ LabTest::LabTest(const Case &c, ShapeLibrary library,
 void LabTest::advance()
 {
   if (watch.is_due(engine().n_steps() / steps_in_move()))
-    look_at_contacts();
+    check_contacts();
   watch.note_used(step);
   move(step);
   if (!stopped_by.empty())
     throw coupling::GuardStop(std::exchange(stopped_by, {}));
 }
 
-void LabTest::look_at_contacts()
+void LabTest::check_contacts()
 {
   watch.look(engine(), surroundings(), step);
   if (!watch.is_fixed())
@@ -84,7 +85,7 @@ void LabTest::say_prepared() const
 void LabTest::exchange_window(coupling::Exchange &joined, double window)
 try
 {
-  joined.advance(coupling::stones_of(engine(), shapes), window);
+  joined.advance(coupling::particles_of(engine(), shapes), window);
 }
 catch (const coupling::GuardStop &stop)
 {
@@ -111,7 +112,7 @@ std::vector<dem::BreakageEvent> LabTest::take_events()
 
 double LabTest::abrasion_percent() const
 {
-  const dem::Particles &all = engine().particles();
+  const dem::ParticleSystem &all = engine().particles();
   double now = 0., before = 0.;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)
@@ -177,8 +178,8 @@ std::vector<std::string> LabTest::warnings() const
 
 void LabTest::summarise(nlohmann::ordered_json &summary) const
 {
-  const dem::Particles &all = engine().particles();
-  summary["n_stones"] = std::ranges::count(all.material, std::uint8_t{0});
+  const dem::ParticleSystem &all = engine().particles();
+  summary["n_particles"] = std::ranges::count(all.material, std::uint8_t{0});
   summary["n_breakable"] =
       std::ranges::count(all.is_breakable, std::uint8_t{1});
   summary["solid_volume_m3"] = solid_volume(all);

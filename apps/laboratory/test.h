@@ -62,7 +62,7 @@ public:
   virtual double progress_at(double time) const = 0;
   virtual const char *progress_column() const = 0;
 
-  /// Whether bodies are joined to the stones at some time of the test, and
+  /// Whether bodies are joined to the particles at some time of the test, and
   /// their exchange once they are.
   virtual bool has_ledger() const { return false; }
   virtual const coupling::Exchange *exchange() const { return nullptr; }
@@ -71,22 +71,22 @@ public:
   virtual FrameParts frame_parts() const { return {nullptr, true}; }
   /// Since the last call.
   virtual std::vector<NamedText> take_files() { return {}; }
-  /// All stones that the test will have; only what does not move counts.
-  virtual const dem::Particles &all_stones() const
+  /// All particles that the test will have; only what does not move counts.
+  virtual const dem::ParticleSystem &all_particles() const
   {
     return engine().particles();
   }
-  /// Prints what `spall check` says besides stones, step, memory and time.
+  /// Prints what `spall check` says besides particles, step, memory and time.
   virtual void describe() const {}
-  /// Until the stones are prepared, about, in steps that cost what those of the
-  /// test do; 0: they need no preparation [s].
+  /// Until the particles are prepared, about, in steps that cost what those of
+  /// the test do; 0: they need no preparation [s].
   virtual double preparation_time() const { return 0.; }
   /// On to what a step costs for most of duration(), from the beginning or from
-  /// where the stones are prepared, and by shortcuts: what is measured from
-  /// then on is worth nothing. Returns the step of the preparation once stones
-  /// press on each other; 0: there is none to come [s]. Throws as advance()
-  /// does.
-  virtual double hasten() { return 0.; }
+  /// where the particles are prepared, and by shortcuts: what is measured from
+  /// then on is worth nothing. Returns the step of the preparation once
+  /// particles press on each other; 0: there is none to come [s]. Throws as
+  /// advance() does.
+  virtual double fast_preparation() { return 0.; }
 
   /// What the test has come to: three to six numbers with their units.
   virtual std::string outcome() const = 0;
@@ -108,16 +108,16 @@ public:
   /// Whether it was told to end before the case does.
   virtual bool ends_early() const { return false; }
 
-  /// What decides how the stones are prepared, a line each; empty: there is
+  /// What decides how the particles are prepared, a line each; empty: there is
   /// nothing that tests could share.
   virtual std::string preparation_text() const { return {}; }
   virtual bool is_preparing() const { return false; }
-  /// Called when the stones are prepared.
+  /// Called when the particles are prepared.
   void when_prepared(std::function<void()> call)
   {
     call_prepared = std::move(call);
   }
-  /// The stones then, and back from there into any test of the same
+  /// The particles then, and back from there into any test of the same
   /// preparation_text(), which goes on as if it had prepared them itself. The
   /// latter throws std::runtime_error.
   virtual void save_prepared(std::ostream &out) const { save(out); }
@@ -129,28 +129,28 @@ public:
 
   /// Breakage events since the last call.
   std::vector<dem::BreakageEvent> take_events();
-  const dem::Engine &engine() const { return *stones; }
-  dem::Engine &engine() { return *stones; }
-  virtual int steps_in_move() const { return 1; } ///< of the stones
+  const dem::Engine &engine() const { return *owned_engine; }
+  dem::Engine &engine() { return *owned_engine; }
+  virtual int steps_in_move() const { return 1; } ///< of the particles
   double time_step() const { return step; }       ///< last or next one [s]
   const dem::StepLimit &step_limit() const { return limit; } ///< at setup
   /// Lines for the log since the last call.
   std::vector<std::string> take_notes() { return watch.take_notes(); }
   double watch_seconds() const { return watch.seconds(); }
-  /// Abrasion of the stones, those of other materials left out [%].
+  /// Abrasion of the particles, those of other materials left out [%].
   double abrasion_percent() const;
 
 protected:
-  /// Takes the scene; the engine has all its stones.
+  /// Takes the scene; the engine has all its particles.
   LabTest(const Case &parameters, ShapeLibrary shapes,
           std::unique_ptr<dem::Engine> scene);
-  /// Of a scene that does not have all its stones yet: the longest step of any
-  /// of them, and the first one [s].
+  /// Of a scene that does not have all its particles yet: the longest step of
+  /// any of them, and the first one [s].
   LabTest(const Case &parameters, ShapeLibrary shapes,
           std::unique_ptr<dem::Engine> scene, const dem::StepLimit &limit,
           double first_step);
 
-  /// Stones and bodies take a window; a guard stops the test when move() is
+  /// Particles and bodies take a window; a guard stops the test when move() is
   /// over.
   void exchange_window(coupling::Exchange &joined, double window);
   /// From now on another rule for the steps, and `cap` as StepWatch has it.
@@ -158,7 +158,7 @@ protected:
   /// The first steps of a test, likewise.
   void begin_steps(const TimeParameters &rule, double cap);
   /// Steps as the contacts allow them now: at once, where a scene has changed.
-  void look_at_contacts();
+  void check_contacts();
   /// Where loading begins: throws RunFailure as StepWatch::report.
   void report_step() { watch.report(engine(), surroundings(), step); }
   void say_prepared() const;
@@ -168,9 +168,9 @@ protected:
   /// steps_in_move() of them.
   virtual void move(double time_step) = 0;
   virtual std::vector<Quantity> measured() const = 0;
-  /// Done by gravity and by what is outside on the stones and bodies [J].
+  /// Done by gravity and by what is outside on the particles and bodies [J].
   virtual double external_work() const;
-  /// Of the bodies that are joined to the stones.
+  /// Of the bodies that are joined to the particles.
   virtual coupling::BodyEnergy body_energy() const { return {}; }
   virtual Surroundings surroundings() const { return {}; }
   virtual std::vector<dem::BreakageEvent> fresh_events()
@@ -182,7 +182,7 @@ protected:
   ShapeLibrary shapes;
 
 private:
-  std::unique_ptr<dem::Engine> stones;
+  std::unique_ptr<dem::Engine> owned_engine;
   dem::StepLimit limit;
   StepWatch watch;
   std::function<void()> call_prepared;
@@ -191,7 +191,7 @@ private:
   double first_event_time = -1., first_event_force = 0.; ///< [s], [N]
 };
 
-/// The fixed step, or the longest for the lightest stone on one wall. Throws
+/// The fixed step, or the longest for the lightest particle on one wall. Throws
 /// InputError if the fixed one is longer.
 double first_step(const Case &parameters, const dem::StepLimit &limit);
 

@@ -22,20 +22,21 @@ struct Quantity
 constexpr std::array quantities = {
     Quantity{"settlement", "settlement_m", "Settlement (mm)",
              "Settlement of the plate since the vibration began.", 1e3},
-    Quantity{"density", "density_kg_per_m3", "Density (kg/m³)",
-             "Mass of the stones as filled over the volume under the plate."},
+    Quantity{
+        "density", "density_kg_per_m3", "Density (kg/m³)",
+        "Mass of the particles as filled over the volume under the plate."},
     Quantity{"abrasion", "laa_percent", "Abrasion LAA (%)",
-             "Mass that the stones have lost over their initial mass."},
+             "Mass that the particles have lost over their initial mass."},
     Quantity{"breakage_count", "n_events_1", "Breakage events (–)",
              "Number of breakage events so far."},
     Quantity{"roundness", "roundness_1", "Roundness Rg (–)",
-             "Mean roundness of the stones, by volume."},
+             "Mean roundness of the particles, by volume."},
     Quantity{"plate_load", "plate_load_N", "Load (kN)",
-             "Force of the stones on the plate.", 1e-3},
+             "Force of the particles on the plate.", 1e-3},
     Quantity{"coordination", "coordination_number_1", "Coordination number (–)",
-             "Contacts per stone that has at least two."},
+             "Contacts per particle that has at least two."},
     Quantity{"contact_force", "mean_contact_force_N", "Mean contact force (N)",
-             "Mean contact force between stones."}};
+             "Mean contact force between particles."}};
 
 Chart quantity_chart(std::span<const RunData> runs, const Quantity &quantity)
 {

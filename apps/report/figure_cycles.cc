@@ -30,8 +30,8 @@ constexpr std::array cycle_quantities = {
                   "Damping ratio: area of the loop over 4π times the energy of "
                   "the single amplitudes."},
     CycleQuantity{"force_chains", "force_chain_share_1",
-                  "Stones in force chains (%)",
-                  "Share of the stones in force chains (Peters et al. 2005)",
+                  "Particles in force chains (%)",
+                  "Share of the particles in force chains (Peters et al. 2005)",
                   100., "force_chain_share_peak_1"},
     CycleQuantity{"fabric_anisotropy", "fabric_anisotropy_1",
                   "Anisotropy of the fabric (–)",

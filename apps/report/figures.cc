@@ -41,13 +41,14 @@ const std::vector<Quantity> quantities{
      "Abrasion: mass lost by breakage over the initial mass.", 1.,
      Sampling::every_row},
     {"roundness", "roundness_1", "Roundness Rg (–)",
-     "Roundness Rg (1: no corners), mean over the stones, once per cycle."},
+     "Roundness Rg (1: no corners), mean over the particles, once per cycle."},
     {"coordination_number", "coordination_number_1", "Coordination number (–)",
      "Mechanical coordination number: at the ends of the cycles (markers) and "
      "within them (faint line).",
      1., Sampling::both},
     {"contact_force", "mean_contact_force_N", "Mean contact force (N)",
-     "Mean contact force between stones: at the ends of the cycles (markers) "
+     "Mean contact force between particles: at the ends of the cycles "
+     "(markers) "
      "and "
      "within them (faint line).",
      1., Sampling::both}};

@@ -34,17 +34,18 @@ constexpr std::array press_quantities = {
     Quantity{"abrasion", "laa_percent", "Mass lost (%)",
              "Mass lost by breakage over the initial mass."}};
 constexpr std::array drum_quantities = {
-    Quantity{"abrasion", "laa_percent", "Abrasion LAA (%)",
-             "Abrasion LAA: mass that the stones have lost over their initial "
-             "mass; the steel balls do not count."},
+    Quantity{
+        "abrasion", "laa_percent", "Abrasion LAA (%)",
+        "Abrasion LAA: mass that the particles have lost over their initial "
+        "mass; the steel balls do not count."},
     Quantity{"breakage_count", "n_events_1", "Breakage events (–)",
              "Number of breakage events so far."},
     Quantity{"roundness", "roundness_1", "Roundness Rg (–)",
-             "Mean roundness of the stones, by volume."},
+             "Mean roundness of the particles, by volume."},
     Quantity{"torque", "torque_Nm", "Torque (N m)",
              "Moment of the charge on the drum about its axis."},
     Quantity{"contacts", "n_contacts_1", "Contacts (–)",
-             "Contacts between stones and balls at the moment."}};
+             "Contacts between particles and balls at the moment."}};
 
 bool is_press(const RunData &run)
 {

@@ -106,8 +106,9 @@ std::string header(std::span<const RunData> runs)
 }
 
 constexpr const char *specimen_caption =
-    "Stones by their true surfaces, coloured by the share of their mass that "
-    "they have lost; 98 % of the stones lie within the colour bar. The "
+    "Particles by their true surfaces, coloured by the share of their mass "
+    "that "
+    "they have lost; 98 % of the particles lie within the colour bar. The "
     "membrane or plate, if there is one, is half transparent.";
 
 constexpr const char *network_caption =

@@ -15,7 +15,7 @@ struct Report
 {
   std::span<const RunData> runs;
   std::vector<Chart> charts;
-  std::vector<Picture> pictures; ///< of the stones
+  std::vector<Picture> pictures; ///< of the particles
   std::vector<Picture> networks; ///< of contact forces and bulge
   std::vector<Picture> grounds;  ///< of the settled subgrade
 };

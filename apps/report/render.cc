@@ -18,7 +18,7 @@ namespace spall
 {
 namespace
 {
-/// From the grey of an unbroken stone over orange to dark red.
+/// From the grey of an unbroken particle over orange to dark red.
 vtkNew<vtkLookupTable> loss_colours(double max_loss)
 {
   return colour_table({{0., 0.86, 0.85, 0.82},
@@ -41,8 +41,8 @@ void add_percent(vtkPolyData *faces)
   faces->GetCellData()->SetScalars(percent);
 }
 
-void add_stones(vtkRenderer *renderer, vtkPolyData *faces,
-                vtkLookupTable *colours)
+void add_particles(vtkRenderer *renderer, vtkPolyData *faces,
+                   vtkLookupTable *colours)
 {
   add_percent(faces);
   vtkNew<vtkPolyDataNormals> smooth;
@@ -54,16 +54,16 @@ void add_stones(vtkRenderer *renderer, vtkPolyData *faces,
   mapper->SetScalarModeToUseCellData();
   mapper->SetLookupTable(colours);
   mapper->UseLookupTableScalarRangeOn();
-  vtkNew<vtkActor> stones;
-  stones->SetMapper(mapper);
-  stones->GetProperty()->SetAmbient(0.18);
-  stones->GetProperty()->SetDiffuse(0.85);
-  stones->GetProperty()->SetSpecular(0.06);
-  stones->GetProperty()->SetSpecularPower(12.);
-  renderer->AddActor(stones);
+  vtkNew<vtkActor> particles;
+  particles->SetMapper(mapper);
+  particles->GetProperty()->SetAmbient(0.18);
+  particles->GetProperty()->SetDiffuse(0.85);
+  particles->GetProperty()->SetSpecular(0.06);
+  particles->GetProperty()->SetSpecularPower(12.);
+  renderer->AddActor(particles);
 }
 
-/// Darkens the gaps between stones, which gives the picture its depth.
+/// Darkens the gaps between particles, which gives the picture its depth.
 void add_depth(vtkRenderer *renderer, double size)
 {
   vtkNew<vtkRenderStepsPass> steps;
@@ -81,7 +81,7 @@ vtkNew<vtkRenderer> specimen_renderer(const SpecimenFiles &specimen,
                                       vtkLookupTable *colours)
 {
   vtkNew<vtkRenderer> renderer = white_renderer();
-  add_stones(renderer, faces, colours);
+  add_particles(renderer, faces, colours);
   if (!specimen.sheet.empty())
     add_sheet(renderer, read_faces(specimen.sheet));
   add_lights(renderer);
@@ -99,13 +99,13 @@ Picture render_specimens(std::span<const SpecimenFiles> specimens,
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   const vtkNew<vtkLookupTable> colours = loss_colours(max_loss);
-  Shapes stones, all_faces;
+  Shapes particles, all_faces;
   for (const SpecimenFiles &specimen : specimens)
   {
-    stones.push_back(read_faces(specimen.surfaces));
-    if (stones.back()->GetNumberOfCells() == 0)
-      return {"", specimen.surfaces + " cannot be read or has no stones."};
-    all_faces.emplace_back()->ShallowCopy(stones.back());
+    particles.push_back(read_faces(specimen.surfaces));
+    if (particles.back()->GetNumberOfCells() == 0)
+      return {"", specimen.surfaces + " cannot be read or has no particles."};
+    all_faces.emplace_back()->ShallowCopy(particles.back());
     if (!specimen.sheet.empty())
       all_faces.push_back(read_faces(specimen.sheet));
   }
@@ -117,7 +117,7 @@ Picture render_specimens(std::span<const SpecimenFiles> specimens,
   for (std::size_t k = 0; k < specimens.size(); ++k)
   {
     const vtkNew<vtkRenderer> renderer =
-        specimen_renderer(specimens[k], stones[k], colours);
+        specimen_renderer(specimens[k], particles[k], colours);
     renderer->SetActiveCamera(camera);
     renderer->ResetCameraClippingRange();
     add_depth(renderer, size);

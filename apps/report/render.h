@@ -14,8 +14,8 @@ struct Picture
   int width = 0;       ///< [px]
 };
 
-/// The specimens side by side from one point of view, stones coloured by loss
-/// from 0 to max_loss, with a colour bar. Needs EGL, no display.
+/// The specimens side by side from one point of view, particles coloured by
+/// loss from 0 to max_loss, with a colour bar. Needs EGL, no display.
 Picture render_specimens(std::span<const SpecimenFiles> specimens,
                          double max_loss);
 } // namespace spall

@@ -28,7 +28,7 @@ std::map<double, Table> roundness_tables(const std::string &folder)
   return tables;
 }
 
-/// Share of the stones whose roundness is smaller.
+/// Share of the particles whose roundness is smaller.
 void add_distribution(const Table &table, Curve curve, Chart &chart)
 {
   const Column *roundness = table.find("roundness_1");
@@ -46,8 +46,8 @@ void add_distribution(const Table &table, Curve curve, Chart &chart)
 Chart roundness_chart(std::span<const RunData> runs)
 {
   Chart chart{"roundness_distribution",
-              "Roundness of the stones: share of their number below.",
-              "Roundness Rg (–)", "Stones below (%)"};
+              "Roundness of the particles: share of their number below.",
+              "Roundness Rg (–)", "Particles below (%)"};
   for (std::size_t k = 0; k < runs.size(); ++k)
   {
     const auto tables = roundness_tables(runs[k].folder);

@@ -7,7 +7,7 @@
 
 namespace spall
 {
-/// Roundness of the stones from roundness_50s.csv and so on: all times of one
-/// run, or the last of several. A note where there is none.
+/// Roundness of the particles from roundness_50s.csv and so on: all times of
+/// one run, or the last of several. A note where there is none.
 Chart roundness_chart(std::span<const RunData> runs);
 } // namespace spall

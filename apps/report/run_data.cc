@@ -10,12 +10,22 @@
 #include <limits>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace spall
 {
 namespace
 {
 namespace fs = std::filesystem;
+
+/// Columns and keys of the summary in files of earlier releases.
+constexpr std::pair<const char *, const char *> old_columns[] = {
+    {"shape_work_J", "non_conservative_work_J"},
+    {"ball_radius_m", "equivalent_radius_m"},
+    {"stone_velocity_peak_m_per_s", "particle_velocity_peak_m_per_s"},
+    {"stone_velocity_rms_m_per_s", "particle_velocity_rms_m_per_s"},
+    {"n_stones", "n_particles"},
+};
 
 std::vector<std::string> split(const std::string &line)
 {
@@ -90,7 +100,13 @@ void read_summary(const fs::path &folder, RunData &run)
   const auto read = nlohmann::ordered_json::parse(
       read_text(folder / "summary.json"), nullptr, false);
   if (read.is_object())
-    run.summary = read;
+    for (const auto &[key, value] : read.items())
+    {
+      const auto old = std::ranges::find(old_columns, key,
+                                         [](const auto &names)
+                                         { return std::string(names.first); });
+      run.summary[old == std::end(old_columns) ? key : old->second] = value;
+    }
   else
     run.notes.push_back("summary.json is not valid JSON and was left out.");
 }
@@ -126,8 +142,8 @@ Table read_table(const std::string &path)
     throw InputError(path + ": cannot be read or has no header line");
   Table table;
   table.names = split(line);
-  std::ranges::replace(table.names, "shape_work_J", // deprecated
-                       "non_conservative_work_J");
+  for (const auto &[old, present] : old_columns)
+    std::ranges::replace(table.names, std::string(old), std::string(present));
   table.columns.resize(table.names.size());
   for (std::vector<double> row; std::getline(in, line);)
   {

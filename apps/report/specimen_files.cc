@@ -94,7 +94,7 @@ vtkNew<vtkPolyData> read_lines(const std::string &path)
 std::vector<SpecimenFiles> find_specimens(const std::string &folder)
 {
   const auto surfaces = frames_of(folder, "surfaces");
-  std::map<int, std::string> sheets; // what stands round or on the stones
+  std::map<int, std::string> sheets; // what stands round or on the particles
   for (const char *name : {"membrane", "plate", "drum"})
     if (sheets.empty())
       sheets = frames_of(folder, name);
@@ -126,7 +126,7 @@ double loss_scale(std::span<const SpecimenFiles> specimens)
   for (std::size_t k = 0; k < values.size(); ++k)
     values[k] = loss->GetTuple1(static_cast<vtkIdType>(k));
   std::sort(values.begin(), values.end());
-  // Stones have equally many triangles, so these are shares of stones.
+  // Particles have equally many triangles, so these are shares of particles.
   const double high = std::max(smallest, values[values.size() * 98 / 100]);
   const double decade = std::pow(10., std::floor(std::log10(high)));
   for (const double digit : {1., 2., 5.})

@@ -20,7 +20,7 @@ struct SpecimenFiles
 /// First and last frame with surfaces of a run folder; none, one or two.
 std::vector<SpecimenFiles> find_specimens(const std::string &folder);
 
-/// Upper end of the colour bar: the loss that 98 % of the stones stay below,
+/// Upper end of the colour bar: the loss that 98 % of the particles stay below,
 /// rounded up, in the last of these frames [-].
 double loss_scale(std::span<const SpecimenFiles> specimens);
 

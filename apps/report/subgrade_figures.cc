@@ -115,15 +115,16 @@ Table part_of(const Table &table, double part)
 
 Chart profile_chart(std::span<const RunData> runs)
 {
-  Chart chart{"velocity_profile",
-              "Particle velocity over height, the top of the subgrade at zero: "
-              "of the stones below the plate, root mean square and peak over "
-              "the loading, and peak of the subgrade below its middle.",
-              "", "Height (m)"};
-  std::vector<Table> stones, ground;
+  Chart chart{
+      "velocity_profile",
+      "Particle velocity over height, the top of the subgrade at zero: "
+      "of the particles below the plate, root mean square and peak over "
+      "the loading, and peak of the subgrade below its middle.",
+      "", "Height (m)"};
+  std::vector<Table> particles, ground;
   for (const Table &table : tables_named(runs, "profile.csv"))
   {
-    stones.push_back(part_of(table, 0.));
+    particles.push_back(part_of(table, 0.));
     ground.push_back(part_of(table, 1.));
   }
   // Height is drawn upward: the columns change places.
@@ -142,8 +143,8 @@ Chart profile_chart(std::span<const RunData> runs)
     }
     chart.x_label = axes.x_label;
   };
-  add(stones, "velocity_rms_m_per_s", "stones, rms", 0);
-  add(stones, "velocity_peak_m_per_s", "stones, peak", 1);
+  add(particles, "velocity_rms_m_per_s", "particles, rms", 0);
+  add(particles, "velocity_peak_m_per_s", "particles, peak", 1);
   add(ground, "velocity_peak_m_per_s", "subgrade, peak", 2);
   return chart;
 }
@@ -176,10 +177,11 @@ Chart transfer_chart(std::span<const RunData> runs)
 
 Chart energy_chart(std::span<const RunData> runs)
 {
-  Chart chart{"energies",
-              "Energies: work of weight, plate and pulses, and where it has "
-              "gone, from the first stone on. Elastic: stones and subgrade.",
-              "", "Energy (J)"};
+  Chart chart{
+      "energies",
+      "Energies: work of weight, plate and pulses, and where it has "
+      "gone, from the first particle on. Elastic: particles and subgrade.",
+      "", "Energy (J)"};
   add_lines(runs, histories(runs), over_time,
             {{"external_work_J", "external work"},
              {"friction_dissipation_J", "friction"},
@@ -211,26 +213,27 @@ std::vector<TimeChart> time_charts()
        {{"plate_settlement_m", "plate"},
         {"subgrade_settlement_m", "subgrade"}}},
       {"forces",
-       "Pulses on the plate, and what the stones press on plate and subgrade.",
+       "Pulses on the plate, and what the particles press on plate and "
+       "subgrade.",
        "Force (kN)",
        1e-3,
        {{"load_N", "pulses"},
-        {"plate_force_N", "stones on plate"},
-        {"subgrade_force_N", "stones on subgrade"}}},
+        {"plate_force_N", "particles on plate"},
+        {"subgrade_force_N", "particles on subgrade"}}},
       {"velocities",
        "Velocity of plate and subgrade, downward.",
        "Velocity (mm/s)",
        1e3,
        {{"plate_velocity_m_per_s", "plate"},
         {"subgrade_velocity_m_per_s", "subgrade"}}},
-      {"stone_velocity",
-       "Speed of the stones: root mean square of all, and the fastest.",
+      {"particle_velocity",
+       "Speed of the particles: root mean square of all, and the fastest.",
        "Speed (mm/s)",
        1e3,
-       {{"stone_velocity_rms_m_per_s", "rms"},
-        {"stone_velocity_peak_m_per_s", "fastest"}}},
+       {{"particle_velocity_rms_m_per_s", "rms"},
+        {"particle_velocity_peak_m_per_s", "fastest"}}},
       {"coordination_number",
-       "Mechanical coordination number of the stones.",
+       "Mechanical coordination number of the particles.",
        "Coordination number (–)",
        1.,
        {{"coordination_number_1", ""}}},

@@ -93,9 +93,9 @@ constexpr Headline subgrade_headlines[]{
      [](const RunData &run)
      { return 1e3 * number(run.summary, "subgrade_settlement_peak_m"); },
      false},
-    {"Fastest stone", " mm/s",
+    {"Fastest particle", " mm/s",
      [](const RunData &run)
-     { return 1e3 * number(run.summary, "stone_velocity_peak_m_per_s"); },
+     { return 1e3 * number(run.summary, "particle_velocity_peak_m_per_s"); },
      false}};
 
 /// Those of the kind of the first run.
@@ -157,10 +157,10 @@ double in_preparation(const Json &summary, const std::string &key)
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string stones(const Json &summary)
+std::string particles(const Json &summary)
 {
-  return text_of(summary, "n_stones") + " (" + text_of(summary, "n_breakable") +
-         " breakable)";
+  return text_of(summary, "n_particles") + " (" +
+         text_of(summary, "n_breakable") + " breakable)";
 }
 
 /// A number of the summary at the start and at the end of the loading.
@@ -202,7 +202,7 @@ std::vector<Row> summary_rows()
   return {
       text_row("Title", "title"),
       text_row("Lateral boundary", "lateral"),
-      {"Stones", [](const RunData &run) { return stones(run.summary); }},
+      {"Particles", [](const RunData &run) { return particles(run.summary); }},
       number_row("Volume of solids (cm³)", "solid_volume_m3", 1e6, 4),
       number_row("Initial porosity (–)", "initial_porosity"),
       {"Prepared stress x / y / z (kPa)",
@@ -229,7 +229,7 @@ std::vector<Row> summary_rows()
       number_row("Damping ratio, last cycle (–)", "damping_ratio_1"),
       number_row("Change of the mean contact force (%)",
                  "mean_contact_force_change_1", 100.),
-      {"Stones in force chains, at rest / under load (%)",
+      {"Particles in force chains, at rest / under load (%)",
        [](const RunData &run)
        {
          return number_pair(run.summary, "force_chain_share_1",

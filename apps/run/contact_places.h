@@ -13,7 +13,7 @@ inline void add_contact_places(const dem::Engine &engine,
 {
   if (!engine.particles().follows_surfaces)
     return;
-  const dem::SpotEvents &places = engine.spot_events();
+  const dem::ContactPointEvents &places = engine.contact_point_events();
   summary["contact_places"] = {
       {"searches", places.n_scans},  {"found_late", places.n_late},
       {"jumped", places.n_jumps},    {"ended", places.n_ended},

@@ -8,14 +8,14 @@ std::string events_header(const std::string &progress)
          ",particle_1,other_1,kind_1,mode_1,force_before_N,"
          "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"
          "released_energy_J,removed_volume_m3,kernel_width_rad,depth_m,"
-         "ball_radius_m";
+         "equivalent_radius_m";
 }
 
 std::vector<double> event_row(const dem::BreakageEvent &e, double progress)
 {
   return {e.time,
           progress,
-          static_cast<double>(e.stone),
+          static_cast<double>(e.particle),
           static_cast<double>(e.other),
           static_cast<double>(e.kind),
           static_cast<double>(e.mode),
@@ -28,6 +28,6 @@ std::vector<double> event_row(const dem::BreakageEvent &e, double progress)
           e.removed_volume,
           e.width,
           e.depth,
-          e.ball_radius};
+          e.equivalent_radius};
 }
 } // namespace spall

@@ -131,12 +131,12 @@ void print_predicted(double duration, const MeanStep &step)
               step.cost * n, n, step.length, 1e3 * step.cost);
 }
 
-MeanStep time_stones(dem::Engine &engine, double length)
+MeanStep time_particles(dem::Engine &engine, double length)
 {
   const Stopwatch watch;
   int n = 0;
   for (; n == 0 || watch.seconds() < 0.1 * half; ++n)
-    engine.advance_unseen(length);
+    engine.advance_deferred(length);
   return {length, watch.seconds() / n};
 }
 

@@ -51,8 +51,8 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
 /// The line for a test of this length after its preparation [s].
 void print_predicted(double duration, const MeanStep &step);
 
-/// Steps of the stones alone, of this length [s], for half a second.
-MeanStep time_stones(dem::Engine &engine, double length);
+/// Steps of the particles alone, of this length [s], for half a second.
+MeanStep time_particles(dem::Engine &engine, double length);
 
 /// And for its preparation, of this length in such steps [s].
 void print_preparing(double duration, const MeanStep &step);

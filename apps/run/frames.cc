@@ -25,13 +25,13 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
         continue;
       const dem::Vec3 &from =
           engine.particles().position(static_cast<std::size_t>(batch.a[k]));
-      const dem::Vec3 to = kind == dem::ContactKind::stone_stone
+      const dem::Vec3 to = kind == dem::ContactKind::particle_particle
                                ? engine.particles().position(
                                      static_cast<std::size_t>(batch.b[k]))
                                : dem::wall_contact_point(engine, batch, k);
       const dem::Vec3 n = (to - from).normalized();
       const dem::Vec3 force =
-          kind == dem::ContactKind::stone_stone
+          kind == dem::ContactKind::particle_particle
               ? dem::pair_force(engine.particles(), batch, k)
               : batch.load[k].force;
       lines.push_back({from, to, -force.dot(n),
@@ -39,11 +39,11 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
                        kind});
     }
   };
-  add(engine.pairs(), dem::ContactKind::stone_stone);
-  add(engine.on_planes(), dem::ContactKind::stone_plane);
-  add(engine.on_drum(), dem::ContactKind::stone_plane);
+  add(engine.pairs(), dem::ContactKind::particle_particle);
+  add(engine.on_planes(), dem::ContactKind::particle_plane);
+  add(engine.on_drum(), dem::ContactKind::particle_plane);
   for (const dem::SurfaceContacts &facets : engine.surfaces())
-    add(facets.batch, dem::ContactKind::stone_facet);
+    add(facets.batch, dem::ContactKind::particle_facet);
   return lines;
 }
 
@@ -66,20 +66,20 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
 {
   if (entries.empty())
     copy_view(folder);
-  const dem::Particles &stones = engine.particles();
-  std::vector<double> loss(stones.size());
+  const dem::ParticleSystem &particles = engine.particles();
+  std::vector<double> loss(particles.size());
   for (std::size_t i = 0; i < loss.size(); ++i)
-    loss[i] = 1. - stones.mass(i) / stones.initial_mass[i];
-  using dem::StoneState;
-  const auto position = stones.column(&StoneState::position),
-             velocity = stones.column(&StoneState::velocity),
-             spin = stones.column(&StoneState::spin);
-  const auto orientation = stones.column(&StoneState::orientation);
-  const auto radius = stones.column(&StoneState::radius),
-             mass = stones.column(&StoneState::mass);
-  const dem::ParticleColumns columns{stones.id, position,    velocity,
-                                     spin,      orientation, stones.body,
-                                     radius,    mass,        loss};
+    loss[i] = 1. - particles.mass(i) / particles.initial_mass[i];
+  using dem::ParticleState;
+  const auto position = particles.column(&ParticleState::position),
+             velocity = particles.column(&ParticleState::velocity),
+             spin = particles.column(&ParticleState::spin);
+  const auto orientation = particles.column(&ParticleState::orientation);
+  const auto radius = particles.column(&ParticleState::radius),
+             mass = particles.column(&ParticleState::mass);
+  const dem::ParticleColumns columns{particles.id, position,    velocity,
+                                     spin,         orientation, particles.shape,
+                                     radius,       mass,        loss};
   using Path = const std::string &;
   const auto add =
       [&](int part, const char *label, const std::function<void(Path)> &write)

@@ -23,7 +23,7 @@ struct FrameBody
 struct FrameParts
 {
   const fem::Membrane *membrane = nullptr; ///< null: none
-  bool has_surfaces = false;               ///< true surfaces of the stones
+  bool has_surfaces = false;               ///< true surfaces of the particles
   std::vector<FrameBody> bodies = {};
 };
 

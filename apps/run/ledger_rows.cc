@@ -62,7 +62,7 @@ void add_ledger(const coupling::Exchange &exchange,
       {"impulse_taken_Ns", triple(sums.impulse_taken)},
       {"impulse_residual_1", sums.impulse_residual()},
       {"passes_per_window_1", per_window(exchange.n_passes())},
-      {"steps_per_window_1", per_window(exchange.n_stone_steps())},
+      {"steps_per_window_1", per_window(exchange.n_particle_steps())},
       {"n_unsettled_windows", exchange.n_unsettled()}};
 }
 } // namespace spall

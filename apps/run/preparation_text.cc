@@ -12,17 +12,18 @@ namespace spall
 {
 namespace
 {
-/// Stones do not break yet.
+/// Particles do not break yet.
 constexpr CaseKey always_deciding[] = {
-    {"Stone", "density"},
-    {"Stone", "shear_modulus"},
-    {"Stone", "poisson_ratio"},
-    {"Stone", "rolling_friction"},
-    {"Stone", "normal_damping"},
-    {"Stone", "shear_damping"},
+    {"Particle", "density"},
+    {"Particle", "shear_modulus"},
+    {"Particle", "poisson_ratio"},
+    {"Particle", "rolling_friction"},
+    {"Particle", "normal_damping"},
+    {"Particle", "shear_damping"},
     {"Wall"},
     {"Contact"},
-    // Which stones may break is of the stone, and so is its smallest sphere.
+    // Which particles may break is of the particle, and so is its smallest
+    // sphere.
     {"Breakage", "min_diameter"},
     {"Breakage", "inscribed"},
     {"Breakage", "quadrature_rings"},
@@ -39,7 +40,7 @@ constexpr CaseKey always_later[] = {
     {"MembraneContact"},
     {"Breakage", "is_active"},
     {"Breakage", "fracture_energy"},
-    {"Breakage", "min_ball_radius"},
+    {"Breakage", "min_equivalent_radius"},
     {"Breakage", "kernel_floor"},
     {"Breakage", "kernel_scale"},
     {"Breakage", "hysteresis"},
@@ -88,7 +89,7 @@ bool has_no_use(const Case &of, const Parameter &parameter, bool has_own_steps)
   if (CaseKey{"Breakage", "quadrature_rings"}.names(parameter))
     return of.breakage.inscribed == dem::InscribedSphereAt::origin;
   if (CaseKey{"Contact", "refresh_tolerance"}.names(parameter) ||
-      CaseKey{"Contact", "search_margin"}.names(parameter))
+      CaseKey{"Contact", "skin"}.names(parameter))
     return has_own_steps;
   if (CaseKey{"Contact", "overlap_warning"}.names(parameter) ||
       CaseKey{"Contact", "overlap_stop"}.names(parameter))

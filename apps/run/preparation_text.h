@@ -21,9 +21,9 @@ struct CaseKey
   }
 };
 
-/// Keys that decide the stones of a test when they are prepared, and those that
-/// come into play only afterwards or never touch what is computed. A test's
-/// own are added to what all kinds have in common.
+/// Keys that decide the particles of a test when they are prepared, and those
+/// that come into play only afterwards or never touch what is computed. A
+/// test's own are added to what all kinds have in common.
 struct PreparationKeys
 {
   PreparationKeys(std::span<const CaseKey> own_deciding,
@@ -34,12 +34,12 @@ struct PreparationKeys
 
 bool lists(std::span<const CaseKey> keys, const Parameter &parameter);
 
-/// What decides the prepared stones, one line each: the version, then the
+/// What decides the prepared particles, one line each: the version, then the
 /// deciding keys; of the keys `gradation` and `shapes`, which name files, their
 /// contents. Left out is what the case has no use for: by `is_unused`, and of
 /// the steps what Time does not ask for, or all of it and the tolerances of
 /// Contact where the preparation has its own (`own_safety` > 0). The same text,
-/// the same stones bit for bit.
+/// the same particles bit for bit.
 std::string
 preparation_text(const Case &parameters, const PreparationKeys &keys,
                  const ShapeLibrary &shapes, double own_safety,

@@ -4,8 +4,8 @@
 
 namespace spall
 {
-/// Watches for breakage events that are refused, because a stone would have
-/// lost r > 0: those stones keep their shape.
+/// Watches for breakage events that are refused, because a particle would have
+/// lost r > 0: those particles keep their shape.
 class Refusals
 {
 public:

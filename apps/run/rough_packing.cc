@@ -18,9 +18,9 @@ constexpr double thinner = 0.8;   // one solid fraction over the next [-]
 constexpr double thinnest = 0.01; // solid fraction [-]
 
 /// May throw std::runtime_error.
-std::vector<dem::Placement> shrunk_cloud(std::span<const dem::Body> stones,
-                                         const dem::Room &room, double height,
-                                         double shrink)
+std::vector<dem::Placement>
+shrunk_cloud(std::span<const dem::ParticleShape> particles,
+             const dem::Room &room, double height, double shrink)
 {
   const dem::Vec3 half(0.5 * room.width_x, 0.5 * room.width_y, 0.);
   dem::InsertionBox cloud;
@@ -29,7 +29,7 @@ std::vector<dem::Placement> shrunk_cloud(std::span<const dem::Body> stones,
   cloud.is_round = room.is_round;
   dem::Random random(1);
   std::vector<dem::Placement> places =
-      dem::insert_stones(stones, cloud, random);
+      dem::insert_particles(particles, cloud, random);
   for (dem::Placement &place : places)
     place.position = room.floor + shrink * place.position;
   return places;
@@ -44,23 +44,23 @@ void run_a_little(dem::Engine &engine, double longest_step,
   for (int k = 0; k < n_between; ++k)
   {
     steer(step);
-    engine.advance_unseen(step);
+    engine.advance_deferred(step);
   }
 }
 } // namespace
 
-std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
-                                  const dem::Room &room, double height,
-                                  double solid_fraction)
+std::vector<dem::Placement>
+dense_packing(std::span<const dem::ParticleShape> particles,
+              const dem::Room &room, double height, double solid_fraction)
 {
   double volume = 0.;
-  for (const dem::Body &stone : stones)
-    volume += stone.volume;
+  for (const dem::ParticleShape &particle : particles)
+    volume += particle.volume;
   const double dense = volume / (room.section() * height);
   for (double fraction = solid_fraction;; fraction *= thinner)
     try
     {
-      return shrunk_cloud(stones, room, height, std::cbrt(fraction / dense));
+      return shrunk_cloud(particles, room, height, std::cbrt(fraction / dense));
     }
     catch (const std::runtime_error &)
     {
@@ -72,8 +72,8 @@ std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
 void relax(dem::Engine &engine, double longest_step, int n_rounds)
 {
   constexpr double frozen = 1e-15; // [s]
-  engine.let_strays_go();
-  engine.advance_unseen(frozen); // finds the contacts
+  engine.allow_escape();
+  engine.advance_deferred(frozen); // finds the contacts
   const Stopwatch spent;
   for (int round = 0; round < n_rounds && spent.seconds() < patience; ++round)
   {

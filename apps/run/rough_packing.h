@@ -10,15 +10,15 @@
 
 namespace spall
 {
-// Stones packed in seconds, to see what steps cost: what is measured in such a
-// packing is worth nothing.
+// Particles packed in seconds, to see what steps cost: what is measured in such
+// a packing is worth nothing.
 
 /// Places at random in a room that is full up to a height [m], not free of
-/// overlap: of a cloud of this solid fraction, or a thinner one if stones do
+/// overlap: of a cloud of this solid fraction, or a thinner one if particles do
 /// not find a place, drawn together. Throws std::runtime_error if none does.
-std::vector<dem::Placement> crowd(std::span<const dem::Body> stones,
-                                  const dem::Room &room, double height,
-                                  double solid_fraction);
+std::vector<dem::Placement>
+dense_packing(std::span<const dem::ParticleShape> particles,
+              const dem::Room &room, double height, double solid_fraction);
 
 /// Overlaps of a random packing go until hardly any are left; steps are as long
 /// as contacts allow and at most this long [s].
@@ -30,8 +30,8 @@ bool run_roughly(dem::Engine &engine, double longest_step,
                  const std::function<void(double)> &steer,
                  const std::function<bool()> &is_over);
 
-/// A plane comes down from above the stones until they carry the load [N], and
-/// stays there.
+/// A plane comes down from above the particles until they carry the load [N],
+/// and stays there.
 void press(dem::Engine &engine, std::size_t plane, double load,
            double longest_step);
 } // namespace spall

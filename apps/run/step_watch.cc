@@ -16,7 +16,7 @@ namespace spall
 namespace
 {
 /// Steps between two looks, windows where a window has several.
-constexpr std::int64_t look_interval = 200, fixed_interval = 1000;
+constexpr std::int64_t check_interval = 200, fixed_interval = 1000;
 /// Looks between two questions for the frequency of the membrane.
 constexpr std::int64_t membrane_interval = 15;
 /// The frequency of the membrane may have grown by this since [-].
@@ -62,7 +62,7 @@ void StepWatch::set_cap(double cap_of_step)
 
 bool StepWatch::is_due(std::int64_t n_steps) const
 {
-  return n_steps % (is_fixed() ? fixed_interval : look_interval) == 0;
+  return n_steps % (is_fixed() ? fixed_interval : check_interval) == 0;
 }
 
 dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
@@ -84,10 +84,10 @@ void StepWatch::look(const dem::Engine &engine, const Surroundings &around,
                      double present_step)
 {
   const auto start = std::chrono::steady_clock::now();
-  // What the stones may reach before the next look.
+  // What the particles may reach before the next look.
   const double horizon = is_fixed() ? 0.
-                                    : static_cast<double>(look_interval) *
-                                          around.stone_steps * present_step;
+                                    : static_cast<double>(check_interval) *
+                                          around.particle_steps * present_step;
   const dem::SpringNetwork network = springs(engine, around, horizon);
   ++record.n_checks;
   dem::NetworkStep bound = dem::guaranteed_step(network);
@@ -108,7 +108,8 @@ double StepWatch::gain_step(const dem::Engine &engine,
       around.exchange->rule() != coupling::ExchangeRule::one_pass ||
       around.exchange->has_contact_tangent())
     return std::numeric_limits<double>::infinity();
-  const double gain = around.exchange->gain(engine, around.stone_steps * step);
+  const double gain =
+      around.exchange->gain(engine, around.particle_steps * step);
   const double limit = around.gain.one_pass_limit;
   if (gain > 1.)
     throw RunFailure(line("exchange gain %.3g at %.5f s, above 1 with "
@@ -188,9 +189,10 @@ void StepWatch::allow(const dem::SpringNetwork &network,
   record.said = record.longest;
   say(line("%.5f s: steps of up to %.3g s, limit %.3g s: ", time,
            record.longest, std::min(record.limit, resolving),
-           resolving < safe   ? describe(network.impact)
-           : bound.step < cap ? dem::describe_body(network, bound.body)
-                              : "any stone by itself, or one membrane node"));
+           resolving < safe ? describe(network.impact)
+           : bound.step < cap
+               ? dem::describe_body(network, bound.body)
+               : "any particle by itself, or one membrane node"));
 }
 
 void StepWatch::note_used(double step)

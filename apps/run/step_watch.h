@@ -23,13 +23,13 @@ struct StepRecord
   double shortest_used = 0., longest_used = 0.; ///< while loading [s]
 };
 
-/// What moves around the stones.
+/// What moves around the particles.
 struct Surroundings
 {
-  const coupling::Exchange *exchange = nullptr; ///< null: planes only
-  const coupling::Body *membrane = nullptr;     ///< the body that has it
+  const coupling::Exchange *exchange = nullptr;       ///< null: planes only
+  const coupling::DeformableBody *membrane = nullptr; ///< the body that has it
   coupling::WindowGain gain; ///< at setup, for the limit of one pass
-  int stone_steps = 1;       ///< of a window
+  int particle_steps = 1;    ///< of a window
 
   bool has_membrane() const { return membrane != nullptr; }
 };
@@ -38,7 +38,7 @@ struct Surroundings
 class StepWatch
 {
 public:
-  /// `cap`: longest step for any single stone that meets a wall, and for one
+  /// `cap`: longest step for any single particle that meets a wall, and for one
   /// contact on a membrane node [s].
   StepWatch(const TimeParameters &parameters, double cap);
 
@@ -49,7 +49,7 @@ public:
   /// the rule fixed a step above the limit is said in the log.
   void look(const dem::Engine &engine, const Surroundings &around,
             double present_step);
-  /// Says what the present contacts allow: bound, sharp limit, which stone.
+  /// Says what the present contacts allow: bound, sharp limit, which particle.
   /// Throws RunFailure where a fixed step is above the sharp limit, unless
   /// Time/allow_unstable_step says so.
   void report(const dem::Engine &engine, const Surroundings &around,

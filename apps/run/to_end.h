@@ -37,7 +37,7 @@ void run_to_end(Test &test, Recorder &recorder, const Loop &loop)
     throw RunFailure(
         std::string(stop.what()) + ", above Contact/overlap_stop = " +
         number_text(test.engine().parameters().geometry.overlap.stop) +
-        ": stiffer contacts (Stone/shear_modulus, Wall/normal_stiffness), a "
+        ": stiffer contacts (Particle/shear_modulus, Wall/normal_stiffness), a "
         "lower load or a shorter step; last checkpoint: " +
         last());
   }

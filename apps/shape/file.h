@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 
 namespace spall
 {
-/// spall shape generate: writes stones with the statistics of a sample and
+/// spall shape generate: writes particles with the statistics of a sample and
 /// prints the figures of both side by side.
 int generate_shapes(const ShapeWords &words);
 } // namespace spall

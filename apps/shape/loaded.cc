@@ -2,7 +2,7 @@
 
 #include "errors.h"
 
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 #include <dem/shape/recentre.h>
 #include <dem/shape/ringing.h>
 
@@ -30,9 +30,9 @@ std::string percent(double share)
 
 void require_radius(const ShapeFile &shape, const dem::Coefficients &series)
 {
-  const double mean = series[0] * dem::ball_radius_factor;
+  const double mean = series[0] * dem::equivalent_radius_factor;
   const double least =
-      mean > 0. ? dem::own_body(series).least_radius / mean : 0.;
+      mean > 0. ? dem::shape_of(series).least_radius / mean : 0.;
   if (!(least > 0.))
     throw InputError(shape.path + ": at order " +
                      std::to_string(dem::order_of(series.size())) +

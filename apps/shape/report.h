@@ -1,7 +1,7 @@
 #pragma once
 
-#include <dem/shape/body.h>
 #include <dem/shape/fit.h>
+#include <dem/shape/particle_shape.h>
 
 #include <string>
 #include <vector>

@@ -21,7 +21,7 @@ struct ShapeWords
   dem::FitOptions fit;
   /// Share of length or volume of a mesh that a fit may miss [-].
   double max_misfit = 0.15;
-  int count = 0; ///< stones to generate [-]
+  int count = 0; ///< particles to generate [-]
   std::uint64_t seed = 0;
   bool has_order = false, has_unit = false, has_fit = false, has_seed = false;
 };

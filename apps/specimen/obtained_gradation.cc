@@ -73,7 +73,8 @@ ObtainedGradation asked_gradation(const Gradation &table)
 
 /// Diameter and mass of the particles [m, kg], from the smallest; steel balls
 /// are left out.
-std::vector<std::pair<double, double>> sizes_of(const dem::Particles &particles)
+std::vector<std::pair<double, double>>
+sizes_of(const dem::ParticleSystem &particles)
 {
   std::vector<std::pair<double, double>> sizes;
   for (std::size_t i = 0; i < particles.size(); ++i)
@@ -84,16 +85,17 @@ std::vector<std::pair<double, double>> sizes_of(const dem::Particles &particles)
 }
 } // namespace
 
-std::vector<dem::Body> draw_particles(const Case &c, double solid_volume,
-                                      const ShapeLibrary &shapes,
-                                      dem::Random &random)
+std::vector<dem::ParticleShape> draw_particles(const Case &c,
+                                               double solid_volume,
+                                               const ShapeLibrary &shapes,
+                                               dem::Random &random)
 {
   const GradationKey key = gradation_key(c).value();
   const Gradation table = read_table_of(c, key);
   try
   {
-    return dem::draw_stones({table.diameter, table.passing}, solid_volume,
-                            shapes, random);
+    return dem::draw_particles({table.diameter, table.passing}, solid_volume,
+                               shapes, random);
   }
   catch (const std::invalid_argument &error)
   {
@@ -112,7 +114,7 @@ double ObtainedGradation::largest_difference() const
 }
 
 std::optional<ObtainedGradation>
-obtained_gradation(const Case &c, const dem::Particles &as_drawn)
+obtained_gradation(const Case &c, const dem::ParticleSystem &as_drawn)
 {
   const auto key = gradation_key(c);
   const auto sizes = sizes_of(as_drawn);
@@ -130,7 +132,7 @@ obtained_gradation(const Case &c, const dem::Particles &as_drawn)
     for (; next < sizes.size() && sizes[next].first <= opening; ++next)
       finer += sizes[next].second;
     rows.obtained.push_back(finer / mass);
-    rows.one_particle.push_back(c.stone.density * std::numbers::pi / 6. *
+    rows.one_particle.push_back(c.particle.density * std::numbers::pi / 6. *
                                 std::pow(diameter, 3) / mass);
   }
   return rows;

@@ -13,10 +13,10 @@ namespace spall
 {
 /// Draws particles of this volume [m^3] by the gradation of a case, largest
 /// first. Throws InputError.
-std::vector<dem::Body> draw_particles(const Case &parameters,
-                                      double solid_volume,
-                                      const ShapeLibrary &shapes,
-                                      dem::Random &random);
+std::vector<dem::ParticleShape> draw_particles(const Case &parameters,
+                                               double solid_volume,
+                                               const ShapeLibrary &shapes,
+                                               dem::Random &random);
 
 /// Gradation of the particles as drawn beside that of the table, at its sieves
 /// and between them.
@@ -34,7 +34,7 @@ struct ObtainedGradation
 /// Of the particles of a case before any has broken. Their size is twice the
 /// mean radius. Empty for a kind without gradation.
 std::optional<ObtainedGradation>
-obtained_gradation(const Case &parameters, const dem::Particles &as_drawn);
+obtained_gradation(const Case &parameters, const dem::ParticleSystem &as_drawn);
 
 inline constexpr const char *gradation_file = "gradation.csv";
 

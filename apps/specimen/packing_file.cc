@@ -81,8 +81,8 @@ void take_comment(Packing &packing, const std::string &row,
   packing.box = {sides[0], sides[1], sides[2]};
 }
 
-void add_stone(Packing &packing, const std::string &row,
-               const std::string &place, bool is_turned)
+void add_particle(Packing &packing, const std::string &row,
+                  const std::string &place, bool is_turned)
 {
   std::vector<double> v;
   try
@@ -115,8 +115,8 @@ void require_inside(const Packing &packing, const std::string &path)
   for (std::size_t k = 0; k < packing.size(); ++k)
     for (int d = 0; d < 3; ++d)
       if (const double x = packing.position[k][d]; x < 0. || x > packing.box[d])
-        throw InputError(path + ": stone " + std::to_string(k + 1) + " has " +
-                         "xyz"[d] + " = " + number_text(x) +
+        throw InputError(path + ": particle " + std::to_string(k + 1) +
+                         " has " + "xyz"[d] + " = " + number_text(x) +
                          " m: must be in the box, 0 to " +
                          number_text(packing.box[d]) + " m");
 }
@@ -149,7 +149,7 @@ Packing read_packing(const std::string &path)
     if (row.starts_with('#'))
       take_comment(packing, row, place);
     else if (has_header)
-      add_stone(packing, row, place, is_turned);
+      add_particle(packing, row, place, is_turned);
     else if (row == plain_header || row == turned_header)
     {
       has_header = true;
@@ -161,8 +161,8 @@ Packing read_packing(const std::string &path)
                        turned_header);
   }
   if (packing.size() == 0)
-    throw InputError(path + ": has no stones, must be " + plain_header +
-                     " and one row per stone");
+    throw InputError(path + ": has no particles, must be " + plain_header +
+                     " and one row per particle");
   if (packing.box.isZero())
     packing.box = dem::Vec3::Constant(side_of(packing));
   require_inside(packing, path);

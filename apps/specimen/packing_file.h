@@ -7,7 +7,7 @@
 
 namespace spall
 {
-/// Stones as a packing file has them, in a box from 0 to `box`.
+/// Particles as a packing file has them, in a box from 0 to `box`.
 struct Packing
 {
   dem::Vec3 box = dem::Vec3::Zero();        ///< upper corner [m]
@@ -19,16 +19,16 @@ struct Packing
 };
 
 /// Reads a CSV, plain or compressed by gzip: header `x,y,z,radius` or
-/// `x,y,z,radius,qw,qx,qy,qz`, one stone per row. A comment `# box LX LY LZ`
+/// `x,y,z,radius,qw,qx,qy,qz`, one particle per row. A comment `# box LX LY LZ`
 /// gives the box; without it the box is a cube whose side follows from the
-/// stones (side_of). Throws InputError with file, line and what is allowed.
+/// particles (side_of). Throws InputError with file, line and what is allowed.
 Packing read_packing(const std::string &path);
 
 /// With box and orientations, plain. Throws InputError if it cannot.
 void write_packing(const std::string &path, const Packing &packing);
 
-/// Side of the cube that stones in it press on alike from both ends: mean over
-/// the axes of how far they reach up less how far they reach below zero, to a
-/// tenth of a millimetre [m].
+/// Side of the cube that particles in it press on alike from both ends: mean
+/// over the axes of how far they reach up less how far they reach below zero,
+/// to a tenth of a millimetre [m].
 double side_of(const Packing &packing);
 } // namespace spall

@@ -30,17 +30,18 @@ ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
   return library;
 }
 
-dem::Particles unplaced_stones(const Case &parameters,
-                               const std::vector<dem::Body> &stones)
+dem::ParticleSystem
+unplaced_particles(const Case &parameters,
+                   const std::vector<dem::ParticleShape> &particles)
 {
-  dem::Particles all;
-  for (const dem::Body &stone : stones)
+  dem::ParticleSystem all;
+  for (const dem::ParticleShape &particle : particles)
   {
-    all.add(stone, dem::Vec3::Zero(), dem::Quaternion::Identity(),
-            parameters.stone.density);
+    all.add(particle, dem::Vec3::Zero(), dem::Quaternion::Identity(),
+            parameters.particle.density);
     all.is_breakable.back() =
-        stone.series && 2. * dem::mean_radius(stone) >=
-                            parameters.breakage.min_diameter * (1. - 1e-9);
+        particle.series && 2. * dem::mean_radius(particle) >=
+                               parameters.breakage.min_diameter * (1. - 1e-9);
   }
   return all;
 }
@@ -48,8 +49,8 @@ dem::Particles unplaced_stones(const Case &parameters,
 dem::EngineParameters engine_parameters(const Case &parameters)
 {
   dem::EngineParameters engine;
-  engine.stone = parameters.stone;
-  engine.stone.friction = parameters.preparation.friction;
+  engine.particle = parameters.particle;
+  engine.particle.friction = parameters.preparation.friction;
   engine.wall = parameters.wall;
   engine.surface = parameters.boundary.lateral == Lateral::membrane
                        ? parameters.membrane_contact
@@ -61,10 +62,10 @@ dem::EngineParameters engine_parameters(const Case &parameters)
   return engine;
 }
 
-double solid_volume(const dem::Particles &particles)
+double solid_volume(const dem::ParticleSystem &particles)
 {
   double sum = 0.;
-  for (const dem::Body &body : particles.body)
+  for (const dem::ParticleShape &body : particles.shape)
     sum += body.volume;
   return sum;
 }
@@ -101,7 +102,7 @@ fem::SurfaceMesh lateral_mesh(const Case &parameters, const dem::Vec3 &lower,
 
 namespace
 {
-/// Volume of the stones [m^3].
+/// Volume of the particles [m^3].
 double nominal_solid_volume(const SpecimenParameters &s)
 {
   if (s.form == SpecimenForm::box)
@@ -127,17 +128,17 @@ Specimen make_specimen(const Case &parameters)
   Specimen specimen;
   specimen.shapes = load_shapes(parameters, "Specimen", s.shapes, s.order);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
-  const std::vector<dem::Body> stones = draw_particles(
+  const std::vector<dem::ParticleShape> particles = draw_particles(
       parameters, nominal_solid_volume(s), specimen.shapes, random);
-  if (stones.empty())
+  if (particles.empty())
     throw InputError(parameters.file + ": Specimen/solid_fraction = " +
                      std::to_string(s.solid_fraction) +
-                     ": gives no room for a single stone of the gradation");
-  double volume = 0., smallest = stones.front().inscribed_radius;
-  for (const dem::Body &stone : stones)
+                     ": gives no room for a single particle of the gradation");
+  double volume = 0., smallest = particles.front().inscribed_radius;
+  for (const dem::ParticleShape &particle : particles)
   {
-    volume += stone.volume;
-    smallest = std::min(smallest, dem::mean_radius(stone));
+    volume += particle.volume;
+    smallest = std::min(smallest, dem::mean_radius(particle));
   }
   const dem::Vec3 lower = dem::Vec3::Zero(), upper = cloud_size(s, volume);
   const bool is_round = s.form == SpecimenForm::cylinder;
@@ -145,8 +146,8 @@ Specimen make_specimen(const Case &parameters)
   std::vector<dem::Placement> places;
   try
   {
-    places = dem::insert_stones(stones, {lower, upper, sees_surfaces, is_round},
-                                random);
+    places = dem::insert_particles(
+        particles, {lower, upper, sees_surfaces, is_round}, random);
   }
   catch (const dem::NoPlace &error)
   {
@@ -157,9 +158,9 @@ Specimen make_specimen(const Case &parameters)
   dem::EngineParameters engine = engine_parameters(parameters);
   engine.geometry.usual_skin = 0.25 * smallest;
   specimen.engine = std::make_unique<dem::Engine>(engine);
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    specimen.engine->add_stone(stones[i], places[i].position,
-                               places[i].orientation);
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    specimen.engine->add_particle(particles[i], places[i].position,
+                                  places[i].orientation);
   if (is_round)
     specimen.walls = dem::add_cylinder(*specimen.engine, lower, upper);
   else
@@ -177,7 +178,7 @@ struct MembraneNode
   double membrane_step = 0.; ///< longest of the membrane alone [s]
 };
 
-MembraneNode lightest_node(const Case &parameters, double lightest_stone,
+MembraneNode lightest_node(const Case &parameters, double lightest_particle,
                            const fem::Membrane &membrane)
 {
   // All nodes but those of the two rims move.
@@ -191,7 +192,7 @@ MembraneNode lightest_node(const Case &parameters, double lightest_stone,
         z > low.z() + margin && z < high.z() - margin)
       lightest = std::min(lightest, membrane.nodal_mass()[k]);
   const dem::WallMaterial &contact = parameters.membrane_contact;
-  return {{contact.normal_stiffness, contact.normal_damping, lightest_stone},
+  return {{contact.normal_stiffness, contact.normal_damping, lightest_particle},
           lightest,
           membrane.stable_time_step()};
 }
@@ -220,7 +221,7 @@ void check_gain(const Case &parameters, const coupling::ExchangeGain &gain)
 void check_membrane_step(const Case &parameters, const SetupStep &setup)
 {
   const CouplingParameters &c = parameters.coupling;
-  const double own = c.rules.stone_steps * setup.step / c.body_steps;
+  const double own = c.rules.particle_steps * setup.step / c.body_steps;
   if (!c.is_body_implicit && own > setup.membrane_step)
     throw InputError(parameters.file +
                      ": Coupling/body_steps = " + std::to_string(c.body_steps) +
@@ -238,7 +239,7 @@ void add_gains(const Case &parameters, const MembraneNode &node,
       parameters.coupling.exchange_rules(parameters.lateral());
   setup.membrane_step = node.membrane_step;
   setup.window = coupling::window_gain(node.contact, node.mass,
-                                       rules.stone_steps * setup.step);
+                                       rules.particle_steps * setup.step);
   if (rules.has_contact_tangent) // one pass has no limit of its own
     setup.window.one_pass_limit = std::numeric_limits<double>::infinity();
   if (rules.rule == coupling::ExchangeRule::every_step)
@@ -285,7 +286,7 @@ SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
 
 namespace
 {
-/// That stones could make of the nominal membrane.
+/// That particles could make of the nominal membrane.
 fem::SurfaceMesh finest_mesh(const Case &parameters)
 {
   fem::SurfaceMesh mesh = lateral_mesh(parameters, dem::Vec3::Zero(),

@@ -20,16 +20,17 @@ using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
 ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
                          const std::string &folder, int order = dem::max_order);
 
-/// Stones that are still to be placed, for what does not move: masses, sizes,
-/// which of them break.
-dem::Particles unplaced_stones(const Case &parameters,
-                               const std::vector<dem::Body> &stones);
+/// Particles that are still to be placed, for what does not move: masses,
+/// sizes, which of them break.
+dem::ParticleSystem
+unplaced_particles(const Case &parameters,
+                   const std::vector<dem::ParticleShape> &particles);
 
-/// The random cloud of stones in its box, before compaction.
+/// The random cloud of particles in its box, before compaction.
 struct Specimen
 {
   ShapeLibrary shapes;                 ///< shared shapes, in order of file name
-  std::unique_ptr<dem::Engine> engine; ///< stones and walls
+  std::unique_ptr<dem::Engine> engine; ///< particles and walls
   dem::SpecimenWalls walls;
 };
 
@@ -44,15 +45,16 @@ fem::SurfaceMesh lateral_mesh(const Case &parameters, const dem::Vec3 &lower,
 /// What the engine needs from the case, with the settings of preparation.
 dem::EngineParameters engine_parameters(const Case &parameters);
 
-/// Reads gradation and shapes, draws and places the stones. Throws InputError.
+/// Reads gradation and shapes, draws and places the particles. Throws
+/// InputError.
 Specimen make_specimen(const Case &parameters);
 
 /// The step that a run starts with.
 struct SetupStep
 {
   double step = 0.; ///< [s]
-  /// Longest for any one stone on one wall, and for one contact on any node of
-  /// the membrane [s].
+  /// Longest for any one particle on one wall, and for one contact on any node
+  /// of the membrane [s].
   double cap = 0.;
   /// With a membrane: of every_step at `step`, and of the window that the case
   /// asks for.
@@ -61,7 +63,7 @@ struct SetupStep
   double membrane_step = 0.; ///< longest of the membrane alone [s]
 };
 
-/// `limit` and the lightest of all stones that will be there [kg];
+/// `limit` and the lightest of all particles that will be there [kg];
 /// `membrane` as it will be, null without one. Throws InputError if the fixed
 /// step is above what one wall or the exchange with the membrane allows.
 SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
@@ -70,6 +72,6 @@ SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
 /// Of a triaxial test: its membrane on a specimen of the nominal size.
 SetupStep choose_step(const Case &parameters, const dem::Engine &engine);
 
-/// Total volume of the stones [m^3].
-double solid_volume(const dem::Particles &particles);
+/// Total volume of the particles [m^3].
+double solid_volume(const dem::ParticleSystem &particles);
 } // namespace spall

@@ -187,7 +187,7 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
 }
 
 /// Variants by name, values by their key.
-std::string curve_name(const Study &study, const PricedLevel &level)
+std::string curve_name(const Study &study, const LevelCost &level)
 {
   const SweptKey &key = study.keys[level.key];
   return key.is_variant() ? level.value : key.name();
@@ -195,7 +195,7 @@ std::string curve_name(const Study &study, const PricedLevel &level)
 
 /// Error against cost on logarithmic axes, a colour for every key, the Pareto
 /// front as a line.
-Chart price_chart(const StudyData &data)
+Chart cost_chart(const StudyData &data)
 {
   Chart chart{"error_against_cost",
               "Worst error of any outcome over the spread of the seeds against "
@@ -211,9 +211,9 @@ Chart price_chart(const StudyData &data)
   front.colour = "#555555";
   half = front;
   half.dash = "5 4";
-  std::vector<PricedLevel> levels = price_levels(data);
-  std::ranges::sort(levels, {}, &PricedLevel::cost);
-  for (const PricedLevel &level : levels)
+  std::vector<LevelCost> levels = level_costs(data);
+  std::ranges::sort(levels, {}, &LevelCost::cost);
+  for (const LevelCost &level : levels)
   {
     const std::string name = curve_name(data.study, level);
     auto curve = std::ranges::find(chart.curves, name, &Curve::name);
@@ -230,7 +230,7 @@ Chart price_chart(const StudyData &data)
     curve->x.push_back(level.cost());
     curve->y.push_back(level.worst);
   }
-  for (const PricedLevel &level : levels)
+  for (const LevelCost &level : levels)
   {
     half.x.push_back(level.cost());
     half.y.push_back(0.5);
@@ -296,7 +296,7 @@ std::string study_page(const StudyData &data, const fs::path &folder,
   const Study &study = data.study;
   std::string body = section(expectation_table(data));
   if (study.has_reference())
-    body += section(price_table(data), figure(price_chart(data), figures)) +
+    body += section(cost_table(data), figure(cost_chart(data), figures)) +
             section(default_table(data));
   body += section(failure_table(data));
   for (std::size_t k = 0; k < study.keys.size(); ++k)
@@ -313,7 +313,7 @@ std::string study_markdown(const StudyData &data)
   std::vector<TextTable> tables = {expectation_table(data)};
   if (data.study.has_reference())
   {
-    tables.push_back(price_table(data));
+    tables.push_back(cost_table(data));
     tables.push_back(default_table(data));
   }
   for (std::size_t k = 0; k < data.study.keys.size(); ++k)

@@ -4,6 +4,7 @@
 #include "errors.h"
 #include "study/levels.h"
 #include "study/measured.h"
+#include "study/old_names.h"
 #include "study/words.h"
 
 #include <algorithm>
@@ -413,9 +414,13 @@ Study read_study(const std::string &file,
     if (std::ranges::find(study.outcomes, cost) == study.outcomes.end())
       study.outcomes.push_back(cost);
   study.base.insert(study.base.end(), overrides.begin(), overrides.end());
+  replace_old_names(study);
   check_study(study);
   check_measured(study);
-  take_base_case(read_case(study.case_file, study.base), study);
+  const Case base = read_case(study.case_file, study.base);
+  study.deprecated.insert(study.deprecated.end(), base.deprecated.begin(),
+                          base.deprecated.end());
+  take_base_case(base, study);
   return study;
 }
 

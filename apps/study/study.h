@@ -95,6 +95,7 @@ struct Study
   std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
   std::vector<Variant> variants;
   std::vector<Expectation> expectations;
+  std::vector<std::string> deprecated; ///< a line for each old name in use
 
   bool has_reference() const { return !costs.empty(); }
 };

@@ -192,7 +192,7 @@ Cells spread_row(const StudyData &data, const std::vector<double> &spread)
 }
 } // namespace
 
-TextTable price_table(const StudyData &data)
+TextTable cost_table(const StudyData &data)
 {
   const Study &study = data.study;
   TextTable table{
@@ -211,7 +211,7 @@ TextTable price_table(const StudyData &data)
       table.head.push_back(outcome);
   const std::vector<double> spread = reference_spread(data);
   table.rows.push_back(spread_row(data, spread));
-  for (const PricedLevel &level : price_levels(data))
+  for (const LevelCost &level : level_costs(data))
   {
     std::string marks = level.is_on_front ? "on the front" : "";
     if (level.is_cheapest_fine)
@@ -246,10 +246,10 @@ TextTable default_table(const StudyData &data)
       {"key", "default", data.study.costs.front(), "worst error / spread",
        "cheapest that is fine", "is the default"},
       {}};
-  for (const DefaultPrice &price : price_defaults(data, price_levels(data)))
+  for (const DefaultCost &price : default_costs(data, level_costs(data)))
   {
     const bool is_there = price.is_measured();
-    table.rows.push_back({price.knob, price.default_value,
+    table.rows.push_back({price.parameter, price.default_value,
                           is_there ? format(price.cost, 3) : "not in this map",
                           is_there ? format(price.worst, 2) : "",
                           price.cheapest,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "report/text_table.h"
-#include "study/prices.h"
+#include "study/level_costs.h"
 
 namespace spall
 {
@@ -15,7 +15,7 @@ TextTable difference_table(const StudyData &data, std::size_t key);
 /// The same in a line for each outcome; without rows for a single seed.
 TextTable spread_table(const StudyData &data, std::size_t key);
 /// Error and cost of every value against the reference.
-TextTable price_table(const StudyData &data);
+TextTable cost_table(const StudyData &data);
 /// What that says of the defaults of the program.
 TextTable default_table(const StudyData &data);
 TextTable failure_table(const StudyData &data);

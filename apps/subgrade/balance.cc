@@ -24,7 +24,7 @@ catch (const std::runtime_error &error)
   double largest = 0.;
   for (const dem::Vec3 &load : rest_load)
     largest = std::max(largest, load.norm());
-  throw RunFailure("the ground does not bear plate and stones at rest, " +
+  throw RunFailure("the ground does not bear plate and particles at rest, " +
                    number_text(std::round(now.dead_load)) + " N, of which " +
                    number_text(std::round(largest)) +
                    " N on one node: see Subgrade/layers, cell_size (" +

@@ -10,27 +10,28 @@
 
 namespace spall
 {
-/// The stones of a layer on the subgrade and the box they are poured into,
+/// The particles of a layer on the subgrade and the box they are poured into,
 /// whose sides are rigid planes round the z axis.
 struct LayerParameters
 {
-  double length = 0.6;          ///< of the box, along x [m]
-  double width = 0.6;           ///< of the box, along y [m]
-  double thickness = 0.2;       ///< about, when they have come to rest [m]
-  double solid_fraction = 0.58; ///< with the box: sets the volume of stones [-]
+  double length = 0.6;    ///< of the box, along x [m]
+  double width = 0.6;     ///< of the box, along y [m]
+  double thickness = 0.2; ///< about, when they have come to rest [m]
+  double solid_fraction =
+      0.58; ///< with the box: sets the volume of particles [-]
   std::string gradation = "gradations/los_angeles_20_45mm.csv";
   std::string shapes = "shapes/limestone_blocky";
   int order = dem::max_order; ///< N_s: at most this many degrees of the files
   int seed = 1;
   int layers = 1; ///< that it is poured in
-  /// to the solid fraction; else the stones just fall
+  /// to the solid fraction; else the particles just fall
   bool is_tamped = true;
   double tamper_speed = 0.1;           ///< [m/s]
   double tamper_pressure = 200e3;      ///< at which the tamper turns back [Pa]
   int max_strokes = 4;                 ///< of the tamper on one layer
   double initial_solid_fraction = 0.2; ///< of the cloud that falls [-]
-  double friction = 0.2;               ///< stone on stone while pouring [-]
-  double local_damping = 0.3;          ///< D_a until loading begins [-]
+  double friction = 0.2;          ///< particle on particle while pouring [-]
+  double local_damping = 0.3;     ///< D_a until loading begins [-]
   double unbalanced_ratio = 5e-3; ///< resultant forces over weight at rest [-]
   double max_time = 2.; ///< for a layer, and for the plate, to come to rest [s]
   double safety = 0.;   ///< share of the stable step; 0: steps as later [-]
@@ -48,7 +49,7 @@ enum class PlateMotion
   free      ///< moves and turns
 };
 
-/// The rigid body that loads the stones.
+/// The rigid body that loads the particles.
 struct LoadPlateParameters
 {
   PlateForm form = PlateForm::disc;
@@ -143,7 +144,7 @@ struct RecordParameters
   double checkpoint_interval = 0.1; ///< 0: only at the end [s]
   std::string stress_depths = "0.1 0.3 0.6"; ///< below the plate [m]
   double highest_frequency = 100.;           ///< of transfer.csv [Hz]
-  int slices = 5;                            ///< of the stones, in profile.csv
+  int slices = 5; ///< of the particles, in profile.csv
 };
 
 struct SubgradeParameters
@@ -151,7 +152,7 @@ struct SubgradeParameters
   LayerParameters layer;
   LoadPlateParameters plate;
   GroundParameters ground;
-  /// stones on the ground: soil gives more than steel
+  /// particles on the ground: soil gives more than steel
   dem::WallMaterial contact{.normal_stiffness = 5e6,
                             .shear_stiffness = 4.25e6,
                             .friction = 0.5,

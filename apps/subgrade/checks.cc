@@ -33,15 +33,15 @@ void check_layer(const Case &c, const Place &place)
   const Gradation curve = check_gradation(c, place, "Layer", l.gradation);
   check_shapes(c, place, "Layer", l.shapes);
   const double largest = curve.diameter.back();
-  const std::string stone =
-      "the largest stone of the gradation, " + largest_text(curve);
+  const std::string particle =
+      "the largest particle of the gradation, " + largest_text(curve);
   if (std::min(l.length, l.width) < 3. * largest)
     refuse(place, {"Layer", l.length < l.width ? "length" : "width",
                    number_text(std::min(l.length, l.width)),
-                   "must be at least three times " + stone});
+                   "must be at least three times " + particle});
   if (l.thickness < largest)
     refuse(place, {"Layer", "thickness", number_text(l.thickness),
-                   "must be at least " + stone});
+                   "must be at least " + particle});
   if (l.initial_solid_fraction >= l.solid_fraction)
     refuse(place, {"Layer", "initial_solid_fraction",
                    number_text(l.initial_solid_fraction),
@@ -172,11 +172,11 @@ void check_exchange(const Case &c, const Place &place)
 
 void check_rows(const Case &c, const Place &place)
 {
-  const double window = c.coupling.rules.stone_steps * c.time.fixed_step;
+  const double window = c.coupling.rules.particle_steps * c.time.fixed_step;
   const RecordParameters &r = c.subgrade.record;
   if (c.time.step == StepRule::fixed && r.row_interval < window)
     refuse(place, {"Record", "row_interval", number_text(r.row_interval),
-                   "must be at least a window, Coupling/stone_steps "
+                   "must be at least a window, Coupling/particle_steps "
                    "Time/fixed_step = " +
                        number_text(window) + " s"});
 }

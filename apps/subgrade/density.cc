@@ -31,13 +31,13 @@ std::vector<Eigen::Vector2d> corners_of(const LoadPlateParameters &plate)
 } // namespace
 
 double solid_fraction_below(const LoadPlateParameters &plate,
-                            const dem::Particles &stones, double low,
+                            const dem::ParticleSystem &particles, double low,
                             double high)
 {
   constexpr int n_sections = 100;
   const dem::Outline column =
       dem::outline_of(dem::Prism{corners_of(plate), low, high}, n_sections);
   const dem::ProfileWidths widths{0.1 * (high - low), 0.};
-  return 1. - dem::boundary_profile(stones, {}, column, widths).porosity;
+  return 1. - dem::boundary_profile(particles, {}, column, widths).porosity;
 }
 } // namespace spall

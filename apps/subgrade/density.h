@@ -2,13 +2,13 @@
 
 #include "subgrade/case.h"
 
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 
 namespace spall
 {
-/// Share of the space right below a plate that is stone, overlaps once [-]:
+/// Share of the space right below a plate that is particle, overlaps once [-]:
 /// from `low`, the ground, up to `high`, the plate [m].
 double solid_fraction_below(const LoadPlateParameters &plate,
-                            const dem::Particles &stones, double low,
+                            const dem::ParticleSystem &particles, double low,
                             double high);
 } // namespace spall

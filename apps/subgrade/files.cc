@@ -45,7 +45,7 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   summary["subgrade_settlement_m"] = ground_settlement();
   summary["subgrade_settlement_peak_m"] = now.deepest;
   summary["subgrade_force_peak_N"] = now.peak_force;
-  summary["stone_velocity_peak_m_per_s"] = now.fastest;
+  summary["particle_velocity_peak_m_per_s"] = now.fastest;
   if (now.stage >= Stage::loading)
   {
     const double mean = roundness.mean(engine().particles());
@@ -173,7 +173,7 @@ double Subgrade::density() const
   const LoadPlateParameters &p = parameters.subgrade.plate;
   const double lower_face = now.plate_start + plate->plate().centre().z() -
                             plate_body(p, now.plate_start).centre.z();
-  return parameters.stone.density *
+  return parameters.particle.density *
          solid_fraction_below(p, engine().particles(), -ground_settlement(),
                               lower_face);
 }

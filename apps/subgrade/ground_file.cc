@@ -187,7 +187,7 @@ double longest_edge(const Side &quad)
   return longest;
 }
 
-/// It lies under all stones, and is fine enough under the plate.
+/// It lies under all particles, and is fine enough under the plate.
 void check_top(const Case &c, const fem::SolidMesh &mesh)
 {
   const LayerParameters &l = c.subgrade.layer;
@@ -204,10 +204,11 @@ void check_top(const Case &c, const fem::SolidMesh &mesh)
       coarsest = std::max(coarsest, longest_edge(quad));
   }
   if (const double asked = l.length * l.width; covered < (1. - 1e-6) * asked)
-    refuse(c, "its top lies under " + in_four_digits(covered) +
-                  " m^2 of the box of the stones: must be all of Layer/length "
-                  "times width, " +
-                  in_four_digits(asked) + " m^2");
+    refuse(c,
+           "its top lies under " + in_four_digits(covered) +
+               " m^2 of the box of the particles: must be all of Layer/length "
+               "times width, " +
+               in_four_digits(asked) + " m^2");
   if (coarsest > narrow)
     refuse(c, "an edge of its top under the plate is " +
                   in_four_digits(coarsest) +

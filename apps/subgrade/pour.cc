@@ -40,7 +40,7 @@ void Subgrade::steer_pouring(double time_step)
 void Subgrade::pour(double time_step)
 {
   steer_pouring(time_step);
-  engine().advance_unseen(time_step);
+  engine().advance_deferred(time_step);
   if (!pouring.is_done())
     return;
   say_prepared();
@@ -52,7 +52,7 @@ void Subgrade::set_plate_down()
   if (pours_by_own_steps())
     change_steps(parameters.time, step_limit().step);
   engine().set_renewal(parameters.contact.refresh_tolerance,
-                       parameters.contact.search_margin);
+                       parameters.contact.skin);
   now.placed_at = engine().time();
   build_plate(height_above(engine().particles(), parameters.subgrade.plate));
   now.stage = Stage::placing;

@@ -6,10 +6,10 @@ namespace spall
 {
 namespace
 {
-/// Friction among stones is Layer/friction, and that of Stone for their last
-/// rest; damping is Layer/local_damping.
+/// Friction among particles is Layer/friction, and that of Particle for their
+/// last rest; damping is Layer/local_damping.
 constexpr CaseKey deciding[] = {
-    {"Layer"}, {"GroundContact"}, {"Stone", "friction"}};
+    {"Layer"}, {"GroundContact"}, {"Particle", "friction"}};
 
 /// Of plate and ground what makes the top of the ground counts by that.
 constexpr CaseKey later[] = {

@@ -26,9 +26,9 @@ void SubgradeRecord::begin(int n_slices, double top,
                            std::vector<double> ground_heights)
 {
   slice_height = top / n_slices;
-  stone_slices.resize(static_cast<std::size_t>(n_slices));
-  for (std::size_t k = 0; k < stone_slices.size(); ++k)
-    stone_slices[k].height = (static_cast<double>(k) + 0.5) * slice_height;
+  particle_slices.resize(static_cast<std::size_t>(n_slices));
+  for (std::size_t k = 0; k < particle_slices.size(); ++k)
+    particle_slices[k].height = (static_cast<double>(k) + 0.5) * slice_height;
   for (const double height : ground_heights)
     ground_slices.push_back({height});
 }
@@ -41,18 +41,18 @@ void SubgradeRecord::add(const SubgradeRow &row)
   ground.push_back(row.ground_velocity);
 }
 
-void SubgradeRecord::add_stones(const dem::Particles &stones,
-                                const Footprint &half)
+void SubgradeRecord::add_particles(const dem::ParticleSystem &particles,
+                                   const Footprint &half)
 {
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const dem::Vec3 &at = stones.position(i);
+    const dem::Vec3 &at = particles.position(i);
     if (std::abs(at.x()) > half.half_x || std::abs(at.y()) > half.half_y ||
         at.z() < 0.)
       continue;
     const auto k = static_cast<std::size_t>(at.z() / slice_height);
-    if (k < stone_slices.size())
-      stone_slices[k].add(stones.velocity(i).norm());
+    if (k < particle_slices.size())
+      particle_slices[k].add(particles.velocity(i).norm());
   }
 }
 
@@ -81,9 +81,9 @@ std::string SubgradeRecord::profile_table() const
 {
   std::string text = "part_1,height_m,n_1,velocity_rms_m_per_s,"
                      "velocity_peak_m_per_s\n";
-  for (const auto *slices : {&stone_slices, &ground_slices})
+  for (const auto *slices : {&particle_slices, &ground_slices})
     for (const Slice &slice : *slices)
-      text += csv_row({slices == &stone_slices ? 0. : 1., slice.height,
+      text += csv_row({slices == &particle_slices ? 0. : 1., slice.height,
                        static_cast<double>(slice.n), slice.rms(), slice.peak});
   return text;
 }
@@ -100,7 +100,7 @@ void SubgradeRecord::save(std::ostream &out) const
 {
   for (const auto *column : {&time, &load, &plate, &ground})
     dem::write_column(out, *column);
-  dem::write_column(out, stone_slices);
+  dem::write_column(out, particle_slices);
   dem::write_column(out, ground_slices);
   dem::write_value(out, slice_height);
 }
@@ -109,7 +109,7 @@ void SubgradeRecord::restore(std::istream &in)
 {
   for (auto *column : {&time, &load, &plate, &ground})
     dem::read_column(in, *column);
-  dem::read_column(in, stone_slices);
+  dem::read_column(in, particle_slices);
   dem::read_column(in, ground_slices);
   dem::read_value(in, slice_height);
 }

@@ -2,7 +2,7 @@
 
 #include "subgrade/case.h"
 
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 
 #include <iosfwd>
 #include <string>
@@ -36,14 +36,15 @@ class SubgradeRecord
 public:
   void begin(int n_slices, double top, std::vector<double> ground_heights);
   void add(const SubgradeRow &row);
-  /// Stones whose centres lie below the footprint of the plate.
-  void add_stones(const dem::Particles &stones, const Footprint &plate);
+  /// Particles whose centres lie below the footprint of the plate.
+  void add_particles(const dem::ParticleSystem &particles,
+                     const Footprint &plate);
   /// Speeds of the ground at its heights, down its middle.
   void add_ground(std::span<const double> speed);
 
   /// frequency_Hz, load_Ns and |V / F| with its phase of plate and ground.
   std::string transfer_table(double highest_frequency) const;
-  /// part_1 (0 stones, 1 subgrade), height_m, n_1, rms and peak.
+  /// part_1 (0 particles, 1 subgrade), height_m, n_1, rms and peak.
   std::string profile_table() const;
   /// int load dt of the rows [N s].
   double impulse() const;
@@ -53,7 +54,7 @@ public:
 
 private:
   std::vector<double> time, load, plate, ground;
-  std::vector<Slice> stone_slices, ground_slices;
+  std::vector<Slice> particle_slices, ground_slices;
   double slice_height = 0.; ///< [m]
 };
 } // namespace spall

@@ -23,16 +23,17 @@ constexpr double share_of_explicit = 0.8;
 constexpr double share_of_gain = 0.5;
 
 coupling::ExchangeContact contact_with_ground(const Case &c,
-                                              double smallest_stone)
+                                              double smallest_particle)
 {
   const dem::WallMaterial &material = c.subgrade.contact;
-  return {material.normal_stiffness, material.normal_damping, smallest_stone};
+  return {material.normal_stiffness, material.normal_damping,
+          smallest_particle};
 }
 
 dem::EngineParameters engine_settings(const Case &c)
 {
   dem::EngineParameters settings;
-  settings.stone = c.stone;
+  settings.particle = c.particle;
   settings.wall = c.wall;
   settings.surface = c.subgrade.contact;
   settings.geometry = c.contact_preparing(c.subgrade.layer.safety);
@@ -43,30 +44,31 @@ dem::EngineParameters engine_settings(const Case &c)
   return settings;
 }
 
-std::vector<dem::Body> draw_layer(const Case &c, const ShapeLibrary &shapes,
-                                  dem::Random &random)
+std::vector<dem::ParticleShape>
+draw_layer(const Case &c, const ShapeLibrary &shapes, dem::Random &random)
 {
   const LayerParameters &l = c.subgrade.layer;
-  std::vector<dem::Body> stones = draw_particles(
+  std::vector<dem::ParticleShape> particles = draw_particles(
       c, l.solid_fraction * l.length * l.width * l.thickness, shapes, random);
-  if (stones.size() < static_cast<std::size_t>(l.layers))
+  if (particles.size() < static_cast<std::size_t>(l.layers))
     throw InputError(c.file + ": Layer/layers = " + std::to_string(l.layers) +
-                     ": must be at most the number of stones, " +
-                     std::to_string(stones.size()));
-  return stones;
+                     ": must be at most the number of particles, " +
+                     std::to_string(particles.size()));
+  return particles;
 }
 
 } // namespace
 
-StoneBox make_stone_box(const Case &c)
+ParticleBox make_particle_box(const Case &c)
 {
   const LayerParameters &l = c.subgrade.layer;
-  StoneBox scene;
+  ParticleBox scene;
   scene.shapes = load_shapes(c, "Layer", l.shapes, l.order);
   dem::Random random(static_cast<std::uint64_t>(l.seed));
-  const std::vector<dem::Body> stones = draw_layer(c, scene.shapes, random);
-  scene.all = unplaced_stones(c, stones);
-  scene.layers = dem::deal_layers(stones, l.layers);
+  const std::vector<dem::ParticleShape> particles =
+      draw_layer(c, scene.shapes, random);
+  scene.all = unplaced_particles(c, particles);
+  scene.layers = dem::deal_layers(particles, l.layers);
   scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
   dem::EngineParameters settings = engine_settings(c);
   settings.geometry.usual_skin = 0.25 * scene.all.smallest_radius();
@@ -90,7 +92,7 @@ dem::PouringParameters pouring_parameters(const Case &c)
 {
   const LayerParameters &l = c.subgrade.layer;
   dem::PouringParameters p;
-  p.density = l.is_tamped ? l.solid_fraction * c.stone.density : 0.;
+  p.density = l.is_tamped ? l.solid_fraction * c.particle.density : 0.;
   p.friction = l.friction;
   p.solid_fraction = l.initial_solid_fraction;
   p.tamper_speed = l.tamper_speed;
@@ -168,15 +170,15 @@ fem::PlateBodyParameters plate_body(const LoadPlateParameters &p, double height)
   return body;
 }
 
-double height_above(const dem::Particles &stones,
+double height_above(const dem::ParticleSystem &particles,
                     const LoadPlateParameters &plate)
 {
   const Footprint half = footprint(plate);
   double top = 0.;
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const dem::Vec3 &at = stones.position(i);
-    const double reach = stones.body[i].circumscribed_radius;
+    const dem::Vec3 &at = particles.position(i);
+    const double reach = particles.shape[i].circumscribed_radius;
     if (std::abs(at.x()) < half.half_x + reach &&
         std::abs(at.y()) < half.half_y + reach)
       top = std::max(top, at.z() + reach);
@@ -184,22 +186,23 @@ double height_above(const dem::Particles &stones,
   return top;
 }
 
-coupling::WindowGain ground_gain(const Case &c, const coupling::Body &ground,
-                                 double smallest_stone, double window)
+coupling::WindowGain ground_gain(const Case &c,
+                                 const coupling::DeformableBody &ground,
+                                 double smallest_particle, double window)
 {
   const std::vector<double> mass = ground.nodal_mass();
-  return coupling::window_gain(contact_with_ground(c, smallest_stone),
+  return coupling::window_gain(contact_with_ground(c, smallest_particle),
                                *std::ranges::min_element(mass), window);
 }
 
-int stable_stone_steps(const Case &c, const coupling::Body &ground,
-                       double smallest_stone, double time_step)
+int stable_particle_steps(const Case &c, const coupling::DeformableBody &ground,
+                          double smallest_particle, double time_step)
 {
-  const int most = c.coupling.rules.stone_steps;
+  const int most = c.coupling.rules.particle_steps;
   if (c.coupling.rules.window_tolerance == 0.)
     return most;
   const coupling::WindowGain one =
-      ground_gain(c, ground, smallest_stone, time_step);
+      ground_gain(c, ground, smallest_particle, time_step);
   // The gain goes with the square of the window.
   double n = std::sqrt(share_of_gain * one.one_pass_limit / one.gain);
   if (!c.coupling.is_body_implicit)
@@ -208,8 +211,9 @@ int stable_stone_steps(const Case &c, const coupling::Body &ground,
   return static_cast<int>(std::clamp(n, 1., static_cast<double>(most)));
 }
 
-SetupStep ground_setup(const Case &c, const coupling::Body &ground,
-                       double smallest_stone, double time_step, int stone_steps)
+SetupStep ground_setup(const Case &c, const coupling::DeformableBody &ground,
+                       double smallest_particle, double time_step,
+                       int particle_steps)
 {
   const std::vector<double> mass = ground.nodal_mass();
   const coupling::ExchangeRule rule = c.coupling.exchange_rules().rule;
@@ -217,11 +221,11 @@ SetupStep ground_setup(const Case &c, const coupling::Body &ground,
   setup.step = time_step;
   setup.membrane_step = ground.stable_time_step();
   setup.window =
-      ground_gain(c, ground, smallest_stone, stone_steps * time_step);
+      ground_gain(c, ground, smallest_particle, particle_steps * time_step);
   if (rule == coupling::ExchangeRule::every_step)
-    setup.gain = coupling::exchange_gain(contact_with_ground(c, smallest_stone),
-                                         {&*std::ranges::min_element(mass), 1},
-                                         setup.membrane_step, time_step);
+    setup.gain = coupling::exchange_gain(
+        contact_with_ground(c, smallest_particle),
+        {&*std::ranges::min_element(mass), 1}, setup.membrane_step, time_step);
   else
     setup.gain = {setup.window.gain,
                   rule == coupling::ExchangeRule::one_pass
@@ -230,10 +234,11 @@ SetupStep ground_setup(const Case &c, const coupling::Body &ground,
   return setup;
 }
 
-void check_ground_setup(const Case &c, const SetupStep &setup, int stone_steps)
+void check_ground_setup(const Case &c, const SetupStep &setup,
+                        int particle_steps)
 {
   const CouplingParameters &p = c.coupling;
-  const double own = stone_steps * setup.step / p.body_steps;
+  const double own = particle_steps * setup.step / p.body_steps;
   if (!p.is_body_implicit && own > setup.membrane_step)
     throw InputError(
         c.file + ": Coupling/body_steps = " + std::to_string(p.body_steps) +
@@ -241,10 +246,10 @@ void check_ground_setup(const Case &c, const SetupStep &setup, int stone_steps)
         " s must be at most " + in_four_digits(setup.membrane_step) +
         " s: take more of them, or body_time = implicit");
   if (!(setup.gain->gain < setup.gain->limit))
-    throw InputError(c.file +
-                     ": Coupling/stone_steps = " + std::to_string(stone_steps) +
-                     ": exchange gain " + in_four_digits(setup.gain->gain) +
-                     " must be below " + in_four_digits(setup.gain->limit) +
+    throw InputError(c.file + ": Coupling/particle_steps = " +
+                     std::to_string(particle_steps) + ": exchange gain " +
+                     in_four_digits(setup.gain->gain) + " must be below " +
+                     in_four_digits(setup.gain->limit) +
                      ": take shorter windows or Coupling/exchange = iterated");
 }
 } // namespace spall

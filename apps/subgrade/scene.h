@@ -13,20 +13,20 @@
 
 namespace spall
 {
-/// The stones and where they will be poured: above z = 0 between four rigid
+/// The particles and where they will be poured: above z = 0 between four rigid
 /// planes.
-struct StoneBox
+struct ParticleBox
 {
   ShapeLibrary shapes;
-  std::vector<std::vector<dem::Body>> layers; ///< to be poured
-  dem::Particles all;                         ///< the same, nowhere yet
+  std::vector<std::vector<dem::ParticleShape>> layers; ///< to be poured
+  dem::ParticleSystem all; ///< the same, nowhere yet
   dem::Room room;
-  std::unique_ptr<dem::Engine> engine; ///< planes; no stones, no bodies
+  std::unique_ptr<dem::Engine> engine; ///< planes; no particles, no bodies
   dem::StepLimit limit;
 };
 
 /// Throws InputError.
-StoneBox make_stone_box(const Case &parameters);
+ParticleBox make_particle_box(const Case &parameters);
 
 dem::PouringParameters pouring_parameters(const Case &parameters);
 
@@ -35,26 +35,28 @@ fem::SurfaceMesh plate_surface(const LoadPlateParameters &plate, double height);
 fem::PlateBodyParameters plate_body(const LoadPlateParameters &plate,
                                     double height);
 
-/// Height at which the plate touches no stone yet, right above them [m].
-double height_above(const dem::Particles &stones,
+/// Height at which the plate touches no particle yet, right above them [m].
+double height_above(const dem::ParticleSystem &particles,
                     const LoadPlateParameters &plate);
 
 /// One contact on the lightest node of the ground through a window [s].
 coupling::WindowGain ground_gain(const Case &parameters,
-                                 const coupling::Body &ground,
-                                 double smallest_stone, double window);
+                                 const coupling::DeformableBody &ground,
+                                 double smallest_particle, double window);
 
-/// Steps of the stones in a window: those given, and where windows adapt no
+/// Steps of the particles in a window: those given, and where windows adapt no
 /// more than half the limit of one pass and the explicit steps of the ground
 /// allow.
-int stable_stone_steps(const Case &parameters, const coupling::Body &ground,
-                       double smallest_stone, double time_step);
+int stable_particle_steps(const Case &parameters,
+                          const coupling::DeformableBody &ground,
+                          double smallest_particle, double time_step);
 
-/// What the exchange with the ground stands at this step of the stones.
-SetupStep ground_setup(const Case &parameters, const coupling::Body &ground,
-                       double smallest_stone, double time_step,
-                       int stone_steps);
+/// What the exchange with the ground stands at this step of the particles.
+SetupStep ground_setup(const Case &parameters,
+                       const coupling::DeformableBody &ground,
+                       double smallest_particle, double time_step,
+                       int particle_steps);
 /// Throws InputError if that is not stable.
 void check_ground_setup(const Case &parameters, const SetupStep &setup,
-                        int stone_steps);
+                        int particle_steps);
 } // namespace spall

@@ -42,9 +42,9 @@ double sum_down(coupling::FieldView loads)
 }
 } // namespace
 
-Subgrade::Subgrade(const Case &c) : Subgrade(c, make_stone_box(c)) {}
+Subgrade::Subgrade(const Case &c) : Subgrade(c, make_particle_box(c)) {}
 
-Subgrade::Subgrade(const Case &c, StoneBox its_scene)
+Subgrade::Subgrade(const Case &c, ParticleBox its_scene)
     : LabTest(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
               first_step(c, its_scene.limit)),
       scene(std::move(its_scene)),
@@ -55,7 +55,7 @@ Subgrade::Subgrade(const Case &c, StoneBox its_scene)
 {
   build_ground();
   const double smallest = scene.all.smallest_mass();
-  const int n = stable_stone_steps(c, *ground, smallest, time_step());
+  const int n = stable_particle_steps(c, *ground, smallest, time_step());
   setup = ground_setup(c, *ground, smallest, time_step(), n);
   check_ground_setup(c, setup, n);
   joined->limit_windows(n, setup.window.one_pass_limit);
@@ -76,7 +76,7 @@ void Subgrade::build_ground()
   const CouplingParameters &c = parameters.coupling;
   const fem::SolidMesh &mesh = block.mesh();
   mesh_size = {mesh.cells.size(), mesh.nodes.size()};
-  std::unique_ptr<coupling::Body> body;
+  std::unique_ptr<coupling::DeformableBody> body;
   if (parameters.subgrade.ground.body == GroundBody::full)
   {
     build_axis(mesh);
@@ -91,7 +91,7 @@ void Subgrade::build_ground()
   {
     auto reduced = std::make_unique<coupling::CondensedBody>(
         block, fem::z_upper, parameters.subgrade.ground.inner_modes,
-        c.body_steps, c.rules.stone_steps * time_step());
+        c.body_steps, c.rules.particle_steps * time_step());
     condensed = reduced.get();
     top = reduced->mesh();
     body = std::move(reduced);
@@ -110,7 +110,7 @@ void Subgrade::build_ground()
   area = fem::area_shares(top);
   ground = &joined->add(std::move(body), top, "subgrade",
                         parameters.subgrade.contact,
-                        coupling::StoneSide::outside, engine());
+                        coupling::ParticleSide::outside, engine());
   joined->hold(*ground, true);
 }
 
@@ -137,7 +137,7 @@ void Subgrade::build_plate(double height)
                            {}});
   plate = body.get();
   joined->add(std::move(body), surface, "plate", parameters.wall,
-              coupling::StoneSide::outside, engine());
+              coupling::ParticleSide::outside, engine());
 }
 
 /// Weight, static load and pulse at a time of the body, which began when it was
@@ -164,14 +164,14 @@ fem::PlateLoad Subgrade::plate_load(double body_time) const
 
 int Subgrade::steps_in_move() const
 {
-  return now.stage == Stage::pouring ? 1 : joined->stone_steps();
+  return now.stage == Stage::pouring ? 1 : joined->particle_steps();
 }
 
 Surroundings Subgrade::surroundings() const
 {
   if (now.stage == Stage::pouring)
     return {};
-  return {joined.get(), ground, setup.window, joined->stone_steps()};
+  return {joined.get(), ground, setup.window, joined->particle_steps()};
 }
 
 void Subgrade::move(double time_step)
@@ -191,8 +191,8 @@ void Subgrade::move(double time_step)
     take_row();
 }
 
-/// Stones and plate: what carries them is what they weigh, and no stone is
-/// out of balance.
+/// Particles and plate: what carries them is what they weigh, and no particle
+/// is out of balance.
 bool Subgrade::is_at_rest() const
 {
   const LoadPlateParameters &p = parameters.subgrade.plate;
@@ -206,13 +206,13 @@ bool Subgrade::is_at_rest() const
 
 void Subgrade::place(double time_step)
 {
-  exchange_window(*joined, joined->stone_steps() * time_step);
+  exchange_window(*joined, joined->particle_steps() * time_step);
   const double spent = engine().time() - now.placed_at;
   if (joined->n_windows() % rest_interval == 0 && spent > 2. * ramp &&
       is_at_rest())
     start_loading();
   else if (spent > parameters.subgrade.layer.max_time)
-    throw RunFailure("plate and stones are not at rest " +
+    throw RunFailure("plate and particles are not at rest " +
                      std::to_string(spent) +
                      " s after the plate was placed: see Layer/max_time, "
                      "unbalanced_ratio, local_damping");
@@ -221,7 +221,7 @@ void Subgrade::place(double time_step)
 void Subgrade::start_loading()
 {
   const LayerParameters &layer = parameters.subgrade.layer;
-  const dem::Particles &all = engine().particles();
+  const dem::ParticleSystem &all = engine().particles();
   now.loaded_at = engine().time();
   now.plate_rest = plate->plate().centre().z();
   now.height =
@@ -232,7 +232,7 @@ void Subgrade::start_loading()
   if (now.porosity <= 0.)
     throw RunFailure("porosity of the layer " + number_text(now.porosity) +
                      ": the particles lie in each other: stiffer contacts "
-                     "(Stone/shear_modulus, Wall and GroundContact"
+                     "(Particle/shear_modulus, Wall and GroundContact"
                      "/normal_stiffness) or less load on the plate");
   now.coordination =
       dem::contact_network(all, engine().pairs()).coordination_number;
@@ -254,7 +254,7 @@ void Subgrade::start_loading()
 
 void Subgrade::load_plate(double time_step)
 {
-  exchange_window(*joined, joined->stone_steps() * time_step);
+  exchange_window(*joined, joined->particle_steps() * time_step);
   if (loading_time() < duration())
     return;
   now.stage = Stage::done;
@@ -338,7 +338,7 @@ void Subgrade::note_due(double before)
 
 void Subgrade::describe() const
 {
-  std::printf("in a corner      %.4g s (the same stone on three walls)\n",
+  std::printf("in a corner      %.4g s (the same particle on three walls)\n",
               dem::corner_step(engine().parameters(), scene.all));
   std::printf("subgrade         %zu cells, %zu nodes, %s\n", mesh_size.first,
               mesh_size.second,
@@ -396,13 +396,13 @@ std::vector<double> Subgrade::stresses() const
 
 void Subgrade::take_row()
 {
-  const dem::Particles &all = engine().particles();
+  const dem::ParticleSystem &all = engine().particles();
   const double time = loading_time();
   const double plate_down = -plate->plate().velocity().z();
   const double ground_down =
       -ground->motion().velocity[static_cast<std::size_t>(middle)].z();
   record.add({time, pulses(time), plate_down, ground_down});
-  record.add_stones(all, footprint(parameters.subgrade.plate));
+  record.add_particles(all, footprint(parameters.subgrade.plate));
   if (solid)
     record.add_ground(axis.speeds(solid->solid()));
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -417,7 +417,7 @@ void Subgrade::take_row()
   now.peak_force = std::max(now.peak_force, force_on_ground());
   now.worst_gain =
       std::max(now.worst_gain,
-               joined->gain(engine(), joined->stone_steps() * time_step()));
+               joined->gain(engine(), joined->particle_steps() * time_step()));
   const std::vector<double> stress = stresses();
   for (std::size_t k = 0; k < stress.size(); ++k)
     peak_stress[k] = std::max(peak_stress[k], stress[k]);
@@ -425,7 +425,7 @@ void Subgrade::take_row()
 
 std::vector<Quantity> Subgrade::measured() const
 {
-  const dem::Particles &all = engine().particles();
+  const dem::ParticleSystem &all = engine().particles();
   const dem::ContactNetwork network =
       dem::contact_network(all, engine().pairs());
   double sum = 0., peak = 0.;
@@ -451,9 +451,9 @@ std::vector<Quantity> Subgrade::measured() const
       {"subgrade_mean_settlement_m", mean_settlement()},
       {"plate_force_N", force_on_plate()},
       {"subgrade_force_N", force_on_ground()},
-      {"stone_velocity_rms_m_per_s",
+      {"particle_velocity_rms_m_per_s",
        std::sqrt(sum / std::max(1., static_cast<double>(all.size())))},
-      {"stone_velocity_peak_m_per_s", peak},
+      {"particle_velocity_peak_m_per_s", peak},
       {"coordination_number_1", network.coordination_number},
       {"n_contacts_1", static_cast<double>(network.n_contacts)},
       {"mean_contact_force_N", network.mean_force}};

@@ -10,10 +10,10 @@
 
 namespace spall
 {
-/// A plate or sleeper on stones on an elastic ground. The stones fall on ground
-/// that is held and come to rest; the plate is set down on them and comes to
-/// rest; then the ground is let go, in balance with what lies on it, and the
-/// pulses come. Settlement and breakage count from there.
+/// A plate or sleeper on particles on an elastic ground. The particles fall on
+/// ground that is held and come to rest; the plate is set down on them and
+/// comes to rest; then the ground is let go, in balance with what lies on it,
+/// and the pulses come. Settlement and breakage count from there.
 class Subgrade : public LabTest
 {
 public:
@@ -41,10 +41,13 @@ public:
   const SetupStep *setup_step() const override { return &setup; }
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
-  const dem::Particles &all_stones() const override { return scene.all; }
+  const dem::ParticleSystem &all_particles() const override
+  {
+    return scene.all;
+  }
   void describe() const override;
   double preparation_time() const override;
-  double hasten() override;
+  double fast_preparation() override;
   int steps_in_move() const override;
 
 private:
@@ -70,14 +73,14 @@ private:
     EnergyBalance energies;   ///< then
     double lowest = 0.;       ///< largest settlement of the plate [m]
     double deepest = 0.;      ///< of the ground [m]
-    double fastest = 0.;      ///< stone [m/s]
+    double fastest = 0.;      ///< particle [m/s]
     double worst_gain = 0.;   ///< [-]
-    double peak_force = 0.;   ///< of the stones on the ground, down [N]
+    double peak_force = 0.;   ///< of the particles on the ground, down [N]
     double density = 0.;      ///< below the plate when loading began [kg/m^3]
-    double roundness = 1.;    ///< then, mean of the stones [-]
+    double roundness = 1.;    ///< then, mean of the particles [-]
   };
 
-  Subgrade(const Case &parameters, StoneBox its_scene);
+  Subgrade(const Case &parameters, ParticleBox its_scene);
   void move(double time_step) override;
   std::vector<Quantity> measured() const override;
   coupling::BodyEnergy body_energy() const override;
@@ -118,12 +121,12 @@ private:
   double density() const;
   void note_roundness(double time); ///< of loading [s]
 
-  StoneBox scene; ///< its engine is with LabTest
+  ParticleBox scene; ///< its engine is with LabTest
   dem::Pouring pouring;
   SetupStep setup;
   SubgradeLoad pulses;
   std::unique_ptr<coupling::Exchange> joined;
-  coupling::Body *ground = nullptr;
+  coupling::DeformableBody *ground = nullptr;
   coupling::SolidBody *solid = nullptr; ///< null if condensed
   coupling::CondensedBody *condensed = nullptr;
   coupling::RigidBody *plate = nullptr; ///< null before it is placed

@@ -39,7 +39,7 @@ void Triaxial::consolidate()
   step_boundaries();
   if (pace.ticks() < stage_ticks)
     return;
-  const bool is_first = pace.ticks() == stage_ticks && pace.is_on_tick();
+  const bool is_first = pace.ticks() == stage_ticks && pace.is_on_sample();
   if ((is_first || in_stage % rest_interval == 0) && is_consolidated())
     begin_loading();
   else if (consolidation.time > parameters.loading.consolidation_time +

@@ -11,7 +11,7 @@ namespace
 constexpr double steepest_decay = 1.;
 /// Shorter jumps do not pay: a jump costs the cycle that lands.
 constexpr int shortest = 2;
-/// Cycles that one stands for, at most. The right contacts wear, but stones
+/// Cycles that one stands for, at most. The right contacts wear, but particles
 /// give way to that in cycles of their own: the more one stands for, the less
 /// grows after it (docs/verification/cycle_jump.md).
 constexpr int most_in_one = 5;
@@ -79,15 +79,15 @@ void JumpPlan::take(const SlowState &state)
     return;
   now = state;
   step = JumpStep::none;
-  if (phase == Phase::wear)
+  if (phase == Phase::damage)
   {
-    if (++n_worn < n_wearing())
-      step = JumpStep::wear;
+    if (++n_worn < n_damaging())
+      step = JumpStep::damage;
     else
-      phase = Phase::land;
+      phase = Phase::extrapolate;
     is_judged = 0;
   }
-  else if (phase == Phase::land)
+  else if (phase == Phase::extrapolate)
     wait_for(n_settled);
   else if (phase == Phase::wait)
     wait_for(n_waiting - 1);
@@ -121,7 +121,7 @@ void JumpPlan::judge()
     weight *= std::clamp((worn - abrasion_error) / worn, 1. / 3., 3.);
   if (used > 1.)
   {
-    step = JumpStep::go_back;
+    step = JumpStep::restore_state;
     return;
   }
   books.strain_error += strain_error;
@@ -140,48 +140,48 @@ void JumpPlan::plan()
   const int to_end = n_cycles - static_cast<int>(std::lround(now.cycle)) - 1 -
                      n_settled - n_window;
   n_skipped = std::min({static_cast<int>(reach), longest, to_end});
-  while (n_skipped >= shortest && n_skipped + n_wearing() > to_end)
+  while (n_skipped >= shortest && n_skipped + n_damaging() > to_end)
     --n_skipped;
   if (n_skipped >= shortest && before.at > 0.)
-    step = JumpStep::keep;
+    step = JumpStep::save_state;
   else
     observe_from_now();
 }
 
 void JumpPlan::begin()
 {
-  if (step == JumpStep::keep)
+  if (step == JumpStep::save_state)
   {
     left = now;
-    phase = Phase::wear;
+    phase = Phase::damage;
     n_worn = 0;
   }
   step = JumpStep::none;
 }
 
-int JumpPlan::n_wearing() const
+int JumpPlan::n_damaging() const
 {
   return (n_skipped + most_in_one - 2) / (most_in_one - 1);
 }
 
 int JumpPlan::skipping() const
 {
-  if (phase != Phase::wear)
+  if (phase != Phase::damage)
     return 0;
   const auto until = [this](std::int64_t cycle)
-  { return static_cast<int>(n_skipped * cycle / n_wearing()); };
+  { return static_cast<int>(n_skipped * cycle / n_damaging()); };
   return until(n_worn + 1) - until(n_worn);
 }
 
 double JumpPlan::repetitions() const
 {
-  if (phase != Phase::wear)
+  if (phase != Phase::damage)
     return 1.;
   // What earlier jumps brought too little or too much is made up.
   const double n = 1. + skipping() * weight;
-  const double owed =
-      last.abrasion > 0. ? -books.abrasion_error / (last.abrasion * n_wearing())
-                         : 0.;
+  const double owed = last.abrasion > 0. ? -books.abrasion_error /
+                                               (last.abrasion * n_damaging())
+                                         : 0.;
   return n + std::clamp(owed, -0.5 * n, 0.5 * n);
 }
 
@@ -193,7 +193,7 @@ double JumpPlan::expected_strain() const
   law.rate_a =
       std::clamp(law.rate_a, law.rate_b,
                  law.rate_b * std::pow(law.at_b / law.at_a, steepest_decay));
-  return law.gain(left.cycle, left.cycle + n_skipped + n_wearing());
+  return law.gain(left.cycle, left.cycle + n_skipped + n_damaging());
 }
 
 double JumpPlan::missing_strain() const
@@ -202,7 +202,7 @@ double JumpPlan::missing_strain() const
     return 0.;
   const double strain =
       expected_strain() - books.strain_error - (now.strain - left.strain);
-  return std::clamp(strain, 0., 1.5 * (n_skipped + n_wearing()) * last.strain);
+  return std::clamp(strain, 0., 1.5 * (n_skipped + n_damaging()) * last.strain);
 }
 
 void JumpPlan::shorten(const JumpPlan &refused)
@@ -210,9 +210,9 @@ void JumpPlan::shorten(const JumpPlan &refused)
   books.n_refused = refused.books.n_refused + 1;
   weight = refused.weight;
   n_skipped = refused.n_skipped / 2;
-  step = n_skipped >= shortest ? JumpStep::keep : JumpStep::none;
+  step = n_skipped >= shortest ? JumpStep::save_state : JumpStep::none;
   reach = n_skipped;
-  if (step == JumpStep::keep)
+  if (step == JumpStep::save_state)
     return;
   // Too early: some more cycles, then as at first.
   reach = n_window;

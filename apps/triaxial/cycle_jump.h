@@ -37,9 +37,9 @@ struct PowerLaw
 enum class JumpStep : std::int64_t
 {
   none,
-  keep,   ///< the state: a jump begins
-  wear,   ///< the next cycle of the jump that stands for many
-  go_back ///< to the state kept: the last jump was too far
+  save_state,   ///< the state: a jump begins
+  damage,       ///< the next cycle of the jump that stands for many
+  restore_state ///< to the state kept: the last jump was too far
 };
 
 /// What jumps have done.
@@ -52,7 +52,7 @@ struct JumpAccount
 };
 
 /// When to jump over how many load cycles, and whether that was too far. A jump
-/// is some cycles each of which wears the stones as many times as it skips
+/// is some cycles each of which wears the particles as many times as it skips
 /// others, one that brings the strain that is missing then, some in which what
 /// has broken bears its load again, and some to observe. The rates
 /// before and after it, with a power law between them, say what it should have
@@ -72,10 +72,11 @@ public:
   /// The jump that is due begins with the coming cycle, or goes on with it.
   void begin();
   int skipping() const; ///< cycles skipped before the coming one
-  /// How often the coming cycle wears the stones.
+  /// How often the coming cycle wears the particles.
   double repetitions() const;
-  /// The coming cycle, the one after the wear, brings the missing strain.
-  bool is_landing() const { return phase == Phase::land; }
+  /// The coming cycle, the one after the damage cycles, brings the missing
+  /// strain.
+  bool is_landing() const { return phase == Phase::extrapolate; }
   double missing_strain() const;                     ///< [-]
   double strain_rate() const { return last.strain; } ///< observed, a cycle [-]
 
@@ -90,18 +91,18 @@ public:
 private:
   enum class Phase : std::int64_t
   {
-    wait,    ///< the first cycles, and those after a landing
-    observe, ///< cycles whose growth counts
-    wear,    ///< cycles that stand for those that are skipped
-    land     ///< one that brings the strain that is missing then
+    wait,       ///< the first cycles, and those after an extrapolation
+    observe,    ///< cycles whose growth counts
+    damage,     ///< cycles that stand for those that are skipped
+    extrapolate ///< one that brings the strain that is missing then
   };
 
   void observe_from_now();
   void wait_for(std::int64_t cycles); ///< and observe then
   void judge();
   void plan();
-  int n_wearing() const; ///< cycles that stand for the others
-  /// What the skipped cycles and those that wear should bring [-].
+  int n_damaging() const; ///< cycles that stand for the others
+  /// What the skipped cycles and the damage cycles should bring [-].
   double expected_strain() const;
 
   double tolerance = 0.;
@@ -111,7 +112,8 @@ private:
   std::int64_t n_waiting = 0, n_observed = 0, n_worn = 0;
   std::int64_t is_judged = 1; ///< there was no jump since
   double reach = 0.;          ///< length that errors allow [cycles]
-  double weight = 1.; ///< of a skipped cycle in the wear, as judged so far [-]
+  double weight =
+      1.; ///< of a skipped cycle in the damage cycles, as judged so far [-]
   SlowState now, begun, left; ///< last; of the observation; of the last jump
   SlowRate before, last;      ///< of the last two observations
   JumpAccount books;

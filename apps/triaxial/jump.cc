@@ -7,7 +7,7 @@ namespace spall
 {
 namespace
 {
-/// Of the way along one cycle of the drift.
+/// Of the way along one cycle of the mean cyclic motion.
 constexpr double steps_in_cycle = 100.;
 constexpr double rest_after_way = 1e-3; // [s]
 } // namespace
@@ -30,13 +30,14 @@ SlowState Triaxial::slow_state() const
 }
 
 /// The cycle to come stands for those that are skipped and for itself.
-void Triaxial::begin_wear()
+void Triaxial::begin_damage_cycles()
 {
-  if (plan.due() == JumpStep::keep)
+  if (plan.due() == JumpStep::save_state)
   {
-    drift = drift_between(observed_from, pose_of(engine(), *cell),
-                          static_cast<double>(parameters.cycle_jump.observed));
-    calm_rattlers(engine(), drift);
+    mean_motion = mean_motion_between(
+        observed_from, pose_of(engine(), *cell),
+        static_cast<double>(parameters.cycle_jump.observed));
+    calm_rattlers(engine(), mean_motion);
   }
   plan.begin();
   pace.skip(plan.skipping() * cycle_ticks);
@@ -44,13 +45,13 @@ void Triaxial::begin_wear()
   engine().set_repetitions(plan.repetitions());
 }
 
-void Triaxial::after_tick()
+void Triaxial::after_sample()
 {
   const std::int64_t tick = pace.ticks() % cycle_ticks;
   if (tick == 0)
     end_cycle();
   else if (tick == cycle_ticks / 2 && plan.is_landing())
-    land();
+    extrapolate();
 }
 
 void Triaxial::end_cycle()
@@ -62,9 +63,9 @@ void Triaxial::end_cycle()
 }
 
 /// At the peak of the load, brings the strain that the skipped cycles would
-/// have brought by leading all along the drift, and takes time and energies
-/// over.
-void Triaxial::land()
+/// have brought by leading all along the mean cyclic motion, and takes time and
+/// energies over.
+void Triaxial::extrapolate()
 {
   Sample before, after;
   add_energies(before);
@@ -76,8 +77,8 @@ void Triaxial::land()
   {
     const double cycles = missing / plan.strain_rate();
     const int n_steps = static_cast<int>(std::ceil(steps_in_cycle * cycles));
-    moved = move_along(drift, {cycles, n_steps, time_step()}, *joined, *cell,
-                       engine());
+    moved = move_along(mean_motion, {cycles, n_steps, time_step()}, *joined,
+                       *cell, engine());
     engine().set_local_damping(parameters.preparation.local_damping);
     hold_load(rest_after_way);
     engine().set_local_damping(parameters.time.local_damping);
@@ -90,7 +91,8 @@ void Triaxial::land()
   text.precision(3);
   text << "cycle " << cycle() << ": jumped over " << plan.length()
        << " cycles, strain moved on by " << slow_state().strain - strain
-       << " of " << missing << " in " << moved << " cycles of the drift";
+       << " of " << missing << " in " << moved
+       << " cycles of the mean cyclic motion";
   watch.say(text.str());
 }
 

@@ -14,8 +14,8 @@ namespace spall
 {
 namespace
 {
-/// Layers of a profile in the diameter of the stone of mean volume.
-constexpr double layers_per_stone = 5.;
+/// Layers of a profile in the diameter of the particle of mean volume.
+constexpr double layers_per_particle = 5.;
 /// Sections in a layer, and in all: points cost some microseconds.
 constexpr double sections_per_layer = 2., fewest_sections = 40.,
                  most_sections = 120.;
@@ -38,11 +38,11 @@ std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
 }
 
 /// Thickness of a layer of a profile, about [m].
-double layer_of(const dem::Particles &stones)
+double layer_of(const dem::ParticleSystem &particles)
 {
-  return std::cbrt(6. / std::numbers::pi * solid_volume(stones) /
-                   static_cast<double>(stones.size())) /
-         layers_per_stone;
+  return std::cbrt(6. / std::numbers::pi * solid_volume(particles) /
+                   static_cast<double>(particles.size())) /
+         layers_per_particle;
 }
 
 /// Cut at n heights.
@@ -95,12 +95,12 @@ double skin_of(const Triaxial &test)
 
 NetworkState network_state(const Triaxial &test)
 {
-  const dem::Particles &stones = test.engine().particles();
+  const dem::ParticleSystem &particles = test.engine().particles();
   const dem::Network network = dem::contact_network_of(test.engine());
   const Sample sample = test.sample(0.);
   const dem::Mat3 inside = dem::mean_stress(
-      dem::without_skin(space_of(test), skin_of(test)), stones, network);
-  const dem::ForceChains chains = dem::force_chains(stones, network);
+      dem::without_skin(space_of(test), skin_of(test)), particles, network);
+  const dem::ForceChains chains = dem::force_chains(particles, network);
   NetworkState state;
   state.coordination_number = sample.coordination_number;
   state.mean_contact_force = sample.mean_contact_force;
@@ -115,9 +115,9 @@ NetworkState network_state(const Triaxial &test)
   state.wall_axial_stress = sample.axial_stress;
   state.inside_lateral_stress = 0.5 * (inside(0, 0) + inside(1, 1));
   state.wall_lateral_stress = sample.lateral_stress;
-  const dem::Mat3 in_stones = test.stress_balance().stones;
-  state.specimen_axial_stress = axial(in_stones);
-  state.specimen_lateral_stress = lateral(in_stones);
+  const dem::Mat3 in_particles = test.stress_balance().particles;
+  state.specimen_axial_stress = axial(in_particles);
+  state.specimen_lateral_stress = lateral(in_particles);
   state.membrane_axial_stress = sample.membrane_axial_stress;
   state.membrane_lateral_stress = sample.membrane_lateral_stress;
   return state;
@@ -125,10 +125,11 @@ NetworkState network_state(const Triaxial &test)
 
 dem::BoundaryProfile boundary_profile(const Triaxial &test)
 {
-  const dem::Particles &stones = test.engine().particles();
-  return dem::boundary_profile(stones, dem::contact_network_of(test.engine()),
+  const dem::ParticleSystem &particles = test.engine().particles();
+  return dem::boundary_profile(particles,
+                               dem::contact_network_of(test.engine()),
                                outline_of(test, sections_for_layers(test)),
-                               {layer_of(stones), skin_of(test)});
+                               {layer_of(particles), skin_of(test)});
 }
 
 void write_profile(const std::filesystem::path &path,
@@ -137,8 +138,8 @@ void write_profile(const std::filesystem::path &path,
   const dem::LayerProfile &lateral = profile.lateral,
                           &platens = profile.platens;
   std::string text = "distance_m,porosity_lateral_1,coordination_lateral_1,"
-                     "n_stones_lateral_1,porosity_platens_1,"
-                     "coordination_platens_1,n_stones_platens_1\n";
+                     "n_particles_lateral_1,porosity_platens_1,"
+                     "coordination_platens_1,n_particles_platens_1\n";
   const std::vector<double> &distance =
       lateral.distance.size() > platens.distance.size() ? lateral.distance
                                                         : platens.distance;
@@ -147,7 +148,7 @@ void write_profile(const std::filesystem::path &path,
     std::vector<double> row = {distance[k]};
     for (const dem::LayerProfile *layers : {&lateral, &platens})
       for (const std::vector<double> *column :
-           {&layers->porosity, &layers->coordination, &layers->n_stones})
+           {&layers->porosity, &layers->coordination, &layers->n_particles})
         row.push_back(k < column->size()
                           ? (*column)[k]
                           : std::numeric_limits<double>::quiet_NaN());

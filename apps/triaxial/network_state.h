@@ -64,7 +64,7 @@ NetworkState network_state(const Triaxial &test);
 /// base and plate now.
 dem::Prism space_of(const Triaxial &test);
 
-/// Thickness of what counts as near a boundary: the largest stone, at most a
+/// Thickness of what counts as near a boundary: the largest particle, at most a
 /// quarter of the least width of the space [m].
 double skin_of(const Triaxial &test);
 

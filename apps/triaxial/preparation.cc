@@ -4,13 +4,13 @@ namespace spall
 {
 namespace
 {
-/// Friction among stones is Preparation/friction until the loading boundaries
-/// are there, damping Preparation/local_damping.
+/// Friction among particles is Preparation/friction until the loading
+/// boundaries are there, damping Preparation/local_damping.
 constexpr CaseKey deciding[] = {
     {"Specimen"}, {"Preparation"}, {"Boundary", "servo_response_time"}};
 
 constexpr CaseKey later[] = {
-    {"Stone", "friction"},
+    {"Particle", "friction"},
     {"Boundary", "lateral"},
     {"Boundary", "mesh"},
     {"Boundary", "elements_per_side"},

@@ -25,7 +25,7 @@ constexpr double least_friction = 1e-3, porosity_tolerance = 0.005; // [-]
 void Triaxial::prepare()
 {
   servo.update(engine(), pace.step());
-  engine().advance_unseen(pace.step());
+  engine().advance_deferred(pace.step());
   pace.count();
   ++in_stage;
   if (in_stage % rest_interval == 0 && is_prepared())
@@ -44,7 +44,7 @@ bool Triaxial::is_prepared()
   return false;
 }
 
-/// Stones slip into a denser packing as their friction goes down; where the
+/// Particles slip into a denser packing as their friction goes down; where the
 /// porosity is met, the friction comes back and holds it.
 void Triaxial::densify()
 {
@@ -54,7 +54,7 @@ void Triaxial::densify()
     is_dense = 1;
     return engine().set_friction(target.friction);
   }
-  const double friction = engine().parameters().stone.friction;
+  const double friction = engine().parameters().particle.friction;
   if (friction < least_friction)
     throw RunFailure("preparation: porosity " + number_text(porosity()) +
                      " without friction, Preparation/porosity = " +
@@ -78,12 +78,12 @@ void Triaxial::finish_preparation()
   preparation.time = engine().time();
   preparation.porosity = porosity();
   if (preparation.porosity <= 0.)
-    throw RunFailure("preparation: porosity " +
-                     number_text(preparation.porosity) +
-                     ": the particles have more volume than the specimen, so "
-                     "they lie in each other: stiffer contacts "
-                     "(Stone/shear_modulus, Wall/normal_stiffness) or a lower "
-                     "Preparation/pressure");
+    throw RunFailure(
+        "preparation: porosity " + number_text(preparation.porosity) +
+        ": the particles have more volume than the specimen, so "
+        "they lie in each other: stiffer contacts "
+        "(Particle/shear_modulus, Wall/normal_stiffness) or a lower "
+        "Preparation/pressure");
   const PreparationParameters &target = parameters.preparation;
   if (target.target == PreparationTarget::porosity &&
       std::abs(preparation.porosity - target.porosity) > porosity_tolerance)
@@ -167,12 +167,12 @@ void Triaxial::place_boundaries()
     pressed = pressed_quads(lateral_mesh(parameters, lower, upper),
                             dem::contact_network_of(engine()));
   servo.release(engine(), 2);
-  // Stones that carry nothing would fly on for ever.
+  // Particles that carry nothing would fly on for ever.
   engine().come_to_rest();
-  engine().set_friction(parameters.stone.friction);
+  engine().set_friction(parameters.particle.friction);
   engine().set_local_damping(parameters.time.local_damping);
   engine().set_renewal(parameters.contact.refresh_tolerance,
-                       parameters.contact.search_margin);
+                       parameters.contact.skin);
   plane_work_gone = top_plane().work;
   build_cell();
   if (specimen.walls.is_round && membrane())

@@ -8,7 +8,7 @@
 
 namespace spall
 {
-/// The quads that stones press on: those nearer to a contact with a boundary
+/// The quads that particles press on: those nearer to a contact with a boundary
 /// than a twentieth of their longer diagonal. In order.
 std::vector<std::int32_t> pressed_quads(const fem::SurfaceMesh &mesh,
                                         const dem::Network &network);

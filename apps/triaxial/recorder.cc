@@ -64,7 +64,7 @@ void Recorder::start(const Triaxial &test)
 }
 
 /// State of the test and of the files as a checkpoint has them.
-Progressed Recorder::bring_back(Triaxial &test, const std::string &name)
+Progressed Recorder::restore_state(Triaxial &test, const std::string &name)
 {
   Progressed done;
   read_checkpoint(
@@ -95,7 +95,7 @@ Progressed Recorder::bring_back(Triaxial &test, const std::string &name)
 void Recorder::resume(Triaxial &test)
 {
   write_gradation(test); // before what has broken is restored
-  spent_before = bring_back(test, "state.bin").spent;
+  spent_before = restore_state(test, "state.bin").spent;
   write_text(folder / "case.prm", resolved_case(parameters));
   stage_before = std::min(test.stage(), Stage::loading);
   follow_jumps(test); // the run may have ended before it had
@@ -104,12 +104,12 @@ void Recorder::resume(Triaxial &test)
 void Recorder::follow_jumps(Triaxial &test)
 {
   constexpr const char *kept = "before_jump.bin";
-  if (test.jumps().due() == JumpStep::keep)
+  if (test.jumps().due() == JumpStep::save_state)
     write_checkpoint(test, kept);
-  if (test.jumps().due() != JumpStep::go_back)
+  if (test.jumps().due() != JumpStep::restore_state)
     return;
   const JumpPlan refused = test.jumps();
-  bring_back(test, kept);
+  restore_state(test, kept);
   test.shorten_jump(refused);
   if (!last_checkpoint().empty()) // of cycles that have not been
     write_checkpoint(test);
@@ -119,7 +119,7 @@ void Recorder::after_step(Triaxial &test)
 {
   const double begun = elapsed();
   write_due(test);
-  if (test.stage() >= Stage::loading && test.is_on_tick() &&
+  if (test.stage() >= Stage::loading && test.is_on_sample() &&
       test.ticks() % test.ticks_per_cycle() == 0)
     write_due_checkpoint(test, test.ticks() / test.ticks_per_cycle());
   spent.output += elapsed() - begun;
@@ -135,7 +135,7 @@ void Recorder::write_due(Triaxial &test)
       write_history(test);
     return;
   }
-  if (!test.is_on_tick())
+  if (!test.is_on_sample())
     return;
   const std::int64_t n = test.ticks_per_cycle(), step = test.ticks();
   const auto is_due = [&](std::int64_t times)
@@ -201,7 +201,7 @@ void Recorder::write_events(Triaxial &test)
   for (const dem::BreakageEvent &e : test.take_events())
   {
     // From times alone, so that it does not matter when the row is written;
-    // stones break from the start of loading only.
+    // particles break from the start of loading only.
     const double cycle = std::max(0., (e.time - loading_start.time) / period);
     events.write_row(event_row(e, cycle));
   }

@@ -54,7 +54,7 @@ private:
   void write_frame(Triaxial &test, bool with_surfaces);
   void write_checkpoint(Triaxial &test, const std::string &name = "state.bin");
   void write_due_checkpoint(Triaxial &test, std::int64_t cycle);
-  Progressed bring_back(Triaxial &test, const std::string &name);
+  Progressed restore_state(Triaxial &test, const std::string &name);
   void note_stage(Triaxial &test);
   double elapsed() const;
 

@@ -103,7 +103,7 @@ void describe(Progress &progress, const Triaxial &test)
   const dem::StepLimit limit =
       dem::critical_step(test.engine().parameters(), test.engine().particles());
   std::snprintf(line, sizeof line,
-                "%zu stones, time step %.3g s, critical %.3g s (%s)",
+                "%zu particles, time step %.3g s, critical %.3g s (%s)",
                 test.engine().particles().size(), test.time_step(), limit.step,
                 limit.reason.c_str());
   progress.say(line);

@@ -36,14 +36,14 @@ TimeParameters Triaxial::step_rule() const
              : parameters.time;
 }
 
-/// Of the stones, between two exchanges with what closes the specimen.
+/// Of the particles, between two exchanges with what closes the specimen.
 int Triaxial::steps_in_window() const
 {
   return parameters.coupling.exchange_rules(parameters.boundary.lateral)
-      .stone_steps;
+      .particle_steps;
 }
 
-/// Of the stones, in a step of the pace.
+/// Of the particles, in a step of the pace.
 int Triaxial::steps_in_pace() const
 {
   return now == Stage::preparation ? 1 : steps_in_window();
@@ -65,7 +65,7 @@ double Triaxial::exchange_gain() const
   return joined ? joined->gain(engine(), pace.step()) : 0.;
 }
 
-/// Of the pace: of stones in the preparation, of windows from then on.
+/// Of the pace: of particles in the preparation, of windows from then on.
 double Triaxial::longest_step() const
 {
   const int n = steps_in_pace();
@@ -87,7 +87,7 @@ void Triaxial::settle_step()
   }
   if (now != Stage::loading)
     return;
-  if (parameters.time.step == StepRule::error && pace.is_on_tick())
+  if (parameters.time.step == StepRule::error && pace.is_on_sample())
     start_probe();
   watch.note_used(time_step());
 }
@@ -98,7 +98,7 @@ void Triaxial::resume_pace(const TimeParameters &then, std::int64_t ticks_then)
   if (then.step == parameters.time.step && cycle_ticks == ticks_then &&
       (!is_fixed() || then.fixed_step == parameters.time.fixed_step))
     return;
-  if (now < Stage::loading || !pace.is_on_tick() ||
+  if (now < Stage::loading || !pace.is_on_sample() ||
       pace.ticks() % ticks_then != 0)
     throw std::runtime_error(
         "is not at the end of a load cycle: Time/step, Time/fixed_step and "
@@ -113,7 +113,7 @@ void Triaxial::resume_pace(const TimeParameters &then, std::int64_t ticks_then)
 /// Runs ahead with the present step, comes back, and halves the step.
 void Triaxial::start_probe()
 {
-  probe.n_coarse = std::min(probe_steps, pace.steps_to_tick());
+  probe.n_coarse = std::min(probe_steps, pace.steps_to_sample());
   probe.coarse_step = pace.step();
   probe.coarse = probe.fine = {};
   Sample energies;
@@ -172,17 +172,17 @@ void Triaxial::follow_probe()
 
 void Triaxial::gather(Window &window) const
 {
-  const dem::Engine &stones = engine();
+  const dem::Engine &particles = engine();
   window.axial += top_plane().force.z() + cell->rim_reaction();
   if (membrane())
-    for (const dem::Vec3 &load : stones.surface().load)
+    for (const dem::Vec3 &load : particles.surface().load)
       window.lateral += load.norm();
   else if (specimen.walls.is_round)
-    window.lateral += stones.drum().thrust;
+    window.lateral += particles.drum().thrust;
   else
     for (std::size_t d = 0; d < 2; ++d)
       for (const std::size_t plane : specimen.walls.planes[d])
-        window.lateral += stones.planes()[plane].force.norm();
+        window.lateral += particles.planes()[plane].force.norm();
 }
 
 void Triaxial::close_window(Window &window) const

@@ -41,19 +41,20 @@ void Triaxial::add_membrane_forces(StressBalance &sums, const Vec3 &from) const
 
 StressBalance Triaxial::stress_balance() const
 {
-  const dem::Particles &stones = engine().particles();
+  const dem::ParticleSystem &particles = engine().particles();
   const dem::Network network = dem::contact_network_of(engine());
   const Vec3 from = 0.5 * (lower + Vec3(upper.x(), upper.y(), lower.z()));
   StressBalance sums;
-  sums.stones = dem::contact_virial(stones, network);
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    sums.unrest += moment(stones.load[k].force, stones.position(k) - from);
+  sums.particles = dem::contact_virial(particles, network);
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    sums.unrest +=
+        moment(particles.load[k].force, particles.position(k) - from);
   for (const dem::WallContact &contact : network.walls)
     if (!contact.is_on_facets)
       sums.boundary -= moment(contact.force, contact.point - from);
   if (membrane())
     add_membrane_forces(sums, from);
-  for (Mat3 *sum : {&sums.stones, &sums.boundary, &sums.unrest})
+  for (Mat3 *sum : {&sums.particles, &sums.boundary, &sums.unrest})
     *sum /= volume();
   sums.membrane = membrane_stress();
   return sums;

@@ -6,11 +6,12 @@ namespace spall
 {
 /// Mean stresses of a specimen over the volume that its membrane or its rigid
 /// sides enclose, [force direction][position], compression positive [Pa]:
-///   stones + membrane = boundary + unrest
+///   particles + membrane = boundary + unrest
 /// at any instant, to the digits of the dashpots (docs/theory/network.md).
 struct StressBalance
 {
-  dem::Mat3 stones = dem::Mat3::Zero();   ///< contacts of the stones, virial
+  dem::Mat3 particles =
+      dem::Mat3::Zero();                  ///< contacts of the particles, virial
   dem::Mat3 membrane = dem::Mat3::Zero(); ///< of the sheet itself
   dem::Mat3 boundary = dem::Mat3::Zero(); ///< pressure, plates, sides, rims
   dem::Mat3 unrest = dem::Mat3::Zero();   ///< forces that accelerate masses

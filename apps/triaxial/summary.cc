@@ -62,7 +62,7 @@ void add_jumps(const JumpAccount &jumps, nlohmann::ordered_json &out)
   out["jump_strain_error_1"] = jumps.strain_error;
   out["jump_laa_error_percent"] = jumps.abrasion_error;
 }
-/// Of the quads of the membrane, those that a stone presses on: a vertex in
+/// Of the quads of the membrane, those that a particle presses on: a vertex in
 /// the middle of each, after the nodes, has a share of every load on it [-].
 double pressed_share(const Triaxial &test)
 {
@@ -87,7 +87,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   out["is_complete"] = test.cycle() >= parameters.loading.n_cycles();
   out["lateral"] =
       parameters.boundary.lateral == Lateral::membrane ? "membrane" : "rigid";
-  out["n_stones"] = engine.particles().size();
+  out["n_particles"] = engine.particles().size();
   out["n_breakable"] =
       std::count(breakable.begin(), breakable.end(), std::uint8_t{1});
   out["solid_volume_m3"] = solid_volume(engine.particles());

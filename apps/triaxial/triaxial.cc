@@ -70,13 +70,13 @@ void Triaxial::advance()
 {
   if (now == Stage::done)
     return;
-  if (plan.due() == JumpStep::keep || plan.due() == JumpStep::wear)
-    begin_wear();
+  if (plan.due() == JumpStep::save_state || plan.due() == JumpStep::damage)
+    begin_damage_cycles();
   settle_step();
   const bool is_loading = now == Stage::loading;
   step_stage();
-  if (is_loading && pace.is_on_tick())
-    after_tick();
+  if (is_loading && pace.is_on_sample())
+    after_sample();
   if (!stopped_by.empty())
     throw coupling::GuardStop(std::exchange(stopped_by, {}));
 }
@@ -120,7 +120,7 @@ bool Triaxial::refines_membrane() const
          parameters.boundary.refined == MembraneRefinement::pressed;
 }
 
-/// With the quads halved that stones press on when it takes over.
+/// With the quads halved that particles press on when it takes over.
 fem::SurfaceMesh Triaxial::side_mesh() const
 {
   const fem::SurfaceMesh mesh = lateral_mesh(parameters, lower, upper);
@@ -140,26 +140,26 @@ void Triaxial::build_cell()
   const coupling::BodySteps steps =
       membrane ? coupling::BodySteps{c.is_body_implicit, c.body_steps}
                : coupling::BodySteps{};
-  auto body = std::make_unique<coupling::CellBody>(
+  auto body = std::make_unique<coupling::TriaxialCell>(
       parameters.boundary.plate_mass, upper.z(), std::move(membrane), steps);
   cell = body.get();
   watch.set_cap(setup.cap);
   joined = std::make_unique<coupling::Exchange>(
       c.exchange_rules(parameters.boundary.lateral));
-  std::unique_ptr<coupling::Seam> seam =
-      coupling::seam_of(*cell, specimen.walls.planes[2][1],
-                        parameters.membrane_contact, engine());
-  joined->add(std::move(body), std::move(seam), engine());
+  std::unique_ptr<coupling::InterfaceAdapter> adapter =
+      coupling::adapter_of(*cell, specimen.walls.planes[2][1],
+                           parameters.membrane_contact, engine());
+  joined->add(std::move(body), std::move(adapter), engine());
 }
 
-/// The servo walls go along with the stones.
-coupling::Stones Triaxial::stones()
+/// The servo walls go along with the particles.
+coupling::CoupledParticles Triaxial::particles()
 {
   return {engine(),
           [this](double time_step)
           {
             servo.update(engine(), time_step);
-            engine().advance_unseen(time_step);
+            engine().advance_deferred(time_step);
           },
           [this](std::ostream &out)
           {
@@ -216,7 +216,7 @@ void Triaxial::exchange_window(double window)
     cell->set_pressure(pressure);
   try
   {
-    joined->advance(stones(), window);
+    joined->advance(particles(), window);
   }
   // Once the step has been counted.
   catch (const coupling::FoldStop &stop)
@@ -258,9 +258,9 @@ double Triaxial::volume() const
 
 Sample Triaxial::sample(double roundness) const
 {
-  const dem::Particles &stones = engine().particles();
+  const dem::ParticleSystem &particles = engine().particles();
   const dem::ContactNetwork network =
-      dem::contact_network(stones, engine().pairs());
+      dem::contact_network(particles, engine().pairs());
   Sample s;
   s.time = engine().time();
   s.stage = std::min(2., static_cast<double>(now));
@@ -278,14 +278,14 @@ Sample Triaxial::sample(double roundness) const
     s.volumetric_strain = 1. - volume() / start_volume;
   }
   s.porosity = porosity();
-  s.laa = 100. * dem::abrasion(stones);
+  s.laa = 100. * dem::abrasion(particles);
   s.coordination_number = network.coordination_number;
   s.mean_contact_force = network.mean_force;
   s.roundness = roundness;
   s.n_contacts = static_cast<double>(network.n_contacts);
   s.n_events = static_cast<double>(engine().n_events());
   s.unbalanced_force_ratio =
-      dem::unbalanced_force_ratio(stones, engine().pairs());
+      dem::unbalanced_force_ratio(particles, engine().pairs());
   s.overlap_over_radius = engine().overlaps().recent;
   add_energies(s);
   return s;
@@ -349,7 +349,7 @@ void Triaxial::save(std::ostream &out) const
     dem::write_value(out, value);
   dem::write_value(out, plan);
   spall::save(out, observed_from);
-  spall::save(out, drift);
+  spall::save(out, mean_motion);
   engine().save(out, specimen.shapes);
   servo.save(out);
   if (joined)
@@ -383,7 +383,7 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, plan);
   plan.set_end(parameters.loading.n_cycles());
   spall::restore(in, observed_from);
-  spall::restore(in, drift);
+  spall::restore(in, mean_motion);
   const bool has_boundaries = now > Stage::preparation;
   if (has_boundaries && !joined) // a probe goes back with the one it has
     build_cell();

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "run/forecast.h"
-#include "run/pace.h"
 #include "run/sample.h"
 #include "run/step_probe.h"
+#include "run/step_schedule.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
 #include "triaxial/cycle_jump.h"
-#include "triaxial/drift.h"
+#include "triaxial/mean_cyclic_motion.h"
 #include "triaxial/stress_balance.h"
 
-#include <coupling/cell_body.h>
 #include <coupling/exchange.h>
+#include <coupling/triaxial_cell.h>
 
 #include <functional>
 #include <iosfwd>
@@ -28,11 +28,11 @@ enum class Stage : std::int32_t
 };
 
 /// What a preparation by shortcuts has come to.
-struct Hastened
+struct FastPreparation
 {
   bool was_prepared = false; ///< before, so that nothing had to be done
   bool is_packed = true;     ///< else still loose, and steps will cost more
-  MeanStep step = {};        ///< of the stones between the walls
+  MeanStep step = {};        ///< of the particles between the walls
 };
 
 /// The dynamic triaxial test: scene and sequence, step by step.
@@ -49,13 +49,13 @@ public:
   void advance();
 
   Stage stage() const { return now; }
-  double time_step() const; ///< of the stones, the next one [s]
+  double time_step() const; ///< of the particles, the next one [s]
   double window() const { return pace.step(); } ///< of the exchange [s]
   double period() const; ///< of a load cycle, a whole number of ticks [s]
   /// Ticks since the present stage began, and of one load cycle. Every run
   /// meets its ticks, whatever its steps; with a fixed step each is one.
   std::int64_t ticks() const { return pace.ticks(); }
-  bool is_on_tick() const { return pace.is_on_tick(); }
+  bool is_on_sample() const { return pace.is_on_sample(); }
   std::int64_t ticks_per_cycle() const { return cycle_ticks; }
   /// Steps since the present stage began [-].
   std::int64_t stage_steps() const { return in_stage; }
@@ -84,7 +84,7 @@ public:
   {
     return cell && cell->has_membrane() ? &cell->membrane() : nullptr;
   }
-  /// Stones and what closes the specimen; null in the preparation.
+  /// Particles and what closes the specimen; null in the preparation.
   const coupling::Exchange *exchange() const { return joined.get(); }
   const SetupStep &setup_step() const { return setup; }
   /// Of the exchange now [-]; 0 in the preparation.
@@ -141,7 +141,7 @@ public:
   double preparation_time() const;
   /// Past the preparation by shortcuts, to see what steps cost: what is
   /// measured from then on is worth nothing.
-  Hastened hasten();
+  FastPreparation fast_preparation();
   /// The specimen at that moment, bit for bit, and back from there into any
   /// test of the same preparation_text(): the test goes on with the
   /// consolidation as if it had prepared itself.
@@ -161,10 +161,10 @@ private:
   std::string unconsolidated_text() const;
   void begin_loading();
   void load();
-  void begin_wear();
-  void after_tick();
+  void begin_damage_cycles();
+  void after_sample();
   void end_cycle();
-  void land();
+  void extrapolate();
   void hold_load(double length);
   SlowState slow_state() const;
   void enter(Stage next);
@@ -179,7 +179,7 @@ private:
   bool refines_membrane() const;
   fem::SurfaceMesh side_mesh() const;
   void build_cell();
-  coupling::Stones stones();
+  coupling::CoupledParticles particles();
   int steps_in_window() const;
   int steps_in_pace() const;
   Surroundings surroundings() const;
@@ -212,7 +212,7 @@ private:
   dem::BoxServo servo;
   SetupStep setup;
   StepWatch watch;
-  Pace pace;
+  StepSchedule pace;
   ProbeState probe;
   std::string stopped_by; ///< words of a guard; empty: none
   double probing = 0.;    ///< wall-clock of going back, for probes [s]
@@ -227,7 +227,7 @@ private:
   std::int64_t is_dense = 0; ///< the target porosity has been met
   std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;
-  coupling::CellBody *cell = nullptr; ///< of `joined`
+  coupling::TriaxialCell *cell = nullptr; ///< of `joined`
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
   std::vector<std::int32_t> pressed; ///< halved quads of the membrane
   double area = 0.;                  ///< of the plate [m^2]
@@ -237,8 +237,8 @@ private:
   double start_volume = 0.;          ///< [m^3]
 
   JumpPlan plan;
-  Pose observed_from;    ///< where the observation of the motion began
-  Drift drift;           ///< of the observation before the jump
-  double jump_work = 0.; ///< that takes the energies over the jumps [J]
+  Pose observed_from;           ///< where the observation of the motion began
+  MeanCyclicMotion mean_motion; ///< of the observation before the jump
+  double jump_work = 0.;        ///< that takes the energies over the jumps [J]
 };
 } // namespace spall

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-// Stones pressed until they break, in the engine.
+// Particles pressed until they break, in the engine.
 namespace spall::verify
 {
 namespace
@@ -23,7 +23,7 @@ double tip_radius()
 }
 
 /// The long axis along x; error of the series below 1e-8.
-dem::Body ellipsoid()
+dem::ParticleShape ellipsoid()
 {
   return body_of(project(20, [](const dem::Vec3 &s)
                          { return ellipsoid_radius(axes, s); }));
@@ -43,7 +43,8 @@ dem::EngineParameters press_parameters()
 dem::Engine press(double speed)
 {
   dem::Engine engine(press_parameters());
-  engine.add_stone(ellipsoid(), dem::Vec3::Zero(), dem::Quaternion::Identity());
+  engine.add_particle(ellipsoid(), dem::Vec3::Zero(),
+                      dem::Quaternion::Identity());
   for (const double side : {-1., 1.})
   {
     engine.add_plane({side * axes.x(), 0., 0.}, -side * dem::Vec3::UnitX());
@@ -106,13 +107,13 @@ dem::Engine tips(const dem::BreakageParameters &breakage, double sliding)
 {
   dem::EngineParameters p = press_parameters();
   p.breakage = breakage;
-  p.stone.density = 1e9;
-  p.stone.friction = 0.5;
+  p.particle.density = 1e9;
+  p.particle.friction = 0.5;
   dem::Engine engine(p);
   for (const double side : {-1., 1.})
   {
-    engine.add_stone(ellipsoid(), {side * axes.x(), 0., 0.},
-                     dem::Quaternion::Identity());
+    engine.add_particle(ellipsoid(), {side * axes.x(), 0., 0.},
+                        dem::Quaternion::Identity());
     engine.particles().last().velocity = {-side * 0.1, -side * 0.5 * sliding,
                                           0.};
   }
@@ -131,8 +132,9 @@ std::vector<dem::BreakageEvent> first_events(dem::Engine &engine)
   return events.empty() ? std::vector<dem::BreakageEvent>(1) : events;
 }
 
-/// Speed of the first stone after the step of its event less that of a stone
-/// that never breaks: the new force acts from the next half step on [m/s].
+/// Speed of the first particle after the step of its event less that of a
+/// particle that never breaks: the new force acts from the next half step on
+/// [m/s].
 double speed_jump(const dem::Engine &broken)
 {
   dem::BreakageParameters tough;
@@ -148,7 +150,7 @@ const double slow_threshold =
 } // namespace
 
 // 3000 steps; G_c or R wrong by 1 % moves the force by as much.
-std::vector<Row> press_of_stones()
+std::vector<Row> press_of_particles()
 {
   dem::Engine engine = tips({}, 0.);
   const std::vector<dem::BreakageEvent> events = first_events(engine);
@@ -186,10 +188,10 @@ std::vector<Row> choices()
     return first_events(engine);
   };
   const dem::BreakageEvent half = first(shared, 0.)[0];
-  const dem::Elasticity stone{.shear_modulus = 5e8, .poisson_ratio = 0.25};
+  const dem::Elasticity particle{.shear_modulus = 5e8, .poisson_ratio = 0.25};
   const dem::HertzPrefactors contact =
       dem::solve_elliptic(
-          dem::mix(stone, stone),
+          dem::mix(particle, particle),
           {axes.x() / (axes.y() * axes.y()), axes.x() / (axes.z() * axes.z())})
           .prefactors;
   const double shear_share = 0.25 * contact.normal / (0.8 * contact.tangential);
@@ -214,7 +216,7 @@ std::vector<Row> choices()
 std::vector<Row> books()
 {
   dem::Engine engine = press(5e-3);
-  const double volume = engine.particles().body[0].volume;
+  const double volume = engine.particles().shape[0].volume;
   const double dt = press_step(engine);
   double removed = 0., fractured = 0., released = 0., jump = 0.;
   while (engine.n_events() < 30 && engine.time() < 0.02)

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// Stones and bodies that move each other.
+// Particles and bodies that move each other.
 namespace spall::verify
 {
 namespace
@@ -26,10 +26,10 @@ dem::EngineParameters bare(double k)
   return p;
 }
 
-coupling::Stones alone(dem::Engine &engine)
+coupling::CoupledParticles alone(dem::Engine &engine)
 {
   static const coupling::ShapeLibrary none;
-  return coupling::stones_of(engine, none);
+  return coupling::particles_of(engine, none);
 }
 
 /// One quad of the plane z = 0 round the origin, outside is +z.
@@ -45,8 +45,8 @@ fem::SurfaceMesh square(double side)
 
 void add_ball(dem::Engine &engine, double radius, const dem::Vec3 &place)
 {
-  engine.add_stone(dem::make_sphere(radius), place,
-                   dem::Quaternion::Identity());
+  engine.add_particle(dem::make_sphere(radius), place,
+                      dem::Quaternion::Identity());
 }
 
 /// A wall of speed V under a sphere at rest: f g t while it slides, 2 V / 7
@@ -65,7 +65,7 @@ std::vector<Row> moving_wall()
   engine.particles().position(0).z() -= mass * gravity / k;
   coupling::ExchangeParameters rules;
   rules.rule = coupling::ExchangeRule::one_pass;
-  rules.stone_steps = 10;
+  rules.particle_steps = 10;
   coupling::Exchange exchange(rules);
   const fem::SurfaceMesh mesh = square(1.);
   fem::PlateBodyParameters held;
@@ -73,7 +73,8 @@ std::vector<Row> moving_wall()
   coupling::RigidDrive drive;
   drive.path = [speed](double time) { return dem::Vec3(speed * time, 0., 0.); };
   exchange.add(std::make_unique<coupling::RigidBody>(held, mesh.nodes, drive),
-               mesh, "wall", p.surface, coupling::StoneSide::outside, engine);
+               mesh, "wall", p.surface, coupling::ParticleSide::outside,
+               engine);
   const long n = std::lround(slip / std::sqrt(mass / k));
   double sliding = 0.;
   for (long window = 0; window < 2 * n; ++window)
@@ -87,7 +88,7 @@ std::vector<Row> moving_wall()
            5e-3},
           {"speed when it rolls", "m/s", 2. / 7. * speed,
            engine.particles().velocity(0).x(), 3e-3},
-          at_most("work astray / work that crossed", "-",
+          at_most("interface energy error / work that crossed", "-",
                   exchange.ledger().work_residual(), 1e-11)};
 }
 
@@ -98,7 +99,7 @@ std::vector<Row> block_on_balls()
   const double side = 0.1, k = 2450., density = 1000., radius = 0.01;
   dem::EngineParameters p = bare(k);
   p.surface.normal_damping = 0.5;
-  p.stone.density = 1e9; // nothing moves the balls
+  p.particle.density = 1e9; // nothing moves the balls
   dem::Engine engine(p);
   for (const double x : {0.25 * side, 0.75 * side})
     for (const double y : {0.25 * side, 0.75 * side})
@@ -117,11 +118,11 @@ std::vector<Row> block_on_balls()
   body->set_dead_load(weight);
   coupling::ExchangeParameters rules;
   rules.rule = coupling::ExchangeRule::iterated;
-  rules.stone_steps = 5;
+  rules.particle_steps = 5;
   rules.tolerance = 1e-11;
   coupling::Exchange exchange(rules);
   exchange.add(std::move(body), mesh, "block", p.surface,
-               coupling::StoneSide::outside, engine);
+               coupling::ParticleSide::outside, engine);
   for (int window = 0; window < 1000; ++window)
     exchange.advance(alone(engine), 5e-4);
   double overlap = 0.;
@@ -130,7 +131,7 @@ std::vector<Row> block_on_balls()
   const double sunk = density * std::pow(side, 3) * gravity / (4. * k);
   // What is left of the swing after half a second.
   return {{"overlap of a ball at rest", "m", sunk, overlap, 1e-3},
-          at_most("impulse astray / impulse that crossed", "-",
+          at_most("interface impulse error / impulse that crossed", "-",
                   exchange.ledger().impulse_residual(), 1e-12)};
 }
 } // namespace
@@ -138,7 +139,7 @@ std::vector<Row> block_on_balls()
 Family coupling()
 {
   return {"coupling",
-          "stones and bodies together",
+          "particles and bodies together",
           {{"sphere on a moving wall, windows of 10 steps",
             "f g; 2 V / 7 (Coulomb, solid sphere)", moving_wall},
            {"block of 1 MPa on four balls, iterated", "M g / (4 k)",

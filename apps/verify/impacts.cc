@@ -81,14 +81,14 @@ std::vector<Row> hertz_fine()
 double series_peak_force(double time_step)
 {
   dem::EngineParameters p = bare_parameters();
-  p.stone.density = 2800.;
-  p.stone.shear_modulus = 20e9;
-  p.stone.poisson_ratio = 0.2;
+  p.particle.density = 2800.;
+  p.particle.shear_modulus = 20e9;
+  p.particle.poisson_ratio = 0.2;
   dem::Engine engine(p);
   for (const double side : {-1., 1.})
   {
-    engine.add_stone(body_of(sphere_series(20, 0.01)), {side * 0.01, 0., 0.},
-                     dem::Quaternion(0.5, 0.5, 0.5, 0.5));
+    engine.add_particle(body_of(sphere_series(20, 0.01)), {side * 0.01, 0., 0.},
+                        dem::Quaternion(0.5, 0.5, 0.5, 0.5));
     engine.particles().last().velocity.x() = -side * 10.;
   }
   double peak = 0., force = 0.;

@@ -11,7 +11,7 @@ namespace spall::verify
 {
 namespace
 {
-constexpr double ball_radius = 0.01; // [m]
+constexpr double sphere_radius = 0.01; // [m]
 
 /// Order from errors, or differences, at a step and half of it.
 double order(double coarse, double fine)
@@ -31,8 +31,8 @@ dem::Engine pressed_ball()
   dem::Engine engine(p);
   engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
   // A series: balls without one keep their orientation.
-  engine.add_stone(body_of(sphere_series(2, ball_radius)),
-                   {0., 0., ball_radius}, dem::Quaternion::Identity());
+  engine.add_particle(body_of(sphere_series(2, sphere_radius)),
+                      {0., 0., sphere_radius}, dem::Quaternion::Identity());
   const double mass = engine.particles().mass(0);
   engine.particles().position(0).z() -= mass * 100. / 1e6;
   engine.particles().load[0].force.z() = mass * 100.;
@@ -68,7 +68,7 @@ Rocking rock(int n_steps)
   dem::Engine engine = pressed_ball();
   const double lambda = 3. - std::sqrt(6.5), speed = 1e-2;
   engine.particles().velocity(0).x() = speed;
-  engine.particles().spin(0).y() = (1. - lambda) * speed / ball_radius;
+  engine.particles().spin(0).y() = (1. - lambda) * speed / sphere_radius;
   const double omega = std::sqrt(0.7 * lambda) * normal_frequency(engine);
   advance(engine, 7.5 / omega / n_steps, n_steps);
   const dem::Quaternion &q = engine.particles().orientation(0);
@@ -97,8 +97,8 @@ dem::Quaternion tumbling(int n_steps)
   dem::Engine engine = pressed_ball();
   const double speed = 0.02;
   engine.particles().velocity(0) = {speed, 0.4 * speed, 0.};
-  engine.particles().spin(0) = {0.3 * speed / ball_radius,
-                                0.8 * speed / ball_radius, 150.};
+  engine.particles().spin(0) = {0.3 * speed / sphere_radius,
+                                0.8 * speed / sphere_radius, 150.};
   const double time = 20. / normal_frequency(engine);
   advance(engine, time / n_steps, n_steps);
   return engine.particles().orientation(0);
@@ -214,7 +214,7 @@ double energy_kept(const CornerImpact &impact)
   dem::Engine engine(p);
   for (int axis = 0; axis < 2; ++axis)
     engine.add_plane(dem::Vec3::Zero(), dem::Vec3::Unit(axis));
-  add_sphere(engine, ball_radius, dem::Vec3::Constant(ball_radius));
+  add_sphere(engine, sphere_radius, dem::Vec3::Constant(sphere_radius));
   const double dt =
       impact.time_step * std::sqrt(engine.particles().mass(0) / 1e8);
   dem::Vec3 &velocity = engine.particles().velocity(0);

@@ -7,7 +7,7 @@
 
 namespace spall::verify
 {
-/// The stones of the article, and steel.
+/// The particles of the article, and steel.
 inline constexpr dem::Elasticity aggregate{.shear_modulus = 5e8,
                                            .poisson_ratio = 0.25};
 inline constexpr dem::Elasticity steel{.shear_modulus = 7.9e10,

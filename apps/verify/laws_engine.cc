@@ -11,7 +11,7 @@ namespace spall::verify
 namespace
 {
 /// r = r_0 + c P_2(z), at the pole z = 1 or on the equator.
-struct Spot
+struct ContactPoint
 {
   double bulge = 0.; ///< c / r_0 [-]
   bool is_pole = false;
@@ -19,17 +19,18 @@ struct Spot
 
 constexpr double base_radius = 0.01; // r_0 [m]
 
-double reach_of(const Spot &spot)
+double reach_of(const ContactPoint &contact_point)
 {
-  return base_radius * (1. + (spot.is_pole ? 1. : -0.5) * spot.bulge);
+  return base_radius *
+         (1. + (contact_point.is_pole ? 1. : -0.5) * contact_point.bulge);
 }
 
-dem::Body body_at(const Spot &spot)
+dem::ParticleShape body_at(const ContactPoint &contact_point)
 {
   std::vector<double> series = sphere_series(2, base_radius);
   // Y_20 = sqrt(5 / 4 pi) P_2.
   series[std::size_t(dem::harmonic_index(2, 0))] =
-      spot.bulge * base_radius * std::sqrt(0.8 * std::numbers::pi);
+      contact_point.bulge * base_radius * std::sqrt(0.8 * std::numbers::pi);
   return body_of(std::move(series));
 }
 
@@ -41,28 +42,29 @@ struct Curvatures
 };
 
 /// As the model regularises them: both at least 1 / (10 r_ins).
-Curvatures curvatures_at(const Spot &spot)
+Curvatures curvatures_at(const ContactPoint &contact_point)
 {
-  const double r = reach_of(spot), c = spot.bulge * base_radius;
-  const double bend = (spot.is_pole ? -3. : 3.) * c;
-  const double floor = 0.1 / body_at(spot).inscribed_radius;
+  const double r = reach_of(contact_point),
+               c = contact_point.bulge * base_radius;
+  const double bend = (contact_point.is_pole ? -3. : 3.) * c;
+  const double floor = 0.1 / body_at(contact_point).inscribed_radius;
   const double meridian = std::max((r - bend) / (r * r), floor);
-  return {meridian, spot.is_pole ? meridian : std::max(1. / r, floor)};
+  return {meridian, contact_point.is_pole ? meridian : std::max(1. / r, floor)};
 }
 
 struct Scene
 {
   const char *name;
-  Spot a, b;
+  ContactPoint a, b;
   double angle = 0.; ///< of B about the branch [rad]
 };
 
 constexpr double overlap = 2e-5; // [m]
 
-/// The spot of the stone looks along `way` (x or -x).
-dem::Quaternion turned(const Spot &spot, double way)
+/// The contact_point of the particle looks along `way` (x or -x).
+dem::Quaternion turned(const ContactPoint &contact_point, double way)
 {
-  if (spot.is_pole)
+  if (contact_point.is_pole)
     return dem::Quaternion(
         Eigen::AngleAxisd(way * 0.5 * std::numbers::pi, dem::Vec3::UnitY()));
   return dem::Quaternion(
@@ -73,13 +75,13 @@ dem::Quaternion turned(const Spot &spot, double way)
 double force_between(const Scene &scene)
 {
   dem::Engine engine(bare_parameters());
-  engine.add_stone(body_at(scene.a), dem::Vec3::Zero(), turned(scene.a, 1.));
+  engine.add_particle(body_at(scene.a), dem::Vec3::Zero(), turned(scene.a, 1.));
   const dem::Quaternion about_branch(
       Eigen::AngleAxisd(scene.angle, dem::Vec3::UnitX()));
-  engine.add_stone(body_at(scene.b),
-                   (reach_of(scene.a) + reach_of(scene.b) - overlap) *
-                       dem::Vec3::UnitX(),
-                   about_branch * turned(scene.b, -1.));
+  engine.add_particle(body_at(scene.b),
+                      (reach_of(scene.a) + reach_of(scene.b) - overlap) *
+                          dem::Vec3::UnitX(),
+                      about_branch * turned(scene.b, -1.));
   engine.advance(1e-12);
   return -engine.particles().load[0].force.x();
 }
@@ -103,11 +105,11 @@ double exact_force(const Scene &scene)
 }
 } // namespace
 
-// 1e-8 where the stones are turned by nothing or a right angle. Directions of
-// kappa_1 are kept in single precision: 6e-8 of cos 2 psi.
+// 1e-8 where the particles are turned by nothing or a right angle. Directions
+// of kappa_1 are kept in single precision: 6e-8 of cos 2 psi.
 std::vector<Row> shape_contacts()
 {
-  const Spot pole{0.1, true}, side{0.1, false}, flat{2. / 7., false},
+  const ContactPoint pole{0.1, true}, side{0.1, false}, flat{2. / 7., false},
       saddle{0.4, false}, hollow{-0.4, true};
   const double third = std::numbers::pi / 6., quarter = 0.5 * std::numbers::pi;
   std::vector<Row> rows;
@@ -155,10 +157,10 @@ std::vector<Row> springs()
                    dt = 1e-6;
   constexpr int n_steps = 1000;
   dem::EngineParameters p = bare_parameters();
-  p.stone.density = 1e25;
-  p.stone.friction = 1e10; // of balls this heavy the dashpot is 1e7 N
-  p.stone.rolling_friction = 10.;
-  p.stone.shear_damping = 0.3;
+  p.particle.density = 1e25;
+  p.particle.friction = 1e10; // of balls this heavy the dashpot is 1e7 N
+  p.particle.rolling_friction = 10.;
+  p.particle.shear_damping = 0.3;
   dem::Engine engine(p);
   for (const double side : {-1., 1.})
   {

@@ -19,17 +19,17 @@ using dem::Vec3;
 constexpr double pi = std::numbers::pi;
 constexpr double radius = 0.01;       // m
 constexpr double distance = 0.0199;   // of the centres [m]
-constexpr double modulus = 5e8 / .75; // E* = G / (1 - nu) of two stones [Pa]
+constexpr double modulus = 5e8 / .75; // E* = G / (1 - nu) of two particles [Pa]
 
 /// Elastic spheres, frictionless.
 dem::Engine spheres(const std::vector<Vec3> &centres)
 {
   dem::EngineParameters parameters;
-  parameters.stone.friction = parameters.stone.rolling_friction = 0.;
+  parameters.particle.friction = parameters.particle.rolling_friction = 0.;
   dem::Engine engine(parameters);
   for (const Vec3 &centre : centres)
-    engine.add_stone(dem::make_sphere(radius), centre,
-                     dem::Quaternion::Identity());
+    engine.add_particle(dem::make_sphere(radius), centre,
+                        dem::Quaternion::Identity());
   engine.advance(1e-9);
   return engine;
 }
@@ -97,16 +97,16 @@ double layer_porosity(double from, double to)
 std::vector<Row> porosity_next_to_a_plane()
 {
   constexpr int n = 4;
-  dem::Particles stones;
+  dem::ParticleSystem particles;
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        stones.add(dem::make_sphere(radius),
-                   radius * Vec3(2 * i + 1, 2 * j + 1, 2 * k + 1),
-                   dem::Quaternion::Identity(), 2700.);
+        particles.add(dem::make_sphere(radius),
+                      radius * Vec3(2 * i + 1, 2 * j + 1, 2 * k + 1),
+                      dem::Quaternion::Identity(), 2700.);
   const double layer = 0.4 * radius;
   const dem::BoundaryProfile profile = dem::boundary_profile(
-      stones, {},
+      particles, {},
       dem::outline_of(
           dem::prism_of(Vec3::Zero(), Vec3::Constant(2. * n * radius)), 160),
       {layer, 0.});

@@ -12,7 +12,7 @@ namespace spall::verify
 {
 namespace
 {
-constexpr double ball_radius = 0.01, gravity = 9.81;
+constexpr double sphere_radius = 0.01, gravity = 9.81;
 
 dem::EngineParameters floor_parameters()
 {
@@ -49,9 +49,9 @@ std::vector<Row> resistance()
 {
   dem::EngineParameters p = floor_parameters();
   p.wall.rolling_friction = 0.05;
-  dem::Engine engine = resting_ball(p, ball_radius);
+  dem::Engine engine = resting_ball(p, sphere_radius);
   engine.particles().velocity(0).x() = 0.2;
-  engine.particles().spin(0).y() = 0.2 / ball_radius;
+  engine.particles().spin(0).y() = 0.2 / sphere_radius;
   const double start = 0.7 * 0.04 * engine.particles().mass(0);
   const double dt = 0.1 * unit_time(engine);
   advance(engine, dt, 1000);
@@ -74,7 +74,7 @@ std::vector<Row> wensrich()
 {
   const double radius = 2.6e-3, speed = 0.15;
   dem::EngineParameters p = floor_parameters();
-  p.stone.density = 1.;
+  p.particle.density = 1.;
   p.wall.normal_stiffness = 1e3;
   p.wall.shear_stiffness = 0.85e3;
   p.wall.rolling_friction = 0.2;
@@ -101,9 +101,9 @@ std::vector<Row> stopping()
 {
   dem::EngineParameters p = floor_parameters();
   p.wall.rolling_friction = 0.2;
-  dem::Engine engine = resting_ball(p, ball_radius);
+  dem::Engine engine = resting_ball(p, sphere_radius);
   engine.particles().velocity(0).x() = 0.1;
-  engine.particles().spin(0).y() = 0.1 / ball_radius;
+  engine.particles().spin(0).y() = 0.1 / sphere_radius;
   const reference::RollingSphere exact{0.2, gravity};
   const double dt = 0.1 * unit_time(engine);
   advance(engine, dt, static_cast<int>(0.1 / dt)); // stops after 0.0714 s
@@ -117,7 +117,7 @@ std::vector<Row> stopping()
 // spring has come to rest, damped for 60 of its periods.
 std::vector<Row> sliding_to_rolling()
 {
-  dem::Engine engine = resting_ball(floor_parameters(), ball_radius);
+  dem::Engine engine = resting_ball(floor_parameters(), sphere_radius);
   engine.particles().velocity(0).x() = 0.1;
   const double dt = 0.1 * unit_time(engine);
   advance(engine, dt, static_cast<int>(0.02 / dt)); // slides for 5.8 ms
@@ -144,7 +144,7 @@ double downhill(double degrees, double rolling_friction)
   dem::EngineParameters p = floor_parameters();
   p.wall.rolling_friction = rolling_friction;
   p.gravity = gravity * dem::Vec3(std::sin(angle), 0., -std::cos(angle));
-  dem::Engine engine = resting_ball(p, ball_radius);
+  dem::Engine engine = resting_ball(p, sphere_radius);
   const double dt = 0.1 * unit_time(engine);
   advance(engine, dt, 4000);
   const double from = engine.particles().velocity(0).x(), at = engine.time();
@@ -181,14 +181,14 @@ std::vector<Row> gross_sliding()
   p.wall.friction = 0.1;
   dem::Engine engine(p);
   engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
-  add_sphere(engine, ball_radius, {0., 0., ball_radius});
-  const reference::GrossSliding exact{0.1, 1., 0.01, ball_radius};
+  add_sphere(engine, sphere_radius, {0., 0., sphere_radius});
+  const reference::GrossSliding exact{0.1, 1., 0.01, sphere_radius};
   const double tangential = 2. * exact.least_tangential_speed();
   engine.particles().velocity(0) = {tangential, 0., -exact.normal_speed};
   const double dt = 1e-3 * unit_time(engine);
   do
     engine.advance(dt);
-  while (engine.particles().position(0).z() < ball_radius);
+  while (engine.particles().position(0).z() < sphere_radius);
   const dem::Vec3 v = engine.particles().velocity(0);
   const dem::Vec3 spin = engine.particles().spin(0);
   return {{"normal speed after", "m/s", exact.normal_speed, v.z(), 1e-4},
@@ -206,10 +206,10 @@ double rocking_frequency(double lambda)
   dem::EngineParameters p = floor_parameters();
   p.wall.friction = p.wall.rolling_friction = 1e3; // nothing slides
   p.wall.normal_damping = p.wall.shear_damping = 0.;
-  dem::Engine engine = resting_ball(p, ball_radius);
+  dem::Engine engine = resting_ball(p, sphere_radius);
   constexpr double speed = 1e-6;
   engine.particles().velocity(0).x() = speed;
-  engine.particles().spin(0).y() = (1. - lambda) * speed / ball_radius;
+  engine.particles().spin(0).y() = (1. - lambda) * speed / sphere_radius;
   const double dt = 0.005 * unit_time(engine);
   double first = 0., last = 0., before = speed;
   constexpr int n_crossings = 21;
@@ -230,7 +230,7 @@ double rocking_frequency(double lambda)
 // (omega dt)^2 / 24 of the integrator: 5e-6; the lever: 1e-5.
 std::vector<Row> rocking()
 {
-  const double mass = reference::sphere_mass(2750., ball_radius);
+  const double mass = reference::sphere_mass(2750., sphere_radius);
   const reference::RockingModes exact = reference::rocking_modes(1.7e6, mass);
   const double root = std::sqrt(6.5);
   return {

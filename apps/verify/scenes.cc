@@ -10,8 +10,8 @@ namespace spall::verify
 dem::EngineParameters bare_parameters()
 {
   dem::EngineParameters p;
-  p.stone.friction = p.stone.rolling_friction = 0.;
-  p.stone.normal_damping = p.stone.shear_damping = 0.;
+  p.particle.friction = p.particle.rolling_friction = 0.;
+  p.particle.normal_damping = p.particle.shear_damping = 0.;
   p.wall.friction = p.wall.rolling_friction = 0.;
   p.wall.normal_damping = p.wall.shear_damping = 0.;
   p.surface = p.wall;
@@ -22,8 +22,8 @@ dem::EngineParameters bare_parameters()
 
 void add_sphere(dem::Engine &engine, double radius, const dem::Vec3 &position)
 {
-  engine.add_stone(dem::make_sphere(radius), position,
-                   dem::Quaternion::Identity());
+  engine.add_particle(dem::make_sphere(radius), position,
+                      dem::Quaternion::Identity());
 }
 
 void advance(dem::Engine &engine, double time_step, int n_steps)
@@ -66,10 +66,10 @@ double ellipsoid_radius(const dem::Vec3 &axes, const dem::Vec3 &s)
   return 1. / s.cwiseQuotient(axes).norm();
 }
 
-dem::Body body_of(std::vector<double> series)
+dem::ParticleShape body_of(std::vector<double> series)
 {
-  const double radius = series.front() * dem::ball_radius_factor;
-  return dem::make_body(
+  const double radius = series.front() * dem::equivalent_radius_factor;
+  return dem::make_shape(
       std::make_shared<const dem::Coefficients>(std::move(series)), radius);
 }
 } // namespace spall::verify

@@ -37,6 +37,6 @@ std::vector<double> project(int order, const Radius &radius)
 /// r of an ellipsoid at the unit direction s [m].
 double ellipsoid_radius(const dem::Vec3 &axes, const dem::Vec3 &s);
 
-/// A stone with exactly this series, at the origin of its frame.
-dem::Body body_of(std::vector<double> series);
+/// A particle with exactly this series, at the origin of its frame.
+dem::ParticleShape body_of(std::vector<double> series);
 } // namespace spall::verify

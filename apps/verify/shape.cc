@@ -67,7 +67,7 @@ double cache_error(const std::vector<double> &a, double angle)
         at.radius + at.gradient.dot(w) + 0.5 * w.dot(at.hessian * w);
     square += std::pow(guess - dem::radius(a, moved), 2) / n;
   }
-  return std::sqrt(square) / (a[0] * dem::ball_radius_factor);
+  return std::sqrt(square) / (a[0] * dem::equivalent_radius_factor);
 }
 
 // Two random samples differ by 5 to 10 % in the rms. An error of 1 % in the
@@ -101,7 +101,7 @@ Truncation truncation(const std::vector<double> &a)
     if (dem::principal_curvatures(dem::expand(a, s)).minimum < 0.)
       saddles += share;
   }
-  return {std::sqrt(square) / (a[0] * dem::ball_radius_factor), saddles};
+  return {std::sqrt(square) / (a[0] * dem::equivalent_radius_factor), saddles};
 }
 
 // The table has two digits, the roundness three.
@@ -148,7 +148,7 @@ std::vector<Row> event_on_a_sphere()
   const dem::Spall spall = {Vec3(1, 1, 1).normalized(),
                             dem::cap_of(overlap, gauss).volume, overlap, gauss};
   const dem::SpallResult event =
-      dem::apply_spall(dem::own_body(sphere_series(30, r)), spall, {2.5});
+      dem::apply_spall(dem::shape_of(sphere_series(30, r)), spall, {2.5});
   const double square = event.width * event.width, theta = event.depth;
   const double removed = r * r * kernel_integral(square) * theta -
                          r * kernel_integral(square / 2.) * theta * theta +

@@ -13,23 +13,23 @@ namespace
 dem::EngineParameters parameters_of(const BallMaterial &ball)
 {
   dem::EngineParameters p = bare_parameters();
-  p.stone.density = ball.density;
-  p.stone.shear_modulus = ball.shear_modulus;
-  p.stone.poisson_ratio = ball.poisson_ratio;
-  p.stone.friction = ball.friction;
+  p.particle.density = ball.density;
+  p.particle.shear_modulus = ball.shear_modulus;
+  p.particle.poisson_ratio = ball.poisson_ratio;
+  p.particle.friction = ball.friction;
   p.friction_limit = ball.friction_limit;
-  p.stone.normal_damping = damping_of(ball.restitution);
+  p.particle.normal_damping = damping_of(ball.restitution);
   return p;
 }
 
 /// Sum of both radii less the distance [m].
-double overlap_of(const dem::Particles &balls)
+double overlap_of(const dem::ParticleSystem &balls)
 {
   return balls.radius(0) + balls.radius(1) -
          (balls.position(1) - balls.position(0)).norm();
 }
 
-dem::Vec3 momentum_of(const dem::Particles &balls)
+dem::Vec3 momentum_of(const dem::ParticleSystem &balls)
 {
   return balls.mass(0) * balls.velocity(0) + balls.mass(1) * balls.velocity(1);
 }
@@ -37,7 +37,7 @@ dem::Vec3 momentum_of(const dem::Particles &balls)
 /// Runs the impact until the balls part.
 Rebound run_impact(dem::Engine &engine, double time_step)
 {
-  const dem::Particles &balls = engine.particles();
+  const dem::ParticleSystem &balls = engine.particles();
   Rebound rebound;
   double overlap = 0., before = 0.;
   do

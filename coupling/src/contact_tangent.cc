@@ -18,55 +18,56 @@ Eigen::Matrix3d give(const ContactTangent &tangent, std::size_t k,
 
 /// Of the contacts that are there, on the nodes that take it and move freely;
 /// false: there are none.
-bool Exchange::find_tangent(Joint &joint, const dem::Engine &engine,
+bool Exchange::find_tangent(CoupledBody &coupled, const dem::Engine &engine,
                             double window) const
 {
-  const std::size_t n = joint.body->n_sprung();
+  const std::size_t n = coupled.body->n_sprung();
   if (!parameters.has_contact_tangent || n == 0)
     return false;
-  for (auto *column : {&joint.tangent.springs, &joint.tangent.dashpots})
-    column->assign(joint.at.size(), Eigen::Matrix3d::Zero());
-  joint.seam->add_tangent(engine, joint.tangent);
-  const std::vector<double> mass = joint.body->nodal_mass();
-  joint.springs.stiffness.clear();
+  for (auto *column : {&coupled.tangent.springs, &coupled.tangent.dashpots})
+    column->assign(coupled.at.size(), Eigen::Matrix3d::Zero());
+  coupled.adapter->add_tangent(engine, coupled.tangent);
+  const std::vector<double> mass = coupled.body->nodal_mass();
+  coupled.springs.stiffness.clear();
   for (std::size_t k = 0; k < n; ++k)
-    joint.springs.stiffness.push_back(std::isinf(mass[k])
-                                          ? Eigen::Matrix3d::Zero()
-                                          : give(joint.tangent, k, window));
+    coupled.springs.stiffness.push_back(std::isinf(mass[k])
+                                            ? Eigen::Matrix3d::Zero()
+                                            : give(coupled.tangent, k, window));
   return true;
 }
 
 /// The loads are means of the last window, in which nodes went from `from` to
 /// where they are now; now they go from `at`.
-void Exchange::predict_with_tangent(Joint &joint, double window) const
+void Exchange::predict_with_tangent(CoupledBody &coupled, double window) const
 {
-  const FieldView now = joint.body->motion().position;
-  const std::size_t n = joint.springs.stiffness.size();
-  Field load = joint.load;
-  joint.springs.rest.assign(joint.at.begin(),
-                            joint.at.begin() + std::ptrdiff_t(n));
+  const FieldView now = coupled.body->motion().position;
+  const std::size_t n = coupled.springs.stiffness.size();
+  Field load = coupled.load;
+  coupled.springs.rest.assign(coupled.at.begin(),
+                              coupled.at.begin() + std::ptrdiff_t(n));
   for (std::size_t k = 0; k < n; ++k)
-    if (!joint.springs.stiffness[k].isZero(0.))
+    if (!coupled.springs.stiffness[k].isZero(0.))
     {
-      const Eigen::Vector3d went = now[k] - joint.from[k];
-      load[k] += 0.5 * joint.tangent.springs[k] *
-                     (joint.from[k] - joint.at[k] + now[k] - joint.at[k]) +
-                 joint.tangent.dashpots[k] * went / window;
+      const Eigen::Vector3d went = now[k] - coupled.from[k];
+      load[k] +=
+          0.5 * coupled.tangent.springs[k] *
+              (coupled.from[k] - coupled.at[k] + now[k] - coupled.at[k]) +
+          coupled.tangent.dashpots[k] * went / window;
     }
-  joint.body->advance(load, window, &joint.springs);
+  coupled.body->advance(load, window, &coupled.springs);
 }
 
 /// What the contacts would have given, had they seen the body come to where it
 /// comes: its load then.
-void Exchange::correct_with_tangent(Joint &joint, double window) const
+void Exchange::correct_with_tangent(CoupledBody &coupled, double window) const
 {
-  const std::size_t n = joint.springs.stiffness.size();
-  joint.springs.rest.assign(joint.target.begin(),
-                            joint.target.begin() + std::ptrdiff_t(n));
-  joint.body->advance(joint.load, window, &joint.springs);
-  const FieldView now = joint.body->motion().position;
+  const std::size_t n = coupled.springs.stiffness.size();
+  coupled.springs.rest.assign(coupled.target.begin(),
+                              coupled.target.begin() + std::ptrdiff_t(n));
+  coupled.body->advance(coupled.load, window, &coupled.springs);
+  const FieldView now = coupled.body->motion().position;
   for (std::size_t k = 0; k < n; ++k)
-    joint.load[k] -=
-        0.5 * joint.springs.stiffness[k] * (now[k] - joint.springs.rest[k]);
+    coupled.load[k] -=
+        0.5 * coupled.springs.stiffness[k] * (now[k] - coupled.springs.rest[k]);
 }
 } // namespace coupling

@@ -1,6 +1,5 @@
 #include <coupling/exchange.h>
 #include <dem/boundary/surface_guard.h>
-#include <dem/io/binary.h>
 
 #include <algorithm>
 #include <chrono>
@@ -39,7 +38,7 @@ void require(bool condition, const std::string &what)
 }
 
 template <class State>
-std::string kept(const State &state)
+std::string saved_state(const State &state)
 {
   std::ostringstream out(std::ios::binary);
   state.save(out);
@@ -47,7 +46,7 @@ std::string kept(const State &state)
 }
 
 template <class State>
-void bring_back(const std::string &from, State &state)
+void restore_state(const std::string &from, State &state)
 {
   std::istringstream in(from, std::ios::binary);
   state.restore(in);
@@ -87,20 +86,21 @@ Vector sum_of(FieldView field)
 }
 } // namespace
 
-Stones stones_of(dem::Engine &engine, const ShapeLibrary &library)
+CoupledParticles particles_of(dem::Engine &engine, const ShapeLibrary &library)
 {
   return {engine,
-          [&engine](double time_step) { engine.advance_unseen(time_step); },
+          [&engine](double time_step) { engine.advance_deferred(time_step); },
           [&](std::ostream &out) { engine.save(out, library); },
           [&](std::istream &in) { engine.restore(in, library); }};
 }
 
 Exchange::Exchange(const ExchangeParameters &p)
-    : parameters(p), length(p.stone_steps)
+    : parameters(p), length(p.particle_steps)
 {
-  require(p.stone_steps >= 1, "stone steps per window must be at least 1");
-  require(p.rule != ExchangeRule::every_step || p.stone_steps == 1,
-          "every_step has windows of one step of the stones");
+  require(p.particle_steps >= 1,
+          "particle steps per window must be at least 1");
+  require(p.rule != ExchangeRule::every_step || p.particle_steps == 1,
+          "every_step has windows of one step of the particles");
   require(p.rule != ExchangeRule::every_step || !p.has_contact_tangent,
           "every_step needs no tangent of the contacts");
   require(p.window_tolerance == 0. || p.rule == ExchangeRule::one_pass,
@@ -113,9 +113,11 @@ Exchange::Exchange(const ExchangeParameters &p)
           "tolerance and passes must be positive");
 }
 
-Body &Exchange::add(std::unique_ptr<Body> body, const fem::SurfaceMesh &mesh,
-                    const std::string &name, const dem::WallMaterial &contact,
-                    StoneSide side, dem::Engine &engine)
+DeformableBody &Exchange::add(std::unique_ptr<DeformableBody> body,
+                              const fem::SurfaceMesh &mesh,
+                              const std::string &name,
+                              const dem::WallMaterial &contact,
+                              ParticleSide side, dem::Engine &engine)
 {
   InterfaceMap map(mesh, side);
   dem::FacetSurface surface =
@@ -123,11 +125,12 @@ Body &Exchange::add(std::unique_ptr<Body> body, const fem::SurfaceMesh &mesh,
   const std::size_t number =
       engine.add_surface(name, contact, std::move(surface));
   return add(std::move(body),
-             std::make_unique<FacetSeam>(std::move(map), number), engine);
+             std::make_unique<FacetAdapter>(std::move(map), number), engine);
 }
 
-Body &Exchange::add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
-                    const dem::Engine &engine)
+DeformableBody &Exchange::add(std::unique_ptr<DeformableBody> body,
+                              std::unique_ptr<InterfaceAdapter> adapter,
+                              const dem::Engine &engine)
 {
   require(parameters.rule != ExchangeRule::every_step ||
               (!body->is_implicit() && body->n_steps() == 1),
@@ -136,106 +139,110 @@ Body &Exchange::add(std::unique_ptr<Body> body, std::unique_ptr<Seam> seam,
           "the tangent of the contacts is for bodies with one step in a "
           "window");
   const Field at = copy_of(body->motion().position);
-  joints.push_back({std::move(body), std::move(seam), at, at,
-                    Field(at.size(), Vector::Zero()),
-                    parameters.has_contact_tangent ? at : Field()});
-  Joint &joint = joints.back();
-  joint.seam->collect(engine, Collected::load, joint.load);
-  return *joint.body;
+  coupled_bodies.push_back({std::move(body), std::move(adapter), at, at,
+                            Field(at.size(), Vector::Zero()),
+                            parameters.has_contact_tangent ? at : Field()});
+  CoupledBody &coupled = coupled_bodies.back();
+  coupled.adapter->collect(engine, Collected::load, coupled.load);
+  return *coupled.body;
 }
 
-std::size_t Exchange::joint_of(const Body &body) const
+std::size_t Exchange::coupled_body_of(const DeformableBody &body) const
 {
-  const auto found = std::ranges::find_if(
-      joints, [&](const Joint &joint) { return joint.body.get() == &body; });
-  require(found != joints.end(), "a body that is none of its own");
-  return static_cast<std::size_t>(found - joints.begin());
+  const auto found =
+      std::ranges::find_if(coupled_bodies, [&](const CoupledBody &coupled)
+                           { return coupled.body.get() == &body; });
+  require(found != coupled_bodies.end(), "a body that is none of its own");
+  return static_cast<std::size_t>(found - coupled_bodies.begin());
 }
 
-void Exchange::hold(const Body &body, bool is_held)
+void Exchange::hold(const DeformableBody &body, bool is_held)
 {
-  joints[joint_of(body)].is_held = is_held;
+  coupled_bodies[coupled_body_of(body)].is_held = is_held;
 }
 
-FieldView Exchange::load_on(const Body &body) const
+FieldView Exchange::load_on(const DeformableBody &body) const
 {
-  return joints[joint_of(body)].load;
+  return coupled_bodies[coupled_body_of(body)].load;
 }
 
-void Exchange::advance(const Stones &stones, double window)
+void Exchange::advance(const CoupledParticles &particles, double window)
 {
-  open_books(stones.engine);
+  open_books(particles.engine);
   if (parameters.rule == ExchangeRule::every_step)
-    step_together(stones, window);
+    step_together(particles, window);
   else
-    pass_window(stones, window);
-  close_books(stones.engine, window);
+    pass_window(particles, window);
+  close_books(particles.engine, window);
   ++window_count;
   step_count += length.steps();
   if (length.is_due(window_count))
-    length.look(gain(stones.engine, window) / gain_limit, books, window_count);
-  check_gap(stones.engine.time());
-  check_ledger(stones.engine.time());
-  check_surfaces(stones.engine);
+    length.look(gain(particles.engine, window) / gain_limit, books,
+                window_count);
+  check_gap(particles.engine.time());
+  check_ledger(particles.engine.time());
+  check_surfaces(particles.engine);
 }
 
-void Exchange::step_together(const Stones &stones, double time_step)
+void Exchange::step_together(const CoupledParticles &particles,
+                             double time_step)
 {
   timed(spent.bodies,
         [&]
         {
-          for (Joint &joint : joints)
-            if (!joint.is_held)
-              joint.body->begin_step(time_step);
+          for (CoupledBody &coupled : coupled_bodies)
+            if (!coupled.is_held)
+              coupled.body->begin_step(time_step);
         });
   timed(spent.transfer,
         [&]
         {
-          for (Joint &joint : joints)
-            joint.seam->place(joint.body->motion(), stones.engine);
+          for (CoupledBody &coupled : coupled_bodies)
+            coupled.adapter->place(coupled.body->motion(), particles.engine);
         });
-  stones.advance(time_step);
+  particles.advance(time_step);
   timed(spent.transfer,
         [&]
         {
-          for (Joint &joint : joints)
-            joint.seam->collect(stones.engine, Collected::load, joint.load);
+          for (CoupledBody &coupled : coupled_bodies)
+            coupled.adapter->collect(particles.engine, Collected::load,
+                                     coupled.load);
         });
   timed(spent.bodies,
         [&]
         {
-          for (Joint &joint : joints)
-            if (!joint.is_held)
-              joint.body->end_step(joint.load, time_step);
+          for (CoupledBody &coupled : coupled_bodies)
+            if (!coupled.is_held)
+              coupled.body->end_step(coupled.load, time_step);
         });
   report = {1, 0.};
   ++pass_count;
 }
 
-void Exchange::pass_window(const Stones &stones, double window)
+void Exchange::pass_window(const CoupledParticles &particles, double window)
 {
   const bool may_repeat = parameters.rule == ExchangeRule::iterated;
   std::vector<std::string> start;
-  std::ostringstream stones_then(std::ios::binary);
+  std::ostringstream particles_then(std::ios::binary);
   timed(spent.keeping,
         [&]
         {
-          for (const Joint &joint : joints)
-            start.push_back(kept(*joint.body));
+          for (const CoupledBody &coupled : coupled_bodies)
+            start.push_back(saved_state(*coupled.body));
           if (!may_repeat)
             return;
-          const auto events = stones.engine.take_events();
+          const auto events = particles.engine.take_events();
           held_events.insert(held_events.end(), events.begin(), events.end());
-          stones.save(stones_then);
+          particles.save(particles_then);
         });
-  std::vector<Relaxation> relaxation(joints.size(),
+  std::vector<Relaxation> relaxation(coupled_bodies.size(),
                                      Relaxation(parameters.relaxation));
   Stall stalled;
-  predict(stones.engine, window);
+  predict(particles.engine, window);
   for (report.passes = 1;; ++report.passes)
   {
-    run_stones(stones, window);
-    report.gap = correct_bodies(start, stones.engine, window);
+    run_particles(particles, window);
+    report.gap = correct_bodies(start, particles.engine, window);
     if (!may_repeat || report.gap <= parameters.tolerance)
       break;
     if (report.passes == parameters.max_passes || stalled.is_over(report.gap))
@@ -243,27 +250,27 @@ void Exchange::pass_window(const Stones &stones, double window)
       ++unsettled_count;
       break;
     }
-    for (std::size_t j = 0; j < joints.size(); ++j)
+    for (std::size_t j = 0; j < coupled_bodies.size(); ++j)
     {
-      Joint &joint = joints[j];
-      Field residual = copy_of(joint.body->motion().position);
+      CoupledBody &coupled = coupled_bodies[j];
+      Field residual = copy_of(coupled.body->motion().position);
       for (std::size_t k = 0; k < residual.size(); ++k)
-        residual[k] -= joint.target[k];
-      relaxation[j].correct(residual, joint.target);
+        residual[k] -= coupled.target[k];
+      relaxation[j].correct(residual, coupled.target);
     }
     timed(spent.keeping,
           [&]
           {
-            std::istringstream in(stones_then.str(), std::ios::binary);
-            stones.restore(in);
+            std::istringstream in(particles_then.str(), std::ios::binary);
+            particles.restore(in);
           });
   }
   pass_count += report.passes;
-  for (Joint &joint : joints)
+  for (CoupledBody &coupled : coupled_bodies)
   {
     if (parameters.has_contact_tangent)
-      joint.from = joint.at;
-    joint.at = joint.target;
+      coupled.from = coupled.at;
+    coupled.at = coupled.target;
   }
 }
 
@@ -275,7 +282,7 @@ void Exchange::check_gap(double time) const
     throw GuardStop(
         "coupling: after " + std::to_string(report.passes) + " passes at " +
         text_of(time) + " s the bodies are " + text_of(report.gap) +
-        " m from where the stones saw them, limit " +
+        " m from where the particles saw them, limit " +
         text_of(parameters.gap_limit) +
         " m: a shorter window, a smaller relaxation or more passes may help");
 }
@@ -286,27 +293,27 @@ void Exchange::predict(const dem::Engine &engine, double window)
   timed(spent.bodies,
         [&]
         {
-          for (Joint &joint : joints)
+          for (CoupledBody &coupled : coupled_bodies)
           {
-            if (!joint.is_held && find_tangent(joint, engine, window))
-              predict_with_tangent(joint, window);
-            else if (!joint.is_held)
-              joint.body->advance(joint.load, window);
-            joint.target = copy_of(joint.body->motion().position);
+            if (!coupled.is_held && find_tangent(coupled, engine, window))
+              predict_with_tangent(coupled, window);
+            else if (!coupled.is_held)
+              coupled.body->advance(coupled.load, window);
+            coupled.target = copy_of(coupled.body->motion().position);
           }
         });
 }
 
-/// Stones through the window, boundaries straight from `at` to `target`.
-void Exchange::run_stones(const Stones &stones, double window)
+/// Particles through the window, boundaries straight from `at` to `target`.
+void Exchange::run_particles(const CoupledParticles &particles, double window)
 {
   std::vector<Field> velocity;
-  for (Joint &joint : joints)
+  for (CoupledBody &coupled : coupled_bodies)
   {
-    joint.seam->forget_impulse(stones.engine);
-    Field &mean = velocity.emplace_back(joint.at.size());
+    coupled.adapter->forget_impulse(particles.engine);
+    Field &mean = velocity.emplace_back(coupled.at.size());
     for (std::size_t k = 0; k < mean.size(); ++k)
-      mean[k] = (joint.target[k] - joint.at[k]) / window;
+      mean[k] = (coupled.target[k] - coupled.at[k]) / window;
   }
   const int n = length.steps();
   Field position;
@@ -315,31 +322,33 @@ void Exchange::run_stones(const Stones &stones, double window)
     timed(spent.transfer,
           [&]
           {
-            for (std::size_t j = 0; j < joints.size(); ++j)
+            for (std::size_t j = 0; j < coupled_bodies.size(); ++j)
             {
-              position = joints[j].target;
+              position = coupled_bodies[j].target;
               const double left = window * (n - step) / n;
               for (std::size_t k = 0; k < position.size() && step < n; ++k)
                 position[k] -= left * velocity[j][k];
-              joints[j].seam->place({position, velocity[j]}, stones.engine);
+              coupled_bodies[j].adapter->place({position, velocity[j]},
+                                               particles.engine);
             }
           });
-    stones.advance(window / n);
+    particles.advance(window / n);
   }
   timed(spent.transfer,
         [&]
         {
-          for (Joint &joint : joints)
+          for (CoupledBody &coupled : coupled_bodies)
           {
-            joint.seam->collect(stones.engine, Collected::impulse, joint.load);
-            for (Vector &load : joint.load)
+            coupled.adapter->collect(particles.engine, Collected::impulse,
+                                     coupled.load);
+            for (Vector &load : coupled.load)
               load /= window;
           }
         });
 }
 
 /// The bodies through the window again, with its mean loads; returns how far
-/// they come from where the stones saw them.
+/// they come from where the particles saw them.
 double Exchange::correct_bodies(const std::vector<std::string> &start,
                                 const dem::Engine &engine, double window)
 {
@@ -347,20 +356,20 @@ double Exchange::correct_bodies(const std::vector<std::string> &start,
   timed(spent.bodies,
         [&]
         {
-          for (std::size_t j = 0; j < joints.size(); ++j)
+          for (std::size_t j = 0; j < coupled_bodies.size(); ++j)
           {
-            Joint &joint = joints[j];
-            if (joint.is_held)
+            CoupledBody &coupled = coupled_bodies[j];
+            if (coupled.is_held)
               continue;
-            bring_back(start[j], *joint.body);
-            if (find_tangent(joint, engine, window))
-              correct_with_tangent(joint, window);
+            restore_state(start[j], *coupled.body);
+            if (find_tangent(coupled, engine, window))
+              correct_with_tangent(coupled, window);
             else
-              joint.body->advance(joint.load, window);
-            const FieldView now = joint.body->motion().position;
+              coupled.body->advance(coupled.load, window);
+            const FieldView now = coupled.body->motion().position;
             for (std::size_t k = 0; k < now.size(); ++k)
             {
-              const double distance = (now[k] - joint.target[k]).norm();
+              const double distance = (now[k] - coupled.target[k]).norm();
               gap =
                   std::isfinite(distance) ? std::max(gap, distance) : distance;
             }
@@ -374,31 +383,31 @@ void Exchange::open_books(const dem::Engine &engine)
   given_before.clear();
   taken_before.clear();
   load_before.clear();
-  for (const Joint &joint : joints)
+  for (const CoupledBody &coupled : coupled_bodies)
   {
-    given_before.push_back(joint.seam->sums(engine));
-    taken_before.push_back(joint.body->energy().load_work);
-    load_before.push_back(joint.load);
+    given_before.push_back(coupled.adapter->sums(engine));
+    taken_before.push_back(coupled.body->energy().load_work);
+    load_before.push_back(coupled.load);
   }
 }
 
-/// The stones book impulses by the trapezoidal rule. With every_step the bodies
-/// take the loads at both ends of the step, else the mean of the window.
+/// The particles book impulses by the trapezoidal rule. With every_step the
+/// bodies take the loads at both ends of the step, else the mean of the window.
 void Exchange::close_books(const dem::Engine &engine, double window)
 {
   const bool is_mean = parameters.rule != ExchangeRule::every_step;
   double work = 0.;
   Vector impulse = Vector::Zero();
-  for (std::size_t j = 0; j < joints.size(); ++j)
+  for (std::size_t j = 0; j < coupled_bodies.size(); ++j)
   {
-    const Joint &joint = joints[j];
-    const SeamSums given = joint.seam->sums(engine);
+    const CoupledBody &coupled = coupled_bodies[j];
+    const InterfaceSums given = coupled.adapter->sums(engine);
     work += given.work - given_before[j].work;
     impulse += given.impulse;
     if (!is_mean) // else it was forgotten when the window began
       impulse -= given_before[j].impulse;
-    books.taken += joint.body->energy().load_work - taken_before[j];
-    const Vector now = sum_of(joint.load);
+    books.taken += coupled.body->energy().load_work - taken_before[j];
+    const Vector now = sum_of(coupled.load);
     books.impulse_taken +=
         window * (is_mean ? now : Vector(0.5 * (sum_of(load_before[j]) + now)));
   }
@@ -416,7 +425,7 @@ void Exchange::check_ledger(double time) const
       !(books.work_residual() <= parameters.ledger_limit))
     throw GuardStop("coupling: at " + text_of(time) +
                     " s the ledger is beyond Coupling/ledger_limit = " +
-                    text_of(parameters.ledger_limit) + ": stones gave " +
+                    text_of(parameters.ledger_limit) + ": particles gave " +
                     text_of(books.given) + " J, bodies took " +
                     text_of(books.taken) + " J, " +
                     text_of(books.work_residual()) + " of all that crossed");
@@ -458,40 +467,5 @@ void Exchange::check_surfaces(const dem::Engine &engine)
 std::vector<dem::BreakageEvent> Exchange::take_events()
 {
   return std::exchange(held_events, {});
-}
-
-void Exchange::save(std::ostream &out) const
-{
-  for (const Joint &joint : joints)
-  {
-    joint.body->save(out);
-    dem::write_column(out, joint.at);
-    dem::write_column(out, joint.load);
-    dem::write_column(out, joint.from);
-  }
-  dem::write_value(out, books);
-  dem::write_value(out, pass_count);
-  dem::write_value(out, window_count);
-  dem::write_value(out, unsettled_count);
-  dem::write_value(out, step_count);
-  dem::write_value(out, length);
-}
-
-void Exchange::restore(std::istream &in)
-{
-  held_events.clear(); // of windows that have not been
-  for (Joint &joint : joints)
-  {
-    joint.body->restore(in);
-    dem::read_column(in, joint.at);
-    dem::read_column(in, joint.load);
-    dem::read_column(in, joint.from);
-  }
-  dem::read_value(in, books);
-  dem::read_value(in, pass_count);
-  dem::read_value(in, window_count);
-  dem::read_value(in, unsettled_count);
-  dem::read_value(in, step_count);
-  dem::read_value(in, length);
 }
 } // namespace coupling

@@ -11,18 +11,18 @@ namespace coupling
 double Exchange::gain(const dem::Engine &engine, double window) const
 {
   double largest = 0.;
-  for (const Joint &joint : joints)
+  for (const CoupledBody &coupled : coupled_bodies)
   {
-    std::vector<double> stiffness(joint.at.size(), 0.);
-    joint.seam->add_stiffness(engine, stiffness);
-    largest = std::max(largest, joint.body->squared_frequency(stiffness));
+    std::vector<double> stiffness(coupled.at.size(), 0.);
+    coupled.adapter->add_stiffness(engine, stiffness);
+    largest = std::max(largest, coupled.body->squared_frequency(stiffness));
   }
   return 0.25 * window * window * largest;
 }
 
-void Exchange::limit_windows(int stone_steps, double limit_of_gain)
+void Exchange::limit_windows(int particle_steps, double limit_of_gain)
 {
-  length.cap(stone_steps);
+  length.cap(particle_steps);
   gain_limit = limit_of_gain;
 }
 
@@ -31,10 +31,10 @@ dem::SpringNetwork Exchange::springs(const dem::Engine &engine,
 {
   dem::SpringNetwork network = dem::contact_springs(engine, horizon);
   std::vector<SurfacePoints> surfaces;
-  for (const Joint &joint : joints)
-    if (const InterfaceMap *map = joint.seam->facets())
+  for (const CoupledBody &coupled : coupled_bodies)
+    if (const InterfaceMap *map = coupled.adapter->facets())
     {
-      std::vector<double> mass = joint.body->nodal_mass();
+      std::vector<double> mass = coupled.body->nodal_mass();
       mass.resize(map->n_nodes());
       if (parameters.rule != ExchangeRule::every_step)
         mass.assign(mass.size(), std::numeric_limits<double>::infinity());

@@ -2,16 +2,16 @@
 
 namespace coupling
 {
-void Exchange::follow(const Body &body, FieldView velocity,
-                      const Stones &stones, double time_step)
+void Exchange::follow(const DeformableBody &body, FieldView velocity,
+                      const CoupledParticles &particles, double time_step)
 {
-  Joint &joint = joints[joint_of(body)];
+  CoupledBody &coupled = coupled_bodies[coupled_body_of(body)];
   const FieldView position = body.motion().position;
-  joint.at = joint.target = Field(position.begin(), position.end());
+  coupled.at = coupled.target = Field(position.begin(), position.end());
   if (parameters.has_contact_tangent)
-    joint.from = joint.at;
-  joint.seam->place({joint.at, velocity}, stones.engine);
-  stones.advance(time_step);
-  joint.seam->collect(stones.engine, Collected::load, joint.load);
+    coupled.from = coupled.at;
+  coupled.adapter->place({coupled.at, velocity}, particles.engine);
+  particles.advance(time_step);
+  coupled.adapter->collect(particles.engine, Collected::load, coupled.load);
 }
 } // namespace coupling

@@ -24,7 +24,7 @@ void check(const ExchangeContact &contact, std::span<const double> nodal_mass,
           "stiffness", contact.stiffness, "must not be negative");
   require(std::isfinite(contact.damping_ratio) && contact.damping_ratio >= 0.,
           "damping ratio", contact.damping_ratio, "must not be negative");
-  require(contact.stone_mass > 0., "stone mass", contact.stone_mass,
+  require(contact.particle_mass > 0., "particle mass", contact.particle_mass,
           "must be positive");
   require(membrane_step > 0., "membrane step", membrane_step,
           "must be positive");
@@ -40,7 +40,7 @@ ExchangeGain exchange_gain(const ExchangeContact &contact,
                            double membrane_step, double time_step)
 {
   check(contact, nodal_mass, membrane_step, time_step);
-  double over_mass = 1. / contact.stone_mass;
+  double over_mass = 1. / contact.particle_mass;
   if (!nodal_mass.empty())
     over_mass += 1. / *std::min_element(nodal_mass.begin(), nodal_mass.end());
   const double membrane_frequency = 2. / membrane_step;

@@ -59,9 +59,9 @@ Edge edge(std::int32_t a, std::int32_t b)
 }
 } // namespace
 
-InterfaceMap::InterfaceMap(const fem::SurfaceMesh &mesh, StoneSide side)
+InterfaceMap::InterfaceMap(const fem::SurfaceMesh &mesh, ParticleSide side)
     : nodes(mesh.nodes.size()), quads(mesh.quads), midpoints(mesh.midpoints),
-      ends(nodes, {-1, -1}), stones(side)
+      ends(nodes, {-1, -1}), particles(side)
 {
   for (const fem::SurfaceMesh::Midpoint &middle : midpoints)
     ends[index(middle.node)] = middle.ends;
@@ -78,7 +78,7 @@ std::vector<std::array<std::int32_t, 3>> InterfaceMap::triangles() const
     const auto centre = static_cast<std::int32_t>(nodes + k);
     const auto add = [&](std::int32_t from, std::int32_t to)
     {
-      if (stones == StoneSide::outside)
+      if (particles == ParticleSide::outside)
         std::swap(from, to);
       result.push_back({from, to, centre});
     };
@@ -173,10 +173,10 @@ std::array<dem::FarShare, 4> InterfaceMap::shares(std::size_t vertex) const
 void refer_to_nodes(std::span<const SurfacePoints> surfaces,
                     dem::SpringNetwork &springs)
 {
-  const std::size_t n_stones = springs.n_stones();
-  springs.mass.resize(n_stones);
+  const std::size_t n_particles = springs.n_particles();
+  springs.mass.resize(n_particles);
   // Where vertices and nodes of each surface begin among the bodies.
-  std::vector<std::size_t> first_vertex{n_stones}, first_node;
+  std::vector<std::size_t> first_vertex{n_particles}, first_node;
   for (const SurfacePoints &surface : surfaces)
   {
     first_node.push_back(springs.mass.size());
@@ -188,7 +188,7 @@ void refer_to_nodes(std::span<const SurfacePoints> surfaces,
   for (auto &shares : springs.b)
   {
     const auto old = shares;
-    if (old[0].body < 0 || index(old[0].body) < n_stones)
+    if (old[0].body < 0 || index(old[0].body) < n_particles)
       continue;
     const auto after = std::upper_bound(first_vertex.begin(),
                                         first_vertex.end(), index(old[0].body));

@@ -13,7 +13,7 @@ using Vector = Eigen::Vector3d;
 
 RigidBody::RigidBody(const fem::PlateBodyParameters &p, const Field &nodes,
                      RigidDrive its_drive, const BodySteps &steps)
-    : Body(steps), parameters(p), body(p), reference(nodes),
+    : DeformableBody(steps), parameters(p), body(p), reference(nodes),
       drive(std::move(its_drive)), position(nodes),
       velocity(nodes.size(), Vector::Zero())
 {

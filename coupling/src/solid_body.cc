@@ -45,7 +45,7 @@ BodyEnergy energy_of(const fem::SolidEnergy &energy)
 
 SolidBody::SolidBody(fem::Solid its_solid, std::int32_t boundary,
                      const BodySteps &steps)
-    : Body(steps), body(std::move(its_solid)),
+    : DeformableBody(steps), body(std::move(its_solid)),
       surface(fem::boundary_surface(body.mesh(), boundary)),
       position(surface.node.size()), velocity(position),
       dead_load(body.mesh().nodes.size(), Eigen::Vector3d::Zero()),
@@ -84,8 +84,8 @@ void SolidBody::start_books()
     before.push_back(body.displacements()[static_cast<std::size_t>(node)]);
 }
 
-/// Half of the work of this load of the stones since start_books. That of the
-/// drive is what all loads do besides.
+/// Half of the work of this load of the particles since start_books. That of
+/// the drive is what all loads do besides.
 void SolidBody::book(FieldView load)
 {
   if (!drive.force)
@@ -199,7 +199,7 @@ void SolidBody::implicit_step(FieldView load, double time_step)
 
 CondensedBody::CondensedBody(const fem::Solid &body, std::int32_t boundary,
                              int n_inner_modes, int n_steps, double window)
-    : Body({true, n_steps}),
+    : DeformableBody({true, n_steps}),
       surface(fem::boundary_surface(body.mesh(), boundary)),
       reduced(body, {free_nodes(surface), n_inner_modes, window / n_steps}),
       mass(surface_mass(body, surface)), own_step(window / n_steps)

@@ -7,12 +7,12 @@ namespace coupling
 {
 namespace
 {
-constexpr std::int64_t look_interval = 64; // windows
+constexpr std::int64_t check_interval = 64; // windows
 
 /// The gain may come to this share of its limit: contacts change between looks.
 constexpr double gain_share = 0.8;
 
-/// Windows grow where less than this share of what may goes astray.
+/// Windows grow where less than this share of what may is lost.
 constexpr double spare = 0.25;
 } // namespace
 
@@ -24,19 +24,19 @@ void WindowLength::cap(int most)
 
 bool WindowLength::is_due(std::int64_t n_windows) const
 {
-  return is_adaptive() && n_windows % look_interval == 0;
+  return is_adaptive() && n_windows % check_interval == 0;
 }
 
 void WindowLength::look(double gain_over_limit, const LedgerSums &books,
                         std::int64_t n_windows)
 {
-  const double astray = books.given - books.taken;
-  const double usual = books.moved * static_cast<double>(look_interval) /
+  const double energy_error = books.given - books.taken;
+  const double usual = books.moved * static_cast<double>(check_interval) /
                        static_cast<double>(n_windows);
   const double moved = std::max(books.moved - moved_before, usual);
   const double share =
-      moved > 0. ? std::abs(astray - astray_before) / moved : 0.;
-  astray_before = astray;
+      moved > 0. ? std::abs(energy_error - interface_error_before) / moved : 0.;
+  interface_error_before = energy_error;
   moved_before = books.moved;
   std::int64_t wanted = now;
   if (share > tolerance)

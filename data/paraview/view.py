@@ -3,7 +3,7 @@
     paraview --script=view.py                          from within the folder
     pvbatch view.py [--picture FILE.png] [--frame N]   a picture, no window
 
-Frames are counted from 0, -1 is the last one. Stones are drawn by their true
+Frames are counted from 0, -1 is the last one. Particles are drawn by their true
 surfaces where every frame that is asked for has them, else as balls; forces
 between them as tubes.
 """
@@ -16,12 +16,12 @@ import xml.etree.ElementTree as ElementTree
 
 import paraview.simple as pv
 
-# What colours the stones, title of its bar with the unit, and how much of them
+# What colours the particles, title of its bar with the unit, and how much of them
 # stands before the forces.
 LOSS = ("loss_1", "Share of volume lost [-]")
 SPEED = ("velocity_m_per_s:Magnitude", "Speed [m/s]")
 PLAIN = (None, None)
-STONES = {
+PARTICLES = {
     "dynamic_triaxial": (LOSS, 0.25),
     "vibratory_compaction": (LOSS, 0.25),
     "single_particle": (PLAIN, 0.6),
@@ -38,7 +38,7 @@ BODIES = {
 }
 
 # Shades from the lowest value to the highest.
-STONE_SHADES = [[0.78, 0.75, 0.70], [0.80, 0.35, 0.15], [0.45, 0.0, 0.05]]
+PARTICLE_SHADES = [[0.78, 0.75, 0.70], [0.80, 0.35, 0.15], [0.45, 0.0, 0.05]]
 FORCE_SHADES = [[0.95, 0.90, 0.60], [0.90, 0.45, 0.10], [0.25, 0.0, 0.20]]
 BODY_SHADES = [[0.45, 0.65, 0.85], [0.75, 0.85, 0.93], [0.98, 0.96, 0.88]]
 
@@ -120,28 +120,28 @@ class Bars:
         self.n += 1
 
 
-def show_stones(frames, bars, kind, times):
-    (field, title), opacity = STONES[kind]
+def show_particles(frames, bars, kind, times):
+    (field, title), opacity = PARTICLES[kind]
     has_surfaces = frames.always_holds("surfaces", times)
     if has_surfaces:
-        stones = frames.part("surfaces")
+        particles = frames.part("surfaces")
         field, title = LOSS if field else PLAIN
     else:
-        stones = pv.Glyph(Input=frames.part("particles"), GlyphType="Sphere",
+        particles = pv.Glyph(Input=frames.part("particles"), GlyphType="Sphere",
                           ScaleArray=["POINTS", "radius_m"], ScaleFactor=2.0,
                           OrientationArray=["POINTS", "No orientation array"],
                           GlyphMode="All Points")
-        stones.GlyphType.ThetaResolution = 24
-        stones.GlyphType.PhiResolution = 16
-    display = pv.Show(stones, bars.view)
+        particles.GlyphType.ThetaResolution = 24
+        particles.GlyphType.PhiResolution = 16
+    display = pv.Show(particles, bars.view)
     display.Opacity = opacity
     bars.colour(display, "CELLS" if has_surfaces else "POINTS", field, title,
-                STONE_SHADES)
-    return stones
+                PARTICLE_SHADES)
+    return particles
 
 
 def show_forces(frames, bars, radius):
-    """Lines from stone to stone or wall, as thick as the root of their force,
+    """Lines from particle to particle or wall, as thick as the root of their force,
     the greatest with this radius."""
     lines = pv.ExtractSurface(Input=frames.part("contacts"))
     lines.UpdatePipeline()
@@ -171,7 +171,7 @@ def show_bodies(frames, bars):
 
 
 def place_camera(view, kind, bounds):
-    """Upright, from the front and a little from above, on the stones with
+    """Upright, from the front and a little from above, on the particles with
     what is round them."""
     wide = {"subgrade": 1.8, "los_angeles": 1.2}.get(kind, 0.9)
     centre = [0.5 * (bounds[c] + bounds[c + 1]) for c in (0, 2, 4)]
@@ -197,8 +197,8 @@ def show(folder, times):
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = view.ViewTime = times(frames)[-1]
     bars = Bars(view)
-    stones = show_stones(frames, bars, kind, times(frames))
-    bounds = stones.GetDataInformation().GetBounds()
+    particles = show_particles(frames, bars, kind, times(frames))
+    bounds = particles.GetDataInformation().GetBounds()
     if kind != "los_angeles":
         show_forces(frames, bars, 0.015 * (bounds[5] - bounds[4]))
     show_bodies(frames, bars)

@@ -26,30 +26,31 @@ double elastic_energy(const ContactBatch &batch)
 Engine::Engine(const EngineParameters &parameters)
     : settings(parameters), elasticity(parameters)
 {
-  margin.given = settings.geometry.search_margin;
+  margin.given = settings.geometry.skin;
 }
 
-void Engine::add_stone(const Body &body, const Vec3 &position,
-                       const Quaternion &orientation, std::uint8_t material)
+void Engine::add_particle(const ParticleShape &body, const Vec3 &position,
+                          const Quaternion &orientation, std::uint8_t material)
 {
   if (!position.allFinite() || !orientation.coeffs().allFinite())
     throw std::invalid_argument(
-        "particle " + std::to_string(stones.size()) +
+        "particle " + std::to_string(system.size()) +
         ": position and orientation must be finite numbers");
   finish_kick(); // none for the new one
-  stones.follows_surfaces = settings.geometry.follows_surfaces();
-  Body stone = body;
+  system.follows_surfaces = settings.geometry.follows_surfaces();
+  ParticleShape particle = body;
   if (settings.breakage.inscribed == InscribedSphereAt::free)
-    free_corner_radius(stone, sphere_rule(settings.breakage.quadrature_rings));
-  stones.add(stone, position, orientation,
-             material == 0 ? settings.stone.density
+    free_corner_radius(particle,
+                       sphere_rule(settings.breakage.quadrature_rings));
+  system.add(particle, position, orientation,
+             material == 0 ? settings.particle.density
                            : settings.other_solids.at(material - 1u).density);
-  stones.material.back() = material;
-  stones.has_materials |= material != 0;
+  system.material.back() = material;
+  system.has_materials |= material != 0;
   pair_finder.forget();
-  spots.forget();
-  const double diameter = 2. * stones.last().radius;
-  stones.is_breakable.back() =
+  contact_points.forget();
+  const double diameter = 2. * system.last().radius;
+  system.is_breakable.back() =
       body.series && material == 0 &&
       diameter >= settings.breakage.min_diameter * (1. - 1e-9);
   work.damped.push_back(0.);
@@ -82,7 +83,7 @@ void Engine::place_plane(std::size_t plane, const Vec3 &point)
 void Engine::set_drum(const Drum &drum)
 {
   barrel = drum;
-  shelf = DrumShelf(drum);
+  lifter = DrumLifter(drum);
   lists_are_stale = true;
 }
 
@@ -106,7 +107,7 @@ void Engine::attach_surface(FacetSurface surface)
 
 void Engine::set_friction(double friction)
 {
-  settings.stone.friction = friction;
+  settings.particle.friction = friction;
 }
 
 void Engine::set_local_damping(double damping)
@@ -115,19 +116,19 @@ void Engine::set_local_damping(double damping)
   settings.local_damping = damping;
 }
 
-void Engine::set_renewal(double refresh_tolerance, double search_margin)
+void Engine::set_renewal(double refresh_tolerance, double skin)
 {
   settings.geometry.refresh_tolerance = refresh_tolerance;
-  settings.geometry.search_margin = margin.given = search_margin;
+  settings.geometry.skin = margin.given = skin;
 }
 
 void Engine::come_to_rest()
 {
   finish_kick();
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  for (std::size_t i = 0; i < system.size(); ++i)
   {
-    work.damped[i] += stones.kinetic_energy(i);
-    stones.velocity(i) = stones.spin(i) = Vec3::Zero();
+    work.damped[i] += system.kinetic_energy(i);
+    system.velocity(i) = system.spin(i) = Vec3::Zero();
   }
 }
 
@@ -136,7 +137,8 @@ void Engine::set_breaking(bool is_on)
   lists_are_stale |= is_on != settings.breakage.is_active;
   // Caps of relative curvature are made where prefactors are mixed.
   if (settings.breakage.curvature == CapCurvature::relative)
-    std::fill(pair_batch.twist.begin(), pair_batch.twist.end(), 10.f);
+    std::fill(pair_batch.torsion_angle.begin(), pair_batch.torsion_angle.end(),
+              10.f);
   settings.breakage.is_active = is_on;
 }
 
@@ -150,20 +152,20 @@ void Engine::set_repetitions(double repetitions)
 
 void Engine::advance(double time_step)
 {
-  advance_unseen(time_step);
+  advance_deferred(time_step);
   finish_kick();
 }
 
-void Engine::advance_unseen(double time_step)
+void Engine::advance_deferred(double time_step)
 {
   move_planes(time_step);
-  const Speeds fastest = move_stones(time_step);
+  const Speeds fastest = move_particles(time_step);
   now += time_step;
   ++step_count;
   keep_lists(fastest, time_step);
   const bool wants_breakage = evaluate_contacts(time_step);
   load_boundaries(time_step);
-  owed_kick = 0.5 * time_step;
+  pending_half_kick = 0.5 * time_step;
   if (wants_breakage)
     break_corners();
 }
@@ -174,34 +176,34 @@ void Engine::evaluate(double time_step)
     throw std::logic_error("engine: contacts are evaluated as placed before "
                            "the first step only");
   rebuild_lists();
-  std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
+  std::fill(system.load.begin(), system.load.end(), ParticleLoad{});
   evaluate_contacts(time_step);
   load_boundaries(0.);
 }
 
-Speeds Engine::move_stones(double time_step)
+Speeds Engine::move_particles(double time_step)
 {
   const PhaseTimer timer(spent.motion);
-  return kick_and_drift(stones,
+  return kick_and_drift(system,
                         {{settings.gravity, settings.local_damping},
                          steepest,
-                         std::exchange(owed_kick, 0.),
+                         std::exchange(pending_half_kick, 0.),
                          time_step},
                         work);
 }
 
 void Engine::finish_kick() const
 {
-  if (owed_kick == 0.)
+  if (pending_half_kick == 0.)
     return;
   const PhaseTimer timer(spent.motion);
-  kick(stones, {settings.gravity, settings.local_damping},
-       std::exchange(owed_kick, 0.), work);
+  kick(system, {settings.gravity, settings.local_damping},
+       std::exchange(pending_half_kick, 0.), work);
 }
 
 ForceContext Engine::context(double time_step)
 {
-  return {settings,    elasticity, stones,
+  return {settings,    elasticity, system,
           time_step,   travelled,  stride,
           travel.gaps, false,      overlap.recent * least_radius};
 }
@@ -213,7 +215,7 @@ bool Engine::evaluate_contacts(double time_step)
   return run_contacts(context(time_step));
 }
 
-/// Forces of all contacts and the loads on all stones, zero before; true if
+/// Forces of all contacts and the loads on all particles, zero before; true if
 /// some side asks for breakage.
 bool Engine::run_contacts(const ForceContext &all)
 {
@@ -233,10 +235,10 @@ bool Engine::run_contacts(const ForceContext &all)
 
 void Engine::count_places(const ForceSum &sum)
 {
-  spots.events.n_jumps += sum.n_jumps;
-  spots.events.n_ended += sum.n_ended;
+  contact_points.events.n_jumps += sum.n_jumps;
+  contact_points.events.n_ended += sum.n_ended;
   // Two contacts may be one now, and what is gone may be found elsewhere.
-  places_are_stale |= sum.has_strayed;
+  places_are_stale |= sum.has_escaped;
 }
 
 void Engine::exchange_factors()
@@ -245,7 +247,7 @@ void Engine::exchange_factors()
                 [this](ContactBatch &batch)
                 {
                   if (batch.layout.has_damage)
-                    patches.exchange(stones, batch);
+                    patches.exchange(system, batch);
                 });
 }
 
@@ -263,7 +265,7 @@ void Engine::break_corners()
                       of_surfaces};
   const std::size_t before = events.size();
   const BreakingSum done =
-      break_stones(context(0.), stones, contacts, now, events);
+      break_particles(context(0.), system, contacts, now, events);
   if (settings.breakage.memory == FactorMemory::patch)
     exchange_factors(); // of contacts that the events opened
   refused_count += done.n_refused;
@@ -272,23 +274,23 @@ void Engine::break_corners()
   {
     released += events[e].released_energy + events[e].kinetic_energy;
     fractured += events[e].fracture_energy;
-    // No kernel is larger than one: nowhere has the stone grown by more.
+    // No kernel is larger than one: nowhere has the particle grown by more.
     margin.left -= events[e].depth;
     facets_left -= events[e].depth;
     travel.centres += events[e].depth;
     travel.gaps += events[e].depth;
   }
   steepest = branch_steepness();
-  least_radius = stones.smallest_radius();
+  least_radius = system.smallest_radius();
   event_count += static_cast<std::int64_t>(events.size() - before);
   ForceContext still = context(0.);
   still.adds_loads_only = true;
-  std::fill(stones.load.begin(), stones.load.end(), StoneLoad{});
+  std::fill(system.load.begin(), system.load.end(), ParticleLoad{});
   run_contacts(still);
   load_boundaries(0.);
-  // A chip may have led contacts of the stone elsewhere.
+  // A chip may have led contacts of the particle elsewhere.
   visit_batches(*this, [this](const ContactBatch &batch)
-                { places_are_stale |= have_strayed(batch); });
+                { places_are_stale |= have_escaped(batch); });
 }
 
 EngineEnergy Engine::energy() const
@@ -303,9 +305,9 @@ EngineEnergy Engine::energy() const
                 { energy.elastic += elastic_energy(batch); });
   for (const SurfaceContacts &facets : facet_surfaces)
     energy.surface_work += facets.work;
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  for (std::size_t i = 0; i < system.size(); ++i)
   {
-    energy.kinetic += stones.kinetic_energy(i);
+    energy.kinetic += system.kinetic_energy(i);
     energy.damping += work.damped[i];
     energy.gravity_work += work.lifted[i];
   }

@@ -10,7 +10,8 @@
 #include <limits>
 #include <stdexcept>
 
-// The lists of contacts: kept as long as no stone can have come to a new one.
+// The lists of contacts: kept as long as no particle can have come to a new
+// one.
 namespace dem
 {
 namespace
@@ -23,15 +24,15 @@ std::int64_t count_touching(const ContactBatch &batch)
   return n;
 }
 
-/// The fastest point of planes and drum towards a stone [m/s].
+/// The fastest point of planes and drum towards a particle [m/s].
 double fastest_wall(const std::vector<Plane> &planes, const Drum &drum)
 {
   double square = 0.;
   for (const Plane &plane : planes)
     if (plane.is_active)
       square = std::max(square, plane.velocity.squaredNorm());
-  // Of a drum that turns the shelf alone comes nearer to a stone.
-  const double rim = drum.shelf_height > 0. ? drum.spin * drum.radius : 0.;
+  // Of a drum that turns the lifter alone comes nearer to a particle.
+  const double rim = drum.lifter_height > 0. ? drum.spin * drum.radius : 0.;
   return std::sqrt(std::max(square, rim * rim + drum.widening * drum.widening));
 }
 
@@ -51,20 +52,20 @@ double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
   return std::sqrt(square);
 }
 
-/// From here on stones are put in order of place: neighbours lie near each
-/// other in the caches, and few loads go to stones of other ranges of contacts
-/// and other threads.
+/// From here on particles are put in order of place: neighbours lie near each
+/// other in the caches, and few loads go to particles of other ranges of
+/// contacts and other threads.
 constexpr std::size_t sorted_from = 128;
 
 /// Open pairs sleep, so they cost little.
-constexpr SearchMargin::Cost list_of_spheres{8., 0.15},
+constexpr SkinWidth::Cost list_of_spheres{8., 0.15},
     list_of_expansions{8., 0.3}, list_of_surfaces{50., 0.3};
 
-const SearchMargin::Cost &cost_of_list(ContactGeometry geometry)
+const SkinWidth::Cost &cost_of_list(ContactGeometry geometry)
 {
   switch (geometry)
   {
-  case ContactGeometry::ball:
+  case ContactGeometry::sphere:
     return list_of_spheres;
   case ContactGeometry::radial:
     return list_of_expansions;
@@ -77,11 +78,12 @@ const SearchMargin::Cost &cost_of_list(ContactGeometry geometry)
 /// Throws std::runtime_error with the first particle whose position, velocity,
 /// spin or orientation is no finite number, before a list or a grid turns it
 /// into a place in memory.
-[[noreturn]] void report_not_finite(const Particles &particles, double time)
+[[noreturn]] void report_not_finite(const ParticleSystem &particles,
+                                    double time)
 {
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const StoneState &state = particles.state[i];
+    const ParticleState &state = particles.state[i];
     const bool has_place = state.position.allFinite();
     if (has_place && state.velocity.allFinite() && state.spin.allFinite() &&
         particles.orientation(i).coeffs().allFinite())
@@ -97,19 +99,20 @@ const SearchMargin::Cost &cost_of_list(ContactGeometry geometry)
   throw std::runtime_error("some particle moves by no finite number");
 }
 
-/// Throws std::runtime_error where stones leap, before they are lost to all
+/// Throws std::runtime_error where particles leap, before they are lost to all
 /// lists and their places to numbers.
-void require_sane(double fastest, double time_step, const Particles &stones)
+void require_sane(double fastest, double time_step,
+                  const ParticleSystem &system)
 {
   constexpr double most = 100.; // radii in one step
   const double leap = fastest * time_step;
-  // Nearly always any stone is large enough.
-  if (leap == 0. || leap <= most * stones.radius(0) ||
-      leap <= most * stones.largest_radius())
+  // Nearly always any particle is large enough.
+  if (leap == 0. || leap <= most * system.radius(0) ||
+      leap <= most * system.largest_radius())
     return;
   char text[160];
   std::snprintf(text, sizeof text,
-                "stones leap by %.3g m in a step of %.3g s, more than a "
+                "particles leap by %.3g m in a step of %.3g s, more than a "
                 "hundred of their radii: the step is too long",
                 leap, time_step);
   throw std::runtime_error(text);
@@ -130,23 +133,24 @@ double beyond_walls(const std::vector<Plane> &planes, const Drum &drum,
   return most;
 }
 
-/// Throws std::runtime_error where all of a stone is beyond a wall: nothing
+/// Throws std::runtime_error where all of a particle is beyond a wall: nothing
 /// would bring it back.
 void require_inside(const std::vector<Plane> &planes, const Drum &drum,
-                    const Particles &stones)
+                    const ParticleSystem &system)
 {
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  for (std::size_t i = 0; i < system.size(); ++i)
   {
-    const Vec3 &at = stones.position(i);
-    if (beyond_walls(planes, drum, at) <= stones.body[i].circumscribed_radius)
+    const Vec3 &at = system.position(i);
+    if (beyond_walls(planes, drum, at) <= system.shape[i].circumscribed_radius)
       continue;
     char text[224];
-    std::snprintf(text, sizeof text,
-                  "stone %d of %.3g g has come through a wall at (%.4g, %.4g, "
-                  "%.4g) m: the step is too long, or the stone too soft for "
-                  "what presses it",
-                  static_cast<int>(stones.id[i]), 1e3 * stones.mass(i), at.x(),
-                  at.y(), at.z());
+    std::snprintf(
+        text, sizeof text,
+        "particle %d of %.3g g has come through a wall at (%.4g, %.4g, "
+        "%.4g) m: the step is too long, or the particle too soft for "
+        "what presses it",
+        static_cast<int>(system.id[i]), 1e3 * system.mass(i), at.x(), at.y(),
+        at.z());
     throw std::runtime_error(text);
   }
 }
@@ -155,8 +159,8 @@ void require_inside(const std::vector<Plane> &planes, const Drum &drum,
 void Engine::keep_lists(const Speeds &fastest, double time_step)
 {
   if (!fastest.is_finite)
-    report_not_finite(stones, now);
-  require_sane(fastest.moving, time_step, stones);
+    report_not_finite(system, now);
+  require_sane(fastest.moving, time_step, system);
   const double rigid = fastest_wall(walls, barrel),
                sheet = fastest_vertex(facet_surfaces),
                boundary = std::max(rigid, sheet);
@@ -164,10 +168,10 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
   sheets_travelled += sheet * time_step;
   stride = (fastest.moving + boundary) * time_step;
   travelled += stride;
-  // Stones that follow facets have lists of their own for them.
-  const double watched = follows_walls() ? rigid : boundary;
+  // Particles that follow facets have lists of their own for them.
+  const double surrounding = follows_walls() ? rigid : boundary;
   margin.left -=
-      (fastest.closing + std::max(fastest.closing, watched)) * time_step;
+      (fastest.closing + std::max(fastest.closing, surrounding)) * time_step;
   facets_left -= (fastest.closing + sheet) * time_step;
   travel.centres += 2. * fastest.moving * time_step;
   travel.gaps += 2. * fastest.closing * time_step;
@@ -178,13 +182,13 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
       (is_checked && margin.is_too_wide(list_counts())))
     rebuild_lists();
   else if (places_are_stale)
-    look_at_strayed();
+    check_escaped();
   else if (follows_walls() && !facet_surfaces.empty() &&
            (facets_are_stale || facets_left < 0.))
-    look_at_facets();
+    check_facets();
 }
 
-SearchMargin::Lists Engine::list_counts() const
+SkinWidth::Lists Engine::list_counts() const
 {
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
           count_touching(pair_batch), cost_of_list(pair_geometry())};
@@ -194,19 +198,19 @@ void Engine::rebuild_lists()
 {
   const PhaseTimer timer(spent.search);
   if (keeps_inside)
-    require_inside(walls, barrel, stones);
+    require_inside(walls, barrel, system);
   margin.renew(settings.geometry.usual_skin, list_counts());
-  if (stones.size() >= sorted_from)
+  if (system.size() >= sorted_from)
     sort_in_space();
   renew_lists();
   steepest = branch_steepness();
-  least_radius = stones.size() > 0 ? stones.smallest_radius() : 0.;
+  least_radius = system.size() > 0 ? system.smallest_radius() : 0.;
   lists_are_stale = false;
 }
 
-/// What is left of the margin stays: but for pairs whose places have strayed,
+/// What is left of the margin stays: but for pairs whose places have escaped,
 /// lists are as good as they were.
-void Engine::look_at_strayed()
+void Engine::check_escaped()
 {
   const PhaseTimer timer(spent.search);
   renew_lists();
@@ -222,13 +226,13 @@ void Engine::renew_lists()
   for (SurfaceContacts &facets : facet_surfaces)
     rebuild_facet_list(facets);
   places_are_stale = facets_are_stale = false;
-  std::fill(pair_batch.wake.begin(), pair_batch.wake.end(), 0.);
+  std::fill(pair_batch.reactivation.begin(), pair_batch.reactivation.end(), 0.);
   pair_loads.prepare(pair_batch);
   ++rebuild_count;
 }
 
 /// The lists of places on facets alone.
-void Engine::look_at_facets()
+void Engine::check_facets()
 {
   const PhaseTimer timer(spent.search);
   update_maps();
@@ -238,25 +242,27 @@ void Engine::look_at_facets()
   ++rebuild_count;
 }
 
-/// Of stones that broke since the last look, or of all after a restart.
+/// Of particles that broke since the last look, or of all after a restart.
 void Engine::update_maps()
 {
-  if (pair_layout(settings, stones).has_spots ||
-      wall_layout(settings, settings.wall, stones).has_spots)
-    maps.update(stones);
+  if (pair_layout(settings, system).has_contact_points ||
+      wall_layout(settings, settings.wall, system).has_contact_points)
+    maps.update(system);
 }
 
 ContactGeometry Engine::pair_geometry() const
 {
-  return stones.has_shapes ? settings.geometry.geometry : ContactGeometry::ball;
+  return system.has_shapes ? settings.geometry.geometry
+                           : ContactGeometry::sphere;
 }
 
-SpotSearchInput Engine::spot_search(const ForceContext &still,
-                                    const BatchLayout &layout) const
+ContactPointSearchInput
+Engine::contact_point_search(const ForceContext &still,
+                             const BatchLayout &layout) const
 {
   // Searched farther than the next look at the lists needs, so that only
-  // stones that move are searched again then. Three times as far: places that
-  // are born between two searches are found too late.
+  // particles that move are searched again then. Three times as far: places
+  // that are born between two searches are found too late.
   constexpr double reserve = 2.;
   return {still,       maps,
           layout,      reserve * margin.width,
@@ -265,30 +271,31 @@ SpotSearchInput Engine::spot_search(const ForceContext &still,
 
 void Engine::rebuild_pair_list()
 {
-  const BatchLayout layout = pair_layout(settings, stones);
-  if (layout.has_spots)
+  const BatchLayout layout = pair_layout(settings, system);
+  if (layout.has_contact_points)
   {
     const ForceContext still = context(0.);
-    spots.renew_pairs(spot_search(still, layout), travel, pair_batch, lost);
+    contact_points.renew_pairs(contact_point_search(still, layout), travel,
+                               pair_batch, lost);
     return;
   }
-  rebuild_pairs(stones, layout,
-                pair_finder.find(stones, pair_geometry(), margin.width, travel),
+  rebuild_pairs(system, layout,
+                pair_finder.find(system, pair_geometry(), margin.width, travel),
                 pair_batch, lost);
 }
 
 void Engine::sort_in_space()
 {
-  // Anew when stones may have changed places with their neighbours.
-  const double diameter = 2. * stones.largest_radius();
+  // Anew when particles may have changed places with their neighbours.
+  const double diameter = 2. * system.largest_radius();
   if (rebuild_count > 0 && travelled - travelled_sorted < diameter)
     return;
   travelled_sorted = travelled;
   const std::vector<std::int32_t> order =
-      space_order(stones.column(&StoneState::position));
-  stones.reorder(order);
+      space_order(system.column(&ParticleState::position));
+  system.reorder(order);
   pair_finder.forget();
-  spots.renumber(places(order));
+  contact_points.renumber(places(order));
   reorder_column(work.damped, order);
   reorder_column(work.lifted, order);
   const std::vector<std::int32_t> place = places(order);
@@ -300,7 +307,7 @@ void Engine::sort_in_space()
     for (SurfaceContacts &facets : facet_surfaces)
     {
       renumber_facet_places(place, facets.candidates, facets.batch);
-      renumber_watched(place, facets.watched);
+      renumber_candidates(place, facets.near_particles);
       facets.watch = {}; // rows take other numbers
     }
     return;
@@ -313,7 +320,7 @@ void Engine::sort_in_space()
 double Engine::branch_steepness() const
 {
   return settings.geometry.geometry == ContactGeometry::radial
-             ? steepness(stones)
+             ? steepness(system)
              : 0.;
 }
 } // namespace dem

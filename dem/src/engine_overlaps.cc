@@ -17,7 +17,8 @@ struct DeepContact
   std::string wall;  ///< of a contact with a wall
 };
 
-DeepContact deepest_of(const ContactBatch &batch, const Particles &particles)
+DeepContact deepest_of(const ContactBatch &batch,
+                       const ParticleSystem &particles)
 {
   DeepContact deepest{&batch, 0, 0., {}};
   for (std::size_t k = 0; k < batch.size(); ++k)
@@ -35,7 +36,7 @@ std::string plane_name(const Plane &plane)
   return text;
 }
 
-std::string particle_name(const Particles &particles, std::size_t i)
+std::string particle_name(const ParticleSystem &particles, std::size_t i)
 {
   char text[80];
   std::snprintf(text, sizeof text, "particle %d (%.3g g, radius %.3g mm)",
@@ -44,7 +45,8 @@ std::string particle_name(const Particles &particles, std::size_t i)
   return text;
 }
 
-std::string describe(const DeepContact &contact, const Particles &particles)
+std::string describe(const DeepContact &contact,
+                     const ParticleSystem &particles)
 {
   const ContactBatch &batch = *contact.batch;
   const auto a = static_cast<std::size_t>(batch.a[contact.number]);
@@ -76,10 +78,10 @@ void Engine::note_overlap(double ratio)
 
 std::string Engine::deepest_contact() const
 {
-  DeepContact deepest = deepest_of(pair_batch, stones);
+  DeepContact deepest = deepest_of(pair_batch, system);
   const auto compare = [&](const ContactBatch &batch, const auto &name)
   {
-    const DeepContact other = deepest_of(batch, stones);
+    const DeepContact other = deepest_of(batch, system);
     if (other.ratio <= deepest.ratio)
       return;
     deepest = other;
@@ -91,6 +93,6 @@ std::string Engine::deepest_contact() const
   for (const SurfaceContacts &facets : facet_surfaces)
     compare(facets.batch, [&facets](std::size_t)
             { return "the facets '" + facets.name + "'"; });
-  return describe(deepest, stones);
+  return describe(deepest, system);
 }
 } // namespace dem

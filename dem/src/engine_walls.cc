@@ -1,4 +1,4 @@
-// The boundaries of the engine: their lists, where stones meet them, their
+// The boundaries of the engine: their lists, where particles meet them, their
 // loads and work.
 #include <dem/engine.h>
 
@@ -9,11 +9,11 @@ namespace dem
 {
 namespace
 {
-/// Triangles are gathered that far beyond the bound of a stone that they serve
-/// its search for some while [bounds].
+/// Triangles are gathered that far beyond the bound of a particle that they
+/// serve its search for some while [bounds].
 constexpr double facet_gathering = 1.25;
 
-/// Margin of searches on facets over the radius of the smallest stone.
+/// Margin of searches on facets over the radius of the smallest particle.
 constexpr double facet_margin = 0.04;
 /// Part of it that may be used up until the next look: looks cost little,
 /// searches much.
@@ -22,79 +22,80 @@ constexpr double facet_notice = 0.5;
 
 bool Engine::follows_walls() const
 {
-  return stones.has_shapes &&
+  return system.has_shapes &&
          settings.geometry.wall_geometry == ContactGeometry::surface;
 }
 
 void Engine::rebuild_plane_list()
 {
-  const BatchLayout layout = wall_layout(settings, settings.wall, stones);
-  if (layout.has_spots)
+  const BatchLayout layout = wall_layout(settings, settings.wall, system);
+  if (layout.has_contact_points)
   {
     const ForceContext still = context(0.);
-    spots.renew_planes(spot_search(still, layout), walls, walls_travelled,
-                       plane_batch, lost);
+    contact_points.renew_planes(contact_point_search(still, layout), walls,
+                                walls_travelled, plane_batch, lost);
     return;
   }
-  rebuild_planes(stones, walls,
+  rebuild_planes(system, walls,
                  {layout, settings.geometry.wall_geometry, margin.width},
                  plane_batch, lost);
 }
 
 void Engine::rebuild_drum_list()
 {
-  const BatchLayout layout = wall_layout(settings, settings.wall, stones);
+  const BatchLayout layout = wall_layout(settings, settings.wall, system);
   if (!follows_walls())
   {
-    rebuild_drum(stones, barrel,
+    rebuild_drum(system, barrel,
                  {layout, settings.geometry.wall_geometry, margin.width},
                  drum_batch, lost);
     return;
   }
-  shelf.turn(barrel);
+  lifter.turn(barrel);
   const ForceContext still = context(0.);
-  spots.renew_drum(spot_search(still, layout),
-                   {barrel, shelf, walls_travelled, drum_walls}, drum_batch,
-                   lost);
+  contact_points.renew_drum(contact_point_search(still, layout),
+                            {barrel, lifter, walls_travelled, drum_walls},
+                            drum_batch, lost);
 }
 
 void Engine::gather_facets(const WallSearch &search, SurfaceContacts &facets)
 {
-  FacetCandidates near = near_facets(stones, facets.surface, search);
-  near.spot = std::move(facets.candidates.spot);
-  near.wake = std::move(facets.candidates.wake);
+  FacetCandidates near = near_facets(system, facets.surface, search);
+  near.contact_point = std::move(facets.candidates.contact_point);
+  near.reactivation = std::move(facets.candidates.reactivation);
   facets.candidates = std::move(near);
-  facets.watch.start(stones, facets.surface, facets.candidates, search);
+  facets.watch.start(system, facets.surface, facets.candidates, search);
 }
 
 void Engine::rebuild_facet_list(SurfaceContacts &facets)
 {
-  WallSearch search{wall_layout(settings, facets.material, stones),
+  WallSearch search{wall_layout(settings, facets.material, system),
                     settings.geometry.wall_geometry, margin.width};
   if (!follows_walls())
   {
-    rebuild_facets(stones, facets.surface, search, facets.candidates,
+    rebuild_facets(system, facets.surface, search, facets.candidates,
                    facets.batch, lost);
     return;
   }
   const ForceContext still = context(0.);
-  SpotSearchInput input = spot_search(still, search.layout);
-  input.margin = facet_margin * stones.smallest_radius();
+  ContactPointSearchInput input = contact_point_search(still, search.layout);
+  input.margin = facet_margin * system.smallest_radius();
   if (facets_left < 0.)
     facets_left = facet_notice * input.margin;
   input.notice = facets_left;
   search.margin = input.margin;
   search.reach = facet_gathering;
-  if (!facets.watch.covers(stones, facets.surface, input.margin))
+  if (!facets.watch.covers(system, facets.surface, input.margin))
     gather_facets(search, facets);
-  spots.renew_facets(
-      input, {facets.mesh(), facets.candidates, facets.watched, facets.watch},
+  contact_points.renew_facets(
+      input,
+      {facets.mesh(), facets.candidates, facets.near_particles, facets.watch},
       facets.batch, lost);
 }
 
 PlacedDrum Engine::placed_drum()
 {
-  return {barrel, shelf, drum_walls, drum_overlap};
+  return {barrel, lifter, drum_walls, drum_overlap};
 }
 
 PlacedFacets Engine::placed_facets(SurfaceContacts &facets)
@@ -108,10 +109,10 @@ void Engine::meet_walls(double time_step)
   plane_rows(walls, plane_walls);
   const ForceContext moved = context(time_step);
   if (barrel.is_there() && !follows_walls())
-    find_drum(stones, barrel, drum_batch, drum_walls);
+    find_drum(system, barrel, drum_batch, drum_walls);
   else if (barrel.is_there())
   {
-    shelf.turn(barrel);
+    lifter.turn(barrel);
     count_places(place_on_drum(moved, placed_drum(), drum_batch));
   }
   for (SurfaceContacts &facets : facet_surfaces)
@@ -119,7 +120,7 @@ void Engine::meet_walls(double time_step)
     {
       ForceSum sum =
           place_on_facets(moved, placed_facets(facets), facets.batch);
-      facets_are_stale |= std::exchange(sum.has_strayed, false);
+      facets_are_stale |= std::exchange(sum.has_escaped, false);
       count_places(sum);
     }
     else

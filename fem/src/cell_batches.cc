@@ -18,20 +18,20 @@ struct Pack
 };
 
 /// Four rows at a time, so that every displacement is loaded once for four.
-template <typename Lanes>
+template <typename Simd>
 FEM_INLINE void four_rows(const double *matrix, const double (*in)[cell_lanes],
                           int lane, double (*out)[cell_lanes])
 {
-  Lanes sum[4] = {};
+  Simd sum[4] = {};
   for (int j = 0; j < 24; ++j)
   {
-    Lanes x;
-    std::memcpy(&x, &in[j][lane], sizeof(Lanes));
+    Simd x;
+    std::memcpy(&x, &in[j][lane], sizeof(Simd));
     for (int r = 0; r < 4; ++r)
       sum[r] += matrix[24 * r + j] * x;
   }
   for (int r = 0; r < 4; ++r)
-    std::memcpy(&out[r][lane], &sum[r], sizeof(Lanes));
+    std::memcpy(&out[r][lane], &sum[r], sizeof(Simd));
 }
 
 template <int lanes>

@@ -17,41 +17,41 @@ struct Pack
   typedef double type __attribute__((vector_size(8 * lanes)));
 };
 
-template <typename Lanes>
-FEM_INLINE void load(Lanes &to, const double *from)
+template <typename Simd>
+FEM_INLINE void load(Simd &to, const double *from)
 {
-  std::memcpy(&to, from, sizeof(Lanes));
+  std::memcpy(&to, from, sizeof(Simd));
 }
 
-template <typename Lanes>
-FEM_INLINE void add(double *to, const Lanes &change)
+template <typename Simd>
+FEM_INLINE void add(double *to, const Simd &change)
 {
-  Lanes value;
-  std::memcpy(&value, to, sizeof(Lanes));
+  Simd value;
+  std::memcpy(&value, to, sizeof(Simd));
   value += change;
-  std::memcpy(to, &value, sizeof(Lanes));
+  std::memcpy(to, &value, sizeof(Simd));
 }
 
-template <typename Lanes>
-FEM_INLINE void dot(Lanes &sum, const Lanes *a, const Lanes *b)
+template <typename Simd>
+FEM_INLINE void dot(Simd &sum, const Simd *a, const Simd *b)
 {
   sum = (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
 /// f[a] = sum_v x_v dN_v/dX_a
-template <typename Lanes>
+template <typename Simd>
 FEM_INLINE void tangents(const SheetBatch &batch,
                          const BatchPositions &positions, int q, int lane,
-                         Lanes (*f)[3])
+                         Simd (*f)[3])
 {
   for (int v = 0; v < 4; ++v)
     for (int a = 0; a < 2; ++a)
     {
-      Lanes slope;
+      Simd slope;
       load(slope, &batch.gradient[q][v][a][lane]);
       for (int i = 0; i < 3; ++i)
       {
-        Lanes position;
+        Simd position;
         load(position, &positions.x[v][i][lane]);
         if (v == 0)
           f[a][i] = slope * position;
@@ -61,20 +61,20 @@ FEM_INLINE void tangents(const SheetBatch &batch,
     }
 }
 
-template <typename Lanes>
+template <typename Simd>
 struct Stress
 {
-  Lanes xx, yy, xy, energy;
+  Simd xx, yy, xy, energy;
 };
 
 /// St Venant-Kirchhoff in plane stress, from C = F^T F.
-template <typename Lanes>
-FEM_INLINE void kirchhoff(const BatchLaw &law, const Lanes &cxx,
-                          const Lanes &cyy, const Lanes &cxy, Stress<Lanes> &s)
+template <typename Simd>
+FEM_INLINE void kirchhoff(const BatchLaw &law, const Simd &cxx, const Simd &cyy,
+                          const Simd &cxy, Stress<Simd> &s)
 {
-  const Lanes exx = 0.5 * (cxx - 1.);
-  const Lanes eyy = 0.5 * (cyy - 1.);
-  const Lanes exy = 0.5 * cxy;
+  const Simd exx = 0.5 * (cxx - 1.);
+  const Simd eyy = 0.5 * (cyy - 1.);
+  const Simd exy = 0.5 * cxy;
   s.xx = law.stiffness * (exx + law.poisson_ratio * eyy);
   s.yy = law.stiffness * (eyy + law.poisson_ratio * exx);
   s.xy = law.stiffness * (1. - law.poisson_ratio) * exy;
@@ -82,41 +82,41 @@ FEM_INLINE void kirchhoff(const BatchLaw &law, const Lanes &cxx,
 }
 
 /// Incompressible: S = mu h (1 - adj(C) / det(C)^2).
-template <typename Lanes>
-FEM_INLINE void neo_hooke(const BatchLaw &law, const Lanes &cxx,
-                          const Lanes &cyy, const Lanes &cxy, Stress<Lanes> &s)
+template <typename Simd>
+FEM_INLINE void neo_hooke(const BatchLaw &law, const Simd &cxx, const Simd &cyy,
+                          const Simd &cxy, Stress<Simd> &s)
 {
-  const Lanes thinning = 1. / (cxx * cyy - cxy * cxy);
-  const Lanes squared = thinning * thinning;
+  const Simd thinning = 1. / (cxx * cyy - cxy * cxy);
+  const Simd squared = thinning * thinning;
   s.xx = law.shear * (1. - cyy * squared);
   s.yy = law.shear * (1. - cxx * squared);
   s.xy = law.shear * cxy * squared;
   s.energy = 0.5 * law.shear * ((cxx + cyy) + (thinning - 3.));
 }
 
-template <typename Lanes>
-FEM_INLINE void root(Lanes &to, const Lanes &from)
+template <typename Simd>
+FEM_INLINE void root(Simd &to, const Simd &from)
 {
-  for (std::size_t k = 0; k < sizeof(Lanes) / sizeof(double); ++k)
+  for (std::size_t k = 0; k < sizeof(Simd) / sizeof(double); ++k)
     to[k] = __builtin_sqrt(from[k]);
 }
 
 /// Stress and energy along the wrinkles at C1, see TensionLine.
-template <typename Lanes>
-FEM_INLINE void along_wrinkles(const TensionLine &line, const Lanes &major,
-                               Lanes &stress, Lanes &energy)
+template <typename Simd>
+FEM_INLINE void along_wrinkles(const TensionLine &line, const Simd &major,
+                               Simd &stress, Simd &energy)
 {
-  const Lanes c = major > line.slack ? major : major * 0. + line.slack;
+  const Simd c = major > line.slack ? major : major * 0. + line.slack;
   if (line.is_neo_hookean)
   {
-    Lanes ratio;
+    Simd ratio;
     root(ratio, line.start / c);
     stress = line.modulus * (line.start - ratio / c);
     energy = 0.5 * line.modulus * ((line.start * c + 2. * ratio) - 3.);
   }
   else
   {
-    const Lanes e = 0.5 * (c - 1.);
+    const Simd e = 0.5 * (c - 1.);
     stress = line.modulus * e + line.start;
     energy = (0.5 * line.modulus * e + line.start) * e;
   }
@@ -124,12 +124,12 @@ FEM_INLINE void along_wrinkles(const TensionLine &line, const Lanes &major,
 }
 
 /// No compression: S_r and W_r in place of those of the law.
-template <typename Lanes>
-FEM_INLINE void relax(const BatchLaw &law, const Lanes &cxx, const Lanes &cyy,
-                      const Lanes &cxy, Stress<Lanes> &s)
+template <typename Simd>
+FEM_INLINE void relax(const BatchLaw &law, const Simd &cxx, const Simd &cyy,
+                      const Simd &cxy, Stress<Simd> &s)
 {
-  const Lanes half = 0.5 * (cxx - cyy), apart = 0.5 * (s.xx - s.yy);
-  Lanes radius, spread, stress, energy;
+  const Simd half = 0.5 * (cxx - cyy), apart = 0.5 * (s.xx - s.yy);
+  Simd radius, spread, stress, energy;
   root(radius, half * half + cxy * cxy);
   root(spread, apart * apart + s.xy * s.xy);
   along_wrinkles(law.line, 0.5 * (cxx + cyy) + radius, stress, energy);
@@ -137,8 +137,8 @@ FEM_INLINE void relax(const BatchLaw &law, const Lanes &cxx, const Lanes &cyy,
   radius = radius > 1e-300 ? radius : radius * 0. + 1e-300;
   const auto is_taut = 0.5 * (s.xx + s.yy) - spread > 0.;
   const double r = law.residual;
-  const Lanes share = (0.5 * (1. - r)) * stress;
-  const Lanes cosine = half / radius, sine = cxy / radius;
+  const Simd share = (0.5 * (1. - r)) * stress;
+  const Simd cosine = half / radius, sine = cxy / radius;
   s.xx = is_taut ? s.xx : share * (1. + cosine) + r * s.xx;
   s.yy = is_taut ? s.yy : share * (1. - cosine) + r * s.yy;
   s.xy = is_taut ? s.xy : share * sine + r * s.xy;
@@ -146,15 +146,15 @@ FEM_INLINE void relax(const BatchLaw &law, const Lanes &cxx, const Lanes &cyy,
 }
 
 /// flux[b] = w S_ab F_a; returns the energy in `energy`.
-template <typename Lanes>
-FEM_INLINE void fluxes(const BatchLaw &law, const Lanes &weight,
-                       const Lanes (*f)[3], Lanes (*flux)[3], Lanes &energy)
+template <typename Simd>
+FEM_INLINE void fluxes(const BatchLaw &law, const Simd &weight,
+                       const Simd (*f)[3], Simd (*flux)[3], Simd &energy)
 {
-  Lanes cxx, cyy, cxy;
+  Simd cxx, cyy, cxy;
   dot(cxx, f[0], f[0]);
   dot(cyy, f[1], f[1]);
   dot(cxy, f[0], f[1]);
-  Stress<Lanes> s;
+  Stress<Simd> s;
   if (law.is_neo_hookean)
     neo_hooke(law, cxx, cyy, cxy, s);
   else
@@ -173,12 +173,12 @@ FEM_INLINE void fluxes(const BatchLaw &law, const Lanes &weight,
 }
 
 /// Adds the share of one point to the forces of `lanes` elements.
-template <typename Lanes>
+template <typename Simd>
 FEM_INLINE void point_forces(const SheetBatch &batch, const BatchLaw &law,
                              const BatchPositions &positions, int q, int lane,
                              BatchForces &out)
 {
-  Lanes f[2][3], flux[2][3], normal[3], weight, energy;
+  Simd f[2][3], flux[2][3], normal[3], weight, energy;
   load(weight, &batch.weight[q][lane]);
   tangents(batch, positions, q, lane, f);
   fluxes(law, weight, f, flux, energy);
@@ -190,13 +190,13 @@ FEM_INLINE void point_forces(const SheetBatch &batch, const BatchLaw &law,
   }
   for (int v = 0; v < 4; ++v)
   {
-    Lanes first, second;
+    Simd first, second;
     load(first, &batch.gradient[q][v][0][lane]);
     load(second, &batch.gradient[q][v][1][lane]);
     for (int i = 0; i < 3; ++i)
     {
-      const Lanes internal = -(first * flux[0][i] + second * flux[1][i]);
-      const Lanes area = law.value[q][v] * normal[i];
+      const Simd internal = -(first * flux[0][i] + second * flux[1][i]);
+      const Simd area = law.value[q][v] * normal[i];
       add(&out.internal[v][i][lane], internal);
       add(&out.area[v][i][lane], area);
     }

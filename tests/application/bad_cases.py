@@ -60,11 +60,11 @@ def value(section, key, text, *message):
 
 
 VALUES = [
-    value("Stone", "shear_modulus", "-5e8", "at least 1"),
-    value("Stone", "poisson_ratio", "0.5", "below 0.5"),
-    value("Stone", "density", "heavy", "a number above 0"),
-    value("Stone", "friction", "nan", "a number"),
-    value("Stone", "friction", "-0.1", "at least 0"),
+    value("Particle", "shear_modulus", "-5e8", "at least 1"),
+    value("Particle", "poisson_ratio", "0.5", "below 0.5"),
+    value("Particle", "density", "heavy", "a number above 0"),
+    value("Particle", "friction", "nan", "a number"),
+    value("Particle", "friction", "-0.1", "at least 0"),
     value("Membrane", "youngs_modulus", "-1.4e6", "above 0"),
     value("Membrane", "thickness", "0", "above 0"),
     value("Membrane", "residual_stiffness", "0.1", "must be 0 unless"),
@@ -73,10 +73,10 @@ VALUES = [
     value("Boundary", "mesh", "none.msh", "no such file or folder"),
     value("Boundary", "mesh", "g.csv", "is no gmsh file of a surface of quads"),
     value("Contact", "geometry", "surface_of_doom",
-          "one of ball, radial, surface"),
+          "one of sphere, radial, surface"),
     value("Contact", "wall_geometry", "surface", "Contact/geometry = surface"),
     value("Breakage", "is_active", "maybe", "true or false"),
-    value("Breakage", "min_ball_radius", "0.02", "Breakage/min_diameter"),
+    value("Breakage", "min_equivalent_radius", "0.02", "Breakage/min_diameter"),
     value("Case", "kind", "los_angles", "dynamic_triaxial"),
     value("Loading", "cycles", "0", "at least 1"),
     value("Loading", "cycles", "2.5", "whole number"),
@@ -89,7 +89,7 @@ VALUES = [
     value("Run", "threads", "-1", "at least 0"),
     value("Specimen", "solid_fraction", "0.75", "below 0.75"),
     value("Specimen", "initial_solid_fraction", "0.5", "at most 0.35"),
-    value("Specimen", "side", "0.02", "twice the largest stone"),
+    value("Specimen", "side", "0.02", "twice the largest particle"),
     value("Specimen", "gradation", "none.csv", "no such file"),
     value("Specimen", "gradation", "", "CSV"),
     value("Specimen", "shapes", "no_such_folder", "no such file or folder"),
@@ -103,18 +103,18 @@ VALUES = [
     value("Time", "energy_tolerance", "2", "at most 1"),
     value("Coupling", "exchange", "none", "every_step, one_pass, iterated"),
     value("Coupling", "contact_tangent", "true", "body_time = implicit"),
-    value("Coupling", "stone_steps", "2", "must be 1"),
+    value("Coupling", "particle_steps", "2", "must be 1"),
     value("Coupling", "ledger_limit", "0", "above 0"),
     value("Material", "file", "granite.prm", "no such file"),
 ]
 
-# Found once the stones and the membrane are known.
+# Found once the particles and the membrane are known.
 SCENE = [
-    # The smallest stones, 8 mm, on a wall of 1e8 N/m: 2 sqrt(m / k) = 5e-6 s.
+    # The smallest particles, 8 mm, on a wall of 1e8 N/m: 2 sqrt(m / k) = 5e-6 s.
     Bad("unstable_step", CASE, ["Time/fixed_step = 0.0001", "must be at most"],
         {"Time": {"fixed_step": "1e-4"}}),
     # k dt^2 / (4 m) = 1 on a node of (0.05 m / 12)^2 1 mm 1100 kg/m^3 = 19 mg;
-    # the stones alone, above 0.7 g, would be stable.
+    # the particles alone, above 0.7 g, would be stable.
     Bad("gain", CASE, ["MembraneContact/normal_stiffness", "gain"],
         {"MembraneContact": {"normal_stiffness": "8e7"}}),
 ]
@@ -142,7 +142,7 @@ WORDS = [
     Bad("kind", [*CASE, "--set", "Case/kind=single_particel",
                  "--set", "Particle/diameter=0.03"],
         ["Case/kind = single_particel", "single_particle"]),
-    Bad("stones_in_mm", [*CASE, "--set", "Specimen/side=50"],
+    Bad("particles_in_mm", [*CASE, "--set", "Specimen/side=50"],
         ["Specimen/gradation = g.csv", "more than 10000000 particles",
          "must be in m"]),
     Bad("set_form", [*CASE, "--set", "cycles=3"], ["Section/key=value"]),
@@ -194,36 +194,36 @@ def case_file(name, text, *message):
 
 
 FILES = [
-    case_file("unknown_section", prm({"Stones": {"friction": 0.5}}),
-              "bad.prm:2: Stones/friction = 0.5", "did you mean Stone?"),
-    case_file("unknown_key", prm({"Stone": {"frction": 0.5}}),
-              "Stone/frction = 0.5", "did you mean friction?"),
-    case_file("unreadable_line", "subsection Stone\n friction 0.5\nend\n",
+    case_file("unknown_section", prm({"Particles": {"friction": 0.5}}),
+              "bad.prm:2: Particles/friction = 0.5", "did you mean Particle?"),
+    case_file("unknown_key", prm({"Particle": {"frction": 0.5}}),
+              "Particle/frction = 0.5", "did you mean friction?"),
+    case_file("unreadable_line", "subsection Particle\n friction 0.5\nend\n",
               "bad.prm:2", "friction 0.5"),
-    case_file("no_end", "subsection Stone\n set friction = 0.5\n", "end"),
-    case_file("nested", "subsection Stone\n subsection Wall\n end\nend\n",
+    case_file("no_end", "subsection Particle\n set friction = 0.5\n", "end"),
+    case_file("nested", "subsection Particle\n subsection Wall\n end\nend\n",
               "bad.prm:2", "nested"),
     case_file("end_too_many", "end\n", "bad.prm:1"),
     case_file("outside", "set friction = 0.5\n", "bad.prm:1", "outside"),
-    case_file("set_twice", "subsection Stone\n set friction = 0.5\n"
+    case_file("set_twice", "subsection Particle\n set friction = 0.5\n"
               " set friction = 0.4\nend\n", "bad.prm:3", "twice"),
-    case_file("json_syntax", '{"Stone": {"friction": 0.5}', "JSON", "line"),
-    case_file("json_form", '{"Stone": 3}', "Stone", "Section"),
-    case_file("json_twice", '{"Stone": {"friction": 1, "friction": 2}}',
+    case_file("json_syntax", '{"Particle": {"friction": 0.5}', "JSON", "line"),
+    case_file("json_form", '{"Particle": 3}', "Particle", "Section"),
+    case_file("json_twice", '{"Particle": {"friction": 1, "friction": 2}}',
               "friction", "twice"),
-    case_file("json_value", '{"Stone": {"friction": "rough"}}',
-              "Stone/friction = rough", "number"),
-    case_file("json_number", '{"Stone": {"friction": 1e400}}', "1e400"),
+    case_file("json_value", '{"Particle": {"friction": "rough"}}',
+              "Particle/friction = rough", "number"),
+    case_file("json_number", '{"Particle": {"friction": 1e400}}', "1e400"),
     case_file("json_binary", "{\x01\x02", "JSON"),
-    Bad("material_key", CASE, ["m.prm:2", "Stone/hardness"],
+    Bad("material_key", CASE, ["m.prm:2", "Particle/hardness"],
         {"Material": {"file": "m.prm"}},
-        {"m.prm": prm({"Stone": {"hardness": 3}})}),
+        {"m.prm": prm({"Particle": {"hardness": 3}})}),
     Bad("material_section", CASE, ["m.prm:2", "Loading/cycles"],
         {"Material": {"file": "m.prm"}},
         {"m.prm": prm({"Loading": {"cycles": 3}})}),
-    Bad("material_value", CASE, ["m.prm:2", "Stone/density = 0", "above 0"],
+    Bad("material_value", CASE, ["m.prm:2", "Particle/density = 0", "above 0"],
         {"Material": {"file": "m.prm"}},
-        {"m.prm": prm({"Stone": {"density": 0}})}),
+        {"m.prm": prm({"Particle": {"density": 0}})}),
 ]
 
 
@@ -339,9 +339,9 @@ PACKINGS = [
     packing("quaternion", "x,y,z,radius,qw,qx,qy,qz\n1,1,1,1,0,0,0,0\n",
             "p.csv:2", "length 1"),
     packing("box", "# box 1 1\n" + PACKING, "p.csv:1", "LX LY LZ"),
-    packing("outside", "# box 1 0.001 1\n" + PACKING, "stone 1", "y = 0.005",
+    packing("outside", "# box 1 0.001 1\n" + PACKING, "particle 1", "y = 0.005",
             "0.001"),
-    packing("empty", "x,y,z,radius\n", "p.csv", "no stones"),
+    packing("empty", "x,y,z,radius\n", "p.csv", "no particles"),
     packing("unstable", "# box 1 1 1\nx,y,z,radius\n1e-6,1e-6,1e-6,1e-6\n", "1e-06 s",
             "at most"),
     packing("steps", PACKING, "--steps 0", "whole number from 1",
@@ -376,7 +376,7 @@ PACKINGS = [
 LAB = {"Case": {"kind": "single_particle"}}
 STUDY = ("subsection Study\n  set case = c.prm\n  set outcomes = n_events\n"
          "end\n")
-SWEEP = "subsection Sweep\n  set Stone/density = 2000, 3000\nend\n"
+SWEEP = "subsection Sweep\n  set Particle/density = 2000, 3000\nend\n"
 
 
 def lab(name, sections, *message):
@@ -416,16 +416,16 @@ LABS = [
                     "Wall": {"rolling_friction": 0.1}},
         "Wall/rolling_friction = 0.1", "must be 0"),
     compaction("small", {"Container": {"diameter": 0.05}},
-               "Container/diameter = 0.05", "twice the largest stone"),
+               "Container/diameter = 0.05", "twice the largest particle"),
     compaction("low", {"Container": {"height": 0.05}},
-               "Container/height = 0.05", "twice the largest stone"),
+               "Container/height = 0.05", "twice the largest particle"),
     compaction("dense", {"Filling": {"density": 2500}},
-               "Filling/density = 2500", "0.75 Stone/density"),
+               "Filling/density = 2500", "0.75 Particle/density"),
     compaction("gradation", {"Filling": {"gradation": "none.csv"}},
                "Filling/gradation = none.csv", "no such file"),
     compaction("layers", {"Filling": {"layers": 100}, "Container": {
         "diameter": 0.09, "height": 0.09}}, "Filling/layers = 100",
-               "number of stones"),
+               "number of particles"),
     compaction("reports", {"Vibration": {"reports": "50 20"}},
                "Vibration/reports = 50 20", "ascending"),
     compaction("words", {"Vibration": {"reports": "soon"}},
@@ -443,29 +443,29 @@ LABS = [
                "Coupling/exchange = none", "Container/form = flexible",
                "every_step"),
     study("empty", STUDY, "s.prm", "Sweep"),
-    study("key", STUDY + "subsection Sweep\n  set Stone/weight = 1, 2\nend\n",
-          "s.prm:6", "Stone/weight", "no parameter"),
+    study("key", STUDY + "subsection Sweep\n  set Particle/weight = 1, 2\nend\n",
+          "s.prm:6", "Particle/weight", "no parameter"),
     study("value", STUDY + "subsection Sweep\n"
-                           "  set Stone/density = 2000, heavy\nend\n",
-          "Stone/density = heavy", "must be a number"),
+                           "  set Particle/density = 2000, heavy\nend\n",
+          "Particle/density = heavy", "must be a number"),
     study("section", STUDY + SWEEP + "subsection Plot\n  set x = 1\nend\n",
           "s.prm:9", "Plot", "Study, Base, Sweep, Variants or Expect"),
     study("expect", STUDY + SWEEP + "subsection Expect\n"
                                     "  set a = n_events grows\nend\n",
           "s.prm:9", "rises"),
     study("outcome", STUDY + SWEEP +
-          "subsection Expect\n  set a = laa rises with Stone/density\nend\n",
+          "subsection Expect\n  set a = laa rises with Particle/density\nend\n",
           "laa is not in Study/outcomes"),
     study("condition", STUDY + SWEEP +
-          "subsection Expect\n  set a = n_events rises with Stone/density "
-          "where Stone/density=1\nend\n",
-          "Expect/a: Stone/density=1", "no case"),
+          "subsection Expect\n  set a = n_events rises with Particle/density "
+          "where Particle/density=1\nend\n",
+          "Expect/a: Particle/density=1", "no case"),
     study("hole", STUDY + "subsection Sweep\n"
-                          "  set Stone/density = 2000,, 3000\nend\n",
-          "Stone/density = 2000,, 3000", "commas"),
-    study("twice", STUDY + "subsection Variants\n  set a = Stone/friction=1; "
-                           "Stone/friction=2\nend\n",
-          "s.prm:6", "Stone/friction is set twice"),
+                          "  set Particle/density = 2000,, 3000\nend\n",
+          "Particle/density = 2000,, 3000", "commas"),
+    study("twice", STUDY + "subsection Variants\n  set a = Particle/friction=1; "
+                           "Particle/friction=2\nend\n",
+          "s.prm:6", "Particle/friction is set twice"),
     study("seed", STUDY.replace("end", "  set seeds = 5\nend") +
           "subsection Sweep\n  set Particle/seed = 3, 4\nend\n",
           "s.prm:7", "Sweep/Particle/seed", "Study/seeds"),

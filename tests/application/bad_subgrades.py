@@ -14,7 +14,7 @@ SOUND = {
     "Breakage": {"is_active": "false"},
     "Wall": {"normal_stiffness": 1e6, "shear_stiffness": 0.85e6},
     "GroundContact": {"normal_stiffness": 1e6, "shear_stiffness": 0.85e6},
-    "Coupling": {"exchange": "one_pass", "stone_steps": 1},
+    "Coupling": {"exchange": "one_pass", "particle_steps": 1},
     "Time": {"fixed_step": 1e-6},
 }
 
@@ -44,9 +44,9 @@ def ground(changes, *message):
 
 
 SUBGRADES = [
-    ground({"Layer/length": 0.03}, "three times the largest stone"),
-    ground({"Layer/thickness": 0.01}, "largest stone"),
-    ground({"Layer/layers": 900}, "number of stones"),
+    ground({"Layer/length": 0.03}, "three times the largest particle"),
+    ground({"Layer/thickness": 0.01}, "largest particle"),
+    ground({"Layer/layers": 900}, "number of particles"),
     ground({"LoadPlate/diameter": 0.2}, "Layer/length"),
     ground({"LoadPlate/form": "ring"}, "disc, block"),
     ground({"Subgrade/length": 0.05}, "Layer/length"),
@@ -72,7 +72,7 @@ SUBGRADES = [
     ground({"Pulse/form": "train", "Pulse/share": "table",
             "Pulse/share_table": "bad.csv"}, "distance_m,share_1"),
     ground({"Coupling/exchange": "none"}, "every_step, one_pass, iterated"),
-    ground({"Coupling/stone_steps": 2, "Coupling/exchange": "every_step"}, "must be 1"),
+    ground({"Coupling/particle_steps": 2, "Coupling/exchange": "every_step"}, "must be 1"),
     ground({"Coupling/window_tolerance": 1e-3,
             "Coupling/exchange": "every_step"}, "must be 0, except"),
     ground({"Subgrade/body": "condensed", "Record/stress_depths": "0.1"},
@@ -83,7 +83,7 @@ SUBGRADES = [
             "Coupling/body_time": "implicit", "Time/step": "stable"},
            "must be fixed"),
     ground({"Time/step": "error"}, "fixed or stable"),
-    # Once stones and ground are known.
+    # Once particles and ground are known.
     ground({"Subgrade/mesh": "none.msh"}, "no such file or folder"),
     ground({"Subgrade/mesh": "no.msh"}, "no gmsh file of hexahedra"),
     ground({"Subgrade/mesh": "tetrahedron.msh"}, "must be hexahedra"),
@@ -92,6 +92,6 @@ SUBGRADES = [
     ground({"Record/row_interval": 1e-2, "Time/fixed_step": 1e-3},
            "must be at most"),
     ground({"Record/row_interval": 1e-2, "Time/fixed_step": 1e-5,
-            "Coupling/stone_steps": 60, "Coupling/body_steps": 1},
+            "Coupling/particle_steps": 60, "Coupling/body_steps": 1},
            "of the subgrade"),
 ]

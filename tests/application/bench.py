@@ -38,7 +38,7 @@ def sphere_faults(spall, folder):
         shutil.copyfileobj(plain, packed)
     rest = bench(spall, folder, packing, "--settle", "50")
     checks = {
-        "number of stones": rest["stones"] == 250,
+        "number of particles": rest["particles"] == 250,
         "dense": 4. < rest["coordination_1"] < 6.,
         "no kinetic energy to speak of":
             rest["median"]["energy_after"]["kinetic_J"] < 1e-3,
@@ -49,7 +49,7 @@ def sphere_faults(spall, folder):
         "repeats": bench(spall, folder, packing, "--settle", "0", "--repeat",
                          "3")["reproducible"],
     }
-    # 0.05 v^2 per kilogram, all stones at once.
+    # 0.05 v^2 per kilogram, all particles at once.
     jolt = bench(spall, folder, packing, "--settle", "50", "--scene", "jolt")
     checks["jolt"] = jolt["median"]["energy_before"]["kinetic_J"] > 1e-3
     flow = bench(spall, folder, packing, "--settle", "50", "--scene",
@@ -60,7 +60,7 @@ def sphere_faults(spall, folder):
 
 
 def shape_faults(spall, folder):
-    """Five stones with shapes: the box closes, and its file gives the same."""
+    """Five particles with shapes: the box closes, and its file gives the same."""
     packing, closed = folder / "five.csv", folder / "closed.csv"
     rows = ["0.03,0.03,0.03", "0.01,0.01,0.01", "0.05,0.05,0.05",
             "0.01,0.05,0.03", "0.05,0.01,0.03"]

@@ -20,7 +20,7 @@ MASS, ECCENTRIC, FREQUENCY, SEATING = 60., 2e-3, 40., 0.02
 SMALL = {
     "Case": {"kind": "vibratory_compaction"},
     "Container": {"diameter": 0.09, "height": 0.07, "elements_around": 16},
-    "Filling": {"gradation": "stones.csv", "layers": 2, "density": 1300,
+    "Filling": {"gradation": "particles.csv", "layers": 2, "density": 1300,
                 "unbalanced_ratio": 5e-3, "tamper_speed": 0.2},
     # Far from rest, so that the test stays short.
     "Plate": {"mass": MASS, "seating_time": SEATING,
@@ -42,7 +42,7 @@ PLATES = {
     "elastic": {
         "Plate": {"form": "elastic", "thickness": 0.01, "load_radius": 0.02,
                   "elements": 3},
-        "Coupling": {"exchange": "one_pass", "stone_steps": 1,
+        "Coupling": {"exchange": "one_pass", "particle_steps": 1,
                      "body_time": "implicit"},
     },
 }
@@ -51,7 +51,7 @@ FILES = ["history.csv", "events.csv", "ledger.csv", "roundness_0s.csv",
 
 
 def write_case(root, form):
-    (root / "stones.csv").write_text(
+    (root / "particles.csv").write_text(
         "diameter_m,passing_1\n0.016,0\n0.028,1\n")
     case = {section: dict(entries) for section, entries in SMALL.items()}
     more = FLEXIBLE if form == "flexible" else PLATES.get(form, {})
@@ -61,7 +61,7 @@ def write_case(root, form):
 
 
 def impulse_faults(history, share):
-    """Load of the stones over whole periods against weight and momentum."""
+    """Load of the particles over whole periods against weight and momentum."""
     omega = 2. * math.pi * FREQUENCY
     free = [row for row in history if row["vibration_s"] > 0.]
 
@@ -82,7 +82,7 @@ def impulse_faults(history, share):
     given, asked = (mean(function, last) - mean(function, first)
                     for function in (lambda row: row["plate_impulse_Ns"],
                                      expected))
-    return near("impulse of the stones", given, asked, share)
+    return near("impulse of the particles", given, asked, share)
 
 
 def number_faults(folder, form):
@@ -93,7 +93,7 @@ def number_faults(folder, form):
     faults += near("static load", found["static_load_N"], MASS * 9.81, 1e-12)
     faults += near("force of the exciter", found["exciter_force_N"],
                    ECCENTRIC * (2. * math.pi * FREQUENCY) ** 2, 1e-12)
-    # Few and large stones: tamped to it, or denser than asked as they fell.
+    # Few and large particles: tamped to it, or denser than asked as they fell.
     if not 0.995 * 1300. < filling["density_reached_kg_per_m3"] < 1.25 * 1300.:
         faults.append(f"density {filling}")
     is_met = abs(filling["density_reached_kg_per_m3"] / 1300. - 1.) <= 0.005
@@ -102,11 +102,11 @@ def number_faults(folder, form):
     mass = filling["layers"][-1]["mass_kg"]
     faults += near("mass", mass, 1300. * 0.07 * math.pi * 0.045 ** 2, 0.02)
     last = history[-1]
-    if found["n_stones"] < 30 or not last["settlement_m"] > 0.:
-        faults.append(f"{found['n_stones']} stones settle by "
+    if found["n_particles"] < 30 or not last["settlement_m"] > 0.:
+        faults.append(f"{found['n_particles']} particles settle by "
                       f"{last['settlement_m']} m")
     # Of the volume as it is: the cylinder, or the tube, whose nodes are on it:
-    # pressed to 0.997 where no stone holds it, and widened by those that do.
+    # pressed to 0.997 where no particle holds it, and widened by those that do.
     section = mass / last["density_kg_per_m3"] / last["plate_height_m"]
     corners = SMALL["Container"]["elements_around"]
     area = 0.045 ** 2 * (corners * math.sin(math.pi / corners) *
@@ -131,7 +131,7 @@ def number_faults(folder, form):
         faults.append(f"loading_wall_clock_s {found['loading_wall_clock_s']}")
     if not found["is_complete"] or len(found["reports"]) != 3:
         faults.append(f"reports {found['reports']}")
-    # What the stones bear when the vibration begins: rows before and after.
+    # What the particles bear when the vibration begins: rows before and after.
     start = found["coordination_start_1"]
     seen = [row["coordination_number_1"] for row in history
             if row["stage_1"] >= 1.]
@@ -141,7 +141,7 @@ def number_faults(folder, form):
     for report, name in zip(found["reports"], FILES[3:]):
         table = rows(folder, name)[1]
         total = sum(row["mass_kg"] for row in table)
-        if len(table) != found["n_stones"] or \
+        if len(table) != found["n_particles"] or \
                 abs(100. * (1. - total / mass) - report["laa_percent"]) > 1e-6:
             faults.append(f"{name}: {total} kg, {report}")
     return faults
@@ -173,7 +173,7 @@ def guarded(words, folder):
 
 def filling_faults(words, root):
     """A run that takes up a kept filling is the one that filled itself; other
-    plates take it too, other stones do not."""
+    plates take it too, other particles do not."""
     store = ("--preparations", root / "fillings")
 
     def later(folder):
@@ -196,7 +196,7 @@ def filling_faults(words, root):
     own = ("--until", 1, "--set", "Filling/safety=0.6")
     other = (*own, "--set", "Time/safety=0.5",
              "--set", "Contact/refresh_tolerance=0.02",
-             "--set", "Contact/search_margin=1e-3")
+             "--set", "Contact/skin=1e-3")
     spall_run(words("own", *own, *store))
     spall_run(words("own_taken", *other, *store))
     spall_run(words("own_filled", *other))
@@ -242,7 +242,7 @@ def main():
             faults += filling_faults(words, root)
         said = spall_run([spall, "check", case]).stdout
         faults += [f"check does not say {word}"
-                   for word in ("stones", "time step", "memory",
+                   for word in ("particles", "time step", "memory",
                                 "predicted time") if word not in said]
         spall_run([spall, "report", root / "whole"])
         page = (root / "whole" / "report.html").read_text()

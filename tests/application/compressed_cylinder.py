@@ -18,8 +18,8 @@ STRAIN, RATE = 0.1, 0.5  # -, 1/s: inertial number 1.6e-3
 DIAMETER, MODULUS, THICKNESS = 0.05, 1.4e6, 1e-3  # m, Pa, m
 SETTINGS = ("Specimen/form=cylinder", f"Specimen/diameter={DIAMETER}",
             "Specimen/height=0.08", "Specimen/shapes=",
-            "Boundary/elements_around=24", "Contact/geometry=ball",
-            "Preparation/friction=0.1", "Stone/friction=0.6",
+            "Boundary/elements_around=24", "Contact/geometry=sphere",
+            "Preparation/friction=0.1", "Particle/friction=0.6",
             "Breakage/is_active=false", "Loading/form=compression",
             f"Loading/strain_rate={RATE}", f"Loading/final_strain={STRAIN}",
             "Loading/consolidation_time=0.03", "Time/step=stable",
@@ -34,7 +34,7 @@ ENERGY = 1e-3     # of the work; measured 2e-6 to 1e-4
 
 
 def smooth(values, reach=5):
-    """Means over neighbours: single stones jump."""
+    """Means over neighbours: single particles jump."""
     parts = [values[max(0, k - reach):k + reach + 1]
              for k in range(len(values))]
     return [sum(part) / len(part) for part in parts]

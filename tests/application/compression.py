@@ -16,7 +16,7 @@ CONFINEMENT = 30e3  # Pa
 STRAIN = 0.03
 SETTINGS = ("Loading/form=compression", f"Loading/final_strain={STRAIN}",
             "Loading/strain_rate=1", f"Loading/confining_pressure={CONFINEMENT}",
-            "Specimen/shapes=", "Contact/geometry=ball",
+            "Specimen/shapes=", "Contact/geometry=sphere",
             "Breakage/is_active=false", "Output/samples_per_cycle=200",
             "Time/step=stable")
 

@@ -13,7 +13,7 @@ from triaxial_runs import (differing, report_faults, rows, run, summary,
                            summary_faults)
 
 CYCLES = 24
-# Short cycles, weak stones, and jumps that nothing refuses.
+# Short cycles, weak particles, and jumps that nothing refuses.
 SETTINGS = ("Loading/frequency=500", f"Loading/cycles={CYCLES}",
             "Breakage/fracture_energy=1e3",
             "CycleJump/tolerance=0.99", "CycleJump/first=2",
@@ -57,7 +57,7 @@ def account_faults(name, folder):
 
 def landing_faults(folder):
     """Strain that landings have brought, of what was missing: in cycles of two
-    milliseconds the stones spring back by some of it, or press too hard on the
+    milliseconds the particles spring back by some of it, or press too hard on the
     way."""
     landings = re.findall(r"strain moved on by (\S+) of (\S+) in",
                           (folder / "log.txt").read_text())

@@ -31,7 +31,7 @@ def haversine_faults(folder):
                                        else 0.15):
         faults.append(f"mean lateral stress {mean} Pa")
     # The plate carries confinement and haversine over the section. Rows catch
-    # waves among a hundred stones: ten runs whose modulus differs in the last
+    # waves among a hundred particles: ten runs whose modulus differs in the last
     # digit have means from 80 to 90 kPa (and peaks from 104 to 132); a square
     # in place of the circle would be 27 % off.
     mean = sum(row["axial_stress_Pa"] for row in loading) / len(loading)
@@ -41,12 +41,12 @@ def haversine_faults(folder):
 
 
 def volume_faults(folder):
-    """Volume of the stones: solid_fraction of the nominal cylinder."""
+    """Volume of the particles: solid_fraction of the nominal cylinder."""
     nominal = 0.6 * 0.25 * math.pi * 0.05**2 * 0.07
     found = summary(folder)["solid_volume_m3"]
-    # To half a smallest stone of 9.5 mm, and a few chips.
+    # To half a smallest particle of 9.5 mm, and a few chips.
     return [] if abs(found - nominal) < 4.5e-7 + 1e-3 * nominal else [
-        f"volume of stones {found}, asked {nominal}"]
+        f"volume of particles {found}, asked {nominal}"]
 
 
 def compression_faults(folder):

@@ -278,7 +278,7 @@ def study_faults(program, library, root):
     write_prm(root / "case.prm", SPHERE)
     file = write_prm(root / "study.prm", {
         "Study": {"case": "case.prm", "outcomes": "n_events"},
-        "Sweep": {"Stone/friction": "0.5"}})
+        "Sweep": {"Particle/friction": "0.5"}})
     words = [program, "study", file, "--jobs", 1, "--out"]
     spall([*words, root / "whole_study"])
     faults = []

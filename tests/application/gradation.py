@@ -15,7 +15,7 @@ from triaxial_runs import report_faults, rows, summary
 DRUM = {
     "Case": {"kind": "los_angeles"},
     "Charge": {"mass": 20, "balls": 0, "shapes": ""},
-    "Drum": {"radius": 0.5, "length": 0.8, "shelf_height": 0, "turns": 0.0005,
+    "Drum": {"radius": 0.5, "length": 0.8, "lifter_height": 0, "turns": 0.0005,
              "settling_time": 0},
 }
 FLAT = [(0.0001, 0), (0.020, 0), (0.025, 1), (0.0315, 1)]

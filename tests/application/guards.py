@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A run that a guard stops leaves one line, status 2 and the state of that
 moment; with a wider limit it goes on from there as if it had not stopped. A
-membrane that is far too soft folds between the stones, and that stops it too.
+membrane that is far too soft folds between the particles, and that stops it too.
 
     guards.py SPALL
 """

@@ -31,7 +31,7 @@ DRUM = {
     "Case": {"kind": "los_angeles"},
     "Charge": {"mass": 0.4, "balls": 1, "ball_mass": 0.4,
                "ball_shear_modulus": 1e9},
-    "Drum": {"radius": 0.2, "length": 0.2, "shelf_height": 0.05, "turns": 2,
+    "Drum": {"radius": 0.2, "length": 0.2, "lifter_height": 0.05, "turns": 2,
              "turns_per_minute": 55, "rows_per_turn": 8, "settling_time": 0.3,
              "settling_unbalanced_ratio": 1},  # not asked for: a short test
     "Breakage": {"fracture_energy": 1000},
@@ -142,7 +142,7 @@ def single_particle(spall, root):
     refused = spall_run(words, status=1)
     if "--resume goes on" not in refused.stderr:
         faults.append(f"again without --resume: {refused.stderr}")
-    # Nor does it go on with other stones.
+    # Nor does it go on with other particles.
     faults += other_shape_faults(shape, words)
     spall_run([*words, "--resume"])
     spall_run([*words[:4], root / "whole", *words[5:]])
@@ -177,12 +177,12 @@ def los_angeles(spall, root):
     faults = loss_faults(root / "whole", found) + view_faults(root / "whole")
     if not (root / "whole" / "frames" / "drum_00001.vtu").exists():
         faults.append("frames without the drum")
-    stones = found["n_stones"]  # without the balls
+    particles = found["n_particles"]  # without the balls
     tables = sorted((root / "whole").glob("roundness_*s.csv"))
-    if len(tables) != 2 or any(len(rows(root / "whole", table.name)[1]) != stones
+    if len(tables) != 2 or any(len(rows(root / "whole", table.name)[1]) != particles
                                for table in tables):
-        faults.append(f"roundness of {stones} stones: {tables}")
-    # 0.4 kg to half a smallest stone of 11 g.
+        faults.append(f"roundness of {particles} particles: {tables}")
+    # 0.4 kg to half a smallest particle of 11 g.
     faults += near("initial_mass_kg", found["initial_mass_kg"], 0.4, 0.02)
     faults += near("turns_1", found["turns_1"], 2., 1e-4)
     # Without events 4e-5, with them 1.0e-3 measured; 1.4e-2 when the half
@@ -290,7 +290,7 @@ def stopped_study_faults(spall, root):
         "displacement": 5e-4, "speed": 5e-4, "rows": 200}})
     file = write_prm(root / "slow_study.prm", {
         "Study": {"case": "slow.prm", "outcomes": "n_events", "seeds": "1, 2"},
-        "Sweep": {"Stone/friction": "0.5"}})
+        "Sweep": {"Particle/friction": "0.5"}})
     words = list(map(str, [spall, "study", file, "--out", root / "slow",
                            "--jobs", 1]))
     table = root / "slow" / "run_0001" / "history.csv"

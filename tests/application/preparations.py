@@ -12,7 +12,7 @@ import tempfile
 from triaxial_runs import (CASE, DATA, QUICK, command, report_faults, run,
                            summary, summary_faults)
 
-OTHER = ("Loading/amplitude=60e3", "Stone/friction=0.7",
+OTHER = ("Loading/amplitude=60e3", "Particle/friction=0.7",
          "Breakage/is_active=false", "Loading/confining_pressure=20e3")
 
 

@@ -15,10 +15,10 @@ from triaxial_runs import (ENVIRONMENT, command, report_faults, rows, run,
                            summary)
 
 CONFINEMENT = 30e3  # Pa, of the case
-SPHERES = ("Specimen/shapes=", "Contact/geometry=ball",
+SPHERES = ("Specimen/shapes=", "Contact/geometry=sphere",
            "Breakage/is_active=false", "Time/step=stable")
 # Moduli a thousand times too low.
-SOFT = (*SPHERES, "Stone/shear_modulus=1e5", "Wall/normal_stiffness=1e5",
+SOFT = (*SPHERES, "Particle/shear_modulus=1e5", "Wall/normal_stiffness=1e5",
         "Wall/shear_stiffness=1e5", "Loading/cycles=1")
 SHORT = ("Loading/frequency=500", "Loading/cycles=1",
          "Loading/consolidation_time=1e-3")

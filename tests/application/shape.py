@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""spall shape: a mesh is fitted and measured, stones are generated.
+"""spall shape: a mesh is fitted and measured, particles are generated.
 
     shape.py SPALL
 """
@@ -141,13 +141,13 @@ def generate_faults(spall, folder):
                for out in "abc"}
     table = json.loads((folder / "a.json").read_text())
     faults = [] if texts["a"][:2] == texts["b"] else ["not the same by seed"]
-    faults += ["another seed, the same stones"] \
+    faults += ["another seed, the same particles"] \
         if numbers["b"][0] == numbers["c"][0] else []
     faults += [] if [len(texts[out]) for out in "abc"] == [3, 2, 2] \
-        else ["wrong number of stones"]
+        else ["wrong number of particles"]
     faults += [] if all("MIT" in json.loads(text)["licence"]
                         for text in texts["a"]) else ["licence is lost"]
-    return faults + near(table["stones"]["sphericity_1"],
+    return faults + near(table["particles"]["sphericity_1"],
                          table["sample"]["sphericity_1"], 0.15, "sphericity")
 
 

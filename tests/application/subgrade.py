@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A plate on a few stones on a subgrade: numbers and promises.
+"""A plate on a few particles on a subgrade: numbers and promises.
 
     subgrade.py SPALL
 """
@@ -31,10 +31,10 @@ SCENE = {
     "Pulse": {"amplitude": 150, "frequency": 25, "cycles": 1, "rest": 0.16},
     "Record": {"row_interval": 1e-3, "checkpoint_interval": 0.02,
                "stress_depths": "0.05 0.2"},
-    "Stone": {"rolling_friction": 0.2},
+    "Particle": {"rolling_friction": 0.2},
     "Breakage": {"is_active": "false"},
     "Wall": {"normal_stiffness": 2e6, "shear_stiffness": 1.7e6},
-    "Coupling": {"exchange": "one_pass", "stone_steps": 3},
+    "Coupling": {"exchange": "one_pass", "particle_steps": 3},
     "Time": {"fixed_step": 1e-5, "local_damping": 0.2},
 }
 TABLES = ["history.csv", "events.csv", "ledger.csv"]
@@ -57,18 +57,18 @@ def loading_rows(folder):
             if row["stage_1"] == 2]
 
 
-def balance_faults(folder, stone_weight):
+def balance_faults(folder, particle_weight):
     """Forces through the interface against what they carry."""
     found, loading = summary(folder), loading_rows(folder)
     faults = []
-    # At rest the ground carries the plate and the stones but for what rubs
+    # At rest the ground carries the plate and the particles but for what rubs
     # off on the sides.
-    whole = 40 * 9.81 + stone_weight
+    whole = 40 * 9.81 + particle_weight
     # At rest to a hundredth of that.
     if not 0.9 * whole < found["dead_load_N"] < 1.01 * whole:
         faults.append(f"dead load {found['dead_load_N']}: of {whole} at most")
     # Over the whole record momentum comes back to rest, so what the plate gets
-    # from the stones is its weight and the pulse.
+    # from the particles is its weight and the pulse.
     times = [row["loading_time_s"] for row in loading]
 
     def mean(column):
@@ -96,7 +96,7 @@ def energy_faults(folder):
     faults = []
     residual = abs(found["loading_energy_residual_J"])
     if not residual < 0.05 * abs(found["loading_work_J"]):
-        faults.append(f"loading: {residual} J astray of "
+        faults.append(f"loading: {residual} J energy_error of "
                       f"{found['loading_work_J']}")
     if not found["interface"]["work_residual_1"] < 0.02:
         faults.append(f"ledger: {found['interface']['work_residual_1']}")
@@ -112,7 +112,7 @@ def output_faults(folder):
     faults = []
     header, loading = rows(folder, "history.csv")
     for column in ("vertical_stress_0.05m_Pa", "vertical_stress_0.2m_Pa",
-                   "stone_velocity_rms_m_per_s", "coordination_number_1",
+                   "particle_velocity_rms_m_per_s", "coordination_number_1",
                    "laa_percent"):
         if column not in header:
             faults.append(f"history.csv has no {column}")
@@ -224,8 +224,8 @@ SOFT = {"normal_stiffness": 4e5, "shear_stiffness": 3.4e5}
 def adaptive(spall, root):
     """Windows by gain and ledger give the history of an exchange at every
     step, lose no more work than they may, and survive being stopped."""
-    rules = {"every_step": {"exchange": "every_step", "stone_steps": 1},
-             "adaptive": {"stone_steps": 100, "window_tolerance": 1e-4}}
+    rules = {"every_step": {"exchange": "every_step", "particle_steps": 1},
+             "adaptive": {"particle_steps": 100, "window_tolerance": 1e-4}}
     for name, rule in rules.items():
         case = write_prm(root / f"{name}.prm", changed(
             Coupling=rule, GroundContact=SOFT, Pulse={"rest": 0.04}))
@@ -233,11 +233,11 @@ def adaptive(spall, root):
     faults = history_faults(root / "every_step", root / "adaptive", 0.02)
     interface = summary(root / "adaptive")["interface"]
     print(f"{interface['steps_per_window_1']:.2f} steps in a window, "
-          f"{interface['work_residual_1']:.1e} of the work astray")
+          f"{interface['work_residual_1']:.1e} of the work lost")
     if not 3. < interface["steps_per_window_1"] < 100.:
         faults.append(f"steps: {interface['steps_per_window_1']}")
     if not interface["work_residual_1"] < 1e-4:
-        faults.append(f"astray: {interface['work_residual_1']}")
+        faults.append(f"energy_error: {interface['work_residual_1']}")
     words = [spall, "run", root / "adaptive.prm", "--threads", 1, "--out",
              root / "cut"]
     faults += stop_faults(words, root / "cut", "2")
@@ -247,7 +247,7 @@ def adaptive(spall, root):
 
 def condensed(spall, root):
     """The condensed ground gives the history of the full one."""
-    implicit = {"Coupling": {"body_time": "implicit", "stone_steps": 10},
+    implicit = {"Coupling": {"body_time": "implicit", "particle_steps": 10},
                 "GroundContact": SOFT,
                 "Pulse": {"rest": 0.04}, "Record": {"stress_depths": ""}}
     for name, body in (("full", "full"), ("condensed", "condensed")):
@@ -290,7 +290,7 @@ def train(spall, root):
 
 def static(spall, root):
     """A column of two layers under a load that stays: the mean settlement of
-    its top is q h / M of the layers, however the stones spread the load, with
+    its top is q h / M of the layers, however the particles spread the load, with
     M = E (1 - nu) / ((1 + nu) (1 - 2 nu))."""
     (root / "load.csv").write_text("time_s,force_N\n0,0\n0.1,300\n0.5,300\n")
     case = write_prm(root / "static.prm", changed(
@@ -298,10 +298,10 @@ def static(spall, root):
                   "sides": "rigid", "mass_damping": 300,
                   "layers": "0.1 4e6 0.3 1900, 0.2 2e6 0.2 1800"},
         Pulse={"form": "table", "table": root / "load.csv", "rest": 0},
-        Coupling={"stone_steps": 2}))  # lighter nodes
+        Coupling={"particle_steps": 2}))  # lighter nodes
     go([spall, "run", case, "--threads", 1, "--out", root / "static"])
     found, loading = summary(root / "static"), loading_rows(root / "static")
-    # Plate and stones swing a little to the end: the mean of the last 0.1 s.
+    # Plate and particles swing a little to the end: the mean of the last 0.1 s.
     end = {key: sum(row[key] for row in loading[-100:]) / 100
            for key in loading[0]}
     area = 0.2 * 0.2
@@ -327,7 +327,7 @@ def static(spall, root):
 
 def yielding(spall, root):
     """Ground that yields settles with the pulses, ever less; it goes on bit
-    for bit. Ground that cannot carry the stones at rest is refused."""
+    for bit. Ground that cannot carry the particles at rest is refused."""
     soft = changed(Subgrade={"layers": "0.1 40e6 0.3 1900 20e3 35, "
                                        "0.4 20e6 0.3 1800"},
                    Pulse={"frequency": 10, "cycles": 3, "rest": 0.02})
@@ -341,7 +341,7 @@ def yielding(spall, root):
                    ["subgrade_settlement_m"] for at in (0.1, 0.2, 0.3)]
     steps = [b - a for a, b in zip(ends, ends[1:])]
     print(f"settlement of the cycles: {steps}")
-    # An elastic ground is back within 0.1 mm: plate and stones swing.
+    # An elastic ground is back within 0.1 mm: plate and particles swing.
     if not steps[0] > 1e-3 or not steps[0] > steps[1] > steps[2] > 0.:
         faults.append(f"settlement of the cycles: {steps}")
     lost = [row["subgrade_plastic_dissipation_J"] for row in loading]
@@ -354,7 +354,7 @@ def yielding(spall, root):
     print(f"plastic dissipation {lost[-1]:.3f} J, work "
           f"{found['loading_work_J']:.3f} J, residual "
           f"{found['loading_energy_residual_J']:.1e} J")
-    # Stones lie in the creases of the settled ground; 2 % when each of them
+    # Particles lie in the creases of the settled ground; 2 % when each of them
     # touched one facet alone.
     if (abs(found["loading_energy_residual_J"]) >
             1e-4 * found["loading_work_J"]):
@@ -370,7 +370,7 @@ def yielding(spall, root):
     soft["Subgrade"]["layers"] = "0.1 40e6 0.3 1900 3e3 30, 0.4 20e6 0.3 1800"
     case = write_prm(root / "weak.prm", soft)
     ended = go([spall, "run", case, "--threads", 1, "--out", root / "weak"], 2)
-    if "does not bear plate and stones" not in ended.stderr:
+    if "does not bear plate and particles" not in ended.stderr:
         faults.append(f"weak ground: {ended.stderr}")
     return faults
 
@@ -381,7 +381,7 @@ def placed_rows(folder):
 
 
 def kept_faults(name, mine, its):
-    """From the placing of the plate on a run with stones that another one has
+    """From the placing of the plate on a run with particles that another one has
     poured is the run that pours them itself."""
     faults = [f"{name}: {file} differs" for file in
               differing(mine, its, ["events.csv", "transfer.csv",
@@ -397,11 +397,11 @@ def kept_faults(name, mine, its):
 
 
 def kept(spall, root):
-    """Poured stones are kept; other loads on another depth take them up."""
+    """Poured particles are kept; other loads on another depth take them up."""
     case = write_prm(root / "case.prm", changed(Pulse={"rest": 0.01}))
     store = ("--preparations", root / "store")
     other = ("--set", "Pulse/amplitude=100", "--set", "LoadPlate/mass=45",
-             "--set", "Coupling/stone_steps=2", "--set",
+             "--set", "Coupling/particle_steps=2", "--set",
              "Subgrade/layers=0.1 30e6 0.3 1900, 0.4 20e6 0.3 1700",
              "--set", "Record/stress_depths=0.3")
 
@@ -425,16 +425,16 @@ def kept(spall, root):
     steps = ("--set", "Layer/safety=0.6")
     finer = (*steps, "--set", "Time/fixed_step=8e-6",
              "--set", "Contact/refresh_tolerance=0.001",
-             "--set", "Contact/search_margin=1e-3")
+             "--set", "Contact/skin=1e-3")
     usual = run("steps", *store, *steps)
     mine = run("finer", *store, *finer)
     faults += kept_faults("finer", mine, run("finer_own", *finer))
     if not is_taken(mine):
         faults.append("Layer/safety: the layer is not shared")
     narrow = run("narrow", *store, *steps,
-                 "--set", "Contact/search_margin=1e-7")
+                 "--set", "Contact/skin=1e-7")
     if summary(narrow)["n_rebuilds"] <= summary(usual)["n_rebuilds"]:
-        faults.append("Contact/search_margin: not that of the loading")
+        faults.append("Contact/skin: not that of the loading")
     words = [spall, "run", case, "--threads", 1, "--out", root / "cut", *finer]
     faults += stop_faults(words, root / "cut", "2")
     go([*words, "--resume"])

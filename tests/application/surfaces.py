@@ -13,8 +13,8 @@ import tempfile
 from triaxial_runs import rows, run, summary
 
 SURFACES = ("Contact/geometry=surface", "Contact/wall_geometry=surface",
-            "Stone/rolling_friction=0", "Breakage/is_active=false",
-            # A stone lies on several places of a wall: a stiffer mount.
+            "Particle/rolling_friction=0", "Breakage/is_active=false",
+            # A particle lies on several places of a wall: a stiffer mount.
             "Time/fixed_step=7e-7",
             # Surfaces must not overlap in the cloud.
             "Specimen/initial_solid_fraction=0.12",
@@ -35,7 +35,7 @@ def faults(folder):
     share = abs(last["non_conservative_work_J"]) / last["external_work_J"]
     if share > 5e-3:
         found.append(f"non-conservative work is {share} of the external work")
-    # A hundred stones, those without a load counted too: 3.0 to 3.8 was found
+    # A hundred particles, those without a load counted too: 3.0 to 3.8 was found
     # over nine seeds.
     if not 2.5 < result["coordination_start_1"] < 6.:
         found.append(f"coordination {result['coordination_start_1']}")

@@ -14,7 +14,7 @@ from lab import CUBE, DRUM
 from subgrade import SCENE
 from triaxial_runs import DATA, ENVIRONMENT, report_faults, summary
 
-# Some tens of stones, a longer step for softer walls, and one short cycle
+# Some tens of particles, a longer step for softer walls, and one short cycle
 # between rigid sides: shapes, laws and targets are the template's.
 TRIAXIAL = (f"Specimen/gradation={DATA / 'small_gradation.csv'}",
             "Specimen/side=0.04", "Specimen/diameter=0.04",
@@ -57,7 +57,7 @@ def triaxial_faults(spall, root, settings):
 
 
 def other_faults(spall, root, settings):
-    (root / "stones.csv").write_text(
+    (root / "particles.csv").write_text(
         "diameter_m,passing_1\n0.016,0\n0.028,1\n")
     for kind, sections in OTHERS.items():
         small = [f"{section}/{key}={value}"

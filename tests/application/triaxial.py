@@ -4,8 +4,8 @@
     triaxial.py SPALL             compares, checks the run folders, reports
     triaxial.py SPALL --write     writes the references anew
 
-A packing of a hundred stones is chaotic: one unit in the ninth digit of a
-modulus changes what depends on the last place of single stones. So numbers of
+A packing of a hundred particles is chaotic: one unit in the ninth digit of a
+modulus changes what depends on the last place of single particles. So numbers of
 the packing are compared widely, and what is a promise of the method (balance,
 energy, rest, sums) is held to its own limit.
 """
@@ -23,7 +23,7 @@ from triaxial_runs import (CASE, DATA, LATERALS, missing_frame_faults,
 
 # Key of summary.json: largest relative difference from the reference.
 TOLERANCES = {
-    "n_stones": 0.,            # drawn, not computed
+    "n_particles": 0.,            # drawn, not computed
     "n_breakable": 0.,         # likewise
     "time_step_s": 0.,         # given
     "cycles_1": 0.,            # given
@@ -63,7 +63,7 @@ HEADERS = {
         "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
         "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"
         "released_energy_J,removed_volume_m3,kernel_width_rad,depth_m,"
-        "ball_radius_m",
+        "equivalent_radius_m",
     "ledger.csv":
         "time_s,work_given_J,work_taken_J,work_residual_1,"
         "impulse_given_x_Ns,impulse_given_y_Ns,impulse_given_z_Ns,"
@@ -83,8 +83,8 @@ HEADERS = {
            for name, unit in NETWORK)]),
     "boundary_profile_end.csv":
         "distance_m,porosity_lateral_1,coordination_lateral_1,"
-        "n_stones_lateral_1,porosity_platens_1,coordination_platens_1,"
-        "n_stones_platens_1",
+        "n_particles_lateral_1,porosity_platens_1,coordination_platens_1,"
+        "n_particles_platens_1",
     "sections_end.csv": "height_share_1,section_m2",
 }
 DENSITY = 2750.  # kg/m^3, of the material file
@@ -121,9 +121,9 @@ def promise_faults(found):
             (found["energy_residual_ratio_1"],
              LIMIT_MEMBRANE if is_membrane else 1e-3),
         # Events change loads between two steps, else round-off.
-        "work astray":
+        "interface energy error":
             (found.get("interface", {}).get("work_residual_1", 0.), 1e-3),
-        "impulse astray":
+        "interface impulse error":
             (found.get("interface", {}).get("impulse_residual_1", 0.), 1e-3),
         "exchange gain": (found.get("exchange_gain_1", 0.),
                           found.get("exchange_gain_limit_1", 1.)),
@@ -179,7 +179,7 @@ def row_faults(folder, found):
                if not abs(a - b) <= 1e-9 * abs(b)]
     hits = [e for e in events if e["kind_1"] == 0.]
     if not hits:
-        faults.append("no event of stone on stone")
+        faults.append("no event of particle on particle")
     elif not (sum(e["force_after_N"] for e in hits) <
               sum(e["force_before_N"] for e in hits)):
         faults.append("breakage does not lower the force on average")
@@ -254,7 +254,7 @@ def cycle_faults(folder, found):
     faults += [f"{key} = {found[key]}" for key in
                ("coordination_skin_1", "coordination_inside_1")
                if not 2. <= found[key] < 9.]
-    # Between a dense packing with sizes and a loose one of single stones.
+    # Between a dense packing with sizes and a loose one of single particles.
     if not 0.3 < found["porosity_inside_1"] < 0.55:
         faults.append(f"porosity inside {found['porosity_inside_1']}")
     return faults
@@ -280,8 +280,8 @@ def report_is_written(spall, folders, page):
 
 
 def check_faults(spall):
-    """The step that is said is that of the loading: nodes, lighter than stones,
-    limit it, to 0.14 of what stones stand here; in the preparation it is 0.8.
+    """The step that is said is that of the loading: nodes, lighter than particles,
+    limit it, to 0.14 of what particles stand here; in the preparation it is 0.8.
     """
     said = subprocess.run(
         [spall, "check", str(CASE), "--set", "Time/step=stable", "--set",

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What breakage costs where nothing breaks: a packing of stones with it and
+"""What breakage costs where nothing breaks: a packing of particles with it and
 without, program by program in turn.
 
-    breakage_cost.py SPALL [--stones N] [--settle STEPS] [--repeat N]
+    breakage_cost.py SPALL [--particles N] [--settle STEPS] [--repeat N]
 """
 import argparse
 import pathlib
@@ -17,11 +17,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHAPES = ROOT / "data/shapes/limestone_blocky"
 
 
-def closed_packing(spall, n_stones, folder):
+def closed_packing(spall, n_particles, folder):
     lattice = pathlib.Path(folder) / "lattice.csv"
     closed = pathlib.Path(folder) / "closed.csv"
     subprocess.run([sys.executable, ROOT / "tests/benchmark/make_packing.py",
-                    str(n_stones), lattice], check=True,
+                    str(n_particles), lattice], check=True,
                    stdout=subprocess.DEVNULL)
     bench(spall, lattice, "--shapes", SHAPES, "--geometry", "radial", "--save",
           closed, "--steps", 1, "--settle", 0)
@@ -31,13 +31,13 @@ def closed_packing(spall, n_stones, folder):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("spall")
-    parser.add_argument("--stones", type=int, default=2000)
+    parser.add_argument("--particles", type=int, default=2000)
     parser.add_argument("--settle", type=int, default=8000)
     parser.add_argument("--repeat", type=int, default=9)
     options = parser.parse_args()
     found = {"off": [], "on": []}
     with tempfile.TemporaryDirectory() as folder:
-        packing = closed_packing(options.spall, options.stones, folder)
+        packing = closed_packing(options.spall, options.particles, folder)
         for _ in range(options.repeat):
             for name, words in (("off", []), ("on", ["--breakage"])):
                 run = bench(options.spall, packing, "--shapes", SHAPES,
@@ -48,8 +48,8 @@ def main():
                 found[name].append(1e6 * run["median"]["cpu_s"] /
                                    run["median"]["steps"])
     median = {name: statistics.median(us) for name, us in found.items()}
-    print(table(["stones", "steps before", "off, us a step", "on", "on / off"],
-                [[options.stones, options.settle,
+    print(table(["particles", "steps before", "off, us a step", "on", "on / off"],
+                [[options.particles, options.settle,
                   *(f"{median[name]:.1f} ± {100 * spread(found[name]):.0f} %"
                     for name in ("off", "on")),
                   f"{median['on'] / median['off']:.3f}"]]))

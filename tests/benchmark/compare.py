@@ -6,7 +6,7 @@
                [--shapes DIR] [--geometry G] [--breakage]
 
 A BUILD is a build folder or the program itself. Without --packing a lattice
-of 5000 stones is made (make_packing.py). The builds run ABAB..., so that a
+of 5000 particles is made (make_packing.py). The builds run ABAB..., so that a
 slow minute of the machine falls on both; the ratio is that of the medians of
 the contact updates per CPU second, its spread that of the ratios of the
 single turns. With --shapes the box is closed once, by the first build.

@@ -4,7 +4,7 @@
     forecasts.py SPALL [--keep DIR] [CASE ...]
 
 Time is that of the processor on one thread, after the preparation: the run
-that is timed takes its stones from those kept by one before (--preparations),
+that is timed takes its particles from those kept by one before (--preparations),
 whose summary says what the preparation took.
 CASE is a name of the table; without one those of the first list are run, a
 quarter of an hour. Those of the second take longer: surfaces in a membrane a
@@ -24,8 +24,8 @@ from bench_runs import table
 
 CASES = pathlib.Path(__file__).resolve().parents[2] / "data" / "cases"
 SURFACES = ["Contact/geometry=surface", "Contact/wall_geometry=surface",
-            "Stone/rolling_friction=0"]
-# Few weak stones between rigid sides.
+            "Particle/rolling_friction=0"]
+# Few weak particles between rigid sides.
 SMALL = ["CycleJump/tolerance=0", "Specimen/side=0.075",
          "Specimen/initial_solid_fraction=0.2", "Boundary/lateral=rigid",
          "Coupling/exchange=none", "Breakage/fracture_energy=2e3",
@@ -122,7 +122,7 @@ def main():
             rows.append(row(given.spall, name, folder))
     print(table(["case", "preparation, s", "forecast (ratio)", "run, s",
                  "forecast (ratio)",
-                 "forecast from kept stones (ratio)", "peak, MiB",
+                 "forecast from kept particles (ratio)", "peak, MiB",
                  "forecast (ratio)"], rows))
 
 

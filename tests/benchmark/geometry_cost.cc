@@ -1,5 +1,5 @@
-// What the ways to say where two stones meet cost, and what they miss: tables
-// and figures of docs/verification/geometry_cost.md.
+// What the ways to say where two particles meet cost, and what they miss:
+// tables and figures of docs/verification/geometry_cost.md.
 //
 //   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
 #include "bench/measure.h"
@@ -19,13 +19,13 @@
 
 namespace
 {
-using dem::Body;
+using dem::ParticleShape;
 using dem::Vec3;
 using spall::Meeting;
 using support::processor_time;
 
-constexpr double ball_radius = 0.01; ///< [m]
-constexpr double diameter = 2. * ball_radius;
+constexpr double equivalent_radius = 0.01; ///< [m]
+constexpr double diameter = 2. * equivalent_radius;
 
 /// Errors of many meetings, as sums of squares.
 struct Errors
@@ -48,7 +48,7 @@ struct Errors
     angle += std::pow(turn * 180. / std::numbers::pi, 2);
     const Vec3 lever = found.arm.cross(found.normal),
                right = exact.arm.cross(exact.normal);
-    arm += std::pow((lever - right).norm() / ball_radius, 2);
+    arm += std::pow((lever - right).norm() / equivalent_radius, 2);
   }
   double of(double Errors::*sum) const
   {
@@ -76,16 +76,16 @@ struct Row
 /// Pairs of one shape that just touch.
 struct Pairs
 {
-  Body body;
+  ParticleShape body;
   dem::RadiusMap map;
   std::vector<dem::RelativePose> poses;
   std::vector<Meeting> exact;
-  std::vector<dem::Spot> spots;
+  std::vector<dem::ContactPoint> contact_points;
   int n_left_out = 0; ///< pairs without a lens of contact: flat on flat
 
   Pairs(const dem::Coefficients &series, int n_pairs)
-      : body(dem::make_body(std::make_shared<const dem::Coefficients>(series),
-                            ball_radius)),
+      : body(dem::make_shape(std::make_shared<const dem::Coefficients>(series),
+                             equivalent_radius)),
         map(body.series)
   {
     dem::Random random(1);
@@ -95,16 +95,17 @@ struct Pairs
       const auto pair =
           spall::bring_together(at({2. * body.circumscribed_radius * along,
                                     random.rotation().toRotationMatrix()}));
-      const dem::Spot spot =
-          pair ? spall::deepest_spot(*pair, 0.01 * diameter) : dem::Spot{};
-      if (!spot.is_found)
+      const dem::ContactPoint contact_point =
+          pair ? spall::deepest_contact_point(*pair, 0.01 * diameter)
+               : dem::ContactPoint{};
+      if (!contact_point.is_found)
       {
         ++n_left_out;
         continue;
       }
       poses.push_back(pair->pose);
-      spots.push_back(spot);
-      exact.push_back(spall::by_polish(*pair, spot));
+      contact_points.push_back(contact_point);
+      exact.push_back(spall::by_refinement(*pair, contact_point));
     }
   }
   dem::MappedPair at(const dem::RelativePose &pose) const
@@ -141,7 +142,7 @@ Row time_alone(
 dem::Engine turning_pairs(const Pairs &pairs, dem::EngineParameters p,
                           dem::ContactGeometry geometry, double tolerance)
 {
-  p.stone.shear_modulus = 1e-3;
+  p.particle.shear_modulus = 1e-3;
   p.breakage.is_active = false;
   p.geometry.geometry = geometry;
   p.geometry.refresh_tolerance = tolerance;
@@ -151,7 +152,7 @@ dem::Engine turning_pairs(const Pairs &pairs, dem::EngineParameters p,
   for (std::size_t k = 0; k < pairs.poses.size(); ++k)
   {
     const dem::MappedPair pair = pairs.at(pairs.poses[k]);
-    const double overlap = geometry == dem::ContactGeometry::ball
+    const double overlap = geometry == dem::ContactGeometry::sphere
                                ? spall::by_balls(pair).overlap
                            : geometry == dem::ContactGeometry::radial
                                ? spall::by_radii(pair).overlap
@@ -160,9 +161,9 @@ dem::Engine turning_pairs(const Pairs &pairs, dem::EngineParameters p,
                     room * static_cast<double>(k / 16), 0.),
         branch = pair.pose.position * (1. + (overlap - 0.002 * diameter) /
                                                 pair.pose.position.norm());
-    engine.add_stone(pairs.body, here, dem::Quaternion::Identity());
-    engine.add_stone(pairs.body, here + branch,
-                     dem::Quaternion(pair.pose.rotation));
+    engine.add_particle(pairs.body, here, dem::Quaternion::Identity());
+    engine.add_particle(pairs.body, here + branch,
+                        dem::Quaternion(pair.pose.rotation));
   }
   for (std::size_t k = 0; k < engine.particles().size(); ++k)
     engine.particles().spin(k) = 4. * (random.rotation() * Vec3::UnitX());
@@ -172,16 +173,16 @@ dem::Engine turning_pairs(const Pairs &pairs, dem::EngineParameters p,
 /// Where the engine has a pair meet, from the exact series: its geometry.
 Meeting exactly(const Pairs &pairs, const dem::Engine &engine, std::size_t c)
 {
-  const dem::Particles &stones = engine.particles();
+  const dem::ParticleSystem &particles = engine.particles();
   const auto a = static_cast<std::size_t>(engine.pairs().a[c]),
              b = static_cast<std::size_t>(engine.pairs().b[c]);
-  const dem::Mat3 into_a = stones.rotation(a).transpose();
+  const dem::Mat3 into_a = particles.rotation(a).transpose();
   const dem::MappedPair pair =
-      pairs.at({into_a * (stones.position(b) - stones.position(a)),
-                into_a * stones.rotation(b)});
+      pairs.at({into_a * (particles.position(b) - particles.position(a)),
+                into_a * particles.rotation(b)});
   switch (engine.parameters().geometry.geometry)
   {
-  case dem::ContactGeometry::ball:
+  case dem::ContactGeometry::sphere:
     return spall::by_balls(pair);
   case dem::ContactGeometry::radial:
     return spall::by_radii(pair);
@@ -191,8 +192,8 @@ Meeting exactly(const Pairs &pairs, const dem::Engine &engine, std::size_t c)
   return {};
 }
 
-/// Of the places where two stones touch, the deepest, and how many there are;
-/// stone A is in no other pair.
+/// Of the places where two particles touch, the deepest, and how many there
+/// are; particle A is in no other pair.
 struct Touch
 {
   std::size_t deepest = 0;
@@ -212,12 +213,12 @@ std::map<std::int32_t, Touch> touches(const dem::ContactBatch &batch)
   return of;
 }
 
-/// Where the engine has two stones that touch once meet: normal and lever arm
-/// from the force and the moment that act on A, springs alone.
+/// Where the engine has two particles that touch once meet: normal and lever
+/// arm from the force and the moment that act on A, springs alone.
 Meeting by_engine(const dem::Engine &engine, std::size_t c)
 {
   const auto a = static_cast<std::size_t>(engine.pairs().a[c]);
-  const dem::StoneLoad &load = engine.particles().load[a];
+  const dem::ParticleLoad &load = engine.particles().load[a];
   const dem::Mat3 into_a = engine.particles().rotation(a).transpose();
   const double force = load.force.norm();
   Meeting meeting;
@@ -235,13 +236,13 @@ Errors cache_errors(const Pairs &pairs, dem::ContactGeometry geometry,
                     double tolerance)
 {
   dem::EngineParameters springs;
-  springs.stone.friction = springs.stone.rolling_friction = 0.;
-  springs.stone.normal_damping = springs.stone.shear_damping = 0.;
+  springs.particle.friction = springs.particle.rolling_friction = 0.;
+  springs.particle.normal_damping = springs.particle.shear_damping = 0.;
   dem::Engine engine = turning_pairs(pairs, springs, geometry, tolerance);
   for (int step = 0; step < n_steps; ++step)
     engine.advance(1e-6);
   Errors errors;
-  for (const auto &[stone, touch] : touches(engine.pairs()))
+  for (const auto &[particle, touch] : touches(engine.pairs()))
   {
     const Meeting exact = exactly(pairs, engine, touch.deepest);
     const double overlap = engine.pairs().overlap[touch.deepest];
@@ -286,7 +287,7 @@ Row with_cache(const Row &geometry, const Row &cached)
 std::vector<Row> measure_all(const Pairs &pairs)
 {
   using Geometry = dem::ContactGeometry;
-  const Row ball = time_engine(pairs, "ball", Geometry::ball, 5e-3);
+  const Row ball = time_engine(pairs, "sphere", Geometry::sphere, 5e-3);
   const auto alone = [&](const std::string &name, const auto &method)
   { return time_alone(pairs, name, ball.nanoseconds, method); };
   std::vector<Row> rows;
@@ -295,8 +296,11 @@ std::vector<Row> measure_all(const Pairs &pairs)
                             ball));
   const Row radii = alone("", [](const auto &pair, std::size_t)
                           { return spall::by_radii(pair); }),
-            polish = alone("", [&](const auto &pair, std::size_t k)
-                           { return spall::by_polish(pair, pairs.spots[k]); });
+            refine = alone("",
+                           [&](const auto &pair, std::size_t k) {
+                             return spall::by_refinement(
+                                 pair, pairs.contact_points[k]);
+                           });
   const std::array<std::pair<const char *, double>, 4> tolerances = {
       {{"each step", 0.}, {"1e-3", 1e-3}, {"5e-3", 5e-3}, {"2e-2", 2e-2}}};
   for (const auto &[text, value] : tolerances)
@@ -309,7 +313,7 @@ std::vector<Row> measure_all(const Pairs &pairs)
                          { return spall::by_heights(pair, n); }));
   for (const auto &[text, value] : tolerances)
     rows.push_back(
-        with_cache(polish, time_engine(pairs, std::string("surface, ") + text,
+        with_cache(refine, time_engine(pairs, std::string("surface, ") + text,
                                        Geometry::surface, value)));
   rows.push_back(alone("surface, searched", [](const auto &pair, std::size_t)
                        { return spall::by_search(pair, 0.01 * diameter); }));
@@ -388,7 +392,7 @@ spall::Chart chart_of(const std::string &id, const std::string &y_label,
   chart.y_label = y_label;
   chart.has_log_x = chart.has_log_y = true;
   for (const std::string way :
-       {"ball", "radial, each step", "radial, 5e-3", "radial, corrected",
+       {"sphere", "radial, each step", "radial, 5e-3", "radial, corrected",
         "surface, each step", "surface, 5e-3", "surface, searched"})
   {
     spall::Curve curve;

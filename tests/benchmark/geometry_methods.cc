@@ -13,7 +13,7 @@ using dem::Vec3;
 using Vec2 = Eigen::Vector2d;
 using Mat2 = Eigen::Matrix2d;
 
-double local_radius(const dem::Body &body, const Vec3 &direction)
+double local_radius(const dem::ParticleShape &body, const Vec3 &direction)
 {
   return body.scale * dem::radius(*body.series, direction);
 }
@@ -34,15 +34,15 @@ struct HeightField
   double height;  ///< [m]
   Vec2 slope;     ///< [-]
   Mat2 second;    ///< derivatives [1/m]
-  Vec3 direction; ///< in the frame of the stone, unit [-]
+  Vec3 direction; ///< in the frame of the particle, unit [-]
 };
 
 /// Two unit vectors across the branch and the branch itself, as columns.
 using Axes = Mat3;
 
-/// Of a stone at a direction of its body frame; `rotation` takes body to the
+/// Of a particle at a direction of its body frame; `rotation` takes body to the
 /// frame of the axes; `up` is 1 for A and -1 for B, which looks back.
-HeightField height_field(const dem::Body &body, const Vec3 &direction,
+HeightField height_field(const dem::ParticleShape &body, const Vec3 &direction,
                          const Mat3 &rotation, const Axes &axes, double up)
 {
   const SurfacePoint p =
@@ -149,31 +149,34 @@ Meeting by_heights(const MappedPair &pair, int n_corrections)
 
 namespace
 {
-Meeting meeting_at(const MappedPair &pair, const dem::Spot &spot)
+Meeting meeting_at(const MappedPair &pair,
+                   const dem::ContactPoint &contact_point)
 {
-  if (!spot.is_found)
+  if (!contact_point.is_found)
     return {0., Vec3::UnitX(), Vec3::Zero(), false};
-  const SurfacePoint p = dem::surface_point(pair.a.body, spot.on_a);
-  return {spot.overlap, p.normal, p.position - 0.5 * spot.overlap * p.normal};
+  const SurfacePoint p = dem::surface_point(pair.a.body, contact_point.on_a);
+  return {contact_point.overlap, p.normal,
+          p.position - 0.5 * contact_point.overlap * p.normal};
 }
 } // namespace
 
-dem::Spot deepest_spot(const MappedPair &pair, double margin)
+dem::ContactPoint deepest_contact_point(const MappedPair &pair, double margin)
 {
-  const dem::SpotSearch found = dem::find_spots(
+  const dem::ContactPointSearch found = dem::find_contact_points(
       pair, dem::separate(pair, pair.pose.position.normalized()), margin);
-  return found.spots.empty() ? dem::Spot{} : found.spots.front();
+  return found.contact_points.empty() ? dem::ContactPoint{}
+                                      : found.contact_points.front();
 }
 
 Meeting by_search(const MappedPair &pair, double margin)
 {
-  return meeting_at(pair, deepest_spot(pair, margin));
+  return meeting_at(pair, deepest_contact_point(pair, margin));
 }
 
-Meeting by_polish(const MappedPair &pair, const dem::Spot &start)
+Meeting by_refinement(const MappedPair &pair, const dem::ContactPoint &start)
 {
   return meeting_at(pair,
-                    dem::polish(pair.a.body, pair.b.body, pair.pose, start));
+                    dem::refine(pair.a.body, pair.b.body, pair.pose, start));
 }
 
 std::optional<MappedPair> bring_together(const MappedPair &from)
@@ -183,13 +186,14 @@ std::optional<MappedPair> bring_together(const MappedPair &from)
   const Vec3 along = from.pose.position.normalized();
   MappedPair pair = from;
   double distance = pair.pose.position.norm();
-  dem::Spot spot;
+  dem::ContactPoint contact_point;
   // Careful while far: another place may come nearer first.
   for (int step = 0; step < 200; ++step)
   {
     pair.pose.position = distance * along;
-    spot = deepest_spot(pair, 0.2 * size);
-    const double gap = spot.is_found ? -spot.overlap : 0.2 * size;
+    contact_point = deepest_contact_point(pair, 0.2 * size);
+    const double gap =
+        contact_point.is_found ? -contact_point.overlap : 0.2 * size;
     if (std::abs(gap) < 1e-9 * size)
       return pair;
     distance -= gap > 1e-3 * size ? 0.5 * gap : gap;

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <dem/search/spots.h>
+#include <dem/search/contact_points.h>
 
 #include <optional>
 
-/// Ways to say where two stones meet, each from nothing but their shapes.
+/// Ways to say where two particles meet, each from nothing but their shapes.
 namespace spall
 {
-/// Where two stones meet, in the body frame of A.
+/// Where two particles meet, in the body frame of A.
 struct Meeting
 {
   double overlap = 0.;                   ///< > 0 where they overlap [m]
@@ -27,14 +27,16 @@ Meeting by_radii(const dem::MappedPair &pair);
 Meeting by_heights(const dem::MappedPair &pair, int n_corrections);
 
 /// The deepest place that a search from nothing finds; margin
-/// as in dem::find_spots() [m].
+/// as in dem::find_contact_points() [m].
 Meeting by_search(const dem::MappedPair &pair, double margin);
 
 /// The place that Newton steps from a start find.
-Meeting by_polish(const dem::MappedPair &pair, const dem::Spot &start);
+Meeting by_refinement(const dem::MappedPair &pair,
+                      const dem::ContactPoint &start);
 
 /// The deepest place of a search. Its is_found is false without any.
-dem::Spot deepest_spot(const dem::MappedPair &pair, double margin);
+dem::ContactPoint deepest_contact_point(const dem::MappedPair &pair,
+                                        double margin);
 
 /// B moves along the branch until its deepest place just touches A. Nothing if
 /// the search loses the place on the way: flat faces have no lens of contact.

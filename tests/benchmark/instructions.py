@@ -5,7 +5,7 @@
                     [--breakage] [--steps 20,60] [--rows 16]
 
 Two runs that differ in the number of timed steps only, so that start-up and
-warm-up cancel. Without --packing a lattice of 2000 stones is made. Names of
+warm-up cancel. Without --packing a lattice of 2000 particles is made. Names of
 functions come from the symbol table; what the compiler has inlined counts
 for its caller. Valgrind shows an AVX2 machine: wider units are not counted.
 """

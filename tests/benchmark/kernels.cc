@@ -73,20 +73,20 @@ void elliptic_prefactors(State &state)
 BENCHMARK(elliptic_prefactors);
 
 /// The rounded cube, cut at the order that the argument names.
-dem::Body cube_of_order(const State &state)
+dem::ParticleShape cube_of_order(const State &state)
 {
-  const dem::Body cube = benchmark_scenes::rounded_cube(5e-3);
+  const dem::ParticleShape cube = benchmark_scenes::rounded_cube(5e-3);
   const auto n = dem::n_coefficients(static_cast<int>(state.range(0)));
-  return dem::make_body(std::make_shared<const dem::Coefficients>(
-                            cube.series->begin(), cube.series->begin() + n),
-                        5e-3);
+  return dem::make_shape(std::make_shared<const dem::Coefficients>(
+                             cube.series->begin(), cube.series->begin() + n),
+                         5e-3);
 }
 
 /// Calls `evaluate` with the rounded cube and one direction after the other.
 template <class Evaluate>
 void over_directions(State &state, const Evaluate &evaluate)
 {
-  const dem::Body body = cube_of_order(state);
+  const dem::ParticleShape body = cube_of_order(state);
   const std::vector<dem::Vec3> ways = directions(n_inputs);
   std::size_t k = 0;
   for (auto _ : state)
@@ -104,14 +104,14 @@ void orders(benchmark::internal::Benchmark *kernel)
 
 void series_radius(State &state)
 {
-  over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
+  over_directions(state, [](const dem::ParticleShape &body, const dem::Vec3 &s)
                   { return dem::radius(*body.series, s); });
 }
 BENCHMARK(series_radius)->Apply(orders);
 
 void series_expand(State &state)
 {
-  over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
+  over_directions(state, [](const dem::ParticleShape &body, const dem::Vec3 &s)
                   { return dem::expand(*body.series, s); });
 }
 BENCHMARK(series_expand)->Apply(orders);
@@ -119,7 +119,7 @@ BENCHMARK(series_expand)->Apply(orders);
 /// All directions in one call; an item is one direction.
 void series_expand_many(State &state)
 {
-  const dem::Body body = cube_of_order(state);
+  const dem::ParticleShape body = cube_of_order(state);
   const std::vector<dem::Vec3> ways = directions(n_inputs);
   std::vector<dem::RadialExpansion> expansions(n_inputs);
   for (auto _ : state)
@@ -135,7 +135,7 @@ BENCHMARK(series_expand_many)->Apply(orders);
 void series_curvatures(State &state)
 {
   over_directions(
-      state, [](const dem::Body &body, const dem::Vec3 &s)
+      state, [](const dem::ParticleShape &body, const dem::Vec3 &s)
       { return dem::principal_curvatures(dem::expand(*body.series, s)); });
 }
 BENCHMARK(series_curvatures)->Apply(orders);
@@ -143,7 +143,7 @@ BENCHMARK(series_curvatures)->Apply(orders);
 /// Expansion and curvatures of one side of a contact.
 void side_evaluation(State &state)
 {
-  over_directions(state, [](const dem::Body &body, const dem::Vec3 &s)
+  over_directions(state, [](const dem::ParticleShape &body, const dem::Vec3 &s)
                   { return dem::evaluate_side(body, s, 10.); });
 }
 BENCHMARK(side_evaluation)->Apply(orders);
@@ -152,7 +152,7 @@ BENCHMARK(side_evaluation)->Apply(orders);
 void breakage_event(State &state)
 {
   over_directions(state,
-                  [](const dem::Body &body, const dem::Vec3 &s)
+                  [](const dem::ParticleShape &body, const dem::Vec3 &s)
                   {
                     const double overlap = 2e-5, gauss = 1e6;
                     const dem::Spall spall{
@@ -165,17 +165,17 @@ BENCHMARK(breakage_event)->Apply(orders)->Unit(benchmark::kMicrosecond);
 /// What the search for places looks up, of a shape that has just changed.
 void radius_map(State &state)
 {
-  const dem::Body body = cube_of_order(state);
+  const dem::ParticleShape body = cube_of_order(state);
   for (auto _ : state)
     benchmark::DoNotOptimize(dem::RadiusMap(body.series));
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(radius_map)->Apply(orders)->Unit(benchmark::kMicrosecond);
 
-benchmark_scenes::Stones kind_of(const State &state)
+benchmark_scenes::ParticleSystem kind_of(const State &state)
 {
-  return state.range(1) != 0 ? benchmark_scenes::Stones::shapes
-                             : benchmark_scenes::Stones::spheres;
+  return state.range(1) != 0 ? benchmark_scenes::ParticleSystem::shapes
+                             : benchmark_scenes::ParticleSystem::spheres;
 }
 
 /// Candidate pairs anew, with the history of all that stay.
@@ -188,7 +188,7 @@ void list_rebuild(State &state)
   const double margin = engine->parameters().geometry.usual_skin;
   const dem::ContactGeometry geometry = engine->particles().has_shapes
                                             ? dem::ContactGeometry::radial
-                                            : dem::ContactGeometry::ball;
+                                            : dem::ContactGeometry::sphere;
   for (auto _ : state)
   {
     dem::PairFinder finder; // knows nothing yet
@@ -217,18 +217,19 @@ void engine_step(State &state)
                          static_cast<int>(state.range(0)), kind_of(state)));
 }
 
-/// 500 stones with breakage switched on; nothing breaks.
+/// 500 particles with breakage switched on; nothing breaks.
 void engine_step_breakage(State &state, dem::BreakageParameters choice)
 {
   choice.is_active = true;
   choice.fracture_energy = 1e12;
-  step_engine(state, *benchmark_scenes::lattice(
-                         500, benchmark_scenes::Stones::shapes, choice));
+  step_engine(state,
+              *benchmark_scenes::lattice(
+                  500, benchmark_scenes::ParticleSystem::shapes, choice));
 }
 
 void sizes(benchmark::internal::Benchmark *kernel)
 {
-  kernel->ArgNames({"stones", "shapes"})
+  kernel->ArgNames({"particles", "shapes"})
       ->ArgsProduct({{500, 5000}, {0, 1}})
       ->Unit(benchmark::kMicrosecond);
 }

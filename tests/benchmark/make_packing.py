@@ -3,11 +3,11 @@
 
     make_packing.py COUNT FILE [--seed N]
 
-Body-centred lattice in a cube, nearest to COUNT stones. Radii are scattered by
+Body-centred lattice in a cube, nearest to COUNT particles. Radii are scattered by
 0.2 % about 5 mm, ten micrometres as the overlaps in a packing under 30 kPa,
 and the lattice is as narrow as it must be for five of the eight nearest
-neighbours of a stone to touch it. Cost and memory per stone are then those of
-a packing at rest for any count. Stones stand in random order. The same seed
+neighbours of a particle to touch it. Cost and memory per particle are then those of
+a packing at rest for any count. Particles stand in random order. The same seed
 gives the same file. FILE may end in .gz.
 """
 import argparse
@@ -36,23 +36,23 @@ def lattice(n, random_numbers):
     cell = 2. * nearest / math.sqrt(3.)
     # The walls press on the outer layers as these do on each other.
     first = 0.5 * nearest
-    stones = []
+    particles = []
     for k in range(2 * n ** 3):
         i, shift = k // 2, 0.5 * (k % 2)
         place = (i % n, i // n % n, i // n ** 2)
         radius = MEAN_RADIUS * (1. + SCATTER * random_numbers.uniform(-1., 1.))
-        stones.append([first + cell * (p + shift) for p in place] + [radius])
-    random_numbers.shuffle(stones)
-    return stones, 2. * first + cell * (n - 0.5)
+        particles.append([first + cell * (p + shift) for p in place] + [radius])
+    random_numbers.shuffle(particles)
+    return particles, 2. * first + cell * (n - 0.5)
 
 
-def write(path, stones, side):
+def write(path, particles, side):
     opened = gzip.open if path.endswith(".gz") else open
     with opened(path, "wt", encoding="ascii") as out:
         out.write(f"# box {side:.12g} {side:.12g} {side:.12g}\n")
         out.write("x,y,z,radius\n")
-        for stone in stones:
-            out.write(",".join(f"{value:.12g}" for value in stone) + "\n")
+        for particle in particles:
+            out.write(",".join(f"{value:.12g}" for value in particle) + "\n")
 
 
 def main():
@@ -64,9 +64,9 @@ def main():
     if options.count < 1:
         parser.error("COUNT must be at least 1")
     n = max(1, round((options.count / 2) ** (1. / 3.)))
-    stones, side = lattice(n, random.Random(options.seed))
-    write(options.file, stones, side)
-    print(f"{options.file}: {len(stones)} stones in a box of {side:.4f} m")
+    particles, side = lattice(n, random.Random(options.seed))
+    write(options.file, particles, side)
+    print(f"{options.file}: {len(particles)} particles in a box of {side:.4f} m")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
     page.py SPALL [--only NAME ...] [--peers FOLDER] [--quick]
 
 Each table stands between <!-- begin NAME --> and <!-- end NAME --> and is
-replaced: peers, scenes, stones, sizes, threads, instructions. What needs the
+replaced: peers, scenes, particles, sizes, threads, instructions. What needs the
 packings of ../shared/peers is left as it is where they are missing.
 --quick: a quarter of the steps, one repeat, sizes to 10 000.
 """
@@ -47,13 +47,13 @@ def row_of(found):
             sample["listed_pairs"],
             f"{1e-6 * sample['updates_per_cpu_s']:.2f}",
             f"{sample['cpu_ns_per_update']:.0f}",
-            f"{1e9 * sample['cpu_s'] / sample['steps'] / found['stones']:.0f}",
+            f"{1e9 * sample['cpu_s'] / sample['steps'] / found['particles']:.0f}",
             " / ".join(share),
             f"{1e3 * sample['rebuilds'] / sample['steps']:.1f}"]
 
 
 ROW = ["contacts", "listed pairs", "million updates per CPU second",
-       "ns per update", "ns per stone and step",
+       "ns per update", "ns per particle and step",
        "contacts / search / breakage / motion, %", "rebuilds per 1000 steps"]
 
 
@@ -85,16 +85,16 @@ def scenes_table(options, _):
     return table(["packing", "scene", *ROW], rows)
 
 
-def stones_rows(options, label, packing, steps, folder, settle=()):
-    """Spheres, and stones in their place once the box is closed round them."""
+def particles_rows(options, label, packing, steps, folder, settle=()):
+    """Spheres, and particles in their place once the box is closed round them."""
     name = packing.name.removesuffix(".gz")
     closed = pathlib.Path(folder) / f"closed_{name}"
     shapes, rows = ["--shapes", SHAPES], []
     bench(options.spall, packing, *shapes, "--save", closed, "--steps", 1,
           "--settle", 0)
     for name, path, words in (("spheres", packing, []),
-                              ("stones", closed, [*shapes, *settle]),
-                              ("stones, breakage on", closed,
+                              ("particles", closed, [*shapes, *settle]),
+                              ("particles, breakage on", closed,
                                [*shapes, *settle, "--breakage"])):
         found = bench(options.spall, path, *words, "--steps", steps,
                       "--repeat",
@@ -102,20 +102,20 @@ def stones_rows(options, label, packing, steps, folder, settle=()):
         rows.append([label, name, f"{found['solid_fraction_1']:.3f}",
                      f"{found['coordination_1']:.2f}", *row_of(found),
                      f"{found['median']['steps_per_s']:.0f}",
-                     f"{found['memory_bytes']['per_stone_run']:.0f}"])
+                     f"{found['memory_bytes']['per_particle_run']:.0f}"])
     return rows
 
 
-def stones_table(options, folder):
-    rows = stones_rows(options, "lattice, 5 000", lattice(folder, 5000),
+def particles_table(options, folder):
+    rows = particles_rows(options, "lattice, 5 000", lattice(folder, 5000),
                        300 if options.quick else 1000, folder)
     graded = list(options.peers.glob("packing_30k.csv*"))
     if graded and not options.quick:
-        # Small stones fall for a tenth of a second until they lie.
-        rows += stones_rows(options, "graded, 30k", graded[0], 300, folder,
+        # Small particles fall for a tenth of a second until they lie.
+        rows += particles_rows(options, "graded, 30k", graded[0], 300, folder,
                             ["--settle", 25000])
-    return table(["packing", "stones", "solid fraction", "coordination number",
-                  *ROW, "steps per second", "bytes per stone"], rows)
+    return table(["packing", "particles", "solid fraction", "coordination number",
+                  *ROW, "steps per second", "bytes per particle"], rows)
 
 
 def sizes_table(options, folder):
@@ -125,12 +125,12 @@ def sizes_table(options, folder):
         found = bench(options.spall, lattice(folder, count), "--steps", steps,
                       "--settle", 50)
         memory = found["memory_bytes"]
-        rows.append([found["stones"], *row_of(found),
+        rows.append([found["particles"], *row_of(found),
                      f"{found['median']['steps_per_s']:.2f}",
-                     f"{memory['per_stone_run']:.0f}",
-                     f"{memory['per_stone_peak']:.0f}"])
+                     f"{memory['per_particle_run']:.0f}",
+                     f"{memory['per_particle_peak']:.0f}"])
     return table(["spheres on a lattice", *ROW, "steps per second",
-                  "bytes per stone", "at the peak"], rows)
+                  "bytes per particle", "at the peak"], rows)
 
 
 def threads_table(options, folder):
@@ -141,7 +141,7 @@ def threads_table(options, folder):
                       "--repeat", 1 if options.quick else 3, threads=threads)
                 for threads in (1, 2)]
         speeds = [end["median"]["steps_per_s"] for end in ends]
-        rows.append([ends[0]["stones"],
+        rows.append([ends[0]["particles"],
                      *(f"{speed:.1f}" for speed in speeds),
                      f"{speeds[1] / speeds[0]:.2f}",
                      "yes" if ends[0]["median"]["checksum"]
@@ -155,7 +155,7 @@ def instructions_table(options, _):
 
 
 TABLES = {"peers": peers_table, "scenes": scenes_table,
-          "stones": stones_table, "sizes": sizes_table,
+          "particles": particles_table, "sizes": sizes_table,
           "threads": threads_table, "instructions": instructions_table}
 NEEDS_PEERS = {"peers", "scenes"}
 

@@ -22,7 +22,7 @@ std::vector<dem::Vec3> directions(int n)
   return result;
 }
 
-dem::Body rounded_cube(double radius)
+dem::ParticleShape rounded_cube(double radius)
 {
   // r(s) = (x^6 + y^6 + z^6)^(-1/6), projected on the harmonics by the mean
   // over evenly spread directions.
@@ -37,10 +37,10 @@ dem::Body rounded_cube(double radius)
     for (std::size_t j = 0; j < n; ++j)
       (*series)[j] += 4. * std::numbers::pi / n_directions * r * harmonics[j];
   }
-  return dem::make_body(series, radius);
+  return dem::make_shape(series, radius);
 }
 
-std::unique_ptr<dem::Engine> lattice(int n, Stones kind,
+std::unique_ptr<dem::Engine> lattice(int n, ParticleSystem kind,
                                      const dem::BreakageParameters &breakage)
 {
   constexpr double radius = 5e-3, overlap = 1e-5;
@@ -51,8 +51,9 @@ std::unique_ptr<dem::Engine> lattice(int n, Stones kind,
   parameters.wall.normal_stiffness = 3e5;
   parameters.wall.shear_stiffness = 3e5;
   auto engine = std::make_unique<dem::Engine>(parameters);
-  const dem::Body body =
-      kind == Stones::shapes ? rounded_cube(radius) : dem::make_sphere(radius);
+  const dem::ParticleShape body = kind == ParticleSystem::shapes
+                                      ? rounded_cube(radius)
+                                      : dem::make_sphere(radius);
   const int side = std::max(1, static_cast<int>(std::lround(
                                    std::cbrt(0.5 * static_cast<double>(n)))));
   const double nearest = 2. * radius - overlap,
@@ -62,11 +63,12 @@ std::unique_ptr<dem::Engine> lattice(int n, Stones kind,
   {
     const int m = k / 2;
     const dem::Vec3 place(m % side, m / side % side, m / side / side);
-    engine->add_stone(body,
-                      dem::Vec3::Constant(0.5 * nearest) +
-                          cell * (place + dem::Vec3::Constant(0.5 * (k % 2))),
-                      kind == Stones::shapes ? random.rotation()
-                                             : dem::Quaternion::Identity());
+    engine->add_particle(
+        body,
+        dem::Vec3::Constant(0.5 * nearest) +
+            cell * (place + dem::Vec3::Constant(0.5 * (k % 2))),
+        kind == ParticleSystem::shapes ? random.rotation()
+                                       : dem::Quaternion::Identity());
   }
   dem::add_box(*engine, dem::Vec3::Zero(),
                dem::Vec3::Constant(nearest + cell * (side - 0.5)));

@@ -7,7 +7,7 @@
 /// What the kernels are timed on.
 namespace benchmark_scenes
 {
-enum class Stones
+enum class ParticleSystem
 {
   spheres,
   shapes ///< a rounded cube, the same for all
@@ -17,14 +17,14 @@ enum class Stones
 /// much to be let go [s].
 inline constexpr double frozen_step = 1e-12;
 
-/// Body-centred lattice of about `n` touching stones, 10 mm wide, in a box of
-/// its own; advanced by a few frozen steps.
-std::unique_ptr<dem::Engine> lattice(int n, Stones kind,
+/// Body-centred lattice of about `n` touching particles, 10 mm wide, in a box
+/// of its own; advanced by a few frozen steps.
+std::unique_ptr<dem::Engine> lattice(int n, ParticleSystem kind,
                                      const dem::BreakageParameters &breakage = {
                                          .is_active = false});
 
 /// A cube with rounded edges, series of order 20, ball radius `radius` [m].
-dem::Body rounded_cube(double radius);
+dem::ParticleShape rounded_cube(double radius);
 
 /// Directions spread evenly over the sphere (Fibonacci lattice).
 std::vector<dem::Vec3> directions(int n);

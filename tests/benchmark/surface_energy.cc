@@ -60,7 +60,7 @@ std::vector<Loaded> loaded_contacts(const dem::Engine &engine)
   std::vector<Loaded> contacts;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if (pairs.is_touching(k))
-      contacts.push_back({pairs.a[k], pairs.b[k], pairs.side_a.spot(k),
+      contacts.push_back({pairs.a[k], pairs.b[k], pairs.side_a.contact_point(k),
                           vector_of(pairs.side_a.direction[k]),
                           vector_of(pairs.side_b.direction[k]),
                           pairs.normal_prefactor[k], pairs.overlap[k]});
@@ -141,7 +141,7 @@ private:
   {
     contacts = loaded_contacts(engine);
     shape_work = engine.energy().non_conservative_work;
-    const dem::SpotEvents &e = engine.spot_events();
+    const dem::ContactPointEvents &e = engine.contact_point_events();
     events = e.n_late + e.n_jumps + e.n_ended + e.n_merged;
   }
 
@@ -177,7 +177,7 @@ std::vector<double> series_of(const std::string &shape, unsigned seed)
     return dem::test::project(
         16, [](const Vec3 &s)
         { return mean_radius * std::pow(s.array().pow(4.).sum(), -0.25); });
-  return dem::test::random_stone(14, seed);
+  return dem::test::random_particle(14, seed);
 }
 
 /// One way to run all impacts.
@@ -201,13 +201,13 @@ bool run_impact(const Setting &setting,
   p.geometry.usual_skin = 3e-4;
   dem::Engine engine(p);
   dem::Random random(seed);
-  const dem::Body body = dem::make_body(series, mean_radius);
+  const dem::ParticleShape body = dem::make_shape(series, mean_radius);
   const double reach = body.circumscribed_radius;
-  engine.add_stone(body, Vec3::Zero(), random.rotation());
-  engine.add_stone(body,
-                   {reach * (random.uniform() - 0.5),
-                    reach * (random.uniform() - 0.5), 2. * reach},
-                   random.rotation());
+  engine.add_particle(body, Vec3::Zero(), random.rotation());
+  engine.add_particle(body,
+                      {reach * (random.uniform() - 0.5),
+                       reach * (random.uniform() - 0.5), 2. * reach},
+                      random.rotation());
   engine.particles().velocity(1) = {0., 0., -1.};
   for (const std::size_t i : {0u, 1u})
     for (int d = 0; d < 3; ++d)
@@ -296,8 +296,8 @@ void print_box(const Setting &setting, int n_steps, unsigned seed)
   for (int i = 0; i < 64; ++i)
   {
     const Vec3 cell(i % 4 + 0.5, i / 4 % 4 + 0.5, i / 16 + 0.5);
-    engine.add_stone(dem::make_body(series, mean_radius), pitch * cell,
-                     random.rotation());
+    engine.add_particle(dem::make_shape(series, mean_radius), pitch * cell,
+                        random.rotation());
     engine.particles().last().velocity = random.rotation() * Vec3::UnitX();
   }
   const double start = engine.energy().kinetic;

@@ -4,8 +4,8 @@
     wear_places.py RUN,OTHER [RUN,OTHER ...]
 
 Each pair names the folders of two runs of one specimen. From their events.csv:
-how many stones and contacts (of two stones, or of a stone and a boundary) have
-lost material in the other run, and how well the volumes that each stone, and
+how many particles and contacts (of two particles, or of a particle and a boundary) have
+lost material in the other run, and how well the volumes that each particle, and
 each contact, has lost in both go together: 1 where they are in proportion, 0
 where the one says nothing of the other (Pearson's correlation).
 """
@@ -17,21 +17,21 @@ import sys
 
 from bench_runs import table
 
-STONE = "0"  # kind_1 of events.csv: the other side is a stone
+PARTICLE = "0"  # kind_1 of events.csv: the other side is a particle
 
 
 def removed(folder):
-    """Volume [m^3] by stone, and by contact."""
-    stones, contacts = collections.Counter(), collections.Counter()
+    """Volume [m^3] by particle, and by contact."""
+    particles, contacts = collections.Counter(), collections.Counter()
     with open(pathlib.Path(folder) / "events.csv", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             sides = row["particle_1"], row["other_1"]
-            if row["kind_1"] == STONE:
+            if row["kind_1"] == PARTICLE:
                 sides = tuple(sorted(sides))
             volume = float(row["removed_volume_m3"])
-            stones[row["particle_1"]] += volume
+            particles[row["particle_1"]] += volume
             contacts[(row["kind_1"], *sides)] += volume
-    return stones, contacts
+    return particles, contacts
 
 
 def correlation(one, other):
@@ -50,7 +50,7 @@ def main():
         lines.append([folders[1], *map(len, other),
                       *(f"{correlation(*maps):.3f}"
                         for maps in zip(one, other))])
-    print(table(["run", "stones", "contacts", "by stone", "by contact"], lines))
+    print(table(["run", "particles", "contacts", "by particle", "by contact"], lines))
 
 
 if __name__ == "__main__":

@@ -93,16 +93,16 @@ def write_gmsh():
 def write_cases():
     for kind in KINDS:
         sections = {"Case": {"kind": kind},
-                    "Stone": {"density": 2650, "friction": 0.5},
+                    "Particle": {"density": 2650, "friction": 0.5},
                     "Time": {"step": "stable", "safety": 0.5}}
         put("prm", kind + ".prm", prm(sections))
         put("json", kind + ".json", json.dumps(sections))
     put("prm", "sound.prm", prm(merged({})))
-    put("prm", "comment.prm", "# a case\nsubsection Stone # its stones\n"
+    put("prm", "comment.prm", "# a case\nsubsection Particle # its particles\n"
         "  set density = 2650 # kg/m^3\nend\n")
     put("prm", "marked.prm", b"\xef\xbb\xbf" + prm(merged({})).encode())
     put("json", "sound.json", json.dumps(merged({})))
-    put("json", "twice.json", '{"Stone": {"friction": 1, "friction": 2}}')
+    put("json", "twice.json", '{"Particle": {"friction": 1, "friction": 2}}')
 
 
 def write_tables():

@@ -10,15 +10,15 @@
 /// against a brute force.
 namespace support
 {
-/// A stone of ball radius 1 with its map.
+/// A particle of ball radius 1 with its map.
 struct MappedBody
 {
-  dem::Body body;
+  dem::ParticleShape body;
   dem::RadiusMap map;
 
   explicit MappedBody(const dem::Coefficients &series)
-      : body(dem::make_body(std::make_shared<const dem::Coefficients>(series),
-                            1.)),
+      : body(dem::make_shape(std::make_shared<const dem::Coefficients>(series),
+                             1.)),
         map(body.series)
   {
   }
@@ -33,7 +33,7 @@ struct Tally
   double worst = 0.; ///< error of the overlap where they agree
   double seconds = 0.;
 
-  /// Overlaps over the diameter of the stone; whether both agree.
+  /// Overlaps over the diameter of the particle; whether both agree.
   bool add(double exact, double found)
   {
     ++n;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <sstream>
 
-/// Small scenes of stones and bodies together.
+/// Small scenes of particles and bodies together.
 namespace support
 {
 /// n x n quads on the square of this side round (0, 0, z), outside is +z.
@@ -30,7 +30,8 @@ inline fem::SurfaceMesh square_at(double side, double z, int n = 1)
 
 /// A pressure on the top of a block of 0.4 by 0.4 m from the origin, 2 by 2
 /// cells, as loads of its nodes [N].
-inline coupling::Field pressed(const coupling::Body &body, double pressure)
+inline coupling::Field pressed(const coupling::DeformableBody &body,
+                               double pressure)
 {
   coupling::Field load;
   for (const dem::Vec3 &at : body.motion().position)
@@ -60,7 +61,7 @@ inline const coupling::ShapeLibrary &no_shapes()
   return none;
 }
 
-/// Stones and one body that they fall on.
+/// Particles and one body that they fall on.
 struct SphereOnBody
 {
   SphereOnBody(const dem::EngineParameters &parameters,
@@ -80,9 +81,9 @@ struct SphereOnBody
 
   void run(double duration)
   {
-    const auto stones = coupling::stones_of(engine, no_shapes());
+    const auto particles = coupling::particles_of(engine, no_shapes());
     for (int k = 0; k * step < duration; ++k)
-      exchange.advance(stones, step);
+      exchange.advance(particles, step);
   }
 
   double height() const { return engine.particles().position(0).z(); }
@@ -90,7 +91,7 @@ struct SphereOnBody
   double step; ///< [s]
   dem::Engine engine;
   coupling::Exchange exchange;
-  const coupling::Body *body = nullptr;
+  const coupling::DeformableBody *body = nullptr;
 };
 
 inline std::string saved(const dem::Engine &engine)
@@ -100,7 +101,7 @@ inline std::string saved(const dem::Engine &engine)
   return out.str();
 }
 
-/// Momentum of all stones [N s].
+/// Momentum of all particles [N s].
 inline dem::Vec3 momentum(const dem::Engine &engine)
 {
   dem::Vec3 sum = dem::Vec3::Zero();
@@ -110,19 +111,20 @@ inline dem::Vec3 momentum(const dem::Engine &engine)
 }
 
 /// What a body has got less what it has and lost [J].
-inline double missing(const coupling::Body &body)
+inline double missing(const coupling::DeformableBody &body)
 {
   const coupling::BodyEnergy e = body.energy();
   return e.external + e.load_work - e.stored - e.kinetic - e.lost;
 }
 
 /// Of the whole scene: what came from outside less what is there and lost [J].
-inline double residual(const dem::Engine &engine,
-                       std::initializer_list<const coupling::Body *> bodies)
+inline double
+residual(const dem::Engine &engine,
+         std::initializer_list<const coupling::DeformableBody *> bodies)
 {
-  // The stones' own balance counts the work of the surfaces as given.
+  // The particles' own balance counts the work of the surfaces as given.
   double sum = energy_residual(engine);
-  for (const coupling::Body *body : bodies)
+  for (const coupling::DeformableBody *body : bodies)
     sum += missing(*body);
   return sum;
 }

@@ -13,8 +13,8 @@ namespace support
 inline dem::EngineParameters bare_parameters()
 {
   dem::EngineParameters p;
-  p.stone.friction = p.stone.rolling_friction = 0.;
-  p.stone.normal_damping = p.stone.shear_damping = 0.;
+  p.particle.friction = p.particle.rolling_friction = 0.;
+  p.particle.normal_damping = p.particle.shear_damping = 0.;
   p.wall.friction = p.wall.rolling_friction = 0.;
   p.wall.normal_damping = p.wall.shear_damping = 0.;
   p.surface = p.wall;
@@ -35,8 +35,8 @@ inline dem::EngineParameters deep_parameters()
 inline void add_sphere(dem::Engine &engine, double radius,
                        const dem::Vec3 &position)
 {
-  engine.add_stone(dem::make_sphere(radius), position,
-                   dem::Quaternion::Identity());
+  engine.add_particle(dem::make_sphere(radius), position,
+                      dem::Quaternion::Identity());
 }
 
 inline void advance(dem::Engine &engine, double time_step, int n_steps)
@@ -46,7 +46,7 @@ inline void advance(dem::Engine &engine, double time_step, int n_steps)
 }
 
 /// A floor of the facet surface at rest that nothing can move; the corners of
-/// its triangles are counter-clockwise seen from below, stones are above.
+/// its triangles are counter-clockwise seen from below, particles are above.
 inline dem::FacetSurface
 fixed_surface(std::vector<dem::Vec3> position,
               std::vector<std::array<std::int32_t, 3>> triangles)
@@ -84,7 +84,7 @@ inline dem::FacetSurface coplanar_fan(int n_triangles, double size,
 }
 
 /// The one touching contact of a batch; its size if there is none or more.
-inline std::size_t only_touch(const dem::ContactBatch &batch)
+inline std::size_t only_nearest_point(const dem::ContactBatch &batch)
 {
   std::size_t found = batch.size();
   int n = 0;

@@ -39,7 +39,7 @@ std::string setting(const char *name)
   return value ? value : "";
 }
 
-bool is_watched(const std::string &path)
+bool is_candidate(const std::string &path)
 {
   static const std::string folder = setting("FAULT_FOLDER");
   if (folder.empty() || path.empty())
@@ -87,7 +87,7 @@ Verdict judge(const char *name, const std::string &path, bool needs_room)
 {
   static const long at = std::atol(setting("FAULT_AT").c_str());
   static const std::string kind = setting("FAULT_KIND");
-  if (!is_watched(path))
+  if (!is_candidate(path))
     return Verdict::pass;
   const long number = ++count;
   note(number, name, path);

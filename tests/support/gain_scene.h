@@ -2,7 +2,7 @@
 
 #include "coupled_scene.h"
 
-/// A light plate pressed on a heavy stone: one spring, whose gain
+/// A light plate pressed on a heavy particle: one spring, whose gain
 /// k dt^2 / (4 m) is set.
 namespace support::gain
 {
@@ -12,32 +12,34 @@ struct Way
 {
   coupling::ExchangeRule rule = coupling::ExchangeRule::every_step;
   coupling::RelaxationParameters relaxation;
-  int stone_steps = 1;
+  int particle_steps = 1;
   double damping = 0.;
 };
 
 struct Outcome
 {
-  double growth = 0.; ///< largest swing, late over early [-]
-  double passes = 0.; ///< per window [-]
-  double astray = 0.; ///< work, see LedgerSums::work_residual [-]
+  double growth = 0.;       ///< largest swing, late over early [-]
+  double passes = 0.;       ///< per window [-]
+  double energy_error = 0.; ///< work, see LedgerSums::work_residual [-]
 };
 
-/// The plate swings about its rest; the stone is 1e4 times as heavy.
+/// The plate swings about its rest; the particle is 1e4 times as heavy.
 inline Outcome swing(double gain, const Way &way, int n_windows = 1500)
 {
   dem::EngineParameters p = support::bare_parameters();
   p.surface.normal_stiffness = stiffness;
-  // The engine takes a rigid body for a wall, with the mass of the stone alone.
-  const double stone_mass =
-      p.stone.density * 4. / 3. * M_PI * std::pow(radius, 3);
-  p.surface.normal_damping = way.damping * std::sqrt(plate_mass / stone_mass);
+  // The engine takes a rigid body for a wall, with the mass of the particle
+  // alone.
+  const double particle_mass =
+      p.particle.density * 4. / 3. * M_PI * std::pow(radius, 3);
+  p.surface.normal_damping =
+      way.damping * std::sqrt(plate_mass / particle_mass);
   dem::Engine engine(p);
   support::add_sphere(engine, radius, {0., 0., -radius});
   coupling::ExchangeParameters rules;
   rules.rule = way.rule;
   rules.relaxation = way.relaxation;
-  rules.stone_steps = way.stone_steps;
+  rules.particle_steps = way.particle_steps;
   rules.tolerance = 1e-13;
   rules.max_passes = 400;
   rules.ledger_limit = std::numeric_limits<double>::infinity();
@@ -53,22 +55,23 @@ inline Outcome swing(double gain, const Way &way, int n_windows = 1500)
   };
   exchange.add(std::make_unique<coupling::RigidBody>(
                    support::upright(plate_mass), mesh.nodes, drive),
-               mesh, "plate", p.surface, coupling::StoneSide::inside, engine);
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+               mesh, "plate", p.surface, coupling::ParticleSide::inside,
+               engine);
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
   const double window = 2. * std::sqrt(gain * plate_mass / stiffness);
   // The load that is there before the first window.
   for (int step = 0; step < 3; ++step)
-    exchange.advance(stones, 1e-6 * window);
+    exchange.advance(particles, 1e-6 * window);
   double early = 0., late = 0.;
   for (int step = 0; step < n_windows; ++step)
   {
-    exchange.advance(stones, window);
+    exchange.advance(particles, window);
     const double swing_now =
         std::abs(engine.particles().position(0).z() + radius -
                  engine.surface().position[0].z() - sunk);
     double &largest = step < n_windows / 2 ? early : late;
     largest = std::max(largest, swing_now);
-    if (swing_now > sunk) // has left the stone
+    if (swing_now > sunk) // has left the particle
       return {1e9, 0., 0.};
   }
   return {late / early,
@@ -76,14 +79,14 @@ inline Outcome swing(double gain, const Way &way, int n_windows = 1500)
           exchange.ledger().work_residual()};
 }
 
-inline Way one_pass(int stone_steps = 1)
+inline Way one_pass(int particle_steps = 1)
 {
-  return {coupling::ExchangeRule::one_pass, {}, stone_steps};
+  return {coupling::ExchangeRule::one_pass, {}, particle_steps};
 }
 
 inline Way iterated(coupling::RelaxationKind kind, double factor,
-                    int stone_steps = 1)
+                    int particle_steps = 1)
 {
-  return {coupling::ExchangeRule::iterated, {kind, factor}, stone_steps};
+  return {coupling::ExchangeRule::iterated, {kind, factor}, particle_steps};
 }
 } // namespace support::gain

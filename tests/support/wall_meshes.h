@@ -32,7 +32,7 @@ inline void complete(dem::FacetSurface &surface)
   surface.load.assign(n, dem::Vec3::Zero());
 }
 
-/// A floor about the origin of 2 n^2 triangles, stones above; vertices stand
+/// A floor about the origin of 2 n^2 triangles, particles above; vertices stand
 /// `roughness` times the spacing up or down at most, and are moved aside by a
 /// part of the spacing.
 inline dem::FacetSurface flat_floor(double spacing, int n, double roughness,

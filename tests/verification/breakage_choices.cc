@@ -1,5 +1,5 @@
 // What the choices of the breakage model change, as
-// docs/verification/breakage.md has it: one contact of two stones, and the
+// docs/verification/breakage.md has it: one contact of two particles, and the
 // small triaxial test.
 //
 //     breakage_choices SMALL.prm SHAPE.json [TABLE ...]
@@ -70,7 +70,7 @@ struct Damage
 };
 
 /// Where the surface is sharpest, of many directions.
-dem::Vec3 sharpest(const dem::Body &body)
+dem::Vec3 sharpest(const dem::ParticleShape &body)
 {
   dem::Vec3 best;
   double largest = 0.;
@@ -86,21 +86,23 @@ dem::Vec3 sharpest(const dem::Body &body)
   return best;
 }
 
-/// Two stones of 20 mm, corner on corner, so heavy that their motion is given:
-/// they come nearer by 1 mm at 0.2 m/s and slide past each other at 0.1 m/s.
-void press(const Choice &choice, const std::string &file, const dem::Body &body)
+/// Two particles of 20 mm, corner on corner, so heavy that their motion is
+/// given: they come nearer by 1 mm at 0.2 m/s and slide past each other at 0.1
+/// m/s.
+void press(const Choice &choice, const std::string &file,
+           const dem::ParticleShape &body)
 {
   dem::EngineParameters p;
   p.breakage = case_with(file, choice.keys).breakage;
   p.breakage.fracture_energy = 1e4;
-  p.stone.density = 1e9;
+  p.particle.density = 1e9;
   dem::Engine engine(p);
   const dem::Vec3 corner = sharpest(body), x = dem::Vec3::UnitX();
   const double reach = dem::evaluate_side(body, corner, 10.).expansion.radius;
   for (const double side : {-1., 1.})
   {
-    engine.add_stone(body, side * reach * x,
-                     dem::Quaternion::FromTwoVectors(corner, -side * x));
+    engine.add_particle(body, side * reach * x,
+                        dem::Quaternion::FromTwoVectors(corner, -side * x));
     engine.particles().last().velocity = {-0.1 * side, 0.05 * side, 0.};
   }
   Damage damage;
@@ -211,8 +213,8 @@ struct Span
 };
 
 /// Gains per second and corner in contact of a specimen in the membrane whose
-/// stones are too strong to break: its path is that of every band. In units of
-/// the fracture energy of the case.
+/// particles are too strong to break: its path is that of every band. In units
+/// of the fracture energy of the case.
 double gain_rate(const std::string &file, const Span &cycles,
                  const std::string &hysteresis)
 {
@@ -279,7 +281,7 @@ void rest(const Rest &keys, const std::string &file)
   if (std::string(keys.geometry) == "surface")
     overrides.insert(overrides.end(),
                      {{"Specimen", "initial_solid_fraction", "0.12"},
-                      {"Stone", "rolling_friction", "0"},
+                      {"Particle", "rolling_friction", "0"},
                       {"Time", "fixed_step", "7e-7"}});
   Triaxial test(case_with(file, overrides));
   while (test.stage() != Stage::loading)
@@ -309,7 +311,7 @@ void rest(const Rest &keys, const std::string &file)
   std::fflush(stdout);
 }
 
-void contact_table(const std::string &file, const dem::Body &body)
+void contact_table(const std::string &file, const dem::ParticleShape &body)
 {
   std::printf("| choice | first event (N) | largest force (N) | events | mode "
               "II | volume (mm^3) | released (mJ) | G_c A_i (mJ) |\n"
@@ -336,11 +338,11 @@ void rest_table(const std::string &file)
     for (const Rest &keys :
          {Rest{"surface", "surface", "seen", "rigid", "0.5", hysteresis},
           Rest{"surface", "surface", "seen", "membrane", "0.5", hysteresis},
-          Rest{"radial", "ball", "seen", "rigid", "0.5", hysteresis},
-          Rest{"radial", "ball", "seen", "rigid", "0", hysteresis},
-          Rest{"radial", "ball", "seen", "membrane", "0.5", hysteresis},
-          Rest{"ball", "ball", "all", "rigid", "0.5", hysteresis},
-          Rest{"ball", "ball", "all", "membrane", "0.5", hysteresis}})
+          Rest{"radial", "sphere", "seen", "rigid", "0.5", hysteresis},
+          Rest{"radial", "sphere", "seen", "rigid", "0", hysteresis},
+          Rest{"radial", "sphere", "seen", "membrane", "0.5", hysteresis},
+          Rest{"sphere", "sphere", "all", "rigid", "0.5", hysteresis},
+          Rest{"sphere", "sphere", "all", "membrane", "0.5", hysteresis}})
       rest(keys, file);
 }
 } // namespace
@@ -362,9 +364,9 @@ int main(int argc, char **argv)
   };
   if (is_asked("contact"))
     contact_table(file,
-                  dem::make_body(std::make_shared<const dem::Coefficients>(
-                                     read_shape(argv[2]).coefficients),
-                                 0.01));
+                  dem::make_shape(std::make_shared<const dem::Coefficients>(
+                                      read_shape(argv[2]).coefficients),
+                                  0.01));
   if (is_asked("specimen"))
     specimen_table(file);
   if (is_asked("rest"))

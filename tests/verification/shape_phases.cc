@@ -1,4 +1,4 @@
-// Why generated stones have more corners than their sample: the share of
+// Why generated particles have more corners than their sample: the share of
 // corners of the sample when the phases of its fine degrees are changed, as
 // docs/verification/shapes.md has it.
 //
@@ -72,18 +72,18 @@ std::vector<double> turned(const std::vector<double> &b, dem::Random &random)
   return sum;
 }
 
-/// Mean share of corners of what `change` makes of the stones.
+/// Mean share of corners of what `change` makes of the particles.
 template <class Change>
-void print_share(const std::string &what, const std::vector<LogShape> &stones,
-                 const Change &change)
+void print_share(const std::string &what,
+                 const std::vector<LogShape> &particles, const Change &change)
 {
   double sum = 0.;
   int n = 0;
   for (int repeat = 0; repeat < n_repeats; ++repeat)
-    for (LogShape stone : stones)
+    for (LogShape particle : particles)
     {
-      change(stone);
-      const dem::Coefficients shape = dem::detail::from_log(stone);
+      change(particle);
+      const dem::Coefficients shape = dem::detail::from_log(particle);
       if (shape.empty())
         continue;
       sum +=
@@ -96,40 +96,41 @@ void print_share(const std::string &what, const std::vector<LogShape> &stones,
 
 int main(int argc, char **argv)
 {
-  std::vector<LogShape> stones;
+  std::vector<LogShape> particles;
   double share = 0.;
   for (int k = 1; k < argc; ++k)
     for (const spall::ShapeFile &shape : spall::read_shapes(argv[k]))
     {
-      stones.push_back(dem::detail::log_shape(shape.coefficients, order));
+      particles.push_back(dem::detail::log_shape(shape.coefficients, order));
       share +=
           dem::measure_shape(shape.coefficients, dem::standard_quadrature())
               .corner_fraction;
     }
-  if (stones.empty())
+  if (particles.empty())
   {
     std::fprintf(stderr, "shape_phases SHAPES [SHAPES ...]\n");
     return 1;
   }
   dem::Random random(5);
-  std::printf("| stones | share of corners |\n|---|---|\n| sample | %.3f |\n",
-              share / static_cast<double>(stones.size()));
-  print_share("sample, taken apart and put together", stones,
+  std::printf(
+      "| particles | share of corners |\n|---|---|\n| sample | %.3f |\n",
+      share / static_cast<double>(particles.size()));
+  print_share("sample, taken apart and put together", particles,
               [](LogShape &) {});
   for (const int first : {15, 9, 5})
-    print_share("random phases from degree " + std::to_string(first), stones,
+    print_share("random phases from degree " + std::to_string(first), particles,
                 [&](LogShape &of)
                 { set_fine(of.coefficients, random_field(random), first); });
-  print_share("degrees from 9, turned at random", stones,
+  print_share("degrees from 9, turned at random", particles,
               [&](LogShape &of) {
                 set_fine(of.coefficients, turned(of.coefficients, random), 9);
               });
-  print_share("degrees from 9 of another stone", stones,
+  print_share("degrees from 9 of another particle", particles,
               [&](LogShape &of)
               {
                 const auto other = static_cast<std::size_t>(
-                    random.uniform() * static_cast<double>(stones.size()));
-                set_fine(of.coefficients, stones[other].coefficients, 9);
+                    random.uniform() * static_cast<double>(particles.size()));
+                set_fine(of.coefficients, particles[other].coefficients, 9);
               });
   return 0;
 }

@@ -1,5 +1,5 @@
-// Where pairs of stones meet, against a brute force that knows nothing but the
-// radius of the series: the table of docs/verification/surfaces.md.
+// Where pairs of particles meet, against a brute force that knows nothing but
+// the radius of the series: the table of docs/verification/surfaces.md.
 //
 //   surface_pairs N SEED SHAPES [SHAPES ...]
 //
@@ -7,8 +7,8 @@
 #include "brute_force.h"
 
 #include <dem/packing/random.h>
-#include <dem/search/spot_lists.h>
-#include <dem/search/spots.h>
+#include <dem/search/contact_point_lists.h>
+#include <dem/search/contact_points.h>
 
 #include <algorithm>
 #include <array>
@@ -19,11 +19,11 @@
 
 namespace
 {
-using dem::Body;
+using dem::ParticleShape;
 using dem::Vec3;
 using support::processor_time;
 using support::Tally;
-using Stone = support::MappedBody;
+using Particle = support::MappedBody;
 
 Vec3 on_surface(const Body &body, const Vec3 &s)
 {
@@ -61,7 +61,7 @@ double compass(std::array<Vec3, n> &at, double step, const Value &value)
   return best;
 }
 
-/// Two stones, B as A sees it, with dense points of both in the frame of A.
+/// Two particles, B as A sees it, with dense points of both in the frame of A.
 struct Pair
 {
   const Body &a, &b;
@@ -215,11 +215,12 @@ Start best_place(const Pair &pair, const std::vector<Start> &nodes,
 }
 
 /// Whether a place of the brute force is one of those of the search.
-bool is_among(const Start &place, const std::vector<dem::Spot> &spots)
+bool is_among(const Start &place,
+              const std::vector<dem::ContactPoint> &contact_points)
 {
-  return std::any_of(spots.begin(), spots.end(),
-                     [&](const dem::Spot &spot)
-                     { return are_beside(spot.on_a, place.at[0]); });
+  return std::any_of(contact_points.begin(), contact_points.end(),
+                     [&](const dem::ContactPoint &contact_point)
+                     { return are_beside(contact_point.on_a, place.at[0]); });
 }
 
 /// Further places, beside the deepest, and how many of them are missed.
@@ -231,10 +232,10 @@ struct Further
   int n_beyond = 0;       ///< pairs with more than are followed
 
   void look(const Pair &pair, const std::vector<Start> &nodes, bool is_apart,
-            double margin, const std::vector<dem::Spot> &spots)
+            double margin, const std::vector<dem::ContactPoint> &contact_points)
   {
-    n_most = std::max(n_most, spots.size());
-    n_beyond += spots.size() > dem::most_spots;
+    n_most = std::max(n_most, contact_points.size());
+    n_beyond += contact_points.size() > dem::most_contact_points;
     std::vector<Start> seen;
     for (const Start &start : least_starts(nodes, 0.08 * diameter(pair)))
     {
@@ -242,16 +243,17 @@ struct Further
       const auto is_known = [&](const Start &other)
       { return are_beside(other.at[0], place.at[0]); };
       if (place.value < (is_apart ? -margin : 0.) ||
-          (!spots.empty() && are_beside(spots.front().on_a, place.at[0])) ||
+          (!contact_points.empty() &&
+           are_beside(contact_points.front().on_a, place.at[0])) ||
           std::any_of(seen.begin(), seen.end(), is_known))
         continue;
       seen.push_back(place);
       ++n;
-      if (is_among(place, spots))
+      if (is_among(place, contact_points))
         continue;
       ++n_missed;
       largest = std::max(largest, place.value / diameter(pair));
-      const dem::Spot polished = dem::polish(
+      const dem::ContactPoint polished = dem::refine(
           pair.a, pair.b, pair.pose, {place.at[0], place.at[1], 0., true});
       std::fprintf(stderr,
                    "further place, %s: brute force %.3e, search from "
@@ -269,9 +271,9 @@ struct Further
   }
 };
 
-dem::SpotSearch search(const dem::MappedPair &pair, double margin)
+dem::ContactPointSearch search(const dem::MappedPair &pair, double margin)
 {
-  return dem::find_spots(
+  return dem::find_contact_points(
       pair, dem::separate(pair, pair.pose.position.normalized()), margin);
 }
 
@@ -285,9 +287,10 @@ dem::MappedPair approach(const dem::MappedPair &from, double overlap)
   for (int step = 0; step < 400; ++step)
   {
     pair.pose.position = distance * along;
-    const dem::SpotSearch found = search(pair, 0.2 * size);
-    const double now =
-        found.spots.empty() ? -0.2 * size : found.spots.front().overlap;
+    const dem::ContactPointSearch found = search(pair, 0.2 * size);
+    const double now = found.contact_points.empty()
+                           ? -0.2 * size
+                           : found.contact_points.front().overlap;
     if (now > overlap - 1e-4 * size)
       break;
     distance -= std::max(0.3 * (overlap - now), 1e-4 * size);
@@ -298,7 +301,7 @@ dem::MappedPair approach(const dem::MappedPair &from, double overlap)
 /// What each of two places is for the other: where the brute force gets from
 /// the place of the search, and the polishing of the search from that of the
 /// brute force.
-void report(int number, const Pair &pair, const dem::Spot &found,
+void report(int number, const Pair &pair, const dem::ContactPoint &found,
             const Start &exact)
 {
   const double diameter = 2. * dem::mean_radius(pair.b);
@@ -307,8 +310,8 @@ void report(int number, const Pair &pair, const dem::Spot &found,
   const double by_force = (is_apart ? nearest_from(pair, from_search)
                                     : deepest_from(pair, from_search))
                               .value;
-  const dem::Spot polished = dem::polish(pair.a, pair.b, pair.pose,
-                                         {exact.at[0], exact.at[1], 0., true});
+  const dem::ContactPoint polished = dem::refine(
+      pair.a, pair.b, pair.pose, {exact.at[0], exact.at[1], 0., true});
   std::fprintf(
       stderr,
       "pair %d %s: search %.3e (brute force from there %.3e), brute "
@@ -323,17 +326,19 @@ void compare(int number, const dem::MappedPair &pair, Tally &tally,
 {
   const double size = dem::mean_radius(pair.b.body);
   const double before = processor_time();
-  const dem::SpotSearch search_result = search(pair, 0.02 * size);
+  const dem::ContactPointSearch search_result = search(pair, 0.02 * size);
   tally.seconds += processor_time() - before;
-  tally.n_several += search_result.spots.size() > 1;
-  const dem::Spot found = search_result.spots.empty()
-                              ? dem::Spot{.overlap = -0.02 * size}
-                              : search_result.spots.front();
+  tally.n_several += search_result.contact_points.size() > 1;
+  const dem::ContactPoint found =
+      search_result.contact_points.empty()
+          ? dem::ContactPoint{.overlap = -0.02 * size}
+          : search_result.contact_points.front();
   const Pair both{pair.a.body, pair.b.body, pair.pose};
   const std::vector<Start> nodes = nearest_nodes(both);
   const bool is_apart = found.overlap <= 0.;
   const Start exact = best_place(both, nodes, is_apart);
-  further.look(both, nodes, is_apart, 0.02 * size, search_result.spots);
+  further.look(both, nodes, is_apart, 0.02 * size,
+               search_result.contact_points);
   if (!tally.add(exact.value / (2. * size), found.overlap / (2. * size)))
     report(number, both, found, exact);
 }
@@ -346,10 +351,10 @@ int main(int argc, char **argv)
     std::fprintf(stderr, "surface_pairs N SEED SHAPES [SHAPES ...]\n");
     return 1;
   }
-  std::vector<Stone> stones;
+  std::vector<Particle> particles;
   for (int k = 3; k < argc; ++k)
     for (const spall::ShapeFile &shape : spall::read_shapes(argv[k]))
-      stones.emplace_back(shape.coefficients);
+      particles.emplace_back(shape.coefficients);
   dem::Random random(std::stoull(argv[2]));
   std::array<Tally, 2> tallies;
   std::array<Further, 2> further;
@@ -358,9 +363,9 @@ int main(int argc, char **argv)
     const auto pick = [&]
     {
       return static_cast<std::size_t>(random.uniform() *
-                                      static_cast<double>(stones.size()));
+                                      static_cast<double>(particles.size()));
     };
-    const Stone &one = stones[pick()], &other = stones[pick()];
+    const Particle &one = particles[pick()], &other = particles[pick()];
     const Body a = dem::resized(one.body, 1.),
                b = dem::resized(other.body,
                                 std::pow(1. / 3., random.uniform()));
@@ -391,7 +396,7 @@ int main(int argc, char **argv)
   std::printf("\n| pairs | further places | of them missed | largest missed "
               "over the diameter | most places of one pair | pairs with more "
               "than %zu |\n|---|---|---|---|---|---|\n",
-              dem::most_spots);
+              dem::most_contact_points);
   for (std::size_t k = 0; k < 2; ++k)
   {
     std::printf("| %s | %d | %d | ", k == 0 ? "apart" : "overlapping",

@@ -1,4 +1,4 @@
-// Where stones meet walls, against a brute force that knows nothing but the
+// Where particles meet walls, against a brute force that knows nothing but the
 // radius of the series: the table of docs/verification/surfaces.md.
 //
 //   surface_walls N SEED SHAPES [SHAPES ...]
@@ -6,7 +6,7 @@
 #include "wall_meshes.h"
 
 #include <dem/packing/random.h>
-#include <dem/search/wall_places.h>
+#include <dem/search/wall_contact_points.h>
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,11 @@
 
 namespace
 {
-using dem::Body;
+using dem::ParticleShape;
 using dem::Vec3;
 using support::processor_time;
 using support::Tally;
-using Stone = support::MappedBody;
+using Particle = support::MappedBody;
 
 /// A compass search for the least value of a function of n numbers.
 template <std::size_t n, class Value>
@@ -50,7 +50,7 @@ double compass(std::array<double, n> &at, double step, const Value &value)
   return best;
 }
 
-/// A stone in the world, as the brute force sees it.
+/// A particle in the world, as the brute force sees it.
 struct Solid
 {
   const Body &body;
@@ -141,33 +141,34 @@ struct Start
   std::array<double, 2> at{};
 };
 
-/// Points of all pieces about the stone, the deepest first.
-std::vector<Start> starts(const Solid &stone, const std::vector<Piece> &pieces,
-                          double spacing)
+/// Points of all pieces about the particle, the deepest first.
+std::vector<Start> starts(const Solid &particle,
+                          const std::vector<Piece> &pieces, double spacing)
 {
   std::vector<Start> all;
-  const double reach = 1.1 * stone.body.circumscribed_radius;
+  const double reach = 1.1 * particle.body.circumscribed_radius;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const Piece &piece = pieces[p];
     const auto add = [&](const std::array<double, 2> &t)
     {
       const Vec3 x = piece.at(t);
-      if ((x - stone.position).norm() > reach)
+      if ((x - particle.position).norm() > reach)
         return;
       Start start;
       start.piece = p;
       start.at = t;
-      start.depth = stone.coarse_depth(x, start.node);
+      start.depth = particle.coarse_depth(x, start.node);
       all.push_back(start);
     };
     if (piece.radius > 0.)
     {
       const double angle =
-          std::atan2(stone.position.y(), stone.position.x()) * piece.radius;
+          std::atan2(particle.position.y(), particle.position.x()) *
+          piece.radius;
       for (double a = -reach; a < reach; a += spacing)
         for (double z = -reach; z < reach; z += spacing)
-          add({angle + a, stone.position.z() + z});
+          add({angle + a, particle.position.z() + z});
       continue;
     }
     const double size = std::max((piece.corner[1] - piece.corner[0]).norm(),
@@ -183,12 +184,12 @@ std::vector<Start> starts(const Solid &stone, const std::vector<Piece> &pieces,
 }
 
 /// The greatest depth of any point of the wall; below zero it is a gap.
-double deepest(const Solid &stone, const std::vector<Piece> &pieces,
+double deepest(const Solid &particle, const std::vector<Piece> &pieces,
                double size)
 {
   double best = -1e300;
   std::vector<Start> tried;
-  for (const Start &start : starts(stone, pieces, 0.08 * size))
+  for (const Start &start : starts(particle, pieces, 0.08 * size))
   {
     if (tried.size() >= 5)
       break;
@@ -205,12 +206,12 @@ double deepest(const Solid &stone, const std::vector<Piece> &pieces,
     const double scale =
         piece.radius > 0. ? 1. : (piece.corner[1] - piece.corner[0]).norm();
     std::array<double, 2> at = start.at;
-    Vec3 from = stone.direction[start.node];
+    Vec3 from = particle.direction[start.node];
     best = std::max(best, -compass(at, 0.05 * size / scale,
                                    [&](const std::array<double, 2> &t)
                                    {
                                      Vec3 next = from;
-                                     return -stone.depth(piece.at(t), next);
+                                     return -particle.depth(piece.at(t), next);
                                    }));
   }
   return best;
@@ -227,23 +228,24 @@ struct Scene
   bool is_cylinder() const { return mesh.surface.triangles.empty(); }
 };
 
-dem::WallSearchResult search(const Scene &scene, const dem::PosedStone &stone,
+dem::WallSearchResult search(const Scene &scene,
+                             const dem::MappedParticlePose &particle,
                              double margin)
 {
   if (scene.is_cylinder())
-    return dem::find_on_drum(stone, scene.drum, dem::DrumPart::cylinder,
+    return dem::find_on_drum(particle, scene.drum, dem::DrumPart::cylinder,
                              margin);
   std::vector<std::int32_t> near;
-  const double reach = stone.stone.body.circumscribed_radius + margin;
+  const double reach = particle.particle.body.circumscribed_radius + margin;
   for (std::int32_t t = 0; std::size_t(t) < scene.mesh.surface.triangles.size();
        ++t)
-    if ((dem::nearest_point(stone.position,
+    if ((dem::nearest_point(particle.position,
                             dem::corners_of(scene.mesh.surface, t))
              .point -
-         stone.position)
+         particle.position)
             .norm() < reach)
       near.push_back(t);
-  return dem::find_on_facets(stone, scene.mesh.view(), near, margin);
+  return dem::find_on_facets(particle, scene.mesh.view(), near, margin);
 }
 
 Scene make_cylinder()
@@ -266,29 +268,31 @@ Scene make_scene(const char *name, support::WallMesh mesh)
 }
 
 /// Down along `way` until the deepest overlap is as wanted, by the search.
-void approach(const Scene &scene, dem::PosedStone &stone, const Vec3 &way,
-              double overlap)
+void approach(const Scene &scene, dem::MappedParticlePose &particle,
+              const Vec3 &way, double overlap)
 {
-  const double size = dem::mean_radius(stone.stone.body);
+  const double size = dem::mean_radius(particle.particle.body);
   for (int step = 0; step < 600; ++step)
   {
-    const dem::WallSearchResult found = search(scene, stone, 0.2 * size);
+    const dem::WallSearchResult found = search(scene, particle, 0.2 * size);
     const double now =
         found.places.empty() ? -0.2 * size : found.places.front().overlap;
     if (now > overlap - 1e-4 * size)
       return;
-    stone.position += std::max(0.3 * (overlap - now), 1e-4 * size) * way;
+    particle.position += std::max(0.3 * (overlap - now), 1e-4 * size) * way;
   }
 }
 
-void compare(const Scene &scene, const dem::PosedStone &stone, Tally &tally)
+void compare(const Scene &scene, const dem::MappedParticlePose &particle,
+             Tally &tally)
 {
-  const double size = dem::mean_radius(stone.stone.body);
+  const double size = dem::mean_radius(particle.particle.body);
   const double before = processor_time();
-  const dem::WallSearchResult found = search(scene, stone, 0.02 * size);
+  const dem::WallSearchResult found = search(scene, particle, 0.02 * size);
   tally.seconds += processor_time() - before;
   tally.n_several += found.places.size() > 1;
-  const Solid solid(stone.stone.body, stone.position, stone.rotation);
+  const Solid solid(particle.particle.body, particle.position,
+                    particle.rotation);
   const double overlap =
       found.places.empty() ? -1e3 : found.places.front().overlap;
   tally.add(deepest(solid, scene.pieces, size) / (2. * size),
@@ -303,10 +307,10 @@ int main(int argc, char **argv)
     std::fprintf(stderr, "surface_walls N SEED SHAPES [SHAPES ...]\n");
     return 1;
   }
-  std::vector<Stone> stones;
+  std::vector<Particle> particles;
   for (int k = 3; k < argc; ++k)
     for (const spall::ShapeFile &shape : spall::read_shapes(argv[k]))
-      stones.emplace_back(shape.coefficients);
+      particles.emplace_back(shape.coefficients);
   const std::vector<Scene> scenes = {
       make_cylinder(), make_scene("flat mesh", support::flat_wall(1.2, 8, 0.)),
       make_scene("inside of a box", support::box_corner(6.)),
@@ -322,11 +326,11 @@ int main(int argc, char **argv)
     Tally tally;
     for (int k = 0; k < std::stoi(argv[1]); ++k)
     {
-      const Stone &one = stones[static_cast<std::size_t>(
-          random.uniform() * static_cast<double>(stones.size()))];
+      const Particle &one = particles[static_cast<std::size_t>(
+          random.uniform() * static_cast<double>(particles.size()))];
       const Vec3 aside(random.uniform() - 0.5, random.uniform() - 0.5, 0.);
       const bool is_corner = std::string(scene.name) == "inside of a box";
-      dem::PosedStone stone{
+      dem::MappedParticlePose particle{
           {one.body, one.map}, {}, random.rotation().toRotationMatrix()};
       Vec3 way = -Vec3::UnitZ();
       if (scene.is_cylinder())
@@ -336,13 +340,13 @@ int main(int argc, char **argv)
         way = Vec3(-1. - 0.5 * random.uniform(), -1. - 0.5 * random.uniform(),
                    -1. - 0.5 * random.uniform());
       way.normalize();
-      stone.position = scene.is_cylinder() ? Vec3(way)
-                       : is_corner         ? Vec3(Vec3::Constant(3.) + aside)
-                                   : Vec3(3. * aside + 2.5 * Vec3::UnitZ());
+      particle.position = scene.is_cylinder() ? Vec3(way)
+                          : is_corner         ? Vec3(Vec3::Constant(3.) + aside)
+                                      : Vec3(3. * aside + 2.5 * Vec3::UnitZ());
       const double overlap =
           (k % 2 == 0 ? -1. : 1.) * 0.01 * (0.05 + 0.95 * random.uniform());
-      approach(scene, stone, way, overlap);
-      compare(scene, stone, tally);
+      approach(scene, particle, way, overlap);
+      compare(scene, particle, tally);
     }
     std::printf("| %s | %d | %d | %d | %.1e | %.1f %% | %.0f |\n", scene.name,
                 tally.n, tally.n_missed, tally.n_beaten, tally.worst,

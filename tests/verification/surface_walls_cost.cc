@@ -32,7 +32,7 @@ dem::EngineParameters parameters(bool is_surface)
 {
   dem::EngineParameters p;
   p.geometry.geometry = p.geometry.wall_geometry =
-      is_surface ? dem::ContactGeometry::surface : dem::ContactGeometry::ball;
+      is_surface ? dem::ContactGeometry::surface : dem::ContactGeometry::sphere;
   p.wall.normal_stiffness = 1e6;
   p.wall.shear_stiffness = 0.85e6;
   p.surface = p.wall;
@@ -43,13 +43,13 @@ dem::EngineParameters parameters(bool is_surface)
   return p;
 }
 
-/// Stones that lie on the wall apart from each other, at rest.
+/// Particles that lie on the wall apart from each other, at rest.
 dem::Engine rested(Wall wall, bool is_surface)
 {
   dem::Engine engine(parameters(is_surface));
-  const auto series =
-      std::make_shared<const dem::Coefficients>(dem::test::random_stone(14, 8));
-  const dem::Body body = dem::make_body(series, radius);
+  const auto series = std::make_shared<const dem::Coefficients>(
+      dem::test::random_particle(14, 8));
+  const dem::ParticleShape body = dem::make_shape(series, radius);
   dem::Random random(1);
   constexpr double far = 3.;
   for (int i = 0; i < n_side; ++i)
@@ -59,7 +59,8 @@ dem::Engine rested(Wall wall, bool is_surface)
                    y = (j - 0.5 * n_side) * spacing;
       const double floor =
           wall == Wall::cylinder ? far - std::sqrt(far * far - x * x) : 0.;
-      engine.add_stone(body, {x, y, floor + 1.25 * radius}, random.rotation());
+      engine.add_particle(body, {x, y, floor + 1.25 * radius},
+                          random.rotation());
     }
   if (wall == Wall::plane)
     engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
@@ -118,7 +119,7 @@ double step_time(dem::Engine &engine)
 struct Cost
 {
   double nanoseconds = 0.; ///< per touching contact and step
-  double contacts = 0.;    ///< that touch, per stone
+  double contacts = 0.;    ///< that touch, per particle
 };
 
 /// Over the time of a step without walls.
@@ -133,9 +134,10 @@ Cost measure(Wall wall, bool is_surface, double free)
 
 int main()
 {
-  std::printf("| wall | ball: ns per contact and step | touching per stone | "
-              "surface: ns | touching per stone | surface over ball |\n"
-              "|---|---|---|---|---|---|\n");
+  std::printf(
+      "| wall | ball: ns per contact and step | touching per particle | "
+      "surface: ns | touching per particle | surface over ball |\n"
+      "|---|---|---|---|---|---|\n");
   dem::Engine free_balls = rested(Wall::none, false),
               free_surfaces = rested(Wall::none, true);
   const double balls = step_time(free_balls),

@@ -18,22 +18,22 @@ struct ExchangeContact
 {
   double stiffness = 0.;     ///< k of one contact [N/m]
   double damping_ratio = 0.; ///< beta of its dashpot [-]
-  /// Of the lightest stone; infinite: its motion does not matter [kg].
-  double stone_mass = std::numeric_limits<double>::infinity();
+  /// Of the lightest particle; infinite: its motion does not matter [kg].
+  double particle_mass = std::numeric_limits<double>::infinity();
 };
 
 /// gain = (omega_m^2 + k / m*) dt^2 / 4 with omega_m = 2 / `membrane_step` of
-/// the membrane alone and 1 / m* = 1 / m + 1 / `stone_mass`, m the lightest of
-/// `nodal_mass`, the nodes that move freely [kg]; limit = (sqrt(1 + beta^2) -
-/// beta)^2: central differences with a lagged dashpot c = 2 beta sqrt(k m*).
-/// Exact for one node and one stone without membrane; with it on the safe side,
-/// as long as one contact loads the node. Throws std::invalid_argument.
+/// the membrane alone and 1 / m* = 1 / m + 1 / `particle_mass`, m the lightest
+/// of `nodal_mass`, the nodes that move freely [kg]; limit = (sqrt(1 + beta^2)
+/// - beta)^2: central differences with a lagged dashpot c = 2 beta sqrt(k m*).
+/// Exact for one node and one particle without membrane; with it on the safe
+/// side, as long as one contact loads the node. Throws std::invalid_argument.
 ExchangeGain exchange_gain(const ExchangeContact &contact,
                            std::span<const double> nodal_mass,
                            double membrane_step, double time_step);
 
-/// Of one contact on the lightest node through a window, the stone moving as it
-/// likes: gain = k T^2 / (4 m). A pass answers a motion d of the node by
+/// Of one contact on the lightest node through a window, the particle moving as
+/// it likes: gain = k T^2 / (4 m). A pass answers a motion d of the node by
 /// -(gain + 2 beta sqrt(gain)) d.
 struct WindowGain
 {

@@ -16,11 +16,11 @@ struct NodeMotion
   FieldView velocity; ///< [m/s]
 };
 
-/// Where the stones are, seen from the quads.
-enum class StoneSide
+/// Where the particles are, seen from the quads.
+enum class ParticleSide
 {
-  inside, ///< a membrane round them: normals point away from the stones
-  outside ///< a body that they lie on: normals point to the stones
+  inside, ///< a membrane round them: normals point away from the particles
+  outside ///< a body that they lie on: normals point to the particles
 };
 
 /// Joins the quads of a body to the triangles of a facet surface: each
@@ -34,7 +34,7 @@ class InterfaceMap
 {
 public:
   explicit InterfaceMap(const fem::SurfaceMesh &mesh,
-                        StoneSide side = StoneSide::inside);
+                        ParticleSide side = ParticleSide::inside);
 
   /// The surface with its topology, positions, velocities and masses set;
   /// `nodal_mass` is infinite where nodes are prescribed [kg].
@@ -61,7 +61,7 @@ private:
   std::vector<std::array<std::int32_t, 4>> quads;
   std::vector<fem::SurfaceMesh::Midpoint> midpoints;
   std::vector<std::array<std::int32_t, 2>> ends; ///< of nodes; -1: moves freely
-  StoneSide stones;
+  ParticleSide particles;
 };
 
 /// The nodes behind one facet surface of the engine.

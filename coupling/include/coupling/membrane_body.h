@@ -1,6 +1,6 @@
 #pragma once
 
-#include <coupling/body.h>
+#include <coupling/deformable_body.h>
 #include <fem/membrane.h>
 
 namespace coupling
@@ -11,11 +11,11 @@ std::vector<double> movable_mass(const fem::Membrane &membrane);
 BodyEnergy energy_of(const fem::MembraneEnergy &energy);
 
 /// A membrane whose tied nodes stay, or move as they were told.
-class MembraneBody : public Body
+class MembraneBody : public DeformableBody
 {
 public:
   MembraneBody(fem::Membrane its_membrane, const BodySteps &steps)
-      : Body(steps), sheet(std::move(its_membrane))
+      : DeformableBody(steps), sheet(std::move(its_membrane))
   {
   }
   fem::Membrane &membrane() { return sheet; }

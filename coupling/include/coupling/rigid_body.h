@@ -1,13 +1,13 @@
 #pragma once
 
-#include <coupling/body.h>
+#include <coupling/deformable_body.h>
 #include <fem/plate_body.h>
 
 #include <functional>
 
 namespace coupling
 {
-/// What moves a rigid body besides the stones, over time [s].
+/// What moves a rigid body besides the particles, over time [s].
 struct RigidDrive
 {
   /// Force and moment about the centre of mass, weight included; none: zero.
@@ -17,7 +17,7 @@ struct RigidDrive
 };
 
 /// A rigid body behind the nodes of a surface that moves with it.
-class RigidBody : public Body
+class RigidBody : public DeformableBody
 {
 public:
   RigidBody(const fem::PlateBodyParameters &parameters, const Field &nodes,

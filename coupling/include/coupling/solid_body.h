@@ -1,6 +1,6 @@
 #pragma once
 
-#include <coupling/body.h>
+#include <coupling/deformable_body.h>
 #include <fem/condensed.h>
 #include <fem/solid_surface.h>
 
@@ -10,7 +10,7 @@ namespace coupling
 {
 BodyEnergy energy_of(const fem::SolidEnergy &energy);
 
-/// What moves an elastic body besides the stones, over time [s].
+/// What moves an elastic body besides the particles, over time [s].
 struct SolidDrive
 {
   std::function<double(double)> force; ///< along z, in all [N]
@@ -18,7 +18,7 @@ struct SolidDrive
 };
 
 /// An elastic body touched on one part of its surface.
-class SolidBody : public Body
+class SolidBody : public DeformableBody
 {
 public:
   /// `boundary` as SolidMesh::Face.
@@ -27,7 +27,7 @@ public:
   const fem::SurfaceMesh &mesh() const { return surface.mesh; }
   fem::Solid &solid() { return body; }
   const fem::Solid &solid() const { return body; }
-  /// On all nodes of the body, besides the stones: weight, for one [N]. It
+  /// On all nodes of the body, besides the particles: weight, for one [N]. It
   /// acts from now on. Throws std::invalid_argument.
   void set_dead_load(Field load);
   /// Acts from now on, time 0 of the body. Throws std::invalid_argument.
@@ -64,19 +64,19 @@ private:
   Field dead_load;          ///< on the body [N]
   double dead_start = 0.;   ///< dead_potential() when it was set [J]
   SolidDrive drive;
-  /// What a drive needs to know of the stones.
+  /// What a drive needs to know of the particles.
   struct
   {
     double time = 0.; ///< of the body [s]
-    double work = 0.; ///< of the stones [J]
+    double work = 0.; ///< of the particles [J]
   } driven;
-  Field touching;  ///< load of the stones, last [N]
+  Field touching;  ///< load of the particles, last [N]
   Field before;    ///< displacements of the surface when the step began [m]
   Field body_load; ///< space to work in
 };
 
 /// A linear body condensed on the nodes of one part of its surface.
-class CondensedBody : public Body
+class CondensedBody : public DeformableBody
 {
 public:
   /// From a body at rest; `window` is that of the exchange, of which the

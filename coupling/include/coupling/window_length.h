@@ -6,9 +6,9 @@
 
 namespace coupling
 {
-/// How many steps the stones take in a window of one pass: as many as the gain
-/// of the present contacts allows, and fewer where too much work goes astray at
-/// the interface. Plain data for the checkpoint.
+/// How many steps the particles take in a window of one pass: as many as the
+/// gain of the present contacts allows, and fewer where too much work goes
+/// astray at the interface. Plain data for the checkpoint.
 class WindowLength
 {
 public:
@@ -17,8 +17,11 @@ public:
   explicit WindowLength(int most) : longest(most), now(most) {}
 
   /// From now on at most this share of the work that crosses the interface is
-  /// to go astray; 0: the length stays as it is [-].
-  void follow(double share_astray) { tolerance = share_astray; }
+  /// to are lost; 0: the length stays as it is [-].
+  void follow(double interface_error_share)
+  {
+    tolerance = interface_error_share;
+  }
   bool is_adaptive() const { return tolerance > 0.; }
   /// At most so many steps from now on.
   void cap(int most);
@@ -35,7 +38,8 @@ public:
 
 private:
   std::int64_t longest = 1, now = 1;
-  double tolerance = 0.;                        ///< [-]
-  double astray_before = 0., moved_before = 0.; ///< at the last look [J]
+  double tolerance = 0.; ///< [-]
+  double interface_error_before = 0.,
+         moved_before = 0.; ///< at the last look [J]
 };
 } // namespace coupling

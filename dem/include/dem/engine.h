@@ -9,15 +9,15 @@
 #include <dem/integrate/verlet.h>
 #include <dem/measure/assembly.h>
 #include <dem/search/candidates.h>
-#include <dem/search/margin.h>
-#include <dem/search/spot_lists.h>
+#include <dem/search/contact_point_lists.h>
+#include <dem/search/skin_width.h>
 
 #include <iosfwd>
 #include <memory>
 
 namespace dem
 {
-/// Energy of the stones now, and what has passed since construction [J].
+/// Energy of the particles now, and what has passed since construction [J].
 struct EngineEnergy
 {
   double kinetic = 0.;  ///< now
@@ -28,9 +28,9 @@ struct EngineEnergy
   double breakage = 0.; ///< released by events, lost kinetic energy included
   double non_conservative_work = 0.; ///< springs gained (negative) by turning
   double fracture = 0.;              ///< sum of G_c A_i over the events
-  double plane_work = 0.;            ///< done by the planes on the stones
-  double drum_work = 0.;             ///< done by the drum on the stones
-  double surface_work = 0.; ///< done by the facet surfaces on the stones
+  double plane_work = 0.;            ///< done by the planes on the particles
+  double drum_work = 0.;             ///< done by the drum on the particles
+  double surface_work = 0.; ///< done by the facet surfaces on the particles
   double gravity_work = 0.;
 };
 
@@ -40,17 +40,17 @@ struct EngineClock
   double contacts = 0., search = 0., breakage = 0., motion = 0.;
 };
 
-/// The stones, their contacts and boundaries, and how they move: the one class
-/// of dem with state.
+/// The particles, their contacts and boundaries, and how they move: the one
+/// class of dem with state.
 class Engine
 {
 public:
   explicit Engine(const EngineParameters &parameters);
 
-  /// A stone at rest, at any time; of another material than 0 it does not
+  /// A particle at rest, at any time; of another material than 0 it does not
   /// break.
-  void add_stone(const Body &body, const Vec3 &position,
-                 const Quaternion &orientation, std::uint8_t material = 0);
+  void add_particle(const ParticleShape &body, const Vec3 &position,
+                    const Quaternion &orientation, std::uint8_t material = 0);
   /// Returns the number of the plane.
   std::size_t add_plane(const Vec3 &point, const Vec3 &normal);
   /// The drum of the scene (one); its spin may change at any time.
@@ -64,14 +64,15 @@ public:
 
   /// One velocity Verlet step [s]. Velocities of planes and the motion of
   /// facet surfaces (already at the end of the step) are set before. Throws
-  /// std::runtime_error where stones leap by a hundred radii: too long a step;
-  /// OverlapStop where a contact is deeper than OverlapLimits::stop.
+  /// std::runtime_error where particles leap by a hundred radii: too long a
+  /// step; OverlapStop where a contact is deeper than OverlapLimits::stop.
   void advance(double time_step);
-  /// The same for one who goes on without a look at the stones: the last half
-  /// kick waits for the first of the next step, one pass over the stones for
-  /// both, or until anything here asks for it; all bits stay the same. Only
-  /// through a reference from before are velocities seen half a step late.
-  void advance_unseen(double time_step);
+  /// The same for one who goes on without a look at the particles: the last
+  /// half kick waits for the first of the next step, one pass over the
+  /// particles for both, or until anything here asks for it; all bits stay the
+  /// same. Only through a reference from before are velocities seen half a step
+  /// late.
+  void advance_deferred(double time_step);
 
   /// Loads of all contacts as the scene was placed, before its first step:
   /// nothing moves. Dashpots see the velocities; tangential and rolling springs
@@ -85,29 +86,29 @@ public:
   void set_local_damping(double damping);
   /// How soon contacts and lists are renewed, as GeometryParameters has it; the
   /// lists from the next ones on.
-  void set_renewal(double refresh_tolerance, double search_margin);
-  /// From now on a stone that has come through a wall does not stop the engine,
-  /// nor does an overlap above OverlapLimits::stop: of rough packings, whose
-  /// overlaps may push some out.
-  void let_strays_go() { keeps_inside = false; }
-  /// Takes all velocity from the stones; booked as damping.
+  void set_renewal(double refresh_tolerance, double skin);
+  /// From now on a particle that has come through a wall does not stop the
+  /// engine, nor does an overlap above OverlapLimits::stop: of rough packings,
+  /// whose overlaps may push some out.
+  void allow_escape() { keeps_inside = false; }
+  /// Takes all velocity from the particles; booked as damping.
   void come_to_rest();
-  /// Whether stones break from now on; off: no damage grows either.
+  /// Whether particles break from now on; off: no damage grows either.
   void set_breaking(bool is_on);
   /// Of the rises of energy, as BreakageParameters::repetitions [-], of the
   /// load that begins now: what contacts have borne before counts no longer.
   void set_repetitions(double repetitions);
 
   /// As they are at time().
-  const Particles &particles() const
+  const ParticleSystem &particles() const
   {
     finish_kick();
-    return stones;
+    return system;
   }
-  Particles &particles()
+  ParticleSystem &particles()
   {
     finish_kick();
-    return stones;
+    return system;
   }
   const ContactBatch &pairs() const { return pair_batch; }
   const ContactBatch &on_planes() const { return plane_batch; }
@@ -146,7 +147,10 @@ public:
   /// All that is nearer than this to each other is listed [m].
   double listed_gap() const { return margin.left; }
   /// Of contacts that follow the true surfaces, since construction.
-  const SpotEvents &spot_events() const { return spots.events; }
+  const ContactPointEvents &contact_point_events() const
+  {
+    return contact_points.events;
+  }
   EngineEnergy energy() const;
   EngineClock clock() const { return spent; }
   const OverlapRecord &overlaps() const { return overlap; }
@@ -167,25 +171,25 @@ public:
                const std::vector<std::shared_ptr<const Coefficients>> &library);
 
 private:
-  Speeds move_stones(double time_step);
+  Speeds move_particles(double time_step);
   void finish_kick() const;
   void move_planes(double time_step);
   void keep_lists(const Speeds &fastest, double time_step);
-  SearchMargin::Lists list_counts() const;
+  SkinWidth::Lists list_counts() const;
   void rebuild_lists();
-  void look_at_strayed();
+  void check_escaped();
   void renew_lists();
   void update_maps();
   void rebuild_pair_list();
   void rebuild_plane_list();
   void rebuild_drum_list();
   void rebuild_facet_list(SurfaceContacts &facets);
-  void look_at_facets();
+  void check_facets();
   void gather_facets(const WallSearch &search, SurfaceContacts &facets);
-  bool follows_walls() const; ///< stones, with their surfaces
+  bool follows_walls() const; ///< particles, with their surfaces
   ContactGeometry pair_geometry() const;
-  SpotSearchInput spot_search(const ForceContext &still,
-                              const BatchLayout &layout) const;
+  ContactPointSearchInput contact_point_search(const ForceContext &still,
+                                               const BatchLayout &layout) const;
   void sort_in_space();
   bool evaluate_contacts(double time_step);
   void meet_walls(double time_step);
@@ -206,7 +210,8 @@ private:
   void load_drum(double time_step);
   void book_drum(double time_step);
   ForceContext context(double time_step);
-  /// Calls call(batch) for the contacts with stones, planes, drum and facets.
+  /// Calls call(batch) for the contacts with particles, planes, drum and
+  /// facets.
   template <class Self, class Call>
   static void visit_batches(Self &self, const Call &call)
   {
@@ -222,36 +227,37 @@ private:
 
   EngineParameters settings;
   ElasticityTable elasticity;
-  // Const functions too give the kick that is owed: what is seen of the stones
-  // does not depend on when.
-  mutable Particles stones;
+  // Const functions too give the kick that is owed: what is seen of the
+  // particles does not depend on when.
+  mutable ParticleSystem system;
   mutable WorkColumns work;
-  mutable double owed_kick = 0.; ///< the last of the step, or nothing [s]
+  mutable double pending_half_kick =
+      0.; ///< the last of the step, or nothing [s]
   mutable EngineClock spent;
   std::vector<Plane> walls;
   std::vector<SurfaceContacts> facet_surfaces;
   Drum barrel;
-  DrumShelf shelf; ///< where `barrel` stands; read where places are
+  DrumLifter lifter; ///< where `barrel` stands; read where places are
   ContactBatch pair_batch, plane_batch, drum_batch;
   PairLoads pair_loads;
   PatchFactors patches; ///< empty unless patches keep factors
 
-  bool keeps_inside = true; ///< let_strays_go() has not been called
+  bool keeps_inside = true; ///< allow_escape() has not been called
   bool lists_are_stale = true;
-  bool places_are_stale = false; ///< contacts have strayed
-  bool facets_are_stale = false; ///< those alone, where stones follow them
-  SearchMargin margin;
+  bool places_are_stale = false; ///< contacts have escaped
+  bool facets_are_stale = false; ///< those alone, where particles follow them
+  SkinWidth margin;
   PairFinder pair_finder;
-  StoneMaps maps; ///< of true surfaces
-  SpotLists spots;
+  ParticleMaps maps; ///< of true surfaces
+  ContactPointLists contact_points;
   Travel travel;
   double steepest = 0.;         ///< c of closing_speed [-]
   double travelled = 0.;        ///< ForceContext::travelled [m]
   double stride = 0.;           ///< ForceContext::stride [m]
   double walls_travelled = 0.;  ///< planes and drum, the fastest [m]
   double sheets_travelled = 0.; ///< facets, the fastest vertex [m]
-  double facets_left = 0.;      ///< of it and stones, to the next look [m]
-  double travelled_sorted = 0.; ///< when the stones were last sorted [m]
+  double facets_left = 0.;      ///< of it and particles, to the next look [m]
+  double travelled_sorted = 0.; ///< when the particles were last sorted [m]
   double now = 0.;
   std::int64_t step_count = 0, rebuild_count = 0, event_count = 0;
   int refused_count = 0;

@@ -8,14 +8,15 @@
 
 namespace dem
 {
-/// All that the engine must know besides the stones and boundaries.
+/// All that the engine must know besides the particles and boundaries.
 struct EngineParameters
 {
-  StoneMaterial stone;
-  /// Of bodies that are no stones: material 1, 2, ... of Particles::material.
+  ParticleMaterial particle;
+  /// Of bodies that are no particles: material 1, 2, ... of
+  /// Particles::material.
   std::vector<SolidMaterial> other_solids;
-  WallMaterial wall;    ///< stones on planes
-  WallMaterial surface; ///< stones on the facet surface
+  WallMaterial wall;    ///< particles on planes
+  WallMaterial surface; ///< particles on the facet surface
   GeometryParameters geometry;
   FrictionLimit friction_limit = FrictionLimit::elastic; ///< all contacts
   BreakageParameters breakage;

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 /// Functions over lanes must never be calls: their arguments fill registers.
-#define DEM_LANE_INLINE [[gnu::always_inline]] inline
+#define DEM_SIMD_INLINE [[gnu::always_inline]] inline
 
 namespace dem
 {
@@ -25,54 +25,54 @@ struct Triple
 };
 
 template <class Real>
-DEM_LANE_INLINE Triple<Real> operator+(const Triple<Real> &u,
+DEM_SIMD_INLINE Triple<Real> operator+(const Triple<Real> &u,
                                        const Triple<Real> &v)
 {
   return {u.x + v.x, u.y + v.y, u.z + v.z};
 }
 
 template <class Real>
-DEM_LANE_INLINE Triple<Real> operator-(const Triple<Real> &u,
+DEM_SIMD_INLINE Triple<Real> operator-(const Triple<Real> &u,
                                        const Triple<Real> &v)
 {
   return {u.x - v.x, u.y - v.y, u.z - v.z};
 }
 
 template <class Real>
-DEM_LANE_INLINE Triple<Real> operator-(const Triple<Real> &v)
+DEM_SIMD_INLINE Triple<Real> operator-(const Triple<Real> &v)
 {
   return {-v.x, -v.y, -v.z};
 }
 
 template <class Real>
-DEM_LANE_INLINE Triple<Real> operator*(const std::type_identity_t<Real> &s,
+DEM_SIMD_INLINE Triple<Real> operator*(const std::type_identity_t<Real> &s,
                                        const Triple<Real> &v)
 {
   return {s * v.x, s * v.y, s * v.z};
 }
 
 template <class Real>
-DEM_LANE_INLINE Real dot(const Triple<Real> &u, const Triple<Real> &v)
+DEM_SIMD_INLINE Real dot(const Triple<Real> &u, const Triple<Real> &v)
 {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 
 template <class Real>
-DEM_LANE_INLINE Triple<Real> cross(const Triple<Real> &u, const Triple<Real> &v)
+DEM_SIMD_INLINE Triple<Real> cross(const Triple<Real> &u, const Triple<Real> &v)
 {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
 /// Component by component.
 template <class Real>
-DEM_LANE_INLINE Triple<Real> times(const Triple<Real> &u, const Triple<Real> &v)
+DEM_SIMD_INLINE Triple<Real> times(const Triple<Real> &u, const Triple<Real> &v)
 {
   return {u.x * v.x, u.y * v.y, u.z * v.z};
 }
 
 /// `yes` where the condition holds, else `no`, lane by lane.
 template <class Mask, class Real>
-DEM_LANE_INLINE Real select(const Mask &condition,
+DEM_SIMD_INLINE Real select(const Mask &condition,
                             const std::type_identity_t<Real> &yes, Real no)
 {
   if constexpr (std::is_same_v<Mask, bool>)
@@ -86,7 +86,7 @@ DEM_LANE_INLINE Real select(const Mask &condition,
 
 /// Whether the condition holds in any lane.
 template <class Mask>
-DEM_LANE_INLINE bool any(const Mask &condition)
+DEM_SIMD_INLINE bool any(const Mask &condition)
 {
   if constexpr (std::is_same_v<Mask, bool>)
     return condition;

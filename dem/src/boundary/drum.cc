@@ -14,7 +14,7 @@ DrumPoint on_cylinder(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
   const double distance = from_axis.norm();
   DrumPoint at;
   at.normal =
-      distance > 0. ? Vec3(from_axis / distance) : shelf_direction(drum);
+      distance > 0. ? Vec3(from_axis / distance) : lifter_direction(drum);
   at.distance = drum.radius - distance;
   at.point = x + at.distance * at.normal;
   return at;
@@ -29,20 +29,20 @@ DrumPoint on_end(const Drum &drum, double along, double side, const Vec3 &x)
   return at;
 }
 
-/// The shelf is a bar of rectangular section: from radius - height outwards,
+/// The lifter is a bar of rectangular section: from radius - height outwards,
 /// half the thickness to either side.
-DrumPoint on_shelf(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
+DrumPoint on_lifter(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
 {
   DrumPoint at;
-  if (drum.shelf_height <= 0.)
+  if (drum.lifter_height <= 0.)
   {
     at.distance = std::numeric_limits<double>::max();
     return at;
   }
-  const Vec3 out = shelf_direction(drum), side = drum.axis.cross(out);
+  const Vec3 out = lifter_direction(drum), side = drum.axis.cross(out);
   const double u = from_axis.dot(out), v = from_axis.dot(side);
-  const double tip = drum.radius - drum.shelf_height,
-               half = 0.5 * drum.shelf_thickness;
+  const double tip = drum.radius - drum.lifter_height,
+               half = 0.5 * drum.lifter_thickness;
   const double du = std::max(tip - u, 0.), dv = std::clamp(v, -half, half) - v;
   at.distance = std::hypot(du, dv);
   if (at.distance > 0.)
@@ -60,7 +60,7 @@ DrumPoint on_shelf(const Drum &drum, const Vec3 &from_axis, const Vec3 &x)
 }
 } // namespace
 
-Vec3 shelf_direction(const Drum &drum)
+Vec3 lifter_direction(const Drum &drum)
 {
   const Vec3 across = Vec3::UnitZ() - drum.axis.z() * drum.axis;
   const Vec3 up = across.norm() > 1e-9 ? across.normalized() : Vec3::UnitX();
@@ -93,9 +93,9 @@ DrumPoint nearest_on_drum(const Drum &drum, DrumPart part, const Vec3 &x)
     return on_end(drum, along, -1., x);
   case DrumPart::upper_end:
     return on_end(drum, along, 1., x);
-  case DrumPart::shelf:
+  case DrumPart::lifter:
     break;
   }
-  return on_shelf(drum, from_axis, x);
+  return on_lifter(drum, from_axis, x);
 }
 } // namespace dem

@@ -2,7 +2,7 @@
 
 namespace dem
 {
-void find_drum(const Particles &particles, const Drum &drum,
+void find_drum(const ParticleSystem &particles, const Drum &drum,
                const ContactBatch &batch, std::vector<WallRow> &rows)
 {
   rows.resize(particles.size() * static_cast<std::size_t>(n_drum_parts));

@@ -155,11 +155,11 @@ std::array<double, 3> nearest_on_edge(const FacetSurface &surface,
 /// What the ball overlaps. Every edge and vertex of it belongs to triangles
 /// that it overlaps too and is taken once; what cancels is left out.
 void find_pieces(const FacetMesh &mesh, const PressedBall &ball,
-                 const std::vector<FacetTouch> &near, Workspace &work)
+                 const std::vector<NearestFacetPoint> &near, Workspace &work)
 {
   const FacetTopology &topology = mesh.topology;
   work.start(mesh.surface);
-  for (const FacetTouch &touch : near)
+  for (const NearestFacetPoint &touch : near)
   {
     if (touch.distance >= ball.radius)
       continue;
@@ -190,17 +190,18 @@ void find_pieces(const FacetMesh &mesh, const PressedBall &ball,
 
 /// Of the facets, those that the ball overlaps.
 std::size_t n_overlapped(const PressedBall &ball,
-                         const std::vector<FacetTouch> &facets)
+                         const std::vector<NearestFacetPoint> &facets)
 {
   return static_cast<std::size_t>(
       std::count_if(facets.begin(), facets.end(),
-                    [&ball](const FacetTouch &facet)
+                    [&ball](const NearestFacetPoint &facet)
                     { return facet.distance < ball.radius; }));
 }
 
 /// The touch that a piece belongs to: of the first `n` the one whose direction
 /// is nearest.
-std::size_t patch_of(const Piece &piece, const std::vector<FacetTouch> &touches,
+std::size_t patch_of(const Piece &piece,
+                     const std::vector<NearestFacetPoint> &touches,
                      std::size_t n)
 {
   std::size_t best = 0;
@@ -248,10 +249,10 @@ PatchSum sum_of(const std::vector<Piece> &pieces, std::size_t patch)
 
 /// Puts the touch on the pieces of its patch. Forces across the normal go by
 /// pressing over distance: then their point lies below the centre along the
-/// normal, and stone and surface feel the same moment. Where these weights have
-/// no sum, forces across the normal stay on the nearest facet.
+/// normal, and particle and surface feel the same moment. Where these weights
+/// have no sum, forces across the normal stay on the nearest facet.
 void share(const FacetSurface &surface, const PressedBall &ball,
-           Workspace &work, std::size_t patch, FacetTouch &touch,
+           Workspace &work, std::size_t patch, NearestFacetPoint &touch,
            FacetShares &result)
 {
   const PatchSum sum = sum_of(work.pieces, patch);
@@ -295,8 +296,8 @@ void share(const FacetSurface &surface, const PressedBall &ball,
 } // namespace
 
 void share_patches(const FacetMesh &mesh, const PressedBall &ball,
-                   const std::vector<FacetTouch> &near,
-                   std::vector<FacetTouch> &touches,
+                   const std::vector<NearestFacetPoint> &near,
+                   std::vector<NearestFacetPoint> &touches,
                    std::vector<FacetShares> &shares)
 {
   if (shares.size() < touches.size())

@@ -93,10 +93,10 @@ Vec3 direction_of(const FacetSurface &surface, const NearestPoint &nearest,
 }
 
 /// Keeps the nearest of all whose directions are within 45 degrees; sorts.
-void merge_patches(std::vector<FacetTouch> &touches)
+void merge_patches(std::vector<NearestFacetPoint> &touches)
 {
   std::sort(touches.begin(), touches.end(),
-            [](const FacetTouch &a, const FacetTouch &b)
+            [](const NearestFacetPoint &a, const NearestFacetPoint &b)
             {
               return std::tie(a.distance, a.nearest.triangle) <
                      std::tie(b.distance, b.nearest.triangle);
@@ -106,7 +106,7 @@ void merge_patches(std::vector<FacetTouch> &touches)
   {
     const bool is_new =
         std::none_of(touches.begin(), kept,
-                     [&touch](const FacetTouch &other) {
+                     [&touch](const NearestFacetPoint &other) {
                        return other.direction.dot(touch->direction) > cos_patch;
                      });
     if (!is_new)
@@ -119,24 +119,24 @@ void merge_patches(std::vector<FacetTouch> &touches)
 }
 } // namespace
 
-FacetTouch nearest_touch(const FacetSurface &surface, std::int32_t triangle,
-                         const Vec3 &x)
+NearestFacetPoint nearest_on_facet(const FacetSurface &surface,
+                                   std::int32_t triangle, const Vec3 &x)
 {
-  FacetTouch touch{nearest_point(x, corners_of(surface, triangle))};
+  NearestFacetPoint touch{nearest_point(x, corners_of(surface, triangle))};
   touch.nearest.triangle = triangle;
   touch.distance = (touch.nearest.point - x).norm();
   return touch;
 }
 
 void keep_minima(const FacetSurface &surface, const FacetTopology &topology,
-                 const Vec3 &x, std::vector<FacetTouch> &touches)
+                 const Vec3 &x, std::vector<NearestFacetPoint> &touches)
 {
   std::erase_if(touches,
-                [&](const FacetTouch &touch) {
+                [&](const NearestFacetPoint &touch) {
                   return !is_minimum(surface, topology, touch.nearest, x,
                                      touch.distance);
                 });
-  for (FacetTouch &touch : touches)
+  for (NearestFacetPoint &touch : touches)
     touch.direction = direction_of(surface, touch.nearest, x, touch.distance);
   if (touches.size() > 1)
     merge_patches(touches);

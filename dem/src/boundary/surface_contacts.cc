@@ -14,15 +14,15 @@ SurfaceContacts::SurfaceContacts(std::string its_name, const WallMaterial &law,
 
 Vec3 SurfaceContacts::point_of(std::size_t k) const
 {
-  return point_at(surface, candidates.spot[k]);
+  return point_at(surface, candidates.contact_point[k]);
 }
 
 Mat3 SurfaceContacts::spread_of(std::size_t k) const
 {
   Mat3 sum = Mat3::Zero();
-  const FacetSpot &spot = candidates.spot[k];
+  const FacetContactPoint &contact_point = candidates.contact_point[k];
   const Vec3 &force = batch.load[k].force, point = point_of(k);
-  for_loads(surface, spot, force,
+  for_loads(surface, contact_point, force,
             [&](std::size_t vertex, const Vec3 &part)
             { sum += part * (surface.position[vertex] - point).transpose(); });
   return sum;

@@ -198,15 +198,15 @@ std::optional<SurfaceFault> find_crossing(const FacetMesh &mesh)
 }
 
 std::optional<SurfaceFault> find_left(const SurfaceContacts &facets,
-                                      const Particles &stones,
+                                      const ParticleSystem &particles,
                                       ContactGeometry geometry)
 {
   const FacetCandidates &near = facets.candidates;
-  for (std::size_t row = 0; row < near.stone.size(); ++row)
+  for (std::size_t row = 0; row < near.particle.size(); ++row)
   {
-    const std::size_t i = index(near.stone[row]);
-    const Vec3 &centre = stones.position(i);
-    double nearest = wall_bound(stones, i, geometry);
+    const std::size_t i = index(near.particle[row]);
+    const Vec3 &centre = particles.position(i);
+    double nearest = wall_bound(particles, i, geometry);
     NearestPoint at;
     for (const std::int32_t triangle : near.triangles_of(row))
     {
@@ -222,7 +222,7 @@ std::optional<SurfaceFault> find_left(const SurfaceContacts &facets,
     if (at.triangle >= 0 &&
         normal_at(facets.mesh(), at).dot(at.point - centre) < 0.)
       return SurfaceFault{SurfaceFlaw::left, at.triangle,
-                          static_cast<std::int32_t>(stones.id[i]), centre};
+                          static_cast<std::int32_t>(particles.id[i]), centre};
   }
   return {};
 }
@@ -241,7 +241,7 @@ std::string describe(const SurfaceFault &fault)
          << " pass through each other";
     break;
   case SurfaceFlaw::left:
-    text << "stone " << fault.second << " has left through facet "
+    text << "particle " << fault.second << " has left through facet "
          << fault.first;
     break;
   }

@@ -15,15 +15,15 @@ namespace
 /// A side of a contact that asks to break.
 struct Request
 {
-  std::int32_t stone = -1;
+  std::int32_t particle = -1;
   int batch = 0; ///< as batch_of
   std::size_t contact = 0;
   bool is_side_a = true;
 
-  auto order() const { return std::tie(stone, batch, contact); }
+  auto order() const { return std::tie(particle, batch, contact); }
 };
 
-/// Names one contact of the stone that broke.
+/// Names one contact of the particle that broke.
 struct Place
 {
   int batch = 0; ///< as batch_of
@@ -127,9 +127,9 @@ std::vector<Request> collect(ContactSet &contacts,
   return requests;
 }
 
-/// Touching contacts of the stone, in order of batch and number; its surface is
-/// forgotten at all of its contacts.
-std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t stone)
+/// Touching contacts of the particle, in order of batch and number; its surface
+/// is forgotten at all of its contacts.
+std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t particle)
 {
   std::vector<Place> found;
   const auto forget = [&](int number, std::size_t k, bool is_a)
@@ -142,14 +142,14 @@ std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t stone)
   // Pairs are not sorted.
   for (const bool is_a : {false, true})
     for (std::size_t k = 0; k < contacts.pairs.size(); ++k)
-      if ((is_a ? contacts.pairs.a : contacts.pairs.b)[k] == stone)
+      if ((is_a ? contacts.pairs.a : contacts.pairs.b)[k] == particle)
         forget(0, k, is_a);
   for (int number = 1; number < n_batches(contacts); ++number)
   {
     const ContactBatch &batch = batch_of(contacts, number);
     const auto begin = batch.a.begin(),
                end = begin + static_cast<std::ptrdiff_t>(batch.size());
-    const auto [first, last] = std::equal_range(begin, end, stone);
+    const auto [first, last] = std::equal_range(begin, end, particle);
     for (auto entry = first; entry != last; ++entry)
       forget(number, static_cast<std::size_t>(entry - begin), true);
   }
@@ -212,8 +212,8 @@ BreakageMode mode_now(ContactBatch &batch, const Request &request,
       breakage.precedence);
 }
 
-std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
-                      const Request &request)
+std::int64_t other_of(const ParticleSystem &particles,
+                      const ContactBatch &batch, const Request &request)
 {
   if (request.batch >= first_surface)
     return request.batch - first_surface;
@@ -226,16 +226,16 @@ std::int64_t other_of(const Particles &particles, const ContactBatch &batch,
   return particles.id[static_cast<std::size_t>(other)];
 }
 
-/// Share of overlap and energy that the stone gets: that of its compliance in
-/// the compliance of both; walls are rigid [-].
+/// Share of overlap and energy that the particle gets: that of its compliance
+/// in the compliance of both; walls are rigid [-].
 double share_of(const ForceContext &context, const ContactBatch &batch,
                 const Request &request)
 {
   if (context.parameters.breakage.share != EnergyShare::compliance ||
       request.batch != 0)
     return 1.;
-  const auto material = [&context](std::int32_t stone)
-  { return context.particles.material[static_cast<std::size_t>(stone)]; };
+  const auto material = [&context](std::int32_t particle)
+  { return context.particles.material[static_cast<std::size_t>(particle)]; };
   const std::uint8_t a = material(batch.a[request.contact]),
                      b = material(batch.b[request.contact]);
   return context.elasticity.pair(a, b).modulus /
@@ -260,37 +260,37 @@ Spall spall_at(const ForceContext &context, const ContactBatch &batch,
 
 /// The new body takes the place of the old one; returns the kinetic energy of
 /// what left.
-double replace_body(const ForceContext &context, Particles &particles,
-                    std::size_t i, const Body &body)
+double replace_body(const ForceContext &context, ParticleSystem &particles,
+                    std::size_t i, const ParticleShape &body)
 {
   const double before = particles.kinetic_energy(i);
-  particles.body[i] = body;
-  particles.update_mass(i, context.parameters.stone.density);
-  if (particles.radius(i) < context.parameters.breakage.min_ball_radius)
+  particles.shape[i] = body;
+  particles.update_mass(i, context.parameters.particle.density);
+  if (particles.radius(i) < context.parameters.breakage.min_equivalent_radius)
     particles.is_breakable[i] = 0;
   return before - particles.kinetic_energy(i);
 }
-/// Evaluates all contacts of a stone anew; returns the energy they gave up.
+/// Evaluates all contacts of a particle anew; returns the energy they gave up.
 double reset_all(const ForceContext &context, ContactSet &contacts,
-                 std::int32_t stone)
+                 std::int32_t particle)
 {
   double released = 0.;
-  for (const Place &place : forget_surface(contacts, stone))
+  for (const Place &place : forget_surface(contacts, particle))
     released += reset(context, contacts, place);
   return released;
 }
 
-/// What is known of an event before the stone changes.
+/// What is known of an event before the particle changes.
 BreakageEvent announce(const ForceContext &context, ContactBatch &batch,
                        const Request &request)
 {
-  const Particles &particles = context.particles;
+  const ParticleSystem &particles = context.particles;
   const BreakageParameters &breakage = context.parameters.breakage;
   const std::size_t k = request.contact;
   const Spall spall = spall_at(context, batch, request);
   const double share = share_of(context, batch, request);
   BreakageEvent event;
-  event.stone = particles.id[static_cast<std::size_t>(request.stone)];
+  event.particle = particles.id[static_cast<std::size_t>(request.particle)];
   event.other = other_of(particles, batch, request);
   event.kind = kind_of(request.batch);
   event.mode = mode_now(batch, request, breakage);
@@ -302,18 +302,18 @@ BreakageEvent announce(const ForceContext &context, ContactBatch &batch,
   return event;
 }
 
-/// Lets the stone break at the contact; false if its shape refuses.
-bool carry_out(const ForceContext &context, Particles &particles,
+/// Lets the particle break at the contact; false if its shape refuses.
+bool carry_out(const ForceContext &context, ParticleSystem &particles,
                ContactSet &contacts, const Request &request,
                BreakageEvent &event)
 {
   const BreakageParameters &breakage = context.parameters.breakage;
   ContactBatch &batch = batch_of(contacts, request.batch);
-  const auto i = static_cast<std::size_t>(request.stone);
+  const auto i = static_cast<std::size_t>(request.particle);
   double &factor = factor_of(batch, request);
   factor = factor_after(event.mode, factor);
   const SpallResult result =
-      apply_spall(particles.body[i], spall_at(context, batch, request),
+      apply_spall(particles.shape[i], spall_at(context, batch, request),
                   {breakage.kernel_floor, breakage.kernel_scale,
                    breakage.closure, breakage.inscribed},
                   sphere_rule(breakage.quadrature_rings));
@@ -324,16 +324,16 @@ bool carry_out(const ForceContext &context, Particles &particles,
   event.depth = result.depth;
   particles.travelled[i] += result.depth;
   event.kinetic_energy = replace_body(context, particles, i, result.body);
-  event.ball_radius = particles.radius(i);
-  event.released_energy = reset_all(context, contacts, request.stone);
+  event.equivalent_radius = particles.radius(i);
+  event.released_energy = reset_all(context, contacts, request.particle);
   event.force_after = batch.normal_force[request.contact];
   return true;
 }
 } // namespace
 
-BreakingSum break_stones(const ForceContext &context, Particles &particles,
-                         ContactSet &contacts, double time,
-                         std::vector<BreakageEvent> &events)
+BreakingSum break_particles(const ForceContext &context,
+                            ParticleSystem &particles, ContactSet &contacts,
+                            double time, std::vector<BreakageEvent> &events)
 {
   const BreakageParameters &breakage = context.parameters.breakage;
   BreakingSum sum;
@@ -342,14 +342,15 @@ BreakingSum break_stones(const ForceContext &context, Particles &particles,
     ContactBatch &batch = batch_of(contacts, request.batch);
     const auto is_off = [&]
     {
-      return !particles.is_breakable[static_cast<std::size_t>(request.stone)] ||
+      return !particles
+                  .is_breakable[static_cast<std::size_t>(request.particle)] ||
              mode_now(batch, request, breakage) == BreakageMode::none;
     };
     if (is_off())
       continue;
     // Before and after with surfaces as they are: else the event would be
     // given what the expansions of all its contacts are out of date by.
-    sum.refreshed += reset_all(context, contacts, request.stone);
+    sum.refreshed += reset_all(context, contacts, request.particle);
     if (is_off())
       continue;
     BreakageEvent event = announce(context, batch, request);

@@ -21,12 +21,12 @@ std::size_t patch_at(const Triple<double> &on_body)
 }
 } // namespace
 
-void PatchFactors::exchange_side(std::int64_t stone,
+void PatchFactors::exchange_side(std::int64_t particle,
                                  const Triple<double> &on_body, bool begins,
                                  double &factor)
 {
   constexpr auto n_patches = static_cast<std::size_t>(patches.size());
-  const auto row = static_cast<std::size_t>(stone);
+  const auto row = static_cast<std::size_t>(particle);
   if (factors.size() < (row + 1) * n_patches)
     factors.resize((row + 1) * n_patches, 0.);
   double &left = factors[row * n_patches + patch_at(on_body)];
@@ -36,7 +36,8 @@ void PatchFactors::exchange_side(std::int64_t stone,
     left += std::exchange(factor, 0.);
 }
 
-void PatchFactors::exchange(const Particles &particles, ContactBatch &batch)
+void PatchFactors::exchange(const ParticleSystem &particles,
+                            ContactBatch &batch)
 {
   constexpr unsigned mark = 4;
   for (std::size_t k = 0; k < batch.size(); ++k)
@@ -45,8 +46,8 @@ void PatchFactors::exchange(const Particles &particles, ContactBatch &batch)
       continue;
     batch.event[k] = static_cast<std::uint8_t>(batch.event[k] & ~mark);
     const bool begins = batch.is_touching(k);
-    const auto id_of = [&particles](std::int32_t stone)
-    { return particles.id[static_cast<std::size_t>(stone)]; };
+    const auto id_of = [&particles](std::int32_t particle)
+    { return particles.id[static_cast<std::size_t>(particle)]; };
     exchange_side(id_of(batch.a[k]), batch.side_a.direction[k], begins,
                   batch.factor_a[k]);
     if (batch.layout.has_partners)

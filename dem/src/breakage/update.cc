@@ -90,16 +90,16 @@ double exact_depth(const Coefficients &coefficients, const Coefficients &kernel,
 double article_depth(const Coefficients &coefficients,
                      const Coefficients &kernel, double volume)
 {
-  const double mean = coefficients[0] * ball_radius_factor;
-  return volume / (mean * mean * kernel[0] / ball_radius_factor);
+  const double mean = coefficients[0] * equivalent_radius_factor;
+  return volume / (mean * mean * kernel[0] / equivalent_radius_factor);
 }
 
 /// a_00 after Eqs. 17, 18; negative if the ball has less than this volume.
 double article_mean(double a_00, double volume)
 {
-  const double mean = a_00 * ball_radius_factor;
+  const double mean = a_00 * equivalent_radius_factor;
   return std::cbrt(std::pow(mean, 3) - 0.75 * volume / std::numbers::pi) /
-         ball_radius_factor;
+         equivalent_radius_factor;
 }
 } // namespace
 
@@ -141,7 +141,7 @@ std::vector<double> kernel_spectrum(double width, int order)
   return spectrum;
 }
 
-SpallResult apply_spall(const Body &body, const Spall &spall,
+SpallResult apply_spall(const ParticleShape &body, const Spall &spall,
                         const KernelRule &shape, const SphereQuadrature &rule)
 {
   SpallResult result;
@@ -165,7 +165,7 @@ SpallResult apply_spall(const Body &body, const Spall &spall,
     coefficients[j] -= result.depth * kernel[j];
   if (!is_exact)
     coefficients[0] = article_mean(mean, spall.volume);
-  Body after = changed_body(body, std::move(coefficients), rule);
+  ParticleShape after = changed_shape(body, std::move(coefficients), rule);
   if (!(after.least_radius > 0.))
     return result;
   if (shape.inscribed == InscribedSphereAt::free)

@@ -15,7 +15,7 @@ std::size_t whole_blocks(std::size_t n)
 }
 } // namespace
 
-Vec3 SideColumns::spot(std::size_t k) const
+Vec3 SideColumns::contact_point(std::size_t k) const
 {
   const Triple<double> at = direction[k] + offset[k];
   return Vec3(at.x, at.y, at.z).normalized();
@@ -32,14 +32,14 @@ double SideColumns::local_radius(std::size_t k,
          h(3) * w.x * w.y + h(4) * w.x * w.z + h(5) * w.y * w.z;
 }
 
-RadialExpansion SideColumns::expansion_at_spot(std::size_t k) const
+RadialExpansion SideColumns::expansion_at_contact_point(std::size_t k) const
 {
   const auto vector = [](const Triple<double> &of)
   { return Vec3(of.x, of.y, of.z); };
   const auto h = [this, k](std::size_t c)
   { return static_cast<double>(hessian[c][k]); };
   RadialExpansion at;
-  at.direction = spot(k);
+  at.direction = contact_point(k);
   const Vec3 &s = at.direction;
   at.hessian << h(0), h(3), h(4), h(3), h(1), h(5), h(4), h(5), h(2);
   const Vec3 slope =
@@ -52,9 +52,9 @@ RadialExpansion SideColumns::expansion_at_spot(std::size_t k) const
 /// A counting sort by A of short rows.
 std::vector<std::int32_t> ContactBatch::by_pair() const
 {
-  const std::int32_t n_stones =
+  const std::int32_t n_particles =
       n == 0 ? 0 : 1 + *std::max_element(a.begin(), a.begin() + n);
-  std::vector<std::int32_t> start(static_cast<std::size_t>(n_stones) + 1, 0);
+  std::vector<std::int32_t> start(static_cast<std::size_t>(n_particles) + 1, 0);
   for (std::size_t k = 0; k < n; ++k)
     ++start[static_cast<std::size_t>(a[k]) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
@@ -65,7 +65,7 @@ std::vector<std::int32_t> ContactBatch::by_pair() const
         static_cast<std::int32_t>(k);
   const auto key = [this](std::int32_t k)
   { return std::pair(b[static_cast<std::size_t>(k)], k); };
-  for (std::int32_t i = 0; i < n_stones; ++i)
+  for (std::int32_t i = 0; i < n_particles; ++i)
     std::sort(order.begin() + start[static_cast<std::size_t>(i)],
               order.begin() + start[static_cast<std::size_t>(i) + 1],
               [&key](std::int32_t k, std::int32_t l)

@@ -1,7 +1,7 @@
-#include "sure_climb.h"
+#include "damped_refinement.h"
 
 #include <dem/contact/common_normal.h>
-#include <dem/contact/wall_place.h>
+#include <dem/contact/wall_contact_point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace dem
 {
-SurfacePoint surface_point(const Body &body, const Vec3 &direction)
+SurfacePoint surface_point(const ParticleShape &body, const Vec3 &direction)
 {
   if (body.series)
     return surface_point(scaled_expansion(body, direction));
@@ -41,25 +41,26 @@ SurfacePoint surface_point(const RadialExpansion &at)
 }
 
 NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
-                                 double size, const Pace &pace)
+                                 double size, const NewtonStepControl &pace)
 {
   const Frame frame = tangents(a.normal);
   const Vec3 d = a.position - b.position;
   const double overlap = d.dot(a.normal);
   const Vec2 t = frame.transpose() * d, m = frame.transpose() * b.normal;
-  const Mat2 bend_a = frame.transpose() * a.bend * frame;
-  const Mat2 bend_b = frame.transpose() * b.bend * frame;
-  const Mat2 lens = bend_a + bend_b;
+  const Mat2 shape_operator_a = frame.transpose() * a.bend * frame;
+  const Mat2 shape_operator_b = frame.transpose() * b.bend * frame;
+  const Mat2 lens = shape_operator_a + shape_operator_b;
   NormalStep steps;
   steps.is_lens = lens.trace() > 0. && lens.determinant() > 0.;
-  const Mat2 system = pace.trusted(lens, size) - overlap * bend_b * bend_a;
-  const Vec2 along_a = system.partialPivLu().solve(-m - bend_b * t);
-  const Vec2 along_b = along_a - overlap * bend_a * along_a + t;
+  const Mat2 system =
+      pace.trusted(lens, size) - overlap * shape_operator_b * shape_operator_a;
+  const Vec2 along_a = system.partialPivLu().solve(-m - shape_operator_b * t);
+  const Vec2 along_b = along_a - overlap * shape_operator_a * along_a + t;
   steps.on_a = frame * along_a;
   steps.on_b = frame * along_b;
   const Vec2 across = along_a + t;
-  steps.overlap = overlap - 0.5 * along_a.dot(bend_a * along_a) -
-                  m.dot(across) - 0.5 * across.dot(bend_b * across);
+  steps.overlap = overlap - 0.5 * along_a.dot(shape_operator_a * along_a) -
+                  m.dot(across) - 0.5 * across.dot(shape_operator_b * across);
   return steps;
 }
 
@@ -75,34 +76,37 @@ namespace
 /// gone down, over to another place.
 constexpr double surely_less = 1e-6;
 
-Spot climb(const Body &a, const Body &b, const RelativePose &pose,
-           const Spot &start, const Pace &pace)
+ContactPoint climb(const ParticleShape &a, const ParticleShape &b,
+                   const RelativePose &pose, const ContactPoint &start,
+                   const NewtonStepControl &pace)
 {
   const double size = std::min(mean_radius(a), mean_radius(b));
   double first_apart = 0.;
-  Spot spot = start;
-  spot.is_found = false;
-  for (int step = 0; step < pace.most_steps && !spot.is_found; ++step)
+  ContactPoint contact_point = start;
+  contact_point.is_found = false;
+  for (int step = 0; step < pace.most_steps && !contact_point.is_found; ++step)
   {
-    const SurfacePoint on_a = surface_point(a, spot.on_a);
-    SurfacePoint on_b = turned(surface_point(b, spot.on_b), pose.rotation);
+    const SurfacePoint on_a = surface_point(a, contact_point.on_a);
+    SurfacePoint on_b =
+        turned(surface_point(b, contact_point.on_b), pose.rotation);
     on_b.position += pose.position;
     if (step == 0)
       first_apart = (on_b.position - on_a.position).norm();
     const NormalStep newton = step_to_common_normal(on_a, on_b, size, pace);
     const Vec3 along_a = shortened(newton.on_a, pace.longest_step * size);
     const Vec3 along_b = shortened(newton.on_b, pace.longest_step * size);
-    spot.on_a = (on_a.position + along_a).normalized();
-    spot.on_b =
+    contact_point.on_a = (on_a.position + along_a).normalized();
+    contact_point.on_b =
         (pose.rotation.transpose() * (on_b.position + along_b - pose.position))
             .normalized();
-    spot.overlap = newton.overlap;
-    spot.is_found = newton.is_lens &&
-                    newton.on_a.norm() + newton.on_b.norm() < converged * size;
+    contact_point.overlap = newton.overlap;
+    contact_point.is_found =
+        newton.is_lens &&
+        newton.on_a.norm() + newton.on_b.norm() < converged * size;
   }
-  if (spot.overlap < -first_apart - surely_less * size)
-    spot.is_found = false;
-  return spot;
+  if (contact_point.overlap < -first_apart - surely_less * size)
+    contact_point.is_found = false;
+  return contact_point;
 }
 } // namespace
 
@@ -113,21 +117,21 @@ namespace
 class DepthInB
 {
 public:
-  DepthInB(const Body &b, const RelativePose &pose, const Vec3 &start)
-      : stone(b, pose.position, pose.rotation, 0.), on_b(start)
+  DepthInB(const ParticleShape &b, const RelativePose &pose, const Vec3 &start)
+      : particle(b, pose.position, pose.rotation, 0.), on_b(start)
   {
   }
 
   LocalField operator()(const Vec3 &x)
   {
-    const WallPlace place = depth_of(stone, x, on_b);
+    const WallContactPoint place = depth_of(particle, x, on_b);
     if (!place.is_found)
       return {-std::numeric_limits<double>::infinity(), Vec3::Zero(),
               Mat3::Zero()};
-    on_b = place.on_stone;
+    on_b = place.on_particle;
     // D(y) with grad D = -n and -grad grad D = K (I - D K)^-1.
     const Frame frame = tangents(place.normal);
-    const Mat2 bend = frame.transpose() * stone.at(on_b).bend * frame;
+    const Mat2 bend = frame.transpose() * particle.at(on_b).bend * frame;
     const Mat2 depth = bend * floored(Mat2::Identity() - place.overlap * bend,
                                       lowest_curvature)
                                   .inverse();
@@ -138,45 +142,47 @@ public:
   const Vec3 &foot() const { return on_b; }
 
 private:
-  StoneView stone;
+  ParticleView particle;
   Vec3 on_b;
 };
 
 /// The point of A that is deepest in B among its neighbours.
-Spot deepest_point(const Body &a, const Body &b, const RelativePose &pose,
-                   const Spot &start)
+ContactPoint deepest_point(const ParticleShape &a, const ParticleShape &b,
+                           const RelativePose &pose, const ContactPoint &start)
 {
   DepthInB depth(b, pose, start.on_b);
-  const Summit top =
-      climb_surely(a, start.on_a, [&depth](const Vec3 &x) { return depth(x); });
-  Spot spot{top.direction, start.on_b, top.value, top.is_found};
+  const Summit top = refine_damped(
+      a, start.on_a, [&depth](const Vec3 &x) { return depth(x); });
+  ContactPoint contact_point{top.direction, start.on_b, top.value,
+                             top.is_found};
   if (top.is_found)
   {
     // The last look need not have been at the summit.
     depth(scaled_expansion(a, top.direction).radius * top.direction);
-    spot.on_b = depth.foot();
+    contact_point.on_b = depth.foot();
   }
-  return spot;
+  return contact_point;
 }
 } // namespace
 
-Spot polish(const Body &a, const Body &b, const RelativePose &pose,
-            const Spot &start)
+ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
+                    const RelativePose &pose, const ContactPoint &start)
 {
-  Spot spot = climb(a, b, pose, start, usual_pace);
-  for (const Pace &pace : {careful_pace, flat_pace})
-    if (!spot.is_found)
-      spot = climb(a, b, pose, start, pace);
-  if (spot.is_found)
-    return spot;
-  const Spot deepest = deepest_point(a, b, pose, start);
-  return deepest.is_found ? deepest : spot;
+  ContactPoint contact_point = climb(a, b, pose, start, usual_step_control);
+  for (const NewtonStepControl &pace :
+       {careful_step_control, flat_step_control})
+    if (!contact_point.is_found)
+      contact_point = climb(a, b, pose, start, pace);
+  if (contact_point.is_found)
+    return contact_point;
+  const ContactPoint deepest = deepest_point(a, b, pose, start);
+  return deepest.is_found ? deepest : contact_point;
 }
 
 namespace
 {
-Support climb_along(const Body &body, const Vec3 &normal, const Vec3 &start,
-                    const Pace &pace)
+Support refine_along(const ParticleShape &body, const Vec3 &normal,
+                     const Vec3 &start, const NewtonStepControl &pace)
 {
   double first_height = 0.;
   const double size = mean_radius(body);
@@ -204,17 +210,18 @@ Support climb_along(const Body &body, const Vec3 &normal, const Vec3 &start,
 }
 } // namespace
 
-Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start)
+Support find_support(const ParticleShape &body, const Vec3 &normal,
+                     const Vec3 &start)
 {
-  for (const Pace &pace : {usual_pace, flat_pace})
-    if (const Support support = climb_along(body, normal, start, pace);
+  for (const NewtonStepControl &pace : {usual_step_control, flat_step_control})
+    if (const Support support = refine_along(body, normal, start, pace);
         support.is_found)
       return support;
   const Summit top =
-      climb_surely(body, start,
-                   [&normal](const Vec3 &x) {
-                     return LocalField{x.dot(normal), normal, Mat3::Zero()};
-                   });
+      refine_damped(body, start,
+                    [&normal](const Vec3 &x) {
+                      return LocalField{x.dot(normal), normal, Mat3::Zero()};
+                    });
   return {top.direction, top.value, top.is_found};
 }
 } // namespace dem

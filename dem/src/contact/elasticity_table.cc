@@ -5,7 +5,7 @@ namespace dem
 ElasticityTable::ElasticityTable(const EngineParameters &parameters)
 {
   std::vector<Elasticity> sides = {
-      {parameters.stone.shear_modulus, parameters.stone.poisson_ratio}};
+      {parameters.particle.shear_modulus, parameters.particle.poisson_ratio}};
   for (const SolidMaterial &solid : parameters.other_solids)
     sides.push_back({solid.shear_modulus, solid.poisson_ratio});
   n = sides.size();

@@ -13,13 +13,14 @@ constexpr double far_away = 1e9;
 const WallRow no_wall{{0., 0., far_away}};
 
 /// Velocity of the surface at one of its points [m/s].
-Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
+Vec3 velocity_on(const FacetSurface &surface,
+                 const FacetContactPoint &contact_point)
 {
   Vec3 velocity = Vec3::Zero();
-  if (spot.triangle < 0)
+  if (contact_point.triangle < 0)
     return velocity;
   double along = 0.;
-  for_shares(surface, spot,
+  for_shares(surface, contact_point,
              [&](const VertexShare &share)
              {
                const Vec3 &v =
@@ -27,41 +28,45 @@ Vec3 velocity_on(const FacetSurface &surface, const FacetSpot &spot)
                velocity += share.weight * v;
                along += share.along.dot(v);
              });
-  if (!spot.shares.of.empty())
-    velocity += (along - velocity.dot(spot.normal)) * spot.normal;
+  if (!contact_point.shares.of.empty())
+    velocity +=
+        (along - velocity.dot(contact_point.normal)) * contact_point.normal;
   return velocity;
 }
 
 /// What a contact meets that has left the patch it was on.
-WallRow left_wall(const FacetSurface &surface, const FacetSpot &spot)
+WallRow left_wall(const FacetSurface &surface,
+                  const FacetContactPoint &contact_point)
 {
   WallRow row;
-  row.point = far_away * spot.normal;
-  row.normal = row.normal_before = spot.normal;
-  row.velocity = row.velocity_before = velocity_on(surface, spot);
+  row.point = far_away * contact_point.normal;
+  row.normal = row.normal_before = contact_point.normal;
+  row.velocity = row.velocity_before = velocity_on(surface, contact_point);
   return row;
 }
 
 /// Gives each touch the slot whose last direction is nearest to its own, or a
 /// free one; a slot without touch opens. Touches beyond the slots are the
 /// farthest and are left out.
-void assign_slots(const std::vector<FacetTouch> &touches,
-                  const ContactBatch &batch, const std::vector<FacetSpot> &spot,
+void assign_slots(const std::vector<NearestFacetPoint> &touches,
+                  const ContactBatch &batch,
+                  const std::vector<FacetContactPoint> &contact_point,
                   std::size_t first,
-                  std::array<std::int32_t, slots_per_stone> &slot_of)
+                  std::array<std::int32_t, slots_per_particle> &slot_of)
 {
   constexpr double same_patch = 0.7; // cosine of 45 degrees
-  std::array<bool, slots_per_stone> is_taken{};
+  std::array<bool, slots_per_particle> is_taken{};
   slot_of.fill(-1);
-  const std::size_t n = std::min<std::size_t>(touches.size(), slots_per_stone);
+  const std::size_t n =
+      std::min<std::size_t>(touches.size(), slots_per_particle);
   for (std::size_t t = 0; t < n; ++t)
   {
     double best = same_patch;
-    for (std::size_t s = 0; s < slots_per_stone; ++s)
+    for (std::size_t s = 0; s < slots_per_particle; ++s)
       if (!is_taken[s] && batch.is_touching(first + s) &&
-          touches[t].direction.dot(spot[first + s].normal) > best)
+          touches[t].direction.dot(contact_point[first + s].normal) > best)
       {
-        best = touches[t].direction.dot(spot[first + s].normal);
+        best = touches[t].direction.dot(contact_point[first + s].normal);
         slot_of[t] = static_cast<std::int32_t>(s);
       }
     if (slot_of[t] >= 0)
@@ -69,7 +74,7 @@ void assign_slots(const std::vector<FacetTouch> &touches,
   }
   for (int pass = 0; pass < 2; ++pass) // free slots first, then reused ones
     for (std::size_t t = 0; t < n; ++t)
-      for (std::size_t s = 0; slot_of[t] < 0 && s < slots_per_stone; ++s)
+      for (std::size_t s = 0; slot_of[t] < 0 && s < slots_per_particle; ++s)
         if (!is_taken[s] && (pass == 1 || !batch.is_touching(first + s)))
         {
           slot_of[t] = static_cast<std::int32_t>(s);
@@ -81,51 +86,52 @@ void assign_slots(const std::vector<FacetTouch> &touches,
 /// the others sleep until they can be, and the row until the first wakes.
 void find_near(const FacetSurface &surface, const Vec3 &centre, double reach,
                double travelled, FacetCandidates &candidates, std::size_t row,
-               std::vector<FacetTouch> &near)
+               std::vector<NearestFacetPoint> &near)
 {
-  double first_wake = std::numeric_limits<double>::infinity();
+  double first_reactivation = std::numeric_limits<double>::infinity();
   const auto end = static_cast<std::size_t>(candidates.row_start[row + 1]);
   for (auto k = static_cast<std::size_t>(candidates.row_start[row]); k < end;
        ++k)
   {
-    double &wake = candidates.triangle_wake[k];
-    if (wake <= travelled)
+    double &reactivation = candidates.triangle_reactivation[k];
+    if (reactivation <= travelled)
     {
-      const FacetTouch touch =
-          nearest_touch(surface, candidates.triangle[k], centre);
+      const NearestFacetPoint touch =
+          nearest_on_facet(surface, candidates.triangle[k], centre);
       if (touch.distance < reach)
         near.push_back(touch);
       else
-        wake = travelled + touch.distance - reach;
+        reactivation = travelled + touch.distance - reach;
     }
-    first_wake = std::min(first_wake, wake);
+    first_reactivation = std::min(first_reactivation, reactivation);
   }
-  candidates.wake[row] = near.empty() ? first_wake : 0.;
+  candidates.reactivation[row] = near.empty() ? first_reactivation : 0.;
 }
 
-/// Space to work in for one stone.
+/// Space to work in for one particle.
 struct Found
 {
-  std::vector<FacetTouch> near, touches;
+  std::vector<NearestFacetPoint> near, touches;
   std::vector<FacetShares> shares; ///< by touch
 };
 
-/// Where the stone touches the surface, and who carries it there.
-void find_touches(const ForceContext &context, const FacetMesh &mesh,
-                  const ContactBatch &batch, std::size_t stone, Found &found)
+/// Where the particle touches the surface, and who carries it there.
+void find_nearest_points(const ForceContext &context, const FacetMesh &mesh,
+                         const ContactBatch &batch, std::size_t particle,
+                         Found &found)
 {
-  const Particles &particles = context.particles;
-  const Vec3 &centre = particles.position(stone);
+  const ParticleSystem &particles = context.particles;
+  const Vec3 &centre = particles.position(particle);
   found.touches = found.near;
   keep_minima(mesh.surface, mesh.topology, centre, found.touches);
-  // The radius of a stone that is no ball turns with its direction.
+  // The radius of a particle that is no ball turns with its direction.
   const bool is_ball =
       !particles.has_shapes ||
-      context.parameters.geometry.wall_geometry == ContactGeometry::ball;
+      context.parameters.geometry.wall_geometry == ContactGeometry::sphere;
   if (is_ball)
     share_patches(
         mesh,
-        {centre, particles.radius(stone), batch.layout.is_hertz ? 1.5 : 1.},
+        {centre, particles.radius(particle), batch.layout.is_hertz ? 1.5 : 1.},
         found.near, found.touches, found.shares);
   else
   {
@@ -135,29 +141,32 @@ void find_touches(const ForceContext &context, const FacetMesh &mesh,
   }
 }
 
-/// Where the touch presses; takes no memory once the spot has grown.
-void place_spot(const FacetTouch &touch, const FacetShares &shares,
-                FacetSpot &spot)
+/// Where the touch presses; takes no memory once the contact_point has grown.
+void place_contact_point(const NearestFacetPoint &touch,
+                         const FacetShares &shares,
+                         FacetContactPoint &contact_point)
 {
-  spot.triangle = touch.nearest.triangle;
-  spot.weight = touch.nearest.weight;
-  spot.normal = touch.direction;
-  spot.shares.walls = shares.walls;
-  spot.shares.extra = shares.extra;
-  spot.shares.of.assign(shares.of.begin(), shares.of.end());
+  contact_point.triangle = touch.nearest.triangle;
+  contact_point.weight = touch.nearest.weight;
+  contact_point.normal = touch.direction;
+  contact_point.shares.walls = shares.walls;
+  contact_point.shares.extra = shares.extra;
+  contact_point.shares.of.assign(shares.of.begin(), shares.of.end());
 }
 
-/// The wall at a spot, as a contact meets it that comes from nowhere else.
-WallRow wall_at(const FacetSurface &surface, const FacetSpot &spot)
+/// The wall at a contact_point, as a contact meets it that comes from nowhere
+/// else.
+WallRow wall_at(const FacetSurface &surface,
+                const FacetContactPoint &contact_point)
 {
-  const Vec3 velocity = velocity_on(surface, spot);
-  WallRow row{point_at(surface, spot),
-              spot.normal,
+  const Vec3 velocity = velocity_on(surface, contact_point);
+  WallRow row{point_at(surface, contact_point),
+              contact_point.normal,
               velocity,
               velocity,
-              spot.normal,
+              contact_point.normal,
               0.};
-  for_shares(surface, spot,
+  for_shares(surface, contact_point,
              [&](const VertexShare &share)
              {
                row.inverse_mass +=
@@ -168,14 +177,15 @@ WallRow wall_at(const FacetSurface &surface, const FacetSpot &spot)
 }
 
 /// Moves the contact in the slot to the touch; returns its wall.
-WallRow move_slot(const FacetSurface &surface, const FacetTouch &touch,
-                  const FacetShares &shares, bool is_touching, FacetSpot &spot)
+WallRow move_slot(const FacetSurface &surface, const NearestFacetPoint &touch,
+                  const FacetShares &shares, bool is_touching,
+                  FacetContactPoint &contact_point)
 {
-  const Vec3 normal_before = spot.normal;
+  const Vec3 normal_before = contact_point.normal;
   const Vec3 velocity_before =
-      is_touching ? velocity_on(surface, spot) : Vec3(Vec3::Zero());
-  place_spot(touch, shares, spot);
-  WallRow row = wall_at(surface, spot);
+      is_touching ? velocity_on(surface, contact_point) : Vec3(Vec3::Zero());
+  place_contact_point(touch, shares, contact_point);
+  WallRow row = wall_at(surface, contact_point);
   if (is_touching)
   {
     row.velocity_before = velocity_before;
@@ -185,18 +195,18 @@ WallRow move_slot(const FacetSurface &surface, const FacetTouch &touch,
   return row;
 }
 
-/// Walls of all slots of the stone in this row.
+/// Walls of all slots of the particle in this row.
 void find_row(const ForceContext &context, const FacetMesh &mesh,
               const ContactBatch &batch, std::size_t row, Found &found,
               FacetCandidates &candidates, std::vector<WallRow> &rows,
               std::vector<double> &extra)
 {
   const FacetSurface &surface = mesh.surface;
-  if (candidates.wake[row] > context.travelled)
+  if (candidates.reactivation[row] > context.travelled)
     return; // its walls are far
-  const auto i = static_cast<std::size_t>(candidates.stone[row]);
+  const auto i = static_cast<std::size_t>(candidates.particle[row]);
   const Vec3 &centre = context.particles.position(i);
-  const std::size_t first = row * slots_per_stone;
+  const std::size_t first = row * slots_per_particle;
   // A contact that opens is still looked at in the step in which it does.
   const double reach = wall_bound(context.particles, i,
                                   context.parameters.geometry.wall_geometry) +
@@ -204,33 +214,34 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
   found.near.clear();
   find_near(surface, centre, reach, context.travelled, candidates, row,
             found.near);
-  find_touches(context, mesh, batch, i, found);
-  const std::vector<FacetTouch> &touches = found.touches;
-  std::array<std::int32_t, slots_per_stone> slot_of;
-  assign_slots(touches, batch, candidates.spot, first, slot_of);
-  std::array<bool, slots_per_stone> is_used{};
-  for (std::size_t t = 0; t < touches.size() && t < slots_per_stone; ++t)
+  find_nearest_points(context, mesh, batch, i, found);
+  const std::vector<NearestFacetPoint> &touches = found.touches;
+  std::array<std::int32_t, slots_per_particle> slot_of;
+  assign_slots(touches, batch, candidates.contact_point, first, slot_of);
+  std::array<bool, slots_per_particle> is_used{};
+  for (std::size_t t = 0; t < touches.size() && t < slots_per_particle; ++t)
   {
     const auto slot = static_cast<std::size_t>(slot_of[t]);
     is_used[slot] = true;
     rows[first + slot] = move_slot(surface, touches[t], found.shares[t],
                                    batch.is_touching(first + slot),
-                                   candidates.spot[first + slot]);
+                                   candidates.contact_point[first + slot]);
     extra[first + slot] = found.shares[t].extra;
   }
-  for (std::size_t s = 0; s < slots_per_stone; ++s)
+  for (std::size_t s = 0; s < slots_per_particle; ++s)
     if (!is_used[s])
     {
-      rows[first + s] = batch.is_touching(first + s)
-                            ? left_wall(surface, candidates.spot[first + s])
-                            : no_wall;
+      rows[first + s] =
+          batch.is_touching(first + s)
+              ? left_wall(surface, candidates.contact_point[first + s])
+              : no_wall;
       extra[first + s] = 0.;
     }
 }
 } // namespace
 
-WallRow facet_row(const FacetSurface &surface, const FacetSpot &now,
-                  const FacetSpot &before)
+WallRow facet_row(const FacetSurface &surface, const FacetContactPoint &now,
+                  const FacetContactPoint &before)
 {
   WallRow row = wall_at(surface, now);
   row.velocity_before = velocity_on(surface, before);
@@ -242,12 +253,12 @@ void find_facets(const ForceContext &context, const FacetMesh &mesh,
                  const ContactBatch &batch, FacetCandidates &candidates,
                  std::vector<WallRow> &rows, std::vector<double> &extra)
 {
-  // Rows of a new list are all awake, those of a restored one far if asleep.
-  const std::size_t n_slots = candidates.stone.size() * slots_per_stone;
+  // Rows of a new list are all awake, those of a restored one far if inactive.
+  const std::size_t n_slots = candidates.particle.size() * slots_per_particle;
   if (rows.size() != n_slots)
     rows.assign(n_slots, no_wall);
   extra.resize(n_slots, 0.);
-  const auto n = static_cast<std::int64_t>(candidates.stone.size());
+  const auto n = static_cast<std::int64_t>(candidates.particle.size());
 #pragma omp parallel if (n >= 64)
   {
     // Kept by each thread: a step takes no memory.
@@ -267,7 +278,7 @@ void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
   {
     if (batch.load[k].force.isZero(0.))
       continue; // it may never have met anything
-    for_loads(surface, candidates.spot[k], batch.load[k].force,
+    for_loads(surface, candidates.contact_point[k], batch.load[k].force,
               [&surface](std::size_t vertex, const Vec3 &part)
               { surface.load[vertex] -= part; });
   }

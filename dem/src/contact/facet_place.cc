@@ -1,6 +1,6 @@
-#include "pace.h"
+#include "newton_step_control.h"
 
-#include <dem/contact/wall_place.h>
+#include <dem/contact/wall_contact_point.h>
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +10,7 @@ namespace dem
 namespace
 {
 /// Hills of the depth over a face are trusted however flat.
-constexpr Pace pace{0.1, 80, least_curvature};
+constexpr NewtonStepControl pace{0.1, 80, least_curvature};
 /// Slope of the depth along an edge that leads nowhere [-].
 constexpr double level = 1e-9;
 /// A corner has no part in a point if its weight is below [-].
@@ -37,20 +37,20 @@ Vec3 normal_of(const Corners &corner)
 struct DepthModel
 {
   Vec3 point, normal;
-  Mat3 bend;           ///< C = K (I - delta K)^-1 [1/m]
-  Mat3 follow;         ///< of the point of the stone: (I - delta K)^-1 across n
-  Vec3 on_stone;       ///< that point [m]
-  Mat3 trusted;        ///< C as steps take it: the depth falls off all round
+  Mat3 bend;        ///< C = K (I - delta K)^-1 [1/m]
+  Mat3 follow;      ///< of the point of the particle: (I - delta K)^-1 across n
+  Vec3 on_particle; ///< that point [m]
+  Mat3 trusted;     ///< C as steps take it: the depth falls off all round
   double least = 0.;   ///< curvature that a step trusts [1/m]
   double longest = 0.; ///< step that it may be asked for [m]
 
-  DepthModel(StoneView &stone, const WallPlace &place)
+  DepthModel(ParticleView &particle, const WallContactPoint &place)
       : point(place.point), normal(place.normal),
-        least(pace.hill / stone.size()),
-        longest(pace.longest_step * stone.size())
+        least(pace.hill / particle.size()),
+        longest(pace.longest_step * particle.size())
   {
-    const SurfacePoint &at = stone.at(place.on_stone);
-    on_stone = at.position;
+    const SurfacePoint &at = particle.at(place.on_particle);
+    on_particle = at.position;
     const Frame frame = tangents(normal);
     const Mat2 k = frame.transpose() * at.bend * frame;
     const Mat2 inverse =
@@ -60,7 +60,7 @@ struct DepthModel
     follow = frame * inverse * frame.transpose();
     const Mat2 even = 0.5 * (c + c.transpose());
     bend = frame * even * frame.transpose();
-    trusted = frame * pace.trusted(even, stone.size()) * frame.transpose();
+    trusted = frame * pace.trusted(even, particle.size()) * frame.transpose();
   }
 
   double gain(const Vec3 &z) const
@@ -143,7 +143,8 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
 }
 
 /// The same point of the mesh as one of another triangle.
-Weights carried(const FacetMesh &mesh, const WallPlace &place, std::int32_t to)
+Weights carried(const FacetMesh &mesh, const WallContactPoint &place,
+                std::int32_t to)
 {
   const auto &from =
       mesh.surface.triangles[static_cast<std::size_t>(place.triangle)];
@@ -169,7 +170,7 @@ void for_round(const FacetTopology &topology, std::int32_t vertex,
 
 /// A triangle at the edge or vertex of the place into which the depth grows; -1
 /// if there is none.
-std::int32_t way_on(const FacetMesh &mesh, const WallPlace &place)
+std::int32_t way_on(const FacetMesh &mesh, const WallContactPoint &place)
 {
   const auto own = static_cast<std::size_t>(place.triangle);
   const auto &corner = mesh.surface.triangles[own];
@@ -234,23 +235,24 @@ void snap(Weights &weight)
     w /= sum;
 }
 
-/// The place at another point of the mesh; the point of the stone is looked for
-/// from `on_stone` on.
-WallPlace place_at(StoneView &stone, const FacetMesh &mesh,
-                   std::int32_t triangle, const Weights &weight,
-                   const Vec3 &on_stone)
+/// The place at another point of the mesh; the point of the particle is looked
+/// for from `on_particle` on.
+WallContactPoint place_at(ParticleView &particle, const FacetMesh &mesh,
+                          std::int32_t triangle, const Weights &weight,
+                          const Vec3 &on_particle)
 {
-  WallPlace to = depth_of(
-      stone, point_at(corners_of(mesh.surface, triangle), weight), on_stone);
+  WallContactPoint to =
+      depth_of(particle, point_at(corners_of(mesh.surface, triangle), weight),
+               on_particle);
   to.triangle = triangle;
   to.weight = weight;
   return to;
 }
 
 /// A part of the step, if it does not lead down.
-WallPlace climbed(StoneView &stone, const FacetMesh &mesh,
-                  const WallPlace &place, const DepthModel &model,
-                  const Ascent &ascent)
+WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
+                         const WallContactPoint &place, const DepthModel &model,
+                         const Ascent &ascent)
 {
   const double length = ascent.step.norm();
   // By the model it is deeper there; if it is not, half way.
@@ -263,11 +265,12 @@ WallPlace climbed(StoneView &stone, const FacetMesh &mesh,
                              : place.weight[c] +
                                    part * (ascent.weight[c] - place.weight[c]);
     snap(weight);
-    const WallPlace next = place_at(
-        stone, mesh, place.triangle, weight,
-        stone.towards(model.on_stone + part * (model.follow * ascent.step)));
+    const WallContactPoint next =
+        place_at(particle, mesh, place.triangle, weight,
+                 particle.towards(model.on_particle +
+                                  part * (model.follow * ascent.step)));
     if (next.is_found &&
-        (length < surely_up * stone.size() || next.overlap >= place.overlap))
+        (length < surely_up * particle.size() || next.overlap >= place.overlap))
       return next;
   }
   return {};
@@ -280,34 +283,34 @@ struct Goal
   double radius = std::numeric_limits<double>::infinity();
   double depth = -std::numeric_limits<double>::infinity();
 
-  bool is_out_of_reach(const WallPlace &place) const
+  bool is_out_of_reach(const WallContactPoint &place) const
   {
     return (place.point - centre).squaredNorm() > radius * radius;
   }
   /// From the centre: no depth grows faster than the way, grad D = -n.
-  bool is_too_deep(const WallPlace &place) const
+  bool is_too_deep(const WallContactPoint &place) const
   {
     return place.overlap + radius < depth;
   }
 };
 
 /// Up to the deepest point without a step down.
-WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start,
-                const Goal &goal = {})
+WallContactPoint climb(ParticleView &particle, const FacetMesh &mesh,
+                       const WallContactPoint &start, const Goal &goal = {})
 {
   Weights first = start.weight;
   snap(first);
-  WallPlace place =
-      place_at(stone, mesh, start.triangle, first, start.on_stone);
+  WallContactPoint place =
+      place_at(particle, mesh, start.triangle, first, start.on_particle);
   place.is_found = place.is_found && !goal.is_too_deep(place);
   for (int step = 0; step < pace.most_steps && place.is_found; ++step)
   {
     if (goal.is_out_of_reach(place))
       break;
-    const DepthModel model(stone, place);
+    const DepthModel model(particle, place);
     const Ascent ascent =
         best_on_triangle(model, corners_of(mesh.surface, place.triangle));
-    if (ascent.step.norm() < converged * stone.size())
+    if (ascent.step.norm() < converged * particle.size())
     {
       const std::int32_t next = way_on(mesh, place);
       if (next < 0)
@@ -321,7 +324,7 @@ WallPlace climb(StoneView &stone, const FacetMesh &mesh, const WallPlace &start,
       place.triangle = next;
       continue;
     }
-    place = climbed(stone, mesh, place, model, ascent);
+    place = climbed(particle, mesh, place, model, ascent);
   }
   place.is_found = false;
   return place;
@@ -360,51 +363,51 @@ bool may_be_deeper(const DepthModel &model, const Corners &corner, double gain)
 
 /// A deeper place of the same patch on a triangle beside; not found if there is
 /// none.
-WallPlace deeper_beside(StoneView &stone, const FacetMesh &mesh,
-                        const WallPlace &place)
+WallContactPoint deeper_beside(ParticleView &particle, const FacetMesh &mesh,
+                               const WallContactPoint &place)
 {
-  const double gain = 1e-10 * stone.size();
-  const DepthModel model(stone, place);
-  WallPlace best;
-  for_beside(mesh, place.triangle,
-             [&](std::int32_t other)
-             {
-               const Corners corner = corners_of(mesh.surface, other);
-               if (!may_be_deeper(model, corner, gain))
-                 return;
-               const Ascent ascent = best_on_triangle(model, corner);
-               if (ascent.gain < gain)
-                 return;
-               WallPlace start = place;
-               start.triangle = other;
-               start.weight = ascent.weight;
-               start.on_stone =
-                   stone.towards(model.on_stone + model.follow * ascent.step);
-               // Farther away the model was wrong.
-               const Goal goal{model.point + ascent.step,
-                               0.5 * ascent.step.norm(), place.overlap};
-               // What is known of the stone here stays known if nothing is
-               // there.
-               StoneView there = stone;
-               const WallPlace found = climb(there, mesh, start, goal);
-               if (found.is_found &&
-                   found.overlap > place.overlap + 0.1 * gain &&
-                   (!best.is_found || found.overlap > best.overlap) &&
-                   is_one_patch(found.normal, place.normal))
-                 best = found;
-             });
+  const double gain = 1e-10 * particle.size();
+  const DepthModel model(particle, place);
+  WallContactPoint best;
+  for_beside(
+      mesh, place.triangle,
+      [&](std::int32_t other)
+      {
+        const Corners corner = corners_of(mesh.surface, other);
+        if (!may_be_deeper(model, corner, gain))
+          return;
+        const Ascent ascent = best_on_triangle(model, corner);
+        if (ascent.gain < gain)
+          return;
+        WallContactPoint start = place;
+        start.triangle = other;
+        start.weight = ascent.weight;
+        start.on_particle =
+            particle.towards(model.on_particle + model.follow * ascent.step);
+        // Farther away the model was wrong.
+        const Goal goal{model.point + ascent.step, 0.5 * ascent.step.norm(),
+                        place.overlap};
+        // What is known of the particle here stays known if nothing is
+        // there.
+        ParticleView there = particle;
+        const WallContactPoint found = climb(there, mesh, start, goal);
+        if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
+            (!best.is_found || found.overlap > best.overlap) &&
+            is_one_patch(found.normal, place.normal))
+          best = found;
+      });
   return best;
 }
 } // namespace
 
-WallPlace climb_facets(StoneView &stone, const FacetMesh &mesh,
-                       const WallPlace &start)
+WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
+                                  const WallContactPoint &start)
 {
-  WallPlace place = climb(stone, mesh, start);
+  WallContactPoint place = climb(particle, mesh, start);
   constexpr int most_switches = 8;
   for (int n = 0; n < most_switches && place.is_found; ++n)
   {
-    const WallPlace deeper = deeper_beside(stone, mesh, place);
+    const WallContactPoint deeper = deeper_beside(particle, mesh, place);
     if (!deeper.is_found)
       break;
     place = deeper;

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "contact_lanes.h"
+#include "contact_simd.h"
 
 /// Asks for memory before it is read. A processor looks ahead by itself in a
-/// dozen columns, not in fifty, and cannot know which stones the next contacts
-/// touch. Internal to the units that are compiled once per instruction set.
+/// dozen columns, not in fifty, and cannot know which particles the next
+/// contacts touch. Internal to the units that are compiled once per instruction
+/// set.
 namespace dem::kernel
 {
 namespace
@@ -14,43 +15,44 @@ namespace
 constexpr std::int64_t columns_ahead = 6, partners_ahead = 2;
 
 /// Of the block from contact k, in every column.
-DEM_LANE_INLINE void fetch_columns(const ColumnsAhead &columns, std::int64_t k)
+DEM_SIMD_INLINE void fetch_columns(const ColumnsAhead &columns, std::int64_t k)
 {
   for (int c = 0; c < columns.n; ++c)
     __builtin_prefetch(columns.start[c] + k * columns.entry_size[c]);
 }
 
-/// State and load of the stones B of a block from contact k.
-DEM_LANE_INLINE void fetch_partners(const Task &task, std::int64_t k)
+/// State and load of the particles B of a block from contact k.
+DEM_SIMD_INLINE void fetch_partners(const Task &task, std::int64_t k)
 {
   for (std::int64_t i = k; i < k + lane_block; ++i)
   {
     const double *row =
-        task.stones.state + stone_row * std::int64_t{task.contacts.b[i]};
+        task.particles.state + particle_row * std::int64_t{task.contacts.b[i]};
     __builtin_prefetch(row);
-    __builtin_prefetch(row + stone_row / 2);
+    __builtin_prefetch(row + particle_row / 2);
     __builtin_prefetch(partner_load(task, task.contacts.target[i]), 1);
   }
 }
 
-/// Whether the block from contact k was asleep when it was looked at: nearly
+/// Whether the block from contact k was inactive when it was looked at: nearly
 /// always it still is, and nothing of it will be read.
-DEM_LANE_INLINE bool seems_asleep(const Task &task, std::int64_t k)
+DEM_SIMD_INLINE bool seems_inactive(const Task &task, std::int64_t k)
 {
-  const double *wake = task.contacts.wake;
-  return wake && wake[k] > 0. && wake[k + lane_block - 1] > 0.;
+  const double *reactivation = task.contacts.reactivation;
+  return reactivation && reactivation[k] > 0. &&
+         reactivation[k + lane_block - 1] > 0.;
 }
 
 /// What the blocks after the one from contact k read; `last` ends the range.
-DEM_LANE_INLINE void fetch_ahead(const Task &task, std::int64_t k,
+DEM_SIMD_INLINE void fetch_ahead(const Task &task, std::int64_t k,
                                  std::int64_t last)
 {
   const std::int64_t columns = k + columns_ahead * lane_block;
-  if (columns + lane_block > last || !seems_asleep(task, columns))
+  if (columns + lane_block > last || !seems_inactive(task, columns))
     fetch_columns(task.ahead, columns);
   const std::int64_t partners = k + partners_ahead * lane_block;
   if (task.contacts.target && partners + lane_block <= last &&
-      !seems_asleep(task, partners))
+      !seems_inactive(task, partners))
     fetch_partners(task, partners);
 }
 } // namespace

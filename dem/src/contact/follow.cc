@@ -9,8 +9,8 @@ namespace
 /// A place farther than this part of the radius from the last is another one.
 constexpr double jump = 0.05;
 
-/// The stone on one side of contact k.
-std::size_t stone_of(const ContactBatch &batch, std::size_t k, bool is_a)
+/// The particle on one side of contact k.
+std::size_t particle_of(const ContactBatch &batch, std::size_t k, bool is_a)
 {
   return row_of(is_a ? batch.a[k] : batch.b[k]);
 }
@@ -26,7 +26,7 @@ void renew_slack(ContactBatch &batch, std::size_t k, double overlap)
 void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
 {
   sum.n_ended += batch.is_touching(k);
-  sum.has_strayed = true;
+  sum.has_escaped = true;
   batch.slack[k] = kernel::closed_slack;
 }
 
@@ -34,11 +34,11 @@ void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
 Vec3 first_guess(const SideColumns &side, std::size_t k, const Vec3 &towards)
 {
   const Triple<double> u = side.direction[k];
-  return dot(u, u) > 0. ? side.spot(k) : towards;
+  return dot(u, u) > 0. ? side.contact_point(k) : towards;
 }
 } // namespace
 
-RelativePose relative_pose(const Particles &particles, std::size_t a,
+RelativePose relative_pose(const ParticleSystem &particles, std::size_t a,
                            std::size_t b)
 {
   const Mat3 to_a = particles.rotation(a).transpose();
@@ -46,26 +46,29 @@ RelativePose relative_pose(const Particles &particles, std::size_t a,
           to_a * particles.rotation(b)};
 }
 
-Spot spot_of(const ContactBatch &batch, std::size_t k)
+ContactPoint contact_point_of(const ContactBatch &batch, std::size_t k)
 {
-  return {batch.side_a.spot(k), batch.side_b.spot(k), 0., true};
+  return {batch.side_a.contact_point(k), batch.side_b.contact_point(k), 0.,
+          true};
 }
 
 void place_pair(const ForceContext &context, ContactBatch &batch, std::size_t k,
-                const Spot &spot)
+                const ContactPoint &contact_point)
 {
-  renew_side(context, batch, k, true, spot.on_a);
-  renew_side(context, batch, k, false, spot.on_b);
+  renew_side(context, batch, k, true, contact_point.on_a);
+  renew_side(context, batch, k, false, contact_point.on_b);
 }
 
 void relocate_pair(const ForceContext &context, ContactBatch &batch,
                    std::size_t k, RangeSum &sum)
 {
-  const Particles &particles = context.particles;
-  const std::size_t i = stone_of(batch, k, true), j = stone_of(batch, k, false);
-  const Body &a = particles.body[i], &b = particles.body[j];
-  const Spot start = spot_of(batch, k);
-  const Spot found = polish(a, b, relative_pose(particles, i, j), start);
+  const ParticleSystem &particles = context.particles;
+  const std::size_t i = particle_of(batch, k, true),
+                    j = particle_of(batch, k, false);
+  const ParticleShape &a = particles.shape[i], &b = particles.shape[j];
+  const ContactPoint start = contact_point_of(batch, k);
+  const ContactPoint found =
+      refine(a, b, relative_pose(particles, i, j), start);
   if (!found.is_found || found.overlap > deepest_overlap * mean_radius(a))
   {
     end_contact(batch, k, sum);
@@ -77,8 +80,8 @@ void relocate_pair(const ForceContext &context, ContactBatch &batch,
   if (is_jump)
   {
     sum.n_jumps += batch.is_touching(k);
-    sum.has_strayed = true;
-    batch.strayed[k] = 1;
+    sum.has_escaped = true;
+    batch.escaped[k] = 1;
     renew_slack(batch, k, found.overlap);
   }
   place_pair(context, batch, k, found);
@@ -87,11 +90,11 @@ void relocate_pair(const ForceContext &context, ContactBatch &batch,
 void relocate_wall(const ForceContext &context, ContactBatch &batch,
                    std::size_t k, const WallRow &wall, RangeSum &sum)
 {
-  const Particles &particles = context.particles;
-  const std::size_t i = stone_of(batch, k, true);
+  const ParticleSystem &particles = context.particles;
+  const std::size_t i = particle_of(batch, k, true);
   const Vec3 normal = particles.orientation(i).conjugate() * wall.normal;
   const Vec3 start = first_guess(batch.side_a, k, normal);
-  const Support found = find_support(particles.body[i], normal, start);
+  const Support found = find_support(particles.shape[i], normal, start);
   if (!found.is_found)
   {
     end_contact(batch, k, sum);
@@ -100,8 +103,8 @@ void relocate_wall(const ForceContext &context, ContactBatch &batch,
   if (batch.side_a.is_known(k) && (found.direction - start).norm() > jump)
   {
     sum.n_jumps += batch.is_touching(k);
-    sum.has_strayed = true;
-    batch.strayed[k] = 1;
+    sum.has_escaped = true;
+    batch.escaped[k] = 1;
     renew_slack(batch, k,
                 found.height -
                     wall.normal.dot(wall.point - particles.position(i)));

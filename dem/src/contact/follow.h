@@ -2,19 +2,19 @@
 
 #include "surfaces.h"
 
-#include <dem/search/spots.h>
+#include <dem/search/contact_points.h>
 
 namespace dem
 {
-RelativePose relative_pose(const Particles &particles, std::size_t a,
+RelativePose relative_pose(const ParticleSystem &particles, std::size_t a,
                            std::size_t b);
 
-/// Where contact k of two stones is; the overlap is not filled in.
-Spot spot_of(const ContactBatch &batch, std::size_t k);
+/// Where contact k of two particles is; the overlap is not filled in.
+ContactPoint contact_point_of(const ContactBatch &batch, std::size_t k);
 
 /// Evaluates both sides of contact k there.
 void place_pair(const ForceContext &context, ContactBatch &batch, std::size_t k,
-                const Spot &spot);
+                const ContactPoint &contact_point);
 
 /// Looks for the common normal of contact k from where it was, as carefully as
 /// it takes; if there is none left, the contact stays open until the lists are

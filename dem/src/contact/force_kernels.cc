@@ -1,21 +1,21 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
 #include "fetch_ahead.h"
-#include "placed_lanes.h"
-#include "surface_lanes.h"
+#include "placed_simd.h"
+#include "surface_simd.h"
 
 namespace dem::kernel
 {
 namespace
 {
 constexpr int n_parts = lane_block / n_lanes;
-using BlockLosses = Losses<Lanes>[n_parts];
+using BlockLosses = Losses<Simd>[n_parts];
 
 /// What the lanes have lost, place by place in the block.
 void sum_losses(const BlockLosses &lost, Dissipation &sum)
 {
   for (int part = 0; part < n_parts; ++part)
   {
-    LaneTable<4> table;
+    SimdTable<4> table;
     table.set(0, {{lost[part].friction, lost[part].rolling, lost[part].damping},
                   lost[part].non_conservative_work});
     for (int lane = 0; lane < n_lanes; ++lane)

@@ -10,22 +10,22 @@
 /// unit with the widest instructions.
 namespace dem::kernel
 {
-/// StoneState in numbers, and where its fields are.
-inline constexpr int stone_row = 16, at_position = 0, at_radius = 3,
+/// ParticleState in numbers, and where its fields are.
+inline constexpr int particle_row = 16, at_position = 0, at_radius = 3,
                      at_velocity = 4, at_mass = 7, at_spin = 8, at_inertia = 11,
                      at_orientation = 12;
 
-/// StoneLoad in numbers: force, moment, two to fill the line.
+/// ParticleLoad in numbers: force, moment, two to fill the line.
 inline constexpr int load_row = 8, at_moment = 3;
 
-/// What the loops read of the stones and the loads that they add to.
-struct Stones
+/// What the loops read of the particles and the loads that they add to.
+struct ParticleSystem
 {
   const double *state;
   const double *travelled; ///< Particles::travelled, null: spheres
   double gaps_travelled;   ///< Travel::gaps, of any two spheres [m]
-  double *load;            ///< StoneLoad
-  double *halo;            ///< StoneLoad, rows of PairLoads
+  double *load;            ///< ParticleLoad
+  double *halo;            ///< ParticleLoad, rows of PairLoads
 };
 
 template <class Number>
@@ -50,12 +50,13 @@ struct Contacts
   const std::int32_t *a, *b;
   Vectors<double> shear, rolling;
   Vectors<Narrow> dashpot;
-  double *load; ///< StoneLoad, against walls
+  double *load; ///< ParticleLoad, against walls
   const std::int32_t *target;
-  double *overlap, *wake, *normal_force, *shear_compliance, *rolling_compliance;
+  double *overlap, *reactivation, *normal_force, *shear_compliance,
+      *rolling_compliance;
   Side side_a, side_b;
   const double *normal_prefactor, *shear_prefactor;
-  Narrow *twist;
+  Narrow *torsion_angle;
   double *slack; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
   const Narrow *corner_a, *corner_b;
@@ -86,15 +87,15 @@ struct Surfaces
   void (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
 };
 
-/// Lanes that are worked on in turn make one block for every instruction set,
+/// Simd that are worked on in turn make one block for every instruction set,
 /// and losses are summed by place in the block: same digits everywhere.
 inline constexpr std::int64_t lane_block = 8;
 
 /// WallRow in numbers.
 inline constexpr int wall_row = 16;
 
-/// A wall farther than this many ball radii is none: the surface of the stone
-/// towards it is not looked at.
+/// A wall farther than this many ball radii is none: the surface of the
+/// particle towards it is not looked at.
 inline constexpr double far_wall = 1e3;
 
 /// ContactBatch::slack from here on: the contact has lost its place and stays
@@ -104,7 +105,7 @@ inline constexpr double closed_slack = 1e9;
 /// What a loop reads besides the contacts; coefficients are of its batch.
 struct Task
 {
-  Stones stones;
+  ParticleSystem particles;
   Contacts contacts;
   ColumnsAhead ahead;
   Surfaces surfaces;

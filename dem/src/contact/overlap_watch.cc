@@ -12,7 +12,8 @@ namespace
 double depth(const ContactBatch &batch, std::size_t k)
 {
   const double counted = batch.overlap[k];
-  if (!batch.layout.has_spots || batch.slack[k] >= kernel::closed_slack)
+  if (!batch.layout.has_contact_points ||
+      batch.slack[k] >= kernel::closed_slack)
     return counted;
   return counted + batch.slack[k];
 }
@@ -24,7 +25,7 @@ void OverlapRecord::note(double ratio)
   largest = std::max(largest, ratio);
 }
 
-double overlap_ratio(const ContactBatch &batch, const Particles &particles,
+double overlap_ratio(const ContactBatch &batch, const ParticleSystem &particles,
                      std::size_t k)
 {
   double radius = particles.radius(static_cast<std::size_t>(batch.a[k]));
@@ -39,7 +40,7 @@ double largest_overlap_ratio(const OverlapScan &scan, std::size_t first,
 {
   const ContactBatch &batch = scan.batch;
   double largest = 0.;
-  if (!batch.layout.has_spots)
+  if (!batch.layout.has_contact_points)
   {
     // Nearly always the whole range is passed over.
     const double *overlap = batch.overlap.data();

@@ -9,10 +9,10 @@ namespace
 kernel::Task pair_task(SurfaceOwner &owner)
 {
   const EngineParameters &parameters = owner.context.parameters;
-  const StoneMaterial &stone = parameters.stone;
+  const ParticleMaterial &particle = parameters.particle;
   kernel::Task task =
-      make_task(owner, {stone.friction, stone.rolling_friction,
-                        stone.normal_damping, stone.shear_damping});
+      make_task(owner, {particle.friction, particle.rolling_friction,
+                        particle.normal_damping, particle.shear_damping});
   const HertzPrefactors prefactors =
       unit_prefactors(owner.context.elasticity.pair(0, 0));
   task.normal_factor = prefactors.normal;
@@ -24,21 +24,22 @@ kernel::Task pair_task(SurfaceOwner &owner)
 
 kernel::Loop pair_loop(const ContactBatch &batch)
 {
-  return batch.layout.has_spots ? kernel::loops().surface_pairs
-                                : kernel::loops().pairs;
+  return batch.layout.has_contact_points ? kernel::loops().surface_pairs
+                                         : kernel::loops().pairs;
 }
 } // namespace
 
 BatchLayout pair_layout(const EngineParameters &parameters,
-                        const Particles &particles)
+                        const ParticleSystem &particles)
 {
   BatchLayout layout;
   layout.is_hertz = true;
-  layout.has_rolling = parameters.stone.rolling_friction > 0.;
+  layout.has_rolling = parameters.particle.rolling_friction > 0.;
   layout.has_sides = particles.has_shapes || particles.has_materials;
   layout.has_partners = true;
-  layout.has_spots = layout.has_sides &&
-                     parameters.geometry.geometry == ContactGeometry::surface;
+  layout.has_contact_points =
+      layout.has_sides &&
+      parameters.geometry.geometry == ContactGeometry::surface;
   layout.has_damage =
       particles.has_shapes &&
       may_break(parameters.breakage, parameters.geometry.geometry);
@@ -52,7 +53,7 @@ ForceSum pair_forces(const ForceContext &context, ContactBatch &batch,
 {
   SurfaceOwner owner{context, batch};
   kernel::Task task = pair_task(owner);
-  task.stones.halo = reinterpret_cast<double *>(loads.halo_rows());
+  task.particles.halo = reinterpret_cast<double *>(loads.halo_rows());
   const ForceSum sum = run_loop(pair_loop(batch), task, owner, ranges);
   loads.add_halo(context.particles.load);
   return sum;

@@ -9,15 +9,15 @@ namespace dem
 {
 namespace
 {
-/// Load on a stone that its range does not own.
+/// Load on a particle that its range does not own.
 struct Foreign
 {
-  std::int32_t stone = 0, range = 0, contact = 0;
+  std::int32_t particle = 0, range = 0, contact = 0;
 
   bool operator<(const Foreign &other) const
   {
-    return std::tie(stone, range, contact) <
-           std::tie(other.stone, other.range, other.contact);
+    return std::tie(particle, range, contact) <
+           std::tie(other.particle, other.range, other.contact);
   }
 };
 
@@ -29,7 +29,7 @@ std::vector<Foreign> find_foreign(const ContactBatch &pairs)
   for (std::int64_t first = 0; first < n; first += size)
   {
     const std::int64_t last = std::min(first + size, n);
-    // b > a: no stone before the range is met.
+    // b > a: no particle before the range is met.
     const std::int32_t end = last < n
                                  ? pairs.a[static_cast<std::size_t>(last)]
                                  : std::numeric_limits<std::int32_t>::max();
@@ -55,37 +55,37 @@ std::int64_t range_size(std::int64_t n_contacts)
 void PairLoads::prepare(ContactBatch &pairs)
 {
   std::copy(pairs.b.begin(), pairs.b.end(), pairs.target.begin());
-  stone.clear();
+  particle.clear();
   start.assign(1, 0);
   std::int32_t n_rows = 0;
   Foreign before{-1, -1, -1};
   for (const Foreign &one : find_foreign(pairs))
   {
-    const bool is_new_stone = one.stone != before.stone;
-    if (is_new_stone)
+    const bool is_new_particle = one.particle != before.particle;
+    if (is_new_particle)
     {
-      stone.push_back(one.stone);
+      particle.push_back(one.particle);
       start.push_back(n_rows);
     }
-    if (is_new_stone || one.range != before.range)
+    if (is_new_particle || one.range != before.range)
       start.back() = ++n_rows;
     pairs.target[static_cast<std::size_t>(one.contact)] = -n_rows;
     before = one;
   }
-  halo.assign(static_cast<std::size_t>(n_rows), StoneLoad{});
+  halo.assign(static_cast<std::size_t>(n_rows), ParticleLoad{});
 }
 
-void PairLoads::add_halo(std::vector<StoneLoad> &load)
+void PairLoads::add_halo(std::vector<ParticleLoad> &load)
 {
-  const auto n = static_cast<std::int64_t>(stone.size());
+  const auto n = static_cast<std::int64_t>(particle.size());
   // A few rows are added sooner than threads are woken.
 #pragma omp parallel for schedule(static) if (n >= 256)
   for (std::int64_t s = 0; s < n; ++s)
   {
     const auto entry = static_cast<std::size_t>(s);
-    StoneLoad &sum = load[static_cast<std::size_t>(stone[entry])];
+    ParticleLoad &sum = load[static_cast<std::size_t>(particle[entry])];
     for (std::int32_t row = start[entry]; row < start[entry + 1]; ++row)
-      sum += std::exchange(halo[static_cast<std::size_t>(row)], StoneLoad{});
+      sum += std::exchange(halo[static_cast<std::size_t>(row)], ParticleLoad{});
   }
 }
 } // namespace dem

@@ -27,15 +27,15 @@ RadialExpansion known_expansion(const SideColumns &side, std::size_t k)
 /// Notes where the contact is now: within the expansion as an offset from its
 /// direction, else by a new one.
 void note_place(const ForceContext &context, ContactBatch &batch, std::size_t k,
-                const Vec3 &on_stone, bool is_renewed)
+                const Vec3 &on_particle, bool is_renewed)
 {
   const Triple<double> u = batch.side_a.direction[k];
   const Vec3 from(u.x, u.y, u.z);
-  const double along = on_stone.dot(from);
-  const Vec3 offset = on_stone / along - from;
+  const double along = on_particle.dot(from);
+  const Vec3 offset = on_particle / along - from;
   const double reach = context.parameters.geometry.refresh_tolerance;
   if (is_renewed || along <= 0. || offset.squaredNorm() > reach * reach)
-    renew_side(context, batch, k, true, on_stone);
+    renew_side(context, batch, k, true, on_particle);
   else
     batch.side_a.offset.set(k, {offset.x(), offset.y(), offset.z()});
 }
@@ -44,13 +44,13 @@ void note_place(const ForceContext &context, ContactBatch &batch, std::size_t k,
 struct Events
 {
   int n_jumps = 0, n_ended = 0;
-  bool has_strayed = false;
+  bool has_escaped = false;
 
   void add_to(ForceSum &sum) const
   {
     sum.n_jumps += n_jumps;
     sum.n_ended += n_ended;
-    sum.has_strayed |= has_strayed;
+    sum.has_escaped |= has_escaped;
   }
 };
 
@@ -64,59 +64,59 @@ struct Followed
   bool can_wait = false;
 };
 
-/// ContactBatch::strayed of an open contact that may have come to the place of
+/// ContactBatch::escaped of an open contact that may have come to the place of
 /// another one: that matters when it closes.
-constexpr std::uint8_t strayed_open = 2;
+constexpr std::uint8_t escaped_open = 2;
 
 /// Takes note of a contact that has come to another place.
-void note_stray(const Followed &all, std::size_t k, const WallPlace &place,
-                bool is_elsewhere)
+void note_escaped(const Followed &all, std::size_t k,
+                  const WallContactPoint &place, bool is_elsewhere)
 {
   ContactBatch &batch = all.batch;
   const bool matters =
       !all.can_wait || batch.is_touching(k) || place.overlap > 0.;
   if (is_elsewhere || place.has_switched)
-    batch.strayed[k] = std::max<std::uint8_t>(
-        batch.strayed[k], is_elsewhere && !matters ? strayed_open : 1);
-  all.events.has_strayed |=
-      matters && (is_elsewhere || batch.strayed[k] == strayed_open);
+    batch.escaped[k] = std::max<std::uint8_t>(
+        batch.escaped[k], is_elsewhere && !matters ? escaped_open : 1);
+  all.events.has_escaped |=
+      matters && (is_elsewhere || batch.escaped[k] == escaped_open);
 }
 
-/// Brings contact k to its place by `climb(stone, start)`; not found if it has
-/// none any more.
+/// Brings contact k to its place by `climb(particle, start)`; not found if it
+/// has none any more.
 template <class Climb>
-WallPlace follow(const Followed &all, std::size_t k, const Climb &climb)
+WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
 {
   ContactBatch &batch = all.batch;
   if (batch.slack[k] >= kernel::closed_slack)
     return {};
   const ForceContext &context = all.context;
-  const Particles &particles = context.particles;
+  const ParticleSystem &particles = context.particles;
   const std::size_t i = row_of(batch.a[k]);
-  StoneView stone(particles.body[i], particles.position(i),
-                  particles.rotation(i),
-                  context.parameters.geometry.refresh_tolerance);
+  ParticleView particle(particles.shape[i], particles.position(i),
+                        particles.rotation(i),
+                        context.parameters.geometry.refresh_tolerance);
   if (batch.side_a.is_known(k))
-    stone.start_from(known_expansion(batch.side_a, k));
-  const Vec3 start = batch.side_a.spot(k);
-  const WallPlace place = climb(stone, start);
-  if (!place.is_found || place.overlap > 0.3 * stone.size())
+    particle.start_from(known_expansion(batch.side_a, k));
+  const Vec3 start = batch.side_a.contact_point(k);
+  const WallContactPoint place = climb(particle, start);
+  if (!place.is_found || place.overlap > 0.3 * particle.size())
   {
     all.events.n_ended += batch.is_touching(k);
-    all.events.has_strayed |= !all.can_wait || batch.is_touching(k);
+    all.events.has_escaped |= !all.can_wait || batch.is_touching(k);
     batch.slack[k] = kernel::closed_slack;
     return {};
   }
-  const bool is_elsewhere = (place.on_stone - start).norm() > jump;
+  const bool is_elsewhere = (place.on_particle - start).norm() > jump;
   // Over to a deeper place of its patch it comes at the same depth.
   if (is_elsewhere && !place.has_switched && batch.side_a.is_known(k))
   {
     all.events.n_jumps += batch.is_touching(k);
     batch.slack[k] = std::max(0., place.overlap - batch.overlap[k]);
   }
-  note_stray(all, k, place, is_elsewhere);
-  note_place(context, batch, k, place.on_stone,
-             stone.is_renewed() || !batch.side_a.is_known(k));
+  note_escaped(all, k, place, is_elsewhere);
+  note_place(context, batch, k, place.on_particle,
+             particle.is_renewed() || !batch.side_a.is_known(k));
   return place;
 }
 
@@ -144,18 +144,18 @@ void place_one(const ForceContext &context, const PlacedDrum &walls,
 {
   const DrumPart part = drum_part(batch, k);
   WallRow &row = walls.rows[row_of(batch.b[k])];
-  const WallPlace place =
+  const WallContactPoint place =
       follow({context, batch, events}, k,
-             [&](StoneView &stone, const Vec3 &on_stone)
+             [&](ParticleView &particle, const Vec3 &on_particle)
              {
-               WallPlace start;
-               start.on_stone = on_stone;
-               if (part != DrumPart::shelf)
-                 return climb_drum(stone, walls.drum, part, start);
-               const NearestPoint at = walls.shelf.nearest(row.point);
+               WallContactPoint start;
+               start.on_particle = on_particle;
+               if (part != DrumPart::lifter)
+                 return refine_on_drum(particle, walls.drum, part, start);
+               const NearestPoint at = walls.lifter.nearest(row.point);
                start.triangle = at.triangle;
                start.weight = at.weight;
-               return climb_facets(stone, walls.shelf.mesh(), start);
+               return refine_on_facets(particle, walls.lifter.mesh(), start);
              });
   // What has lost its place opens where it was.
   walls.overlap[row_of(batch.b[k])] = place.overlap;
@@ -178,34 +178,34 @@ void place_one(const ForceContext &context, const PlacedDrum &walls,
 void place_one(const ForceContext &context, const PlacedFacets &walls,
                ContactBatch &batch, std::size_t k, Events &events)
 {
-  FacetSpot &spot = walls.candidates.spot[k];
-  double &wake = walls.candidates.wake[k];
+  FacetContactPoint &contact_point = walls.candidates.contact_point[k];
+  double &reactivation = walls.candidates.reactivation[k];
   const double travelled =
       context.particles.travelled[row_of(batch.a[k])] + walls.travelled;
   walls.overlap[k] = 0.;
-  if (travelled < wake)
+  if (travelled < reactivation)
     return;
-  const WallPlace place =
+  const WallContactPoint place =
       follow({context, batch, events, true}, k,
-             [&](StoneView &stone, const Vec3 &on_stone)
+             [&](ParticleView &particle, const Vec3 &on_particle)
              {
-               WallPlace start;
-               start.on_stone = on_stone;
-               start.triangle = spot.triangle;
-               start.weight = spot.weight;
-               return climb_facets(stone, walls.mesh, start);
+               WallContactPoint start;
+               start.on_particle = on_particle;
+               start.triangle = contact_point.triangle;
+               start.weight = contact_point.weight;
+               return refine_on_facets(particle, walls.mesh, start);
              });
   if (!place.is_found)
   {
     // It opens where it was.
-    walls.rows[k] = facet_row(walls.mesh.surface, spot, spot);
+    walls.rows[k] = facet_row(walls.mesh.surface, contact_point, contact_point);
     return;
   }
   walls.overlap[k] = place.overlap;
-  wake = batch.is_touching(k) ? 0. : travelled - place.overlap;
-  const FacetSpot now{place.triangle, place.weight, place.normal};
-  walls.rows[k] = facet_row(walls.mesh.surface, now, spot);
-  spot = now;
+  reactivation = batch.is_touching(k) ? 0. : travelled - place.overlap;
+  const FacetContactPoint now{place.triangle, place.weight, place.normal};
+  walls.rows[k] = facet_row(walls.mesh.surface, now, contact_point);
+  contact_point = now;
 }
 } // namespace
 
@@ -239,7 +239,7 @@ void place_again(const ForceContext &context, const PlacedFacets &walls,
                  ContactBatch &batch, std::size_t k)
 {
   Events events;
-  walls.candidates.wake[k] = 0.;
+  walls.candidates.reactivation[k] = 0.;
   place_one(context, walls, batch, k, events);
 }
 } // namespace dem

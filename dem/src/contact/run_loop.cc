@@ -77,7 +77,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           numbers(batch.load),
           batch.target.data(),
           batch.overlap.data(),
-          batch.wake.data(),
+          batch.reactivation.data(),
           batch.normal_force.data(),
           batch.shear_compliance.data(),
           batch.rolling_compliance.data(),
@@ -85,7 +85,7 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           side_view(batch.side_b),
           batch.normal_prefactor.data(),
           batch.shear_prefactor.data(),
-          batch.twist.data(),
+          batch.torsion_angle.data(),
           batch.slack.data(),
           batch.factor_a.data(),
           batch.factor_b.data(),
@@ -124,15 +124,15 @@ kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
   return ahead;
 }
 
-static_assert(sizeof(StoneState) == kernel::stone_row * sizeof(double));
-static_assert(sizeof(StoneLoad) == kernel::load_row * sizeof(double));
+static_assert(sizeof(ParticleState) == kernel::particle_row * sizeof(double));
+static_assert(sizeof(ParticleLoad) == kernel::load_row * sizeof(double));
 
-kernel::Stones stones_view(const ForceContext &context)
+kernel::ParticleSystem particles_view(const ForceContext &context)
 {
-  Particles &stones = context.particles;
-  return {numbers(stones.state),
-          stones.has_shapes ? stones.travelled.data() : nullptr,
-          context.gaps_travelled, numbers(stones.load), nullptr};
+  ParticleSystem &particles = context.particles;
+  return {numbers(particles.state),
+          particles.has_shapes ? particles.travelled.data() : nullptr,
+          context.gaps_travelled, numbers(particles.load), nullptr};
 }
 } // namespace
 
@@ -141,7 +141,7 @@ kernel::Task make_task(SurfaceOwner &owner,
 {
   const ForceContext &context = owner.context;
   kernel::Task task{};
-  task.stones = stones_view(context);
+  task.particles = particles_view(context);
   task.contacts = contacts_view(owner.batch);
   task.ahead = columns_ahead(owner.batch);
   task.surfaces = {&owner, renew, mix, relocate};
@@ -168,7 +168,7 @@ ForceSum &ForceSum::operator+=(const ForceSum &part)
 {
   lost += part.lost;
   wants_breakage |= part.wants_breakage;
-  has_strayed |= part.has_strayed;
+  has_escaped |= part.has_escaped;
   has_switched |= part.has_switched;
   n_jumps += part.n_jumps;
   n_ended += part.n_ended;
@@ -200,14 +200,14 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
   for (std::int64_t r = 0; r < n_ranges; ++r)
   {
     const RangeSum &range = ranges[static_cast<std::size_t>(r)];
-    double *row = task.stones.load +
+    double *row = task.particles.load +
                   kernel::load_row * std::int64_t{task.contacts.a[r * size]};
     for (int c = 0; c < 6; ++c)
       row[c] += range.load[c];
     sum.lost += range.lost;
     sum.wants_breakage |= range.wants_breakage;
     sum.has_switched |= range.has_switched;
-    sum.has_strayed |= range.has_strayed;
+    sum.has_escaped |= range.has_escaped;
     sum.n_jumps += range.n_jumps;
     sum.n_ended += range.n_ended;
     sum.overlap_ratio = std::max(sum.overlap_ratio, range.overlap_ratio);

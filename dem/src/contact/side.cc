@@ -14,7 +14,7 @@ std::array<Narrow, 3> rounded(const Vec3 &v)
           static_cast<Narrow>(v.z())};
 }
 
-SurfaceSide sphere_side(const Body &body, const Vec3 &direction)
+SurfaceSide sphere_side(const ParticleShape &body, const Vec3 &direction)
 {
   SurfaceSide side;
   side.expansion.direction = direction;
@@ -25,7 +25,7 @@ SurfaceSide sphere_side(const Body &body, const Vec3 &direction)
 }
 } // namespace
 
-SurfaceSide evaluate_side(const Body &body, const Vec3 &direction,
+SurfaceSide evaluate_side(const ParticleShape &body, const Vec3 &direction,
                           double floor_ratio)
 {
   if (!body.series)

@@ -10,18 +10,19 @@ namespace
 constexpr Narrow not_mixed = 10;
 
 /// World direction of kappa_max of a side.
-Vec3 first_direction(const ForceContext &context, std::int32_t stone,
+Vec3 first_direction(const ForceContext &context, std::int32_t particle,
                      const SideCurvature &curvature)
 {
   const auto &d = curvature.first_direction;
-  return context.particles.orientation(row_of(stone)) * Vec3(d[0], d[1], d[2]);
+  return context.particles.orientation(row_of(particle)) *
+         Vec3(d[0], d[1], d[2]);
 }
 } // namespace
 
 void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
                 bool is_a, const Vec3 &direction)
 {
-  const std::int32_t stone = is_a ? batch.a[k] : batch.b[k];
+  const std::int32_t particle = is_a ? batch.a[k] : batch.b[k];
   SideColumns &side = is_a ? batch.side_a : batch.side_b;
   // Evaluated where the column says, to the last digit of the column. A cast
   // of the whole vector will not do: GCC 12 leaves out the way over float.
@@ -29,7 +30,7 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   const Triple<double> in_column = side.direction[k];
   const Vec3 rounded = Vec3(in_column.x, in_column.y, in_column.z).normalized();
   const SurfaceSide fresh =
-      evaluate_side(context.particles.body[row_of(stone)], rounded,
+      evaluate_side(context.particles.shape[row_of(particle)], rounded,
                     context.parameters.breakage.curvature_floor_ratio);
   const Vec3 &g = fresh.expansion.gradient;
   const Mat3 &h = fresh.expansion.hessian;
@@ -40,24 +41,24 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   for (std::size_t c = 0; c < 6; ++c)
     side.hessian[c][k] = static_cast<Narrow>(entries[c]);
   side.curvature[k] = fresh.curvature;
-  if (batch.layout.has_spots)
+  if (batch.layout.has_contact_points)
     side.offset.set(k, {});
   if (batch.layout.has_partners)
-    batch.twist[k] = not_mixed;
+    batch.torsion_angle[k] = not_mixed;
   else if (batch.layout.is_hertz)
     set_wall_prefactors(context, batch, k);
   if (batch.layout.has_damage)
     note_corner(context.particles, batch, k, is_a);
 }
 
-void note_corner(const Particles &particles, ContactBatch &batch, std::size_t k,
-                 bool is_a)
+void note_corner(const ParticleSystem &particles, ContactBatch &batch,
+                 std::size_t k, bool is_a)
 {
   const SideCurvature &curvature =
       (is_a ? batch.side_a : batch.side_b).curvature[k];
-  const std::int32_t stone = is_a ? batch.a[k] : batch.b[k];
+  const std::int32_t particle = is_a ? batch.a[k] : batch.b[k];
   const bool may_break =
-      curvature.is_corner != 0 && particles.is_breakable[row_of(stone)] != 0;
+      curvature.is_corner != 0 && particles.is_breakable[row_of(particle)] != 0;
   (is_a ? batch.corner_a : batch.corner_b)[k] =
       may_break ? static_cast<Narrow>(cap_slope(curvature.gaussian()))
                 : Narrow(0);
@@ -69,7 +70,7 @@ void forget_side(ContactBatch &batch, std::size_t k, bool is_a)
     return;
   SideColumns &side = is_a ? batch.side_a : batch.side_b;
   // A contact that follows its surface starts from there.
-  if (!batch.layout.has_spots)
+  if (!batch.layout.has_contact_points)
     side.direction.set(k, {});
   side.radius[k] = 0.;
 }
@@ -98,7 +99,7 @@ void mix_prefactors(const ForceContext &context, ContactBatch &batch,
                        gap);
   batch.normal_prefactor[k] = prefactors.normal;
   batch.shear_prefactor[k] = prefactors.tangential;
-  batch.twist[k] = 0;
+  batch.torsion_angle[k] = 0;
   if (batch.layout.has_damage &&
       context.parameters.breakage.curvature == CapCurvature::relative)
     for (Narrow *corner : {&batch.corner_a[k], &batch.corner_b[k]})

@@ -6,10 +6,10 @@
 
 namespace dem
 {
-/// The stone in this row of the columns.
-inline std::size_t row_of(std::int32_t stone)
+/// The particle in this row of the columns.
+inline std::size_t row_of(std::int32_t particle)
 {
-  return static_cast<std::size_t>(stone);
+  return static_cast<std::size_t>(particle);
 }
 
 /// Evaluates the surface of side A or B of contact k at a unit direction of the
@@ -18,15 +18,15 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
                 bool is_a, const Vec3 &direction);
 
 /// Sets ContactBatch::corner_a or corner_b of contact k from its curvature.
-void note_corner(const Particles &particles, ContactBatch &batch, std::size_t k,
-                 bool is_a);
+void note_corner(const ParticleSystem &particles, ContactBatch &batch,
+                 std::size_t k, bool is_a);
 
-/// Whether contacts of this geometry may break stones.
+/// Whether contacts of this geometry may break particles.
 inline bool may_break(const BreakageParameters &breakage,
                       ContactGeometry geometry)
 {
   return breakage.is_active && (breakage.contacts == EventContacts::all ||
-                                geometry != ContactGeometry::ball);
+                                geometry != ContactGeometry::sphere);
 }
 
 /// Forgets the surface of side A or B of contact k.
@@ -70,7 +70,7 @@ kernel::Task make_task(SurfaceOwner &owner,
                        const ContactCoefficients &coefficients);
 
 /// Runs a loop over all contacts of the owner, whose task it is, and adds its
-/// loads to the stones.
+/// loads to the particles.
 ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
                   const SurfaceOwner &owner, std::vector<RangeSum> &ranges);
 

@@ -29,7 +29,7 @@ kernel::Task wall_task(SurfaceOwner &owner, const Walls &walls)
 
 kernel::Loop wall_loop(const Walls &walls, const ContactBatch &batch)
 {
-  if (!batch.layout.has_spots)
+  if (!batch.layout.has_contact_points)
     return kernel::loops().walls;
   return walls.overlap.empty() ? kernel::loops().surface_walls
                                : kernel::loops().placed_walls;
@@ -37,7 +37,8 @@ kernel::Loop wall_loop(const Walls &walls, const ContactBatch &batch)
 } // namespace
 
 BatchLayout wall_layout(const EngineParameters &parameters,
-                        const WallMaterial &wall, const Particles &particles)
+                        const WallMaterial &wall,
+                        const ParticleSystem &particles)
 {
   BatchLayout layout;
   layout.is_hertz = wall.law == WallLaw::hertz;
@@ -48,11 +49,12 @@ BatchLayout wall_layout(const EngineParameters &parameters,
       particles.has_shapes && may_break(parameters.breakage, geometry);
   layout.has_turn = layout.has_damage && parameters.breakage.needs_turn();
   layout.has_peak = layout.has_damage && parameters.breakage.repetitions > 1.;
-  layout.has_sides = layout.has_damage ||
-                     (particles.has_shapes &&
-                      (geometry != ContactGeometry::ball || layout.is_hertz)) ||
-                     (particles.has_materials && layout.is_hertz);
-  layout.has_spots =
+  layout.has_sides =
+      layout.has_damage ||
+      (particles.has_shapes &&
+       (geometry != ContactGeometry::sphere || layout.is_hertz)) ||
+      (particles.has_materials && layout.is_hertz);
+  layout.has_contact_points =
       particles.has_shapes && geometry == ContactGeometry::surface;
   return layout;
 }

@@ -11,15 +11,15 @@ namespace dem
 {
 namespace
 {
-/// Radius of the stone towards a world direction, as the last step left it.
-double reach_of(const Particles &stones, std::int32_t stone,
+/// Radius of the particle towards a world direction, as the last step left it.
+double reach_of(const ParticleSystem &particles, std::int32_t particle,
                 const SideColumns &side, std::size_t k, const Vec3 &direction)
 {
-  const auto i = static_cast<std::size_t>(stone);
-  const Vec3 on_body = stones.orientation(i).conjugate() * direction;
+  const auto i = static_cast<std::size_t>(particle);
+  const Vec3 on_body = particles.orientation(i).conjugate() * direction;
   return side.is_known(k)
              ? side.local_radius(k, {on_body.x(), on_body.y(), on_body.z()})
-             : stones.radius(i);
+             : particles.radius(i);
 }
 
 /// Prefactors of a contact: as mixed, or, if it has not touched yet, of spheres
@@ -34,7 +34,8 @@ HertzPrefactors prefactors_of(const ContactBatch &batch, std::size_t k,
       elasticity, gap_coefficients({kappa_a, kappa_a, kappa_b, kappa_b, 1.}));
 }
 
-/// How two stones, or a stone and a wall, stand to each other at one contact.
+/// How two particles, or a particle and a wall, stand to each other at one
+/// contact.
 struct Stand
 {
   Vec3 normal = Vec3::UnitX();
@@ -57,46 +58,47 @@ double rolling_radius(const Stand &at)
   return r_a * r_b / (r_a + r_b);
 }
 
-/// Where the true surface of a stone has its contact, world frame.
-SurfacePoint point_of(const Particles &stones, std::int32_t stone,
+/// Where the true surface of a particle has its contact, world frame.
+SurfacePoint point_of(const ParticleSystem &particles, std::int32_t particle,
                       const SideColumns &side, std::size_t k)
 {
-  const auto i = static_cast<std::size_t>(stone);
+  const auto i = static_cast<std::size_t>(particle);
   const SurfacePoint on_body =
-      side.is_known(k) ? surface_point(side.expansion_at_spot(k))
-                       : surface_point(stones.body[i], side.spot(k));
-  return turned(on_body, stones.rotation(i));
+      side.is_known(k)
+          ? surface_point(side.expansion_at_contact_point(k))
+          : surface_point(particles.shape[i], side.contact_point(k));
+  return turned(on_body, particles.rotation(i));
 }
 
-Stand true_stand(const Particles &stones, const ContactBatch &batch,
+Stand true_stand(const ParticleSystem &particles, const ContactBatch &batch,
                  std::size_t k)
 {
-  const SurfacePoint a = point_of(stones, batch.a[k], batch.side_a, k);
-  const SurfacePoint b = point_of(stones, batch.b[k], batch.side_b, k);
-  const Vec3 branch = stones.position(static_cast<std::size_t>(batch.b[k])) -
-                      stones.position(static_cast<std::size_t>(batch.a[k]));
+  const SurfacePoint a = point_of(particles, batch.a[k], batch.side_a, k);
+  const SurfacePoint b = point_of(particles, batch.b[k], batch.side_b, k);
+  const Vec3 branch = particles.position(static_cast<std::size_t>(batch.b[k])) -
+                      particles.position(static_cast<std::size_t>(batch.a[k]));
   const double depth = (a.position - branch - b.position).dot(a.normal);
   return {a.normal, shortened(a.position, 0.5, depth, a.normal),
           shortened(b.position, 0.5, depth, -a.normal), depth - batch.slack[k]};
 }
 
 /// Along the branch, by balls or local radii; no overlap if centres coincide.
-Stand branch_stand(const Particles &stones, const ContactBatch &batch,
+Stand branch_stand(const ParticleSystem &particles, const ContactBatch &batch,
                    std::size_t k, bool is_radial)
 {
   const auto i = static_cast<std::size_t>(batch.a[k]),
              j = static_cast<std::size_t>(batch.b[k]);
-  const Vec3 branch = stones.position(j) - stones.position(i);
+  const Vec3 branch = particles.position(j) - particles.position(i);
   const double distance = branch.norm();
   if (distance <= 0.)
     return {};
   const Vec3 n = branch / distance;
   const double r_a = is_radial
-                         ? reach_of(stones, batch.a[k], batch.side_a, k, n)
-                         : stones.radius(i);
+                         ? reach_of(particles, batch.a[k], batch.side_a, k, n)
+                         : particles.radius(i);
   const double r_b = is_radial
-                         ? reach_of(stones, batch.b[k], batch.side_b, k, -n)
-                         : stones.radius(j);
+                         ? reach_of(particles, batch.b[k], batch.side_b, k, -n)
+                         : particles.radius(j);
   const double overlap = r_a + r_b - distance;
   return {n, shortened(r_a * n, 0.5, overlap, n),
           shortened(-r_b * n, 0.5, overlap, -n), overlap};
@@ -111,9 +113,9 @@ double stored_energy(double normal_prefactor, double overlap)
 void add_pairs(const Engine &engine, const Foresight &ahead,
                SpringNetwork &network)
 {
-  const Particles &stones = engine.particles();
+  const ParticleSystem &particles = engine.particles();
   const ContactBatch &batch = engine.pairs();
-  const StoneMaterial &stone = engine.parameters().stone;
+  const ParticleMaterial &particle = engine.parameters().particle;
   const ElasticityTable elasticity(engine.parameters());
   const bool is_radial =
       engine.parameters().geometry.geometry == ContactGeometry::radial;
@@ -121,17 +123,17 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
   {
     const auto i = static_cast<std::size_t>(batch.a[k]),
                j = static_cast<std::size_t>(batch.b[k]);
-    const Stand stand = batch.layout.has_spots
-                            ? true_stand(stones, batch, k)
-                            : branch_stand(stones, batch, k, is_radial);
+    const Stand stand = batch.layout.has_contact_points
+                            ? true_stand(particles, batch, k)
+                            : branch_stand(particles, batch, k, is_radial);
     const double r_a = stand.lever_a.norm(), r_b = stand.lever_b.norm();
-    const Vec3 velocity = stones.velocity(j) - stones.velocity(i);
+    const Vec3 velocity = particles.velocity(j) - particles.velocity(i);
     const double half = 0.5 * std::max(0., stand.overlap);
     const double overlap = stand.overlap + ahead.horizon * velocity.norm();
     if (overlap <= 0. || r_a + r_b <= 0.)
       continue;
     const HertzPrefactors prefactors = prefactors_of(
-        batch, k, elasticity.pair(stones.material[i], stones.material[j]),
+        batch, k, elasticity.pair(particles.material[i], particles.material[j]),
         1. / (r_a + half), 1. / (r_b + half));
     const NormalSpring<double> spring =
         hertz_spring(prefactors.normal, prefactors.tangential, overlap);
@@ -147,15 +149,15 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
     c.closing_speed = -velocity.dot(stand.normal);
     c.stored = stored_energy(prefactors.normal, stand.overlap);
     c.rolling_radius = rolling_radius(stand);
-    c.reduced_mass =
-        stones.mass(i) * stones.mass(j) / (stones.mass(i) + stones.mass(j));
-    c.coefficients = coefficients_of(stone);
+    c.reduced_mass = particles.mass(i) * particles.mass(j) /
+                     (particles.mass(i) + particles.mass(j));
+    c.coefficients = coefficients_of(particle);
     append(network, c, ahead);
   }
 }
 
-/// What a wall is to a stone with this lever to the contact point; the springs
-/// are linear, make_hertz() takes those of a plate.
+/// What a wall is to a particle with this lever to the contact point; the
+/// springs are linear, make_hertz() takes those of a plate.
 SpringContact wall_contact(const WallMaterial &wall, const Vec3 &lever,
                            const Vec3 &normal)
 {
@@ -169,17 +171,18 @@ SpringContact wall_contact(const WallMaterial &wall, const Vec3 &lever,
   return c;
 }
 
-/// From the centre to where the surface of the stone of contact k meets a wall.
+/// From the centre to where the surface of the particle of contact k meets a
+/// wall.
 Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
                 const Vec3 &normal)
 {
-  const Particles &stones = engine.particles();
-  if (batch.layout.has_spots && batch.side_a.is_known(k))
-    return point_of(stones, batch.a[k], batch.side_a, k).position;
+  const ParticleSystem &particles = engine.particles();
+  if (batch.layout.has_contact_points && batch.side_a.is_known(k))
+    return point_of(particles, batch.a[k], batch.side_a, k).position;
   const bool is_radial =
       engine.parameters().geometry.wall_geometry == ContactGeometry::radial;
-  return (is_radial ? reach_of(stones, batch.a[k], batch.side_a, k, normal)
-                    : stones.radius(static_cast<std::size_t>(batch.a[k]))) *
+  return (is_radial ? reach_of(particles, batch.a[k], batch.side_a, k, normal)
+                    : particles.radius(static_cast<std::size_t>(batch.a[k]))) *
          normal;
 }
 
@@ -188,14 +191,14 @@ Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
 Vec3 lever_at_wall(const ContactBatch &batch, const Vec3 &to_surface,
                    double overlap, const Vec3 &normal)
 {
-  return shortened(to_surface, batch.layout.has_spots ? 0.5 : 1., overlap,
-                   normal);
+  return shortened(to_surface, batch.layout.has_contact_points ? 0.5 : 1.,
+                   overlap, normal);
 }
 
 /// Overlap of contact k that carries nothing [m].
 double slack_of(const ContactBatch &batch, std::size_t k)
 {
-  return batch.layout.has_spots ? batch.slack[k] : 0.;
+  return batch.layout.has_contact_points ? batch.slack[k] : 0.;
 }
 
 /// How a particle and a wall meet at one contact.
@@ -227,7 +230,7 @@ void make_hertz(const Engine &engine, const ContactBatch &batch, std::size_t k,
 void add_planes(const Engine &engine, const Foresight &ahead,
                 SpringNetwork &network)
 {
-  const Particles &stones = engine.particles();
+  const ParticleSystem &particles = engine.particles();
   const ContactBatch &batch = engine.on_planes();
   const EngineParameters &parameters = engine.parameters();
   for (std::size_t k = 0; k < batch.size(); ++k)
@@ -238,9 +241,9 @@ void add_planes(const Engine &engine, const Foresight &ahead,
       continue;
     const Vec3 lever = wall_lever(engine, batch, k, -plane.normal);
     const double depth =
-        (plane.point - stones.position(i) - lever).dot(plane.normal);
+        (plane.point - particles.position(i) - lever).dot(plane.normal);
     const double gap = slack_of(batch, k) - depth;
-    const Vec3 velocity = plane.velocity - stones.velocity(i);
+    const Vec3 velocity = plane.velocity - particles.velocity(i);
     const double closing = ahead.horizon * velocity.norm();
     if (gap >= closing)
       continue;
@@ -251,7 +254,7 @@ void add_planes(const Engine &engine, const Foresight &ahead,
       make_hertz(engine, batch, k,
                  {-gap, closing - gap, velocity.dot(plane.normal)}, c);
     c.a = batch.a[k];
-    c.reduced_mass = stones.mass(i);
+    c.reduced_mass = particles.mass(i);
     append(network, c, ahead);
   }
 }
@@ -259,23 +262,23 @@ void add_planes(const Engine &engine, const Foresight &ahead,
 void add_drum(const Engine &engine, const Foresight &ahead,
               SpringNetwork &network)
 {
-  const Particles &stones = engine.particles();
+  const ParticleSystem &particles = engine.particles();
   const ContactBatch &batch = engine.on_drum();
   const EngineParameters &parameters = engine.parameters();
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const auto i = static_cast<std::size_t>(batch.a[k]);
     const DrumPart part = drum_part(batch, k);
-    DrumPoint at = nearest_on_drum(engine.drum(), part, stones.position(i));
+    DrumPoint at = nearest_on_drum(engine.drum(), part, particles.position(i));
     const Vec3 lever = wall_lever(engine, batch, k, at.normal);
     double reach = lever.dot(at.normal);
-    if (batch.layout.has_spots)
+    if (batch.layout.has_contact_points)
     {
-      at = nearest_on_drum(engine.drum(), part, stones.position(i) + lever);
+      at = nearest_on_drum(engine.drum(), part, particles.position(i) + lever);
       reach = 0.;
     }
     const Vec3 velocity =
-        engine.drum().velocity_at(part, at.point) - stones.velocity(i);
+        engine.drum().velocity_at(part, at.point) - particles.velocity(i);
     const double depth = reach - at.distance;
     const double overlap = depth - slack_of(batch, k),
                  grown = overlap + ahead.horizon * velocity.norm();
@@ -288,23 +291,24 @@ void add_drum(const Engine &engine, const Foresight &ahead,
       make_hertz(engine, batch, k, {overlap, grown, -velocity.dot(at.normal)},
                  c);
     c.a = batch.a[k];
-    c.reduced_mass = stones.mass(i);
+    c.reduced_mass = particles.mass(i);
     append(network, c, ahead);
   }
 }
 
 /// Speed at which a particle closes in on the facet that it touches [m/s].
 double closing_speed(const Engine &engine, const FacetSurface &surface,
-                     const FacetSpot &spot, std::int32_t particle)
+                     const FacetContactPoint &contact_point,
+                     std::int32_t particle)
 {
   const auto &corner =
-      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+      surface.triangles[static_cast<std::size_t>(contact_point.triangle)];
   Vec3 velocity =
       engine.particles().velocity(static_cast<std::size_t>(particle));
   for (std::size_t v = 0; v < 3; ++v)
-    velocity -=
-        spot.weight[v] * surface.velocity[static_cast<std::size_t>(corner[v])];
-  return velocity.dot(spot.normal);
+    velocity -= contact_point.weight[v] *
+                surface.velocity[static_cast<std::size_t>(corner[v])];
+  return velocity.dot(contact_point.normal);
 }
 
 /// `first_point`: the body of vertex 0 in the network.
@@ -312,38 +316,40 @@ void add_facets(const Engine &engine, const SurfaceContacts &facets,
                 std::int32_t first_point, const Foresight &ahead,
                 SpringNetwork &network)
 {
-  const Particles &stones = engine.particles();
+  const ParticleSystem &particles = engine.particles();
   const ContactBatch &batch = facets.batch;
   const FacetSurface &surface = facets.surface;
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
-    const FacetSpot &spot = facets.candidates.spot[k];
-    if (!batch.is_touching(k) || spot.triangle < 0)
+    const FacetContactPoint &contact_point = facets.candidates.contact_point[k];
+    if (!batch.is_touching(k) || contact_point.triangle < 0)
       continue;
     const double depth =
-        batch.overlap[k] + slack_of(batch, k) - spot.shares.extra;
-    const Vec3 lever = lever_at_wall(
-        batch, wall_lever(engine, batch, k, spot.normal), depth, spot.normal);
-    SpringContact c = wall_contact(facets.material, lever, spot.normal);
+        batch.overlap[k] + slack_of(batch, k) - contact_point.shares.extra;
+    const Vec3 lever =
+        lever_at_wall(batch, wall_lever(engine, batch, k, contact_point.normal),
+                      depth, contact_point.normal);
+    SpringContact c =
+        wall_contact(facets.material, lever, contact_point.normal);
     if (batch.layout.is_hertz)
       make_hertz(engine, batch, k,
                  {batch.overlap[k], batch.overlap[k],
-                  closing_speed(engine, surface, spot, batch.a[k])},
+                  closing_speed(engine, surface, contact_point, batch.a[k])},
                  c);
     // Several facets: on the vertices of the nearest, no softer than they are.
-    c.normal_stiffness *= static_cast<double>(spot.shares.walls);
+    c.normal_stiffness *= static_cast<double>(contact_point.shares.walls);
     c.a = batch.a[k];
-    double over_mass = 1. / stones.mass(static_cast<std::size_t>(c.a));
+    double over_mass = 1. / particles.mass(static_cast<std::size_t>(c.a));
     const auto &corner =
-        surface.triangles[static_cast<std::size_t>(spot.triangle)];
+        surface.triangles[static_cast<std::size_t>(contact_point.triangle)];
     std::size_t n_shares = 0;
     for (std::size_t v = 0; v < 3; ++v)
     {
       const double mass = surface.mass[static_cast<std::size_t>(corner[v])];
-      if (std::isinf(mass) || spot.weight[v] == 0.)
+      if (std::isinf(mass) || contact_point.weight[v] == 0.)
         continue;
-      c.b[n_shares++] = {first_point + corner[v], spot.weight[v]};
-      over_mass += spot.weight[v] * spot.weight[v] / mass;
+      c.b[n_shares++] = {first_point + corner[v], contact_point.weight[v]};
+      over_mass += contact_point.weight[v] * contact_point.weight[v] / mass;
     }
     c.reduced_mass = 1. / over_mass;
     append(network, c, ahead);
@@ -356,7 +362,7 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
 {
   SpringNetwork network;
   const Foresight ahead = foresight_of(engine, horizon);
-  network.mass = engine.particles().column(&StoneState::mass);
+  network.mass = engine.particles().column(&ParticleState::mass);
   for (std::size_t i = 0; i < engine.particles().size(); ++i)
     network.inertia.push_back(engine.particles().smallest_moment(i));
   add_pairs(engine, ahead, network);
@@ -377,11 +383,12 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
 }
 
 double corner_step(const EngineParameters &parameters,
-                   const Particles &particles)
+                   const ParticleSystem &particles)
 {
-  const StoneState &lightest = *std::min_element(
-      particles.state.begin(), particles.state.end(),
-      [](const StoneState &a, const StoneState &b) { return a.mass < b.mass; });
+  const ParticleState &lightest =
+      *std::min_element(particles.state.begin(), particles.state.end(),
+                        [](const ParticleState &a, const ParticleState &b)
+                        { return a.mass < b.mass; });
   SpringNetwork network;
   network.mass = {lightest.mass};
   network.inertia = {lightest.inertia};

@@ -29,7 +29,7 @@ Quadratic trace_over(const SpringNetwork &network, std::size_t k,
                      std::size_t body, const Vec3 &lever)
 {
   double along = 1. / network.mass[body], across = along;
-  if (body < network.n_stones())
+  if (body < network.n_particles())
   {
     along +=
         lever.cross(network.normal[k]).squaredNorm() / network.inertia[body];
@@ -112,12 +112,12 @@ double amplitude_of(const SpringNetwork &network, std::size_t k,
   return sum;
 }
 
-/// sum 1 / I over the stones of contact k [1/(kg m^2)].
+/// sum 1 / I over the particles of contact k [1/(kg m^2)].
 double turning_compliance(const SpringNetwork &network, std::size_t k)
 {
   double sum = 1. / network.inertia[static_cast<std::size_t>(network.a[k])];
   const std::int32_t other = network.b[k][0].body;
-  if (other >= 0 && static_cast<std::size_t>(other) < network.n_stones())
+  if (other >= 0 && static_cast<std::size_t>(other) < network.n_particles())
     sum += 1. / network.inertia[static_cast<std::size_t>(other)];
   return sum;
 }
@@ -156,7 +156,7 @@ void add_contact(const SpringNetwork &network, std::size_t k, std::size_t body,
                                      weight * network.shear_dashpot[k]);
   block.spring.topLeftCorner<3, 3>() += spring;
   block.dashpot.topLeftCorner<3, 3>() += dashpot;
-  if (body >= network.n_stones())
+  if (body >= network.n_particles())
     return;
   const bool is_a = static_cast<std::size_t>(network.a[k]) == body;
   // d = u - [l] theta, with theta scaled so that its inertia is the mass.
@@ -208,7 +208,7 @@ std::vector<Quadratic> traces(const SpringNetwork &network,
                               const std::vector<double> &y)
 {
   std::vector<Quadratic> trace(network.n_bodies());
-  for (std::size_t i = network.n_stones(); i < network.n_bodies(); ++i)
+  for (std::size_t i = network.n_particles(); i < network.n_bodies(); ++i)
     trace[i].spring = 3. * network.point_frequency * network.point_frequency;
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
   {
@@ -222,7 +222,7 @@ std::vector<Quadratic> traces(const SpringNetwork &network,
                   const Quadratic own = trace_over(network, k, body, lever);
                   trace[body].spring += share * own.spring;
                   trace[body].dashpot += share * own.dashpot;
-                  if (body < network.n_stones())
+                  if (body < network.n_particles())
                     trace[body].spring += rolling;
                 });
   }
@@ -233,7 +233,7 @@ std::vector<Quadratic> traces(const SpringNetwork &network,
 Block own_block(const SpringNetwork &network, std::size_t body)
 {
   Block block;
-  if (body >= network.n_stones())
+  if (body >= network.n_particles())
     block.spring.topLeftCorner<3, 3>() =
         network.point_frequency * network.point_frequency * Mat3::Identity();
   return block;
@@ -319,8 +319,8 @@ NetworkStep step_with(const SpringNetwork &network,
 
 NetworkStep guaranteed_step(const SpringNetwork &network)
 {
-  // Both are bounds. Shares by mass suit stones of like load, those of the mode
-  // suit light nodes between stones.
+  // Both are bounds. Shares by mass suit particles of like load, those of the
+  // mode suit light nodes between particles.
   std::vector<double> over_mass;
   for (const double mass : network.mass)
     over_mass.push_back(1. / mass);
@@ -333,8 +333,8 @@ std::string describe_body(const SpringNetwork &network, std::int32_t body)
 {
   if (body < 0)
     return "no contacts";
-  int n_walls = 0, n_stones = 0, n_surface = 0;
-  const auto n = static_cast<std::int32_t>(network.n_stones());
+  int n_walls = 0, n_particles = 0, n_surface = 0;
+  const auto n = static_cast<std::int32_t>(network.n_particles());
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
   {
     const std::int32_t other = network.b[k][0].body;
@@ -343,17 +343,17 @@ std::string describe_body(const SpringNetwork &network, std::int32_t body)
                 [&](std::size_t i, double, const Vec3 &)
                 { is_here |= i == static_cast<std::size_t>(body); });
     if (is_here)
-      ++(other < 0 ? n_walls : other < n ? n_stones : n_surface);
+      ++(other < 0 ? n_walls : other < n ? n_particles : n_surface);
   }
   std::ostringstream text;
   text.precision(3);
-  text << (body < n ? "stone " : "membrane node ")
+  text << (body < n ? "particle " : "membrane node ")
        << (body < n ? body : body - n) << " of "
        << 1e3 * network.mass[static_cast<std::size_t>(body)] << " g on ";
   if (body >= n)
-    text << n_surface << " stones";
+    text << n_surface << " particles";
   else
-    text << n_walls << " walls, " << n_stones << " stones, " << n_surface
+    text << n_walls << " walls, " << n_particles << " particles, " << n_surface
          << " membrane contacts";
   return text.str();
 }

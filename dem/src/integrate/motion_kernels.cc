@@ -1,7 +1,7 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
 #include "motion_kernels.h"
 
-#include "../contact/lane_rows.h"
+#include "../contact/simd_rows.h"
 
 #include <dem/integrate/rotation.h>
 
@@ -9,9 +9,9 @@ namespace dem::kernel
 {
 namespace
 {
-using FrameLanes = LaneRows<frame_row>;
+using FrameSimd = SimdRows<frame_row>;
 
-/// Stones in a row; the last stands again in lanes that are past the end.
+/// Particles in a row; the last stands again in lanes that are past the end.
 struct Places
 {
   std::int64_t first, last;
@@ -23,24 +23,24 @@ struct Places
   }
 };
 
-/// Some stones with all that moves them. Lanes past the end work on the last
-/// stone too, with the same result.
+/// Some particles with all that moves them. Simd past the end work on the last
+/// particle too, with the same result.
 struct Movers
 {
-  LaneRows<stone_row, double> state;
-  LaneRows<load_row, double> load;
-  LaneVector velocity, spin;
-  Lanes mass, inertia;
-  Turn<Lanes> orientation;
+  SimdRows<particle_row, double> state;
+  SimdRows<load_row, double> load;
+  SimdVector velocity, spin;
+  Simd mass, inertia;
+  Turn<Simd> orientation;
   // With shapes.
-  LaneVector moments;
-  Lanes reach;
-  Turn<Lanes> principal;
+  SimdVector moments;
+  Simd reach;
+  Turn<Simd> principal;
 
   Movers(const Motion &motion, const Places &places)
       : state(motion.state, places), load(motion.load, places)
   {
-    const LaneQuad moving = state.quad(at_velocity),
+    const SimdQuad moving = state.quad(at_velocity),
                    turning = state.quad(at_spin);
     velocity = moving.vector;
     mass = moving.number;
@@ -49,47 +49,47 @@ struct Movers
     if (!motion.frame)
       return;
     orientation = turn(state.quad(at_orientation));
-    const FrameLanes frame(motion.frame, places);
-    const LaneQuad size = frame.quad(at_moments);
+    const FrameSimd frame(motion.frame, places);
+    const SimdQuad size = frame.quad(at_moments);
     moments = size.vector;
     reach = size.number;
     principal = turn(frame.quad(at_principal));
   }
 
-  static Turn<Lanes> turn(const LaneQuad &quad)
+  static Turn<Simd> turn(const SimdQuad &quad)
   {
     return {quad.vector, quad.number};
   }
 };
 
 /// Part of a load that local damping leaves: F - D |F| sgn(v).
-Lanes brake(const Lanes &load, double damping, const Lanes &rate)
+Simd brake(const Simd &load, double damping, const Simd &rate)
 {
-  const Lanes size = damping * stdx::abs(load);
+  const Simd size = damping * stdx::abs(load);
   return load -
-         select(rate > 0., size, select(rate < 0., Lanes(-size), Lanes(0.)));
+         select(rate > 0., size, select(rate < 0., Simd(-size), Simd(0.)));
 }
 
-LaneVector brake(const LaneVector &load, double damping, const LaneVector &rate)
+SimdVector brake(const SimdVector &load, double damping, const SimdVector &rate)
 {
   return {brake(load.x, damping, rate.x), brake(load.y, damping, rate.y),
           brake(load.z, damping, rate.z)};
 }
 
 /// The inverse of the inertia tensor times a moment.
-LaneVector over_inertia(const Motion &motion, const Movers &stones,
-                        const LaneVector &moment)
+SimdVector over_inertia(const Motion &motion, const Movers &particles,
+                        const SimdVector &moment)
 {
   if (!motion.has_tensors)
-    return 1. / stones.inertia * moment;
-  const Turn<Lanes> to_world = stones.orientation * stones.principal;
-  const LaneVector inner = inverse(to_world) * moment;
-  const LaneVector &of = stones.moments;
-  return to_world * LaneVector{inner.x / of.x, inner.y / of.y, inner.z / of.z};
+    return 1. / particles.inertia * moment;
+  const Turn<Simd> to_world = particles.orientation * particles.principal;
+  const SimdVector inner = inverse(to_world) * moment;
+  const SimdVector &of = particles.moments;
+  return to_world * SimdVector{inner.x / of.x, inner.y / of.y, inner.z / of.z};
 }
 
 /// Adds `value` of the first lanes to a column.
-void add_to(double *column, const Places &places, const Lanes &value)
+void add_to(double *column, const Places &places, const Simd &value)
 {
   double *first = column + places.first;
   if (places.are_all_there())
@@ -101,66 +101,69 @@ void add_to(double *column, const Places &places, const Lanes &value)
 
 /// v += F/m dt, omega += I^-1 M dt with what local damping leaves of F and M;
 /// books the work of damping and gravity.
-void kick(const Motion &motion, double dt, const Places &places, Movers &stones)
+void kick(const Motion &motion, double dt, const Places &places,
+          Movers &particles)
 {
-  const LaneVector velocity = stones.velocity, spin = stones.spin;
-  const LaneVector weight{stones.mass * motion.gravity[0],
-                          stones.mass * motion.gravity[1],
-                          stones.mass * motion.gravity[2]};
-  const LaneQuad first = stones.load.quad(0), rest = stones.load.quad(4);
-  const LaneVector force = first.vector + weight,
+  const SimdVector velocity = particles.velocity, spin = particles.spin;
+  const SimdVector weight{particles.mass * motion.gravity[0],
+                          particles.mass * motion.gravity[1],
+                          particles.mass * motion.gravity[2]};
+  const SimdQuad first = particles.load.quad(0), rest = particles.load.quad(4);
+  const SimdVector force = first.vector + weight,
                    moment{first.number, rest.vector.x, rest.vector.y};
-  LaneVector kept_force = force, kept_moment = moment;
+  SimdVector kept_force = force, kept_moment = moment;
   if (motion.damped)
   {
     kept_force = brake(force, motion.local_damping, velocity);
     kept_moment = brake(moment, motion.local_damping, spin);
   }
-  stones.velocity += dt / stones.mass * kept_force;
-  stones.spin += Lanes(dt) * over_inertia(motion, stones, kept_moment);
+  particles.velocity += dt / particles.mass * kept_force;
+  particles.spin += Simd(dt) * over_inertia(motion, particles, kept_moment);
   if (motion.damped)
     add_to(motion.damped, places,
            0.5 * dt *
-               (dot(force - kept_force, velocity + stones.velocity) +
-                dot(moment - kept_moment, spin + stones.spin)));
+               (dot(force - kept_force, velocity + particles.velocity) +
+                dot(moment - kept_moment, spin + particles.spin)));
   if (motion.lifted)
     add_to(motion.lifted, places,
-           0.5 * dt * dot(weight, velocity + stones.velocity));
+           0.5 * dt * dot(weight, velocity + particles.velocity));
 }
 
-void turn(const Motion &motion, Movers &stones)
+void turn(const Motion &motion, Movers &particles)
 {
   if (!motion.frame)
     return;
   if (!motion.has_tensors)
   {
-    stones.orientation = normalised(
-        exponential(Lanes(motion.drift) * stones.spin) * stones.orientation);
+    particles.orientation =
+        normalised(exponential(Simd(motion.drift) * particles.spin) *
+                   particles.orientation);
     return;
   }
-  Rotor<Lanes> rotor{stones.moments, stones.orientation * stones.principal,
-                     stones.spin};
+  Rotor<Simd> rotor{particles.moments,
+                    particles.orientation * particles.principal,
+                    particles.spin};
   turn_freely(rotor, motion.drift);
-  stones.spin = rotor.spin;
-  stones.orientation = rotor.to_world * inverse(stones.principal);
+  particles.spin = rotor.spin;
+  particles.orientation = rotor.to_world * inverse(particles.principal);
 }
 
-double largest(const Lanes &value)
+double largest(const Simd &value)
 {
   return stdx::hmax(value);
 }
 
-/// How fast the stones are, after the drift.
+/// How fast the particles are, after the drift.
 Fastest note_speeds(const Motion &motion, const Places &places,
-                    const Movers &stones)
+                    const Movers &particles)
 {
-  const Lanes square = dot(stones.velocity, stones.velocity);
+  const Simd square = dot(particles.velocity, particles.velocity);
   Fastest speeds{largest(square), 0.};
   if (!motion.frame)
     return speeds;
-  const Lanes closing =
+  const Simd closing =
       (1. + motion.steepness) * stdx::sqrt(square) +
-      stones.reach * stdx::sqrt(dot(stones.spin, stones.spin));
+      particles.reach * stdx::sqrt(dot(particles.spin, particles.spin));
   speeds.closing = largest(closing);
   if (motion.travelled)
     add_to(motion.travelled, places, motion.drift * closing);
@@ -168,43 +171,44 @@ Fastest note_speeds(const Motion &motion, const Places &places,
 }
 
 /// Adds zero times what is stored to `check`: NaN if it is not finite.
-void store_places(const Motion &motion, const Movers &stones, Lanes &check)
+void store_places(const Motion &motion, const Movers &particles, Simd &check)
 {
-  const LaneQuad ball = stones.state.quad(at_position);
-  const LaneVector moved = ball.vector + Lanes(motion.drift) * stones.velocity;
-  stones.state.set(at_position, {moved, ball.number});
+  const SimdQuad ball = particles.state.quad(at_position);
+  const SimdVector moved =
+      ball.vector + Simd(motion.drift) * particles.velocity;
+  particles.state.set(at_position, {moved, ball.number});
   if (motion.frame)
-    stones.state.set(at_orientation,
-                     {stones.orientation.vector, stones.orientation.number});
-  stones.load.set(0, {});
-  stones.load.set(4, {});
-  check += 0. * (moved.x + moved.y + moved.z + stones.spin.x + stones.spin.y +
-                 stones.spin.z);
+    particles.state.set(at_orientation, {particles.orientation.vector,
+                                         particles.orientation.number});
+  particles.load.set(0, {});
+  particles.load.set(4, {});
+  check += 0. * (moved.x + moved.y + moved.z + particles.spin.x +
+                 particles.spin.y + particles.spin.z);
 }
 
 [[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places,
-                                   Lanes &check)
+                                   Simd &check)
 {
-  Movers stones(motion, places);
+  Movers particles(motion, places);
   if (motion.owed > 0.)
-    kick(motion, motion.owed, places, stones);
-  kick(motion, motion.kick, places, stones);
+    kick(motion, motion.owed, places, particles);
+  kick(motion, motion.kick, places, particles);
   Fastest speeds;
   if (motion.drift > 0.)
   {
-    turn(motion, stones);
-    speeds = note_speeds(motion, places, stones);
-    store_places(motion, stones, check);
+    turn(motion, particles);
+    speeds = note_speeds(motion, places, particles);
+    store_places(motion, particles, check);
   }
-  stones.state.set(at_velocity, {stones.velocity, stones.mass});
-  stones.state.set(at_spin, {stones.spin, stones.inertia});
+  particles.state.set(at_velocity, {particles.velocity, particles.mass});
+  particles.state.set(at_spin, {particles.spin, particles.inertia});
   return speeds;
 }
 
 Fastest move_range(const Motion &motion, std::int64_t first, std::int64_t last)
 {
   Fastest fastest;
-  Lanes check = 0.;
+  Simd check = 0.;
   for (std::int64_t k = first; k < last; k += n_lanes)
   {
     const Fastest speeds = move_some(motion, {k, last}, check);

@@ -2,8 +2,8 @@
 
 #include "../contact/force_kernels.h"
 
-/// The loops over stones as they are compiled for each instruction set. Plain
-/// pointers only, as in force_kernels.h.
+/// The loops over particles as they are compiled for each instruction set.
+/// Plain pointers only, as in force_kernels.h.
 namespace dem::kernel
 {
 /// TurningFrame in numbers, and where its fields are.
@@ -13,10 +13,10 @@ inline constexpr int frame_row = 8, at_moments = 0, at_reach = 3,
 /// What the loops read and write; columns that the scene lacks are null.
 struct Motion
 {
-  double *state, *load; ///< StoneState, StoneLoad
+  double *state, *load; ///< ParticleState, ParticleLoad
   const double *frame;  ///< TurningFrame; null: spheres
   double *travelled;    ///< Particles::travelled, null: spheres
-  bool has_tensors;     ///< stones turn with their whole tensors
+  bool has_tensors;     ///< particles turn with their whole tensors
   double *damped;       ///< WorkColumns, null without local damping
   double *lifted;       ///< null without gravity
   double gravity[3];    ///< [m/s^2]
@@ -26,7 +26,7 @@ struct Motion
   double kick, drift;   ///< [s]; drift 0: the kick alone
 };
 
-/// Of some stones, as Speeds.
+/// Of some particles, as Speeds.
 struct Fastest
 {
   double moving = 0.; ///< squared
@@ -36,7 +36,7 @@ struct Fastest
   double check = 0.;
 };
 
-/// Moves the stones [first, last).
+/// Moves the particles [first, last).
 using MotionLoop = Fastest (*)(const Motion &motion, std::int64_t first,
                                std::int64_t last);
 

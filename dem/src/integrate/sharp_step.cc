@@ -11,7 +11,7 @@ namespace
 {
 using Field = Eigen::VectorXd;
 
-/// M^(-1/2) (dt^2 K + 2 dt C) M^(-1/2); six unknowns per stone, three per
+/// M^(-1/2) (dt^2 K + 2 dt C) M^(-1/2); six unknowns per particle, three per
 /// point.
 class ScaledOperator
 {
@@ -26,13 +26,13 @@ public:
 
   Eigen::Index size() const
   {
-    return static_cast<Eigen::Index>(3 *
-                                     (network.n_bodies() + network.n_stones()));
+    return static_cast<Eigen::Index>(
+        3 * (network.n_bodies() + network.n_particles()));
   }
 
   void apply(double dt, const Field &x, Field &y) const
   {
-    const auto n = static_cast<Eigen::Index>(3 * network.n_stones());
+    const auto n = static_cast<Eigen::Index>(3 * network.n_particles());
     y.setZero();
     const double own = std::pow(dt * network.point_frequency, 2);
     y.tail(size() - 2 * n) = own * x.tail(size() - 2 * n);
@@ -43,14 +43,14 @@ public:
 private:
   Eigen::Index moving(std::size_t body) const
   {
-    const std::size_t n = network.n_stones();
+    const std::size_t n = network.n_particles();
     return static_cast<Eigen::Index>(3 * (body < n ? body : body + n));
   }
-  Eigen::Index turning(std::size_t stone) const
+  Eigen::Index turning(std::size_t particle) const
   {
-    return static_cast<Eigen::Index>(3 * (stone + network.n_stones()));
+    return static_cast<Eigen::Index>(3 * (particle + network.n_particles()));
   }
-  bool turns(std::size_t body) const { return body < network.n_stones(); }
+  bool turns(std::size_t body) const { return body < network.n_particles(); }
 
   void apply_contact(std::size_t k, double dt, const Field &x, Field &y) const
   {

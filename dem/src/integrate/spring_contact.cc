@@ -64,50 +64,51 @@ void append(SpringNetwork &network, const SpringContact &c,
 void add_impacts(const Engine &engine, const Foresight &ahead,
                  SpringNetwork &network)
 {
-  const Particles &stones = engine.particles();
+  const ParticleSystem &particles = engine.particles();
   const EngineParameters &parameters = engine.parameters();
   double fastest = 0.;
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    fastest = std::max(fastest, stones.velocity(i).norm());
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    fastest = std::max(fastest, particles.velocity(i).norm());
   const double speed = 2. * (fastest + ahead.gained_speed);
   if (speed * ahead.horizon <= engine.listed_gap())
     return;
-  std::vector<char> is_near(stones.size());
+  std::vector<char> is_near(particles.size());
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
   {
     is_near[static_cast<std::size_t>(network.a[k])] = 1;
     if (const FarShare &far = network.b[k].front();
-        far.body >= 0 && static_cast<std::size_t>(far.body) < stones.size())
+        far.body >= 0 && static_cast<std::size_t>(far.body) < particles.size())
       is_near[static_cast<std::size_t>(far.body)] = 1;
   }
   const bool on_plate = parameters.wall.law == WallLaw::hertz;
   const ContactCoefficients coefficients =
       on_plate ? coefficients_of(parameters.wall)
-               : coefficients_of(parameters.stone);
+               : coefficients_of(parameters.particle);
   const ElasticityTable elasticity(parameters);
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
     if (is_near[i])
       continue;
-    const double curvature = 1. / stones.radius(i),
+    const double curvature = 1. / particles.radius(i),
                  other = on_plate ? 0. : curvature;
     const HertzPrefactors prefactors = elliptic_table()(
-        on_plate ? elasticity.on_plate(stones.material[i])
-                 : elasticity.pair(stones.material[i], stones.material[i]),
+        on_plate
+            ? elasticity.on_plate(particles.material[i])
+            : elasticity.pair(particles.material[i], particles.material[i]),
         gap_coefficients({curvature, curvature, other, other, 1.}));
     const NormalSpring<double> spring = hertz_spring(
         prefactors.normal, prefactors.tangential,
         std::min(speed * ahead.horizon,
-                 impact_overlap(prefactors.normal, stones.mass(i), speed)));
+                 impact_overlap(prefactors.normal, particles.mass(i), speed)));
     SpringContact c;
     c.a = static_cast<std::int32_t>(i);
-    c.lever_a = stones.radius(i) * c.normal;
+    c.lever_a = particles.radius(i) * c.normal;
     c.normal_stiffness = spring.stiffness;
     c.shear_stiffness = spring.shear_stiffness;
     c.hertz_prefactor = prefactors.normal;
     c.closing_speed = speed;
-    c.rolling_radius = stones.radius(i);
-    c.reduced_mass = stones.mass(i);
+    c.rolling_radius = particles.radius(i);
+    c.reduced_mass = particles.mass(i);
     c.coefficients = coefficients;
     append(network, c, ahead);
   }

@@ -32,7 +32,7 @@ struct Foresight
 /// With a horizon [s] at this state of the engine; none: nothing is foreseen.
 Foresight foresight_of(const Engine &engine, double horizon);
 
-/// Of stones on each other, or on a wall.
+/// Of particles on each other, or on a wall.
 template <class Material>
 ContactCoefficients coefficients_of(const Material &material)
 {
@@ -45,10 +45,10 @@ ContactCoefficients coefficients_of(const Material &material)
 void append(SpringNetwork &network, const SpringContact &c,
             const Foresight &ahead);
 
-/// Where stones come further before the horizon than the lists see, those that
-/// have nothing near may yet have an impact: on a Hertz plate, or a stone that
-/// does not give way, when both are as fast as the fastest. What is linear is
-/// as stiff at any speed.
+/// Where particles come further before the horizon than the lists see, those
+/// that have nothing near may yet have an impact: on a Hertz plate, or a
+/// particle that does not give way, when both are as fast as the fastest. What
+/// is linear is as stiff at any speed.
 void add_impacts(const Engine &engine, const Foresight &ahead,
                  SpringNetwork &network);
 } // namespace dem

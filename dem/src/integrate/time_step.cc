@@ -52,17 +52,17 @@ double wall_step(const WallMaterial &wall, double mass)
 /// Material 0 as a solid among the others.
 SolidMaterial solid_of(const EngineParameters &parameters, std::size_t material)
 {
-  const StoneMaterial &stone = parameters.stone;
+  const ParticleMaterial &particle = parameters.particle;
   return material > 0 ? parameters.other_solids.at(material - 1)
-                      : SolidMaterial{stone.density, stone.shear_modulus,
-                                      stone.poisson_ratio};
+                      : SolidMaterial{particle.density, particle.shear_modulus,
+                                      particle.poisson_ratio};
 }
 
 /// The shortest over the materials, each by its smallest body.
 StepLimit rayleigh_step(const EngineParameters &parameters,
-                        const Particles &particles)
+                        const ParticleSystem &particles)
 {
-  StepLimit limit{std::numeric_limits<double>::infinity(), "no stone"};
+  StepLimit limit{std::numeric_limits<double>::infinity(), "no particle"};
   for (std::size_t m = 0; m <= parameters.other_solids.size(); ++m)
   {
     double radius = std::numeric_limits<double>::infinity();
@@ -75,23 +75,24 @@ StepLimit rayleigh_step(const EngineParameters &parameters,
                         (0.1631 * solid.poisson_ratio + 0.8766);
     if (step < limit.step)
       limit = {step, m > 0 ? "Rayleigh wave in the smallest ball that is no "
-                             "stone"
-                           : "Rayleigh wave in the smallest stone"};
+                             "particle"
+                           : "Rayleigh wave in the smallest particle"};
   }
   return limit;
 }
 } // namespace
 
 StepLimit critical_step(const EngineParameters &parameters,
-                        const Particles &particles, const std::string &surface)
+                        const ParticleSystem &particles,
+                        const std::string &surface)
 {
   const double mass = particles.smallest_mass();
   StepLimit limit = rayleigh_step(parameters, particles);
   if (const double step = wall_step(parameters.wall, mass); step < limit.step)
-    limit = {step, "lightest stone on a wall (Wall/normal_stiffness)"};
+    limit = {step, "lightest particle on a wall (Wall/normal_stiffness)"};
   if (const double step = wall_step(parameters.surface, mass);
       step < limit.step)
-    limit = {step, "lightest stone on " + surface};
+    limit = {step, "lightest particle on " + surface};
   return limit;
 }
 } // namespace dem

@@ -11,8 +11,8 @@ namespace
 {
 static_assert(sizeof(TurningFrame) == kernel::frame_row * sizeof(double));
 
-/// Stones that one thread moves in turn, and how many are worth threads: those
-/// that a thread loads and moves are still in its cache.
+/// Particles that one thread moves in turn, and how many are worth threads:
+/// those that a thread loads and moves are still in its cache.
 constexpr std::int64_t range = 16, n_worth_threads = 256;
 
 template <class Row>
@@ -22,8 +22,9 @@ double *numbers(std::vector<Row> &rows)
 }
 
 /// The kick alone.
-kernel::Motion motion_of(Particles &particles, const KickParameters &parameters,
-                         double time_step, WorkColumns &work)
+kernel::Motion motion_of(ParticleSystem &particles,
+                         const KickParameters &parameters, double time_step,
+                         WorkColumns &work)
 {
   const Vec3 &g = parameters.gravity;
   return {numbers(particles.state),
@@ -41,9 +42,9 @@ kernel::Motion motion_of(Particles &particles, const KickParameters &parameters,
           0.};
 }
 
-Speeds move_all(const kernel::Motion &motion, std::size_t n_stones)
+Speeds move_all(const kernel::Motion &motion, std::size_t n_particles)
 {
-  const auto n = static_cast<std::int64_t>(n_stones);
+  const auto n = static_cast<std::int64_t>(n_particles);
   const kernel::MotionLoop loop = kernel::motion_loop();
   double moving = 0., closing = 0., check = 0.;
 #pragma omp parallel for schedule(static)                                      \
@@ -62,7 +63,7 @@ Speeds move_all(const kernel::Motion &motion, std::size_t n_stones)
 }
 } // namespace
 
-Speeds kick_and_drift(Particles &particles, const StartOfStep &start,
+Speeds kick_and_drift(ParticleSystem &particles, const StartOfStep &start,
                       WorkColumns &work)
 {
   kernel::Motion motion =
@@ -73,7 +74,7 @@ Speeds kick_and_drift(Particles &particles, const StartOfStep &start,
   return move_all(motion, particles.size());
 }
 
-void kick(Particles &particles, const KickParameters &parameters,
+void kick(ParticleSystem &particles, const KickParameters &parameters,
           double time_step, WorkColumns &work)
 {
   move_all(motion_of(particles, parameters, time_step, work), particles.size());

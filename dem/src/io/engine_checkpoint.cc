@@ -12,7 +12,8 @@ constexpr std::int32_t is_sphere = -1, is_own = -2;
 
 using Library = std::vector<std::shared_ptr<const Coefficients>>;
 
-void save_body(std::ostream &out, const Body &body, const Library &library)
+void save_body(std::ostream &out, const ParticleShape &body,
+               const Library &library)
 {
   std::int32_t place = is_sphere;
   if (body.series)
@@ -33,7 +34,7 @@ void save_body(std::ostream &out, const Body &body, const Library &library)
   write_value(out, body.principal.coeffs());
 }
 
-void restore_body(std::istream &in, Body &body, const Library &library)
+void restore_body(std::istream &in, ParticleShape &body, const Library &library)
 {
   std::int32_t place = is_sphere;
   read_value(in, place);
@@ -83,15 +84,15 @@ std::string read_name(std::istream &in)
 template <class Candidates, class Visit>
 void visit_candidates(Candidates &candidates, const Visit &visit)
 {
-  visit(candidates.stone);
+  visit(candidates.particle);
   visit(candidates.row_start);
   visit(candidates.triangle);
-  visit(candidates.triangle_wake);
-  visit(candidates.wake);
+  visit(candidates.triangle_reactivation);
+  visit(candidates.reactivation);
 }
 
-/// What a FacetSpot has beside the vertices that carry it.
-struct SpotHead
+/// What a FacetContactPoint has beside the vertices that carry it.
+struct ContactPointHead
 {
   std::int64_t triangle = -1;
   std::array<double, 3> weight{};
@@ -101,43 +102,47 @@ struct SpotHead
   std::int64_t n_shares = 0;
 };
 
-/// Heads in one column, the shares of all spots in another.
-void save_spots(std::ostream &out, const std::vector<FacetSpot> &spots)
+/// Heads in one column, the shares of all contact_points in another.
+void save_contact_points(std::ostream &out,
+                         const std::vector<FacetContactPoint> &contact_points)
 {
-  std::vector<SpotHead> heads;
+  std::vector<ContactPointHead> heads;
   std::vector<VertexShare> shares;
-  heads.reserve(spots.size());
-  for (const FacetSpot &spot : spots)
+  heads.reserve(contact_points.size());
+  for (const FacetContactPoint &contact_point : contact_points)
   {
-    heads.push_back({spot.triangle, spot.weight, spot.normal, spot.shares.walls,
-                     spot.shares.extra,
-                     static_cast<std::int64_t>(spot.shares.of.size())});
-    shares.insert(shares.end(), spot.shares.of.begin(), spot.shares.of.end());
+    heads.push_back(
+        {contact_point.triangle, contact_point.weight, contact_point.normal,
+         contact_point.shares.walls, contact_point.shares.extra,
+         static_cast<std::int64_t>(contact_point.shares.of.size())});
+    shares.insert(shares.end(), contact_point.shares.of.begin(),
+                  contact_point.shares.of.end());
   }
   write_column(out, heads);
   write_column(out, shares);
 }
 
-void restore_spots(std::istream &in, std::vector<FacetSpot> &spots)
+void restore_contact_points(std::istream &in,
+                            std::vector<FacetContactPoint> &contact_points)
 {
-  std::vector<SpotHead> heads;
+  std::vector<ContactPointHead> heads;
   std::vector<VertexShare> shares;
   read_column(in, heads);
   read_column(in, shares);
-  spots.resize(heads.size());
+  contact_points.resize(heads.size());
   auto next = shares.cbegin();
   for (std::size_t k = 0; k < heads.size(); ++k)
   {
-    const SpotHead &head = heads[k];
+    const ContactPointHead &head = heads[k];
     if (head.n_shares < 0 || head.n_shares > shares.cend() - next)
       throw std::runtime_error("checkpoint is damaged");
-    FacetSpot &spot = spots[k];
-    spot.triangle = head.triangle;
-    spot.weight = head.weight;
-    spot.normal = head.normal;
-    spot.shares.walls = head.walls;
-    spot.shares.extra = head.extra;
-    spot.shares.of.assign(next, next + head.n_shares);
+    FacetContactPoint &contact_point = contact_points[k];
+    contact_point.triangle = head.triangle;
+    contact_point.weight = head.weight;
+    contact_point.normal = head.normal;
+    contact_point.shares.walls = head.walls;
+    contact_point.shares.extra = head.extra;
+    contact_point.shares.of.assign(next, next + head.n_shares);
     next += head.n_shares;
   }
 }
@@ -160,7 +165,7 @@ void visit_layout(Layout &layout, const Visit &visit)
   visit(layout.has_damage);
   visit(layout.has_turn);
   visit(layout.has_peak);
-  visit(layout.has_spots);
+  visit(layout.has_contact_points);
 }
 
 void save_batch(std::ostream &out, const ContactBatch &batch)
@@ -184,8 +189,8 @@ template <class Facets, class Visit>
 void visit_contacts(Facets &facets, const Visit &visit)
 {
   visit_candidates(facets.candidates, visit);
-  visit(facets.watched);
-  FacetWatch::visit(facets.watch, visit);
+  visit(facets.near_particles);
+  FacetMotion::visit(facets.watch, visit);
   visit(facets.impulse);
   visit(facets.load_before);
 }
@@ -198,7 +203,7 @@ void save_facets(std::ostream &out, const SurfaceContacts &facets)
   visit_surface(facets.surface, put);
   save_batch(out, facets.batch);
   visit_contacts(facets, put);
-  save_spots(out, facets.candidates.spot);
+  save_contact_points(out, facets.candidates.contact_point);
   write_value(out, facets.work);
 }
 
@@ -213,7 +218,7 @@ SurfaceContacts restore_facets(std::istream &in)
   SurfaceContacts facets(name, material, std::move(surface));
   restore_batch(in, facets.batch);
   visit_contacts(facets, get);
-  restore_spots(in, facets.candidates.spot);
+  restore_contact_points(in, facets.candidates.contact_point);
   read_value(in, facets.work);
   return facets;
 }
@@ -222,7 +227,7 @@ SurfaceContacts restore_facets(std::istream &in)
 template <class Self, class Visit>
 void Engine::visit_state(Self &self, const Visit &visit)
 {
-  visit(self.settings.stone.friction);
+  visit(self.settings.particle.friction);
   visit(self.settings.local_damping);
   visit(self.settings.geometry.refresh_tolerance);
   visit(self.settings.breakage.is_active);
@@ -254,8 +259,8 @@ void Engine::save(std::ostream &out, const Library &library) const
 {
   finish_kick();
   const auto put = [&out](const auto &column) { write_column(out, column); };
-  Particles::visit(stones, put);
-  for (const Body &body : stones.body)
+  ParticleSystem::visit(system, put);
+  for (const ParticleShape &body : system.shape)
     save_body(out, body, library);
   put(walls);
   write_value(out, barrel);
@@ -270,28 +275,28 @@ void Engine::save(std::ostream &out, const Library &library) const
   put(patches.factors);
   const auto put_value = [&out](const auto &value) { write_value(out, value); };
   visit_state(*this, put_value);
-  SpotLists::visit(spots, put_value, put);
+  ContactPointLists::visit(contact_points, put_value, put);
 }
 
 void Engine::restore(std::istream &in, const Library &library)
 {
-  owed_kick = 0.;
+  pending_half_kick = 0.;
   const auto get = [&in](auto &column) { read_column(in, column); };
-  Particles::visit(stones, get);
-  stones.body.resize(stones.id.size());
-  stones.has_shapes = false;
-  stones.follows_surfaces = settings.geometry.follows_surfaces();
-  stones.has_materials =
-      std::ranges::any_of(stones.material, [](auto m) { return m != 0; });
-  for (Body &body : stones.body)
+  ParticleSystem::visit(system, get);
+  system.shape.resize(system.id.size());
+  system.has_shapes = false;
+  system.follows_surfaces = settings.geometry.follows_surfaces();
+  system.has_materials =
+      std::ranges::any_of(system.material, [](auto m) { return m != 0; });
+  for (ParticleShape &body : system.shape)
   {
     restore_body(in, body, library);
-    stones.has_shapes |= body.series != nullptr;
+    system.has_shapes |= body.series != nullptr;
   }
-  stones.renew_frames();
+  system.renew_frames();
   get(walls);
   read_value(in, barrel);
-  shelf = DrumShelf(barrel);
+  lifter = DrumLifter(barrel);
   get(drum_walls);
   for (ContactBatch *batch : {&pair_batch, &plane_batch, &drum_batch})
     restore_batch(in, *batch);
@@ -307,7 +312,7 @@ void Engine::restore(std::istream &in, const Library &library)
   get(patches.factors);
   const auto get_value = [&in](auto &value) { read_value(in, value); };
   visit_state(*this, get_value);
-  SpotLists::visit(spots, get_value, get);
+  ContactPointLists::visit(contact_points, get_value, get);
   events.clear();
 }
 } // namespace dem

@@ -115,19 +115,19 @@ void add_particle_fields(vtkPointData *data, const ParticleColumns &in)
               });
 }
 
-/// Radii of stones at the directions of one sphere. The harmonics are
-/// evaluated once per order: a stone then costs one matrix product.
+/// Radii of particles at the directions of one sphere. The harmonics are
+/// evaluated once per order: a particle then costs one matrix product.
 class SurfaceRadii
 {
 public:
   explicit SurfaceRadii(const std::vector<Vec3> &sphere) : directions(sphere) {}
 
-  /// [m]; `ball_radius` is that of a stone without a series.
-  Eigen::VectorXd of(const Body &body, double ball_radius)
+  /// [m]; `equivalent_radius` is that of a particle without a series.
+  Eigen::VectorXd of(const ParticleShape &body, double equivalent_radius)
   {
     const auto n = static_cast<Eigen::Index>(directions.size());
     if (!body.series)
-      return Eigen::VectorXd::Constant(n, ball_radius);
+      return Eigen::VectorXd::Constant(n, equivalent_radius);
     const Coefficients &series = *body.series;
     const Eigen::Map<const Eigen::VectorXd> a(
         series.data(), static_cast<Eigen::Index>(series.size()));
@@ -185,12 +185,12 @@ vtkNew<vtkPoints> surface_points(const ParticleColumns &in,
   return points;
 }
 
-vtkNew<vtkCellArray> surface_cells(std::size_t n_stones,
+vtkNew<vtkCellArray> surface_cells(std::size_t n_particles,
                                    const Icosphere &sphere)
 {
   vtkNew<vtkCellArray> cells;
   const auto n_points = static_cast<vtkIdType>(sphere.directions.size());
-  for (std::size_t k = 0; k < n_stones; ++k)
+  for (std::size_t k = 0; k < n_particles; ++k)
   {
     const vtkIdType first = static_cast<vtkIdType>(k) * n_points;
     for (const auto &[a, b, c] : sphere.triangles)
@@ -222,7 +222,7 @@ void add_contact_fields(vtkUnstructuredGrid *grid,
 void write_particles(const std::string &path, const ParticleColumns &particles)
 {
   const std::size_t n = particles.id.size();
-  DEM_ASSERT(particles.position.size() == n && particles.body.size() == n);
+  DEM_ASSERT(particles.position.size() == n && particles.shape.size() == n);
   vtkNew<vtkPoints> points = make_points(n);
   vtkNew<vtkCellArray> cells;
   for (std::size_t k = 0; k < n; ++k)
@@ -243,15 +243,15 @@ void write_surfaces(const std::string &path, const ParticleColumns &particles)
   const std::size_t n = particles.id.size();
   DEM_ASSERT(particles.orientation.size() == n && particles.loss.size() == n);
   const Icosphere sphere = make_icosphere(n_surface_divisions);
-  const std::size_t per_stone = sphere.triangles.size();
+  const std::size_t per_particle = sphere.triangles.size();
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(surface_points(particles, sphere));
   grid->SetCells(VTK_TRIANGLE, surface_cells(n, sphere));
-  add_scalars<vtkTypeInt64Array>(grid->GetCellData(), "id", n * per_stone,
+  add_scalars<vtkTypeInt64Array>(grid->GetCellData(), "id", n * per_particle,
                                  [&](std::size_t k)
-                                 { return particles.id[k / per_stone]; });
-  add_scalars(grid->GetCellData(), "loss_1", n * per_stone,
-              [&](std::size_t k) { return particles.loss[k / per_stone]; });
+                                 { return particles.id[k / per_particle]; });
+  add_scalars(grid->GetCellData(), "loss_1", n * per_particle,
+              [&](std::size_t k) { return particles.loss[k / per_particle]; });
   write_grid(path, grid);
 }
 
@@ -280,7 +280,7 @@ void write_drum(const std::string &path, const Drum &drum)
   constexpr int n_strips = 72;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  const Vec3 out = shelf_direction(drum), side = drum.axis.cross(out);
+  const Vec3 out = lifter_direction(drum), side = drum.axis.cross(out);
   // Points of a line along the axis, then quads from each line to the next.
   const auto add_line = [&](double u, double v)
   {
@@ -302,10 +302,10 @@ void write_drum(const std::string &path, const Drum &drum)
     add_line(drum.radius * std::cos(angle), drum.radius * std::sin(angle));
   }
   join_lines(0, n_strips);
-  if (drum.shelf_height > 0.)
+  if (drum.lifter_height > 0.)
   {
-    const double tip = drum.radius - drum.shelf_height,
-                 half = 0.5 * drum.shelf_thickness;
+    const double tip = drum.radius - drum.lifter_height,
+                 half = 0.5 * drum.lifter_thickness;
     add_line(drum.radius, -half);
     add_line(tip, -half);
     add_line(tip, half);

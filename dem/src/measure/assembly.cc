@@ -6,19 +6,20 @@ namespace dem
 namespace
 {
 /// From A to B.
-Vec3 contact_normal(const Particles &particles, const ContactBatch &pairs,
+Vec3 contact_normal(const ParticleSystem &particles, const ContactBatch &pairs,
                     std::size_t k)
 {
   const auto a = static_cast<std::size_t>(pairs.a[k]),
              b = static_cast<std::size_t>(pairs.b[k]);
-  if (pairs.layout.has_spots)
+  if (pairs.layout.has_contact_points)
     return particles.orientation(a) *
-           surface_point(particles.body[a], pairs.side_a.spot(k)).normal;
+           surface_point(particles.shape[a], pairs.side_a.contact_point(k))
+               .normal;
   return (particles.position(b) - particles.position(a)).normalized();
 }
 } // namespace
 
-Vec3 pair_force(const Particles &particles, const ContactBatch &pairs,
+Vec3 pair_force(const ParticleSystem &particles, const ContactBatch &pairs,
                 std::size_t k)
 {
   const Vec3 normal = contact_normal(particles, pairs, k);
@@ -27,7 +28,7 @@ Vec3 pair_force(const Particles &particles, const ContactBatch &pairs,
          pairs.normal_force[k] * normal;
 }
 
-ContactNetwork contact_network(const Particles &particles,
+ContactNetwork contact_network(const ParticleSystem &particles,
                                const ContactBatch &pairs)
 {
   std::vector<int> n_of(particles.size(), 0);
@@ -71,7 +72,7 @@ ContactNetwork contact_network(const Particles &particles,
   return network;
 }
 
-double abrasion(const Particles &particles)
+double abrasion(const ParticleSystem &particles)
 {
   double now = 0., before = 0.;
   for (std::size_t i = 0; i < particles.size(); ++i)
@@ -82,19 +83,20 @@ double abrasion(const Particles &particles)
   return before > 0. ? (before - now) / before : 0.;
 }
 
-double unbalanced_force_ratio(const Particles &particles,
+double unbalanced_force_ratio(const ParticleSystem &particles,
                               const ContactBatch &pairs)
 {
   const double mean_force = contact_network(particles, pairs).mean_force;
   double sum = 0.;
-  for (const StoneLoad &load : particles.load)
+  for (const ParticleLoad &load : particles.load)
     sum += load.force.norm();
   return mean_force > 0.
              ? sum / static_cast<double>(particles.size()) / mean_force
              : 0.;
 }
 
-Vec3 affine_stiffness(const Particles &particles, const ContactBatch &pairs)
+Vec3 affine_stiffness(const ParticleSystem &particles,
+                      const ContactBatch &pairs)
 {
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 0; k < pairs.size(); ++k)

@@ -126,16 +126,16 @@ private:
   std::array<std::size_t, 2> n{};
 };
 
-/// Which points of the grid are in stones.
-std::vector<std::uint8_t> solid_points(const Particles &stones,
+/// Which points of the grid are in particles.
+std::vector<std::uint8_t> solid_points(const ParticleSystem &particles,
                                        const PointGrid &grid)
 {
   std::vector<std::uint8_t> is_solid(grid.size(), 0);
-  for (std::size_t s = 0; s < stones.size(); ++s)
+  for (std::size_t s = 0; s < particles.size(); ++s)
   {
-    const Body &body = stones.body[s];
-    const Vec3 centre = stones.position(s);
-    const Mat3 back = stones.rotation(s).transpose();
+    const ParticleShape &body = particles.shape[s];
+    const Vec3 centre = particles.position(s);
+    const Mat3 back = particles.rotation(s).transpose();
     const auto holds = [&](const Vec3 &arm)
     {
       const double square = arm.squaredNorm();
@@ -199,8 +199,8 @@ struct Tally
   }
 };
 
-/// Stones and the contacts of those that bear (two or more).
-struct StoneTally
+/// Particles and the contacts of those that bear (two or more).
+struct ParticleTally
 {
   std::int64_t n = 0, n_bearing = 0, n_contacts = 0;
 
@@ -220,12 +220,12 @@ struct Layers
 {
   double thickness;
   std::vector<Tally> points;
-  std::vector<StoneTally> stones;
+  std::vector<ParticleTally> particles;
 
   Layers(double each, double reach)
       : thickness(each),
         points(static_cast<std::size_t>(std::ceil(reach / each))),
-        stones(points.size())
+        particles(points.size())
   {
   }
   std::size_t at(double distance) const
@@ -240,17 +240,17 @@ struct Layers
     {
       profile.distance.push_back((static_cast<double>(k) + 0.5) * thickness);
       profile.porosity.push_back(points[k].porosity());
-      profile.coordination.push_back(stones[k].coordination());
-      profile.n_stones.push_back(static_cast<double>(stones[k].n));
+      profile.coordination.push_back(particles[k].coordination());
+      profile.n_particles.push_back(static_cast<double>(particles[k].n));
     }
     return profile;
   }
 };
 
-std::vector<int> contacts_of_stones(const Particles &stones,
-                                    const Network &network)
+std::vector<int> contacts_of_particles(const ParticleSystem &particles,
+                                       const Network &network)
 {
-  std::vector<int> n_of(stones.size(), 0);
+  std::vector<int> n_of(particles.size(), 0);
   for (const PairContact &contact : network.pairs)
   {
     ++n_of[static_cast<std::size_t>(contact.a)];
@@ -260,12 +260,12 @@ std::vector<int> contacts_of_stones(const Particles &stones,
 }
 } // namespace
 
-BoundaryProfile boundary_profile(const Particles &stones,
+BoundaryProfile boundary_profile(const ParticleSystem &particles,
                                  const Network &network, const Outline &outline,
                                  const ProfileWidths &widths)
 {
   const PointGrid grid(outline);
-  const std::vector<std::uint8_t> is_solid = solid_points(stones, grid);
+  const std::vector<std::uint8_t> is_solid = solid_points(particles, grid);
   const double cell = grid.height_of_cell();
   const double layer = cell * std::max(1., std::round(widths.layer / cell));
   const auto [n_x, n_y, n_z] = grid.counts();
@@ -289,27 +289,28 @@ BoundaryProfile boundary_profile(const Particles &stones,
         if (depth.lateral >= widths.skin)
           platens.points[platens.at(depth.platen)].add(holds);
       }
-  StoneTally stones_skin, stones_inside;
-  const std::vector<int> n_of = contacts_of_stones(stones, network);
-  for (std::size_t s = 0; s < stones.size(); ++s)
+  ParticleTally particles_skin, particles_inside;
+  const std::vector<int> n_of = contacts_of_particles(particles, network);
+  for (std::size_t s = 0; s < particles.size(); ++s)
   {
-    const Depth depth = depth_of(outline, stones.position(s));
+    const Depth depth = depth_of(outline, particles.position(s));
     if (!depth.is_inside())
       continue;
     if (depth.platen >= widths.skin)
     {
-      lateral.stones[lateral.at(depth.lateral)].add(n_of[s]);
-      (depth.lateral < widths.skin ? stones_skin : stones_inside).add(n_of[s]);
+      lateral.particles[lateral.at(depth.lateral)].add(n_of[s]);
+      (depth.lateral < widths.skin ? particles_skin : particles_inside)
+          .add(n_of[s]);
     }
     if (depth.lateral >= widths.skin)
-      platens.stones[platens.at(depth.platen)].add(n_of[s]);
+      platens.particles[platens.at(depth.platen)].add(n_of[s]);
   }
   return {lateral.profile(),
           platens.profile(),
           all.porosity(),
           skin.porosity(),
           inside.porosity(),
-          stones_skin.coordination(),
-          stones_inside.coordination()};
+          particles_skin.coordination(),
+          particles_inside.coordination()};
 }
 } // namespace dem

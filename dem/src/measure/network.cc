@@ -34,7 +34,7 @@ std::vector<MajorStress> major_stresses(const std::vector<Mat3> &stresses)
   return majors;
 }
 
-/// Of the stones with a contact [Pa].
+/// Of the particles with a contact [Pa].
 double mean_of_bearing(const std::vector<MajorStress> &majors,
                        const Network &network)
 {
@@ -43,7 +43,7 @@ double mean_of_bearing(const std::vector<MajorStress> &majors,
     bears[static_cast<std::size_t>(contact.a)] =
         bears[static_cast<std::size_t>(contact.b)] = true;
   for (const WallContact &contact : network.walls)
-    bears[static_cast<std::size_t>(contact.stone)] = true;
+    bears[static_cast<std::size_t>(contact.particle)] = true;
   double sum = 0.;
   std::int64_t n = 0;
   for (std::size_t i = 0; i < majors.size(); ++i)
@@ -55,7 +55,7 @@ double mean_of_bearing(const std::vector<MajorStress> &majors,
   return n > 0 ? sum / static_cast<double>(n) : 0.;
 }
 
-/// Sets of stones that are linked, by the number of one stone of the set.
+/// Sets of particles that are linked, by the number of one particle of the set.
 class Links
 {
 public:
@@ -75,10 +75,10 @@ private:
   std::vector<std::size_t> next;
 };
 
-ForceChains count_chains(Links &links, std::size_t n_stones)
+ForceChains count_chains(Links &links, std::size_t n_particles)
 {
-  std::vector<std::int64_t> size(n_stones, 0);
-  for (std::size_t i = 0; i < n_stones; ++i)
+  std::vector<std::int64_t> size(n_particles, 0);
+  for (std::size_t i = 0; i < n_particles; ++i)
     ++size[links.root(i)];
   ForceChains chains;
   std::int64_t n_in_chains = 0;
@@ -91,7 +91,7 @@ ForceChains count_chains(Links &links, std::size_t n_stones)
   if (chains.n_chains > 0)
   {
     chains.share =
-        static_cast<double>(n_in_chains) / static_cast<double>(n_stones);
+        static_cast<double>(n_in_chains) / static_cast<double>(n_particles);
     chains.mean_length =
         static_cast<double>(n_in_chains) / static_cast<double>(chains.n_chains);
   }
@@ -137,16 +137,17 @@ double strong_share(std::span<const PairContact> pairs)
   return static_cast<double>(n_strong) / n;
 }
 
-std::vector<Mat3> stone_stress(const Particles &stones, const Network &network)
+std::vector<Mat3> particle_stress(const ParticleSystem &particles,
+                                  const Network &network)
 {
-  std::vector<Mat3> sum(stones.size(), Mat3::Zero());
-  const auto add = [&](std::int32_t stone, const Vec3 &point, const Vec3 &force,
-                       const Mat3 &spread = Mat3::Zero())
+  std::vector<Mat3> sum(particles.size(), Mat3::Zero());
+  const auto add = [&](std::int32_t particle, const Vec3 &point,
+                       const Vec3 &force, const Mat3 &spread = Mat3::Zero())
   {
-    const auto i = static_cast<std::size_t>(stone);
+    const auto i = static_cast<std::size_t>(particle);
     const Mat3 moment =
-        force * (point - stones.position(i)).transpose() + spread;
-    sum[i] -= 0.5 * (moment + moment.transpose()) / stones.body[i].volume;
+        force * (point - particles.position(i)).transpose() + spread;
+    sum[i] -= 0.5 * (moment + moment.transpose()) / particles.shape[i].volume;
   };
   for (const PairContact &contact : network.pairs)
   {
@@ -154,22 +155,24 @@ std::vector<Mat3> stone_stress(const Particles &stones, const Network &network)
     add(contact.b, contact.point, -contact.force);
   }
   for (const WallContact &contact : network.walls)
-    add(contact.stone, contact.point, contact.force, contact.spread);
+    add(contact.particle, contact.point, contact.force, contact.spread);
   return sum;
 }
 
-ForceChains force_chains(const Particles &stones, const Network &network)
+ForceChains force_chains(const ParticleSystem &particles,
+                         const Network &network)
 {
   const std::vector<MajorStress> majors =
-      major_stresses(stone_stress(stones, network));
+      major_stresses(particle_stress(particles, network));
   const double mean = mean_of_bearing(majors, network);
   const double least_cosine = 0.5 * std::numbers::sqrt2;
-  Links links(stones.size());
+  Links links(particles.size());
   for (const PairContact &contact : network.pairs)
   {
     const auto a = static_cast<std::size_t>(contact.a),
                b = static_cast<std::size_t>(contact.b);
-    const Vec3 branch = (stones.position(b) - stones.position(a)).normalized();
+    const Vec3 branch =
+        (particles.position(b) - particles.position(a)).normalized();
     const auto is_in_line = [&](const MajorStress &major)
     {
       return major.value > mean &&
@@ -178,6 +181,6 @@ ForceChains force_chains(const Particles &stones, const Network &network)
     if (is_in_line(majors[a]) && is_in_line(majors[b]))
       links.join(a, b);
   }
-  return count_chains(links, stones.size());
+  return count_chains(links, particles.size());
 }
 } // namespace dem

@@ -15,15 +15,16 @@ Vec3 vector_of(const Triple<double> &v)
   return {v.x, v.y, v.z};
 }
 
-/// The surface of stone A where contact k presses: it follows the surfaces.
-SurfacePoint spot_on_a(const Particles &stones, const ContactBatch &batch,
-                       std::size_t k)
+/// The surface of particle A where contact k presses: it follows the surfaces.
+SurfacePoint contact_point_on_a(const ParticleSystem &particles,
+                                const ContactBatch &batch, std::size_t k)
 {
   const auto a = static_cast<std::size_t>(batch.a[k]);
-  SurfacePoint spot = turned(
-      surface_point(stones.body[a], batch.side_a.spot(k)), stones.rotation(a));
-  spot.position += stones.position(a);
-  return spot;
+  SurfacePoint contact_point =
+      turned(surface_point(particles.shape[a], batch.side_a.contact_point(k)),
+             particles.rotation(a));
+  contact_point.position += particles.position(a);
+  return contact_point;
 }
 
 bool is_at_limit(const EngineParameters &parameters, const ContactBatch &pairs,
@@ -33,10 +34,10 @@ bool is_at_limit(const EngineParameters &parameters, const ContactBatch &pairs,
   if (parameters.friction_limit == FrictionLimit::total)
     pressing -= vector_of(pairs.dashpot[k]).dot(normal);
   return vector_of(pairs.shear[k]).norm() >=
-         at_limit * parameters.stone.friction * pressing;
+         at_limit * parameters.particle.friction * pressing;
 }
 
-/// `places` are of one pair of stones; false if none touches.
+/// `places` are of one pair of particles; false if none touches.
 bool join_places(const Engine &engine, std::span<const std::int32_t> places,
                  PairContact &contact)
 {
@@ -80,24 +81,27 @@ void add_walls(const Engine &engine, const ContactBatch &batch,
 
 ContactFrame pair_contact_frame(const Engine &engine, std::size_t k)
 {
-  const Particles &stones = engine.particles();
+  const ParticleSystem &particles = engine.particles();
   const ContactBatch &pairs = engine.pairs();
-  if (pairs.layout.has_spots)
+  if (pairs.layout.has_contact_points)
   {
-    const SurfacePoint spot = spot_on_a(stones, pairs, k);
-    return {spot.position - 0.5 * pairs.overlap[k] * spot.normal, spot.normal};
+    const SurfacePoint contact_point = contact_point_on_a(particles, pairs, k);
+    return {contact_point.position -
+                0.5 * pairs.overlap[k] * contact_point.normal,
+            contact_point.normal};
   }
   const auto a = static_cast<std::size_t>(pairs.a[k]),
              b = static_cast<std::size_t>(pairs.b[k]);
-  const Vec3 normal = (stones.position(b) - stones.position(a)).normalized();
-  double radius = stones.radius(a);
+  const Vec3 normal =
+      (particles.position(b) - particles.position(a)).normalized();
+  double radius = particles.radius(a);
   if (engine.parameters().geometry.geometry == ContactGeometry::radial &&
       pairs.side_a.is_known(k))
   {
-    const Vec3 u = stones.orientation(a).conjugate() * normal;
+    const Vec3 u = particles.orientation(a).conjugate() * normal;
     radius = pairs.side_a.local_radius(k, {u.x(), u.y(), u.z()});
   }
-  return {stones.position(a) + (radius - 0.5 * pairs.overlap[k]) * normal,
+  return {particles.position(a) + (radius - 0.5 * pairs.overlap[k]) * normal,
           normal};
 }
 
@@ -107,10 +111,10 @@ Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
   for (const SurfaceContacts &facets : engine.surfaces())
     if (&batch == &facets.batch)
       return facets.point_of(k);
-  const Particles &stones = engine.particles();
-  if (batch.layout.has_spots)
-    return spot_on_a(stones, batch, k).position;
-  const Vec3 &from = stones.position(static_cast<std::size_t>(batch.a[k]));
+  const ParticleSystem &particles = engine.particles();
+  if (batch.layout.has_contact_points)
+    return contact_point_on_a(particles, batch, k).position;
+  const Vec3 &from = particles.position(static_cast<std::size_t>(batch.a[k]));
   if (&batch == &engine.on_drum())
     return nearest_on_drum(engine.drum(), drum_part(batch, k), from).point;
   const Plane &plane = engine.planes()[static_cast<std::size_t>(batch.b[k])];

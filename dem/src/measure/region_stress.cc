@@ -136,34 +136,34 @@ part_inside(const Prism &prism, const Vec3 &from, const Vec3 &to)
   return std::pair(first, last);
 }
 
-Mat3 contact_virial(const Particles &stones, const Network &network)
+Mat3 contact_virial(const ParticleSystem &particles, const Network &network)
 {
   Mat3 sum = Mat3::Zero();
-  const auto at = [&](std::int32_t stone) -> const Vec3 &
-  { return stones.position(static_cast<std::size_t>(stone)); };
+  const auto at = [&](std::int32_t particle) -> const Vec3 &
+  { return particles.position(static_cast<std::size_t>(particle)); };
   for (const PairContact &contact : network.pairs)
     sum -= contact.force * (at(contact.b) - at(contact.a)).transpose();
   for (const WallContact &contact : network.walls)
-    sum -= contact.force * (contact.point - at(contact.stone)).transpose() +
+    sum -= contact.force * (contact.point - at(contact.particle)).transpose() +
            contact.spread;
   return sum;
 }
 
-Mat3 mean_stress(const Prism &prism, const Particles &stones,
+Mat3 mean_stress(const Prism &prism, const ParticleSystem &particles,
                  const Network &network)
 {
   Mat3 sum = Mat3::Zero();
   const auto add = [&](std::int32_t a, const Vec3 &to, const Vec3 &force)
   {
-    const Vec3 &from = stones.position(static_cast<std::size_t>(a));
+    const Vec3 &from = particles.position(static_cast<std::size_t>(a));
     if (const auto part = part_inside(prism, from, to))
       sum -= force * ((part->second - part->first) * (to - from)).transpose();
   };
   for (const PairContact &contact : network.pairs)
-    add(contact.a, stones.position(static_cast<std::size_t>(contact.b)),
+    add(contact.a, particles.position(static_cast<std::size_t>(contact.b)),
         contact.force);
   for (const WallContact &contact : network.walls)
-    add(contact.stone, contact.point, contact.force);
+    add(contact.particle, contact.point, contact.force);
   return 0.5 * (sum + sum.transpose()) / prism.volume();
 }
 } // namespace dem

@@ -3,7 +3,7 @@
 
 namespace dem
 {
-double RoundnessBook::of(const Body &body)
+double RoundnessBook::of(const ParticleShape &body)
 {
   if (!body.series)
     return 1.;
@@ -13,16 +13,16 @@ double RoundnessBook::of(const Body &body)
   return entry->second;
 }
 
-double RoundnessBook::mean(const Particles &particles)
+double RoundnessBook::mean(const ParticleSystem &particles)
 {
   double sum = 0., weight = 0.;
-  for (const Body &body : particles.body)
+  for (const ParticleShape &body : particles.shape)
     if (body.series)
     {
       sum += body.volume * of(body);
       weight += body.volume;
     }
-  // Shapes that no stone has any more.
+  // Shapes that no particle has any more.
   std::erase_if(known,
                 [](const auto &entry) { return entry.first.use_count() == 1; });
   return weight > 0. ? sum / weight : 1.;

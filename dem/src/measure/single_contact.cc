@@ -17,8 +17,8 @@ EngineParameters contact_alone(EngineParameters parameters)
 
 void add_particle(Engine &engine, const PosedParticle &one)
 {
-  engine.add_stone(one.shape, one.position, one.orientation, one.material);
-  Particles &particles = engine.particles();
+  engine.add_particle(one.shape, one.position, one.orientation, one.material);
+  ParticleSystem &particles = engine.particles();
   const std::size_t last = particles.size() - 1;
   particles.velocity(last) = one.velocity;
   particles.spin(last) = one.spin;
@@ -97,6 +97,6 @@ ContactState evaluate_contact(const EngineParameters &parameters,
   surface.load = engine.surface().load;
   return state_on_wall(engine, engine.on_facets(),
                        [&engine](std::size_t k)
-                       { return engine.facets().spot[k].normal; });
+                       { return engine.facets().contact_point[k].normal; });
 }
 } // namespace dem

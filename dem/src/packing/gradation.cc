@@ -74,23 +74,23 @@ double sphere_volume(double diameter)
 using Shapes = std::span<const std::shared_ptr<const Coefficients>>;
 
 /// The shapes as they are stored, measured once. Empty: spheres.
-std::vector<Body> measured_shapes(Shapes shapes)
+std::vector<ParticleShape> measured_shapes(Shapes shapes)
 {
-  std::vector<Body> bodies;
+  std::vector<ParticleShape> bodies;
   for (const auto &shape : shapes)
   {
-    Body stored;
+    ParticleShape stored;
     stored.series = shape;
-    bodies.push_back(make_body(shape, mean_radius(stored)));
+    bodies.push_back(make_shape(shape, mean_radius(stored)));
   }
   return bodies;
 }
 
 /// Largest volume of these shapes over that of the sphere of their size [-].
-double largest_volume_ratio(const std::vector<Body> &shapes)
+double largest_volume_ratio(const std::vector<ParticleShape> &shapes)
 {
   double ratio = shapes.empty() ? 1. : 0.;
-  for (const Body &shape : shapes)
+  for (const ParticleShape &shape : shapes)
     ratio =
         std::max(ratio, shape.volume / sphere_volume(2. * mean_radius(shape)));
   return ratio;
@@ -129,7 +129,7 @@ public:
       fill(c, interval);
   }
 
-  std::vector<Body> take() { return std::move(particles); }
+  std::vector<ParticleShape> take() { return std::move(particles); }
 
 private:
   void fill(const SizeClass &c, const SieveInterval &interval)
@@ -141,7 +141,7 @@ private:
       const double diameter =
           std::clamp(c.lower * std::pow(c.upper / c.lower, random.uniform()),
                      interval.lower, interval.upper);
-      const Body particle =
+      const ParticleShape particle =
           shapes.empty()
               ? make_sphere(0.5 * diameter)
               : resized(shapes[random.below(shapes.size())], 0.5 * diameter);
@@ -153,11 +153,11 @@ private:
   }
 
   double solid_volume = 0.; ///< [m^3]
-  std::vector<Body> shapes;
+  std::vector<ParticleShape> shapes;
   Random &random;
   double volume_ratio = 1.; ///< of the most voluminous shape [-]
   double owed = 0.;         ///< asked so far less what was drawn [m^3]
-  std::vector<Body> particles;
+  std::vector<ParticleShape> particles;
 };
 } // namespace
 
@@ -169,8 +169,9 @@ Quaternion Random::rotation()
   return {b * std::cos(w), a * std::sin(v), a * std::cos(v), b * std::sin(w)};
 }
 
-std::vector<Body> draw_stones(const GradingCurve &curve, double solid_volume,
-                              Shapes shapes, Random &random)
+std::vector<ParticleShape> draw_particles(const GradingCurve &curve,
+                                          double solid_volume, Shapes shapes,
+                                          Random &random)
 {
   const std::vector<SieveInterval> intervals = filled_intervals(curve);
   if (intervals.empty())
@@ -179,9 +180,9 @@ std::vector<Body> draw_stones(const GradingCurve &curve, double solid_volume,
   Drawing drawing(solid_volume, shapes, random);
   for (const SieveInterval &interval : intervals)
     drawing.fill(interval);
-  std::vector<Body> particles = drawing.take();
+  std::vector<ParticleShape> particles = drawing.take();
   std::stable_sort(particles.begin(), particles.end(),
-                   [](const Body &a, const Body &b)
+                   [](const ParticleShape &a, const ParticleShape &b)
                    { return a.volume > b.volume; });
   return particles;
 }

@@ -1,5 +1,5 @@
 #include <dem/packing/insertion.h>
-#include <dem/search/spots.h>
+#include <dem/search/contact_points.h>
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,9 @@ namespace dem
 {
 namespace
 {
-/// Reach of a placed stone towards a world direction, its ball included [m].
-double reach(const Body &body, const Placement &place, const Vec3 &direction)
+/// Reach of a placed particle towards a world direction, its ball included [m].
+double reach(const ParticleShape &body, const Placement &place,
+             const Vec3 &direction)
 {
   const double ball = mean_radius(body);
   if (!body.series)
@@ -22,7 +23,7 @@ double reach(const Body &body, const Placement &place, const Vec3 &direction)
   return std::max(ball, body.scale * radius(*body.series, u.normalized()));
 }
 
-/// Stones placed so far, filed by cell.
+/// Particles placed so far, filed by cell.
 class Cells
 {
 public:
@@ -41,12 +42,12 @@ public:
     members.resize(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
   }
 
-  void add(const Vec3 &x, std::size_t stone)
+  void add(const Vec3 &x, std::size_t particle)
   {
-    members[index(cell(x))].push_back(stone);
+    members[index(cell(x))].push_back(particle);
   }
 
-  /// True if `is_free` holds for every stone of the 27 cells round x.
+  /// True if `is_free` holds for every particle of the 27 cells round x.
   template <class Test>
   bool all_near(const Vec3 &x, const Test &is_free) const
   {
@@ -58,8 +59,8 @@ public:
           const std::array<int, 3> near = {c[0] + dx, c[1] + dy, c[2] + dz};
           if (!is_inside(near))
             continue;
-          for (const std::size_t stone : members[index(near)])
-            if (!is_free(stone))
+          for (const std::size_t particle : members[index(near)])
+            if (!is_free(particle))
               return false;
         }
     return true;
@@ -94,7 +95,7 @@ private:
   std::vector<std::vector<std::size_t>> members;
 };
 
-bool fits_cylinder(const Body &body, const Placement &place,
+bool fits_cylinder(const ParticleShape &body, const Placement &place,
                    const InsertionBox &box)
 {
   const Vec3 middle = 0.5 * (box.lower + box.upper);
@@ -103,7 +104,8 @@ bool fits_cylinder(const Body &body, const Placement &place,
          0.5 * (box.upper.x() - box.lower.x());
 }
 
-bool fits_box(const Body &body, const Placement &place, const InsertionBox &box)
+bool fits_box(const ParticleShape &body, const Placement &place,
+              const InsertionBox &box)
 {
   for (int d = 0; d < 3; ++d)
   {
@@ -119,30 +121,30 @@ bool fits_box(const Body &body, const Placement &place, const InsertionBox &box)
   return !box.is_round || fits_cylinder(body, place, box);
 }
 
-/// Stones and where they are so far.
-class PlacedStones
+/// Particles and where they are so far.
+class PlacedParticles
 {
 public:
-  PlacedStones(std::span<const Body> bodies, bool surfaces)
-      : stones(bodies), sees_surfaces(surfaces)
+  PlacedParticles(std::span<const ParticleShape> bodies, bool surfaces)
+      : particles(bodies), sees_surfaces(surfaces)
   {
-    for (const Body &body : stones)
+    for (const ParticleShape &body : particles)
       if (sees_surfaces && !maps.contains(body.series.get()))
         maps.try_emplace(body.series.get(), body.series);
   }
 
-  /// Whether the next stone overlaps none that is there.
+  /// Whether the next particle overlaps none that is there.
   bool is_free(std::size_t j, const Placement &place) const
   {
     const std::size_t i = places.size();
     const Vec3 branch = places[j].position - place.position;
     const double distance = branch.norm();
     if (distance >
-        stones[i].circumscribed_radius + stones[j].circumscribed_radius)
+        particles[i].circumscribed_radius + particles[j].circumscribed_radius)
       return true;
     const Vec3 u = branch / distance;
     if (distance <=
-        reach(stones[i], place, u) + reach(stones[j], places[j], -u))
+        reach(particles[i], place, u) + reach(particles[j], places[j], -u))
       return false;
     return !sees_surfaces || !overlaps(i, place, j);
   }
@@ -158,29 +160,30 @@ private:
         (to_own * places[j].orientation).toRotationMatrix()};
     // The nodes of the maps miss the nearest place by a little.
     const double margin =
-        0.05 * std::min(mean_radius(stones[i]), mean_radius(stones[j]));
-    return may_touch({{stones[i], maps.at(stones[i].series.get())},
-                      {stones[j], maps.at(stones[j].series.get())},
+        0.05 * std::min(mean_radius(particles[i]), mean_radius(particles[j]));
+    return may_touch({{particles[i], maps.at(particles[i].series.get())},
+                      {particles[j], maps.at(particles[j].series.get())},
                       pose},
                      margin);
   }
 
-  std::span<const Body> stones;
+  std::span<const ParticleShape> particles;
   bool sees_surfaces;
   std::map<const Coefficients *, RadiusMap> maps; ///< by series
 };
 } // namespace
 
-std::vector<Placement> insert_stones(std::span<const Body> stones,
-                                     const InsertionBox &box, Random &random)
+std::vector<Placement>
+insert_particles(std::span<const ParticleShape> particles,
+                 const InsertionBox &box, Random &random)
 {
   constexpr int n_tries = 20000;
   double largest = 0.;
-  for (const Body &body : stones)
+  for (const ParticleShape &body : particles)
     largest = std::max(largest, body.circumscribed_radius);
   Cells cells(box.lower, box.upper, 2. * largest);
-  PlacedStones placed(stones, box.sees_surfaces);
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  PlacedParticles placed(particles, box.sees_surfaces);
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
     Placement place;
     const auto is_free = [&](std::size_t j)
@@ -190,13 +193,13 @@ std::vector<Placement> insert_stones(std::span<const Body> stones,
     {
       if (++tries > n_tries)
         throw NoPlace("no place for particle " + std::to_string(i + 1) +
-                      " of " + std::to_string(stones.size()) +
+                      " of " + std::to_string(particles.size()) +
                       " in the random cloud");
       for (int d = 0; d < 3; ++d)
         place.position[d] =
             std::lerp(box.lower[d], box.upper[d], random.uniform());
       place.orientation = random.rotation();
-    } while (!fits_box(stones[i], place, box) ||
+    } while (!fits_box(particles[i], place, box) ||
              !cells.all_near(place.position, is_free));
     placed.places.push_back(place);
     cells.add(place.position, i);

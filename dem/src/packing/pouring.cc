@@ -11,20 +11,20 @@ namespace dem
 {
 namespace
 {
-/// How often stones are asked whether they are at rest [steps].
+/// How often particles are asked whether they are at rest [steps].
 constexpr std::int64_t rest_interval = 200;
 /// Over which the pressure of the tamper is averaged [s].
 constexpr double averaging_time = 2e-4;
-/// Below which stones might as well slide freely [-].
+/// Below which particles might as well slide freely [-].
 constexpr double least_friction = 0.01;
 /// Of the tamper above what it does not touch, over the width of the room [-].
 constexpr double clearance = 1e-3;
 
-double volume_of(std::span<const Body> stones)
+double volume_of(std::span<const ParticleShape> particles)
 {
   double sum = 0.;
-  for (const Body &stone : stones)
-    sum += stone.volume;
+  for (const ParticleShape &particle : particles)
+    sum += particle.volume;
   return sum;
 }
 } // namespace
@@ -35,17 +35,18 @@ double Room::section() const
                   : width_x * width_y;
 }
 
-double top_of(const Particles &particles, double floor)
+double top_of(const ParticleSystem &particles, double floor)
 {
   double top = floor;
   for (std::size_t i = 0; i < particles.size(); ++i)
     top = std::max(top, particles.position(i).z() +
                             std::max(particles.radius(i),
-                                     particles.body[i].circumscribed_radius));
+                                     particles.shape[i].circumscribed_radius));
   return top;
 }
 
-double unbalanced_weight_ratio(const Particles &particles, const Vec3 &gravity)
+double unbalanced_weight_ratio(const ParticleSystem &particles,
+                               const Vec3 &gravity)
 {
   double force = 0., weight = 0.;
   for (std::size_t i = 0; i < particles.size(); ++i)
@@ -56,21 +57,24 @@ double unbalanced_weight_ratio(const Particles &particles, const Vec3 &gravity)
   return force / weight;
 }
 
-std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n)
+std::vector<std::vector<ParticleShape>>
+deal_layers(std::span<const ParticleShape> particles, int n)
 {
-  std::vector<std::vector<Body>> layers(static_cast<std::size_t>(n));
+  std::vector<std::vector<ParticleShape>> layers(static_cast<std::size_t>(n));
   std::vector<double> volume(layers.size(), 0.);
-  for (const Body &stone : stones)
+  for (const ParticleShape &particle : particles)
   {
     const auto least = std::ranges::min_element(volume);
-    layers[static_cast<std::size_t>(least - volume.begin())].push_back(stone);
-    *least += stone.volume;
+    layers[static_cast<std::size_t>(least - volume.begin())].push_back(
+        particle);
+    *least += particle.volume;
   }
   return layers;
 }
 
 Pouring::Pouring(const Room &its_room, const PouringParameters &p,
-                 std::vector<std::vector<Body>> layers, std::uint64_t its_seed)
+                 std::vector<std::vector<ParticleShape>> layers,
+                 std::uint64_t its_seed)
     : room(its_room), parameters(p), bodies(std::move(layers)), seed(its_seed)
 {
 }
@@ -79,10 +83,10 @@ double Pouring::expected_time(const Vec3 &gravity) const
 {
   constexpr double n_falls = 3.;
   double whole = 0., sum = 0.;
-  for (const std::vector<Body> &layer : bodies)
+  for (const std::vector<ParticleShape> &layer : bodies)
     whole += volume_of(layer);
   double filled = 0.;
-  for (const std::vector<Body> &layer : bodies)
+  for (const std::vector<ParticleShape> &layer : bodies)
   {
     const double volume = volume_of(layer);
     filled += volume;
@@ -103,7 +107,7 @@ void Pouring::prepare(Engine &engine)
   plane = engine.add_plane(room.floor + room.width_x * Vec3::UnitZ(),
                            -Vec3::UnitZ());
   engine.deactivate_plane(plane);
-  now.friction = engine.parameters().stone.friction;
+  now.friction = engine.parameters().particle.friction;
   engine.set_friction(parameters.friction);
 }
 
@@ -123,7 +127,7 @@ void Pouring::steer(Engine &engine, double time_step)
   case Stage::resting:
     if (!is_at_rest(engine, parameters.unbalanced_ratio))
       return;
-    // Stones that carry nothing would roll on for ever.
+    // Particles that carry nothing would roll on for ever.
     engine.come_to_rest();
     return enter(Stage::done, engine);
   case Stage::done:
@@ -145,8 +149,8 @@ void Pouring::follow_pressure(const Engine &engine, double time_step)
   now.peak = std::max(now.peak, now.pressure);
 }
 
-/// Height above the floor at which the present stones are as dense as asked of
-/// so many layers [m].
+/// Height above the floor at which the present particles are as dense as asked
+/// of so many layers [m].
 double Pouring::goal() const
 {
   const auto left = static_cast<double>(bodies.size() - finished.size() - 1);
@@ -156,14 +160,14 @@ double Pouring::goal() const
   return now.mass / ((1. - looser) * parameters.density * room.section());
 }
 
-/// Where the stones of a layer begin to fall. A cloud in which they find no
+/// Where the particles of a layer begin to fall. A cloud in which they find no
 /// place, as near walls, is made higher.
 std::vector<Placement> Pouring::cloud_above(double floor,
                                             const InsertionBox &slab) const
 {
   constexpr int n_tries = 12;
   constexpr double growth = 1.25;
-  const std::vector<Body> &layer = bodies[finished.size()];
+  const std::vector<ParticleShape> &layer = bodies[finished.size()];
   InsertionBox box = slab;
   double height =
       volume_of(layer) / (parameters.solid_fraction * room.section());
@@ -172,7 +176,7 @@ std::vector<Placement> Pouring::cloud_above(double floor,
     {
       box.upper.z() = floor + height;
       Random random(seed + finished.size());
-      return insert_stones(layer, box, random);
+      return insert_particles(layer, box, random);
     }
     catch (const NoPlace &)
     {
@@ -183,7 +187,7 @@ std::vector<Placement> Pouring::cloud_above(double floor,
 
 void Pouring::pour(Engine &engine)
 {
-  const std::vector<Body> &layer = bodies[finished.size()];
+  const std::vector<ParticleShape> &layer = bodies[finished.size()];
   const double floor = top_of(engine.particles(), room.floor.z());
   const Vec3 half(0.5 * room.width_x,
                   0.5 * (room.is_round ? room.width_x : room.width_y), 0.);
@@ -194,8 +198,8 @@ void Pouring::pour(Engine &engine)
   box.is_round = room.is_round;
   const std::vector<Placement> places = cloud_above(floor, box);
   for (std::size_t i = 0; i < layer.size(); ++i)
-    engine.add_stone(layer[i], places[i].position, places[i].orientation);
-  now.mass += volume_of(layer) * engine.parameters().stone.density;
+    engine.add_particle(layer[i], places[i].position, places[i].orientation);
+  now.mass += volume_of(layer) * engine.parameters().particle.density;
   now.strokes = 0;
   now.peak = 0.;
   now.depth = parameters.density > 0. ? goal() : 0.;
@@ -282,7 +286,7 @@ bool Pouring::goes_on(Engine &engine)
     return now.strokes < parameters.max_strokes + now.decays;
   }
   const double friction =
-      parameters.friction_decay * engine.parameters().stone.friction;
+      parameters.friction_decay * engine.parameters().particle.friction;
   if (parameters.friction_decay == 1. || finished.size() + 1 < bodies.size() ||
       friction < least_friction)
     return false;
@@ -298,7 +302,7 @@ void Pouring::close_layer(Engine &engine)
   Layer layer;
   layer.mass = now.mass;
   layer.time = engine.time();
-  layer.friction = engine.parameters().stone.friction;
+  layer.friction = engine.parameters().particle.friction;
   if (parameters.density > 0.)
   {
     layer.height = now.level;

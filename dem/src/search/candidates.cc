@@ -20,9 +20,9 @@ std::vector<PairKey> keys_of(const ContactBatch &batch)
 }
 
 /// Puts the batch in the order of `keys` (sorted, as the old one is).
-void carry_over(const Particles &particles, const std::vector<PairKey> &keys,
-                const BatchLayout &layout, ContactBatch &batch,
-                Dissipation &retired)
+void carry_over(const ParticleSystem &particles,
+                const std::vector<PairKey> &keys, const BatchLayout &layout,
+                ContactBatch &batch, Dissipation &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
   const std::vector<std::int32_t> source =
@@ -38,31 +38,33 @@ void carry_over(const Particles &particles, const std::vector<PairKey> &keys,
     note_corners(particles, batch);
 }
 
-/// Slots of the stones that stay near go with them, the others retire.
-void carry_over_slots(const Particles &particles, const FacetCandidates &before,
-                      const BatchLayout &layout, FacetCandidates &after,
-                      ContactBatch &batch, Dissipation &retired)
+/// Slots of the particles that stay near go with them, the others retire.
+void carry_over_slots(const ParticleSystem &particles,
+                      const FacetCandidates &before, const BatchLayout &layout,
+                      FacetCandidates &after, ContactBatch &batch,
+                      Dissipation &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
-  constexpr auto n_slots = static_cast<std::size_t>(slots_per_stone);
+  constexpr auto n_slots = static_cast<std::size_t>(slots_per_particle);
   const auto keys = [](const FacetCandidates &candidates)
   {
     std::vector<PairKey> of_slots;
-    for (const std::int32_t stone : candidates.stone)
-      for (std::int32_t s = 0; s < slots_per_stone; ++s)
-        of_slots.emplace_back(stone, s);
+    for (const std::int32_t particle : candidates.particle)
+      for (std::int32_t s = 0; s < slots_per_particle; ++s)
+        of_slots.emplace_back(particle, s);
     return of_slots;
   };
   const std::vector<std::int32_t> source =
       match(keys(before), keys(after),
             [&](std::size_t k) { retire_contact(batch, k, retired); });
   batch.rearrange(layout, source);
-  after.spot.resize(source.size());
+  after.contact_point.resize(source.size());
   for (std::size_t k = 0; k < source.size(); ++k)
   {
     if (source[k] >= 0)
-      after.spot[k] = before.spot[static_cast<std::size_t>(source[k])];
-    batch.a[k] = after.stone[k / n_slots];
+      after.contact_point[k] =
+          before.contact_point[static_cast<std::size_t>(source[k])];
+    batch.a[k] = after.particle[k / n_slots];
     batch.b[k] = static_cast<std::int32_t>(k);
   }
   if (is_damage_new)
@@ -83,7 +85,7 @@ void retire_contact(const ContactBatch &batch, std::size_t k,
   retired.non_conservative_work += history.normal_energy;
 }
 
-void note_corners(const Particles &particles, ContactBatch &batch)
+void note_corners(const ParticleSystem &particles, ContactBatch &batch)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
@@ -96,7 +98,7 @@ void note_corners(const Particles &particles, ContactBatch &batch)
   }
 }
 
-void rebuild_planes(const Particles &particles,
+void rebuild_planes(const ParticleSystem &particles,
                     const std::vector<Plane> &planes, const WallSearch &search,
                     ContactBatch &batch, Dissipation &retired)
 {
@@ -111,7 +113,7 @@ void rebuild_planes(const Particles &particles,
   carry_over(particles, keys, search.layout, batch, retired);
 }
 
-void rebuild_drum(const Particles &particles, const Drum &drum,
+void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
                   const WallSearch &search, ContactBatch &batch,
                   Dissipation &retired)
 {
@@ -128,14 +130,14 @@ void rebuild_drum(const Particles &particles, const Drum &drum,
   carry_over(particles, keys, search.layout, batch, retired);
 }
 
-double facet_reach(const Particles &particles, std::size_t stone,
+double facet_reach(const ParticleSystem &particles, std::size_t particle,
                    const WallSearch &search)
 {
-  return search.reach * wall_bound(particles, stone, search.geometry) +
+  return search.reach * wall_bound(particles, particle, search.geometry) +
          search.margin;
 }
 
-FacetCandidates near_facets(const Particles &particles,
+FacetCandidates near_facets(const ParticleSystem &particles,
                             const FacetSurface &surface,
                             const WallSearch &search)
 {
@@ -161,27 +163,28 @@ FacetCandidates near_facets(const Particles &particles,
     }
     if (fresh.triangle.size() == before)
       continue;
-    fresh.stone.push_back(static_cast<std::int32_t>(i));
+    fresh.particle.push_back(static_cast<std::int32_t>(i));
     fresh.row_start.push_back(static_cast<std::int32_t>(fresh.triangle.size()));
   }
   return fresh;
 }
 
-void rebuild_facets(const Particles &particles, const FacetSurface &surface,
-                    const WallSearch &search, FacetCandidates &candidates,
-                    ContactBatch &batch, Dissipation &retired)
+void rebuild_facets(const ParticleSystem &particles,
+                    const FacetSurface &surface, const WallSearch &search,
+                    FacetCandidates &candidates, ContactBatch &batch,
+                    Dissipation &retired)
 {
   FacetCandidates fresh = near_facets(particles, surface, search);
-  fresh.wake.assign(fresh.stone.size(), 0.);
-  fresh.triangle_wake.assign(fresh.triangle.size(), 0.);
+  fresh.reactivation.assign(fresh.particle.size(), 0.);
+  fresh.triangle_reactivation.assign(fresh.triangle.size(), 0.);
   carry_over_slots(particles, candidates, search.layout, fresh, batch, retired);
   candidates = std::move(fresh);
 }
 
-double steepness(const Particles &particles)
+double steepness(const ParticleSystem &particles)
 {
   double largest = 0.;
-  for (const Body &body : particles.body)
+  for (const ParticleShape &body : particles.shape)
     largest = std::max(largest, body.max_slope / body.least_radius);
   return largest;
 }

@@ -2,7 +2,7 @@
 
 #include <dem/contact/batch.h>
 #include <dem/contact/pair_loads.h>
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 #include <dem/search/near_pairs.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ void retire_contact(const ContactBatch &batch, std::size_t k,
                     Dissipation &retired);
 
 /// Marks the corners that the sides know of; what is stored now has counted.
-void note_corners(const Particles &particles, ContactBatch &batch);
+void note_corners(const ParticleSystem &particles, ContactBatch &batch);
 
 /// Calls retire(old) for every entry of `old_keys` that `keys` lacks; returns
 /// where each of `keys` was, or -1. Both are sorted.
@@ -40,7 +40,8 @@ std::vector<std::int32_t> match(const std::vector<PairKey> &old_keys,
 
 /// Contacts that touch before those that do not, so that blocks of open ones
 /// can be passed over: window by window, so that neighbours stay near in
-/// memory. The first of a range has the lowest stone and stays, see PairLoads.
+/// memory. The first of a range has the lowest particle and stays, see
+/// PairLoads.
 template <class Touches>
 std::vector<std::int32_t> touching_first(std::size_t n, const Touches &touches)
 {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// Looks at maps of stones (RadiusMap) as they are compiled for each
+/// Looks at maps of particles (RadiusMap) as they are compiled for each
 /// instruction set. Plain pointers only: what is inline here would otherwise be
 /// linked from the unit with the widest instructions.
 namespace dem::kernel
@@ -29,20 +29,21 @@ struct PointRows
   float *x, *y, *z;
 };
 
-/// The map of a stone with its size.
+/// The map of a particle with its size.
 struct MapView
 {
   const float *radius; ///< in units of `scale`
   float scale;         ///< [m]
 };
 
-/// A stone that points are looked at from.
+/// A particle that points are looked at from.
 struct MapField
 {
   MapView map;
-  float centre[3];   ///< where the points have theirs [m]
-  float rotation[9]; ///< row by row, body frame of the stone to that of points
-  float reach;       ///< farther from its centre is infinitely far [m]
+  float centre[3]; ///< where the points have theirs [m]
+  float
+      rotation[9]; ///< row by row, body frame of the particle to that of points
+  float reach;     ///< farther from its centre is infinitely far [m]
 };
 
 struct MapLoops
@@ -52,7 +53,7 @@ struct MapLoops
   int (*nodes_above)(const MapAngles &angles, const MapView &map,
                      const float *up, float lowest, std::int32_t *node,
                      const PointRows &points);
-  /// Gaps of n points from a stone: along the ray from its centre, times the
+  /// Gaps of n points from a particle: along the ray from its centre, times the
   /// cosine between ray and normal there; < 0 inside [m].
   void (*gaps)(const MapField &field, const PointRows &points, int n,
                float *gap);

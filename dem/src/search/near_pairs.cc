@@ -9,38 +9,38 @@ namespace dem
 {
 namespace
 {
-/// Stones whose reach is within a factor of two, in their grid.
+/// Particles whose reach is within a factor of two, in their grid.
 struct SizeClass
 {
   double largest = 0.; ///< reach [m]
-  std::vector<std::int32_t> stone;
+  std::vector<std::int32_t> particle;
   CellGrid grid;
 };
 
-/// How far a stone can meet others from its centre.
-std::vector<double> reaches(const Particles &particles,
+/// How far a particle can meet others from its centre.
+std::vector<double> reaches(const ParticleSystem &particles,
                             ContactGeometry geometry)
 {
-  if (geometry == ContactGeometry::ball)
-    return particles.column(&StoneState::radius);
+  if (geometry == ContactGeometry::sphere)
+    return particles.column(&ParticleState::radius);
   std::vector<double> reach(particles.size());
   for (std::size_t i = 0; i < reach.size(); ++i)
-    reach[i] = particles.body[i].circumscribed_radius;
+    reach[i] = particles.shape[i].circumscribed_radius;
   return reach;
 }
 
-/// Radius of stone i along a world direction [m].
-double local_radius(const Particles &particles, std::size_t i,
+/// Radius of particle i along a world direction [m].
+double local_radius(const ParticleSystem &particles, std::size_t i,
                     const Vec3 &direction)
 {
-  const Body &body = particles.body[i];
+  const ParticleShape &body = particles.shape[i];
   if (!body.series)
     return particles.radius(i);
   const Vec3 on_body = particles.orientation(i).conjugate() * direction;
   return body.scale * radius(*body.series, on_body.normalized());
 }
 
-/// Number of the class of each stone, the smallest stones in class 0.
+/// Number of the class of each particle, the smallest particles in class 0.
 std::vector<int> classify(const std::vector<double> &reach)
 {
   const double smallest = *std::min_element(reach.begin(), reach.end());
@@ -51,7 +51,7 @@ std::vector<int> classify(const std::vector<double> &reach)
 }
 
 /// Gap between the balls, or between the radii along the branch [m].
-double gap_between(const Particles &particles, ContactGeometry geometry,
+double gap_between(const ParticleSystem &particles, ContactGeometry geometry,
                    const PairKey &pair)
 {
   const auto i = static_cast<std::size_t>(pair.first),
@@ -59,15 +59,15 @@ double gap_between(const Particles &particles, ContactGeometry geometry,
   const Vec3 branch = particles.position(j) - particles.position(i);
   const double distance = branch.norm();
   const double balls = distance - particles.radius(i) - particles.radius(j);
-  if (geometry == ContactGeometry::ball || distance == 0.)
+  if (geometry == ContactGeometry::sphere || distance == 0.)
     return balls;
   const Vec3 normal = branch / distance;
   return distance - local_radius(particles, i, normal) -
          local_radius(particles, j, -normal);
 }
 
-/// How far two stones may have come nearer each other in all [m].
-double travelled(const Particles &particles, const PairKey &pair,
+/// How far two particles may have come nearer each other in all [m].
+double travelled(const ParticleSystem &particles, const PairKey &pair,
                  const Travel &travel)
 {
   return particles.has_shapes
@@ -76,14 +76,15 @@ double travelled(const Particles &particles, const PairKey &pair,
              : travel.gaps;
 }
 
-/// All pairs whose bounding spheres come within a margin. Stones are filed by
-/// size: classes of a factor of two with a grid each, so that the cost per
-/// stone does not grow with the ratio of sizes.
+/// All pairs whose bounding spheres come within a margin. Particles are filed
+/// by size: classes of a factor of two with a grid each, so that the cost per
+/// particle does not grow with the ratio of sizes.
 class PairSearch
 {
 public:
-  PairSearch(const Particles &stones, ContactGeometry geometry, double gap)
-      : particles(stones), margin(gap), reach(reaches(stones, geometry)),
+  PairSearch(const ParticleSystem &particles, ContactGeometry geometry,
+             double gap)
+      : particles(particles), margin(gap), reach(reaches(particles, geometry)),
         class_of(classify(reach))
   {
     classes.resize(static_cast<std::size_t>(
@@ -92,21 +93,22 @@ public:
     for (std::size_t i = 0; i < reach.size(); ++i)
     {
       SizeClass &own = classes[static_cast<std::size_t>(class_of[i])];
-      own.stone.push_back(static_cast<std::int32_t>(i));
+      own.particle.push_back(static_cast<std::int32_t>(i));
       own.largest = std::max(own.largest, reach[i]);
     }
     for (SizeClass &one : classes)
     {
       std::vector<Vec3> points;
-      points.reserve(one.stone.size());
-      for (const std::int32_t stone : one.stone)
-        points.push_back(particles.position(static_cast<std::size_t>(stone)));
-      one.grid = CellGrid(points, one.stone, one.largest + 0.5 * margin);
+      points.reserve(one.particle.size());
+      for (const std::int32_t particle : one.particle)
+        points.push_back(
+            particles.position(static_cast<std::size_t>(particle)));
+      one.grid = CellGrid(points, one.particle, one.largest + 0.5 * margin);
     }
   }
 
-  /// Partners of stone i in its own class with a higher number and in the
-  /// classes of larger stones.
+  /// Partners of particle i in its own class with a higher number and in the
+  /// classes of larger particles.
   void find(std::size_t i, std::vector<PairKey> &pairs) const
   {
     const Vec3 &x = particles.position(i);
@@ -134,7 +136,7 @@ private:
     return branch.squaredNorm() < range * range;
   }
 
-  const Particles &particles;
+  const ParticleSystem &particles;
   double margin;
   std::vector<double> reach;
   std::vector<int> class_of;
@@ -143,13 +145,13 @@ private:
 
 /// Sorts by first, then by second: a counting sort of short rows.
 std::vector<PairKey> sorted(const std::vector<std::vector<PairKey>> &parts,
-                            std::size_t n_stones)
+                            std::size_t n_particles)
 {
-  std::vector<std::int32_t> start(n_stones + 1, 0);
+  std::vector<std::int32_t> start(n_particles + 1, 0);
   for (const auto &part : parts)
     for (const PairKey &pair : part)
       ++start[static_cast<std::size_t>(pair.first) + 1];
-  for (std::size_t i = 0; i < n_stones; ++i)
+  for (std::size_t i = 0; i < n_particles; ++i)
     start[i + 1] += start[i];
   std::vector<PairKey> all(static_cast<std::size_t>(start.back()));
   std::vector<std::int32_t> next(start.begin(), start.end() - 1);
@@ -157,12 +159,12 @@ std::vector<PairKey> sorted(const std::vector<std::vector<PairKey>> &parts,
     for (const PairKey &pair : part)
       all[static_cast<std::size_t>(
           next[static_cast<std::size_t>(pair.first)]++)] = pair;
-  for (std::size_t i = 0; i < n_stones; ++i)
+  for (std::size_t i = 0; i < n_particles; ++i)
     std::sort(all.begin() + start[i], all.begin() + start[i + 1]);
   return all;
 }
 /// All pairs whose bounding spheres come within a range, sorted.
-std::vector<PairKey> within(const Particles &particles,
+std::vector<PairKey> within(const ParticleSystem &particles,
                             ContactGeometry geometry, double range)
 {
   const PairSearch grids(particles, geometry, range);
@@ -178,7 +180,7 @@ std::vector<PairKey> within(const Particles &particles,
 }
 } // namespace
 
-std::vector<PairKey> PairFinder::find(const Particles &particles,
+std::vector<PairKey> PairFinder::find(const ParticleSystem &particles,
                                       ContactGeometry geometry, double margin,
                                       const Travel &travel)
 {
@@ -198,18 +200,18 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
          c < std::min(candidates.size(), (p + 1) * part_size); ++c)
     {
       Candidate &one = candidates[c];
-      const double now = travelled(particles, one.stones, travel);
+      const double now = travelled(particles, one.particles, travel);
       if (one.least - now >= margin)
         continue;
       if (one.most + now >= margin)
       {
-        const double gap = gap_between(particles, geometry, one.stones);
+        const double gap = gap_between(particles, geometry, one.particles);
         one.least = gap + now;
         one.most = gap - now;
         if (gap >= margin)
           continue;
       }
-      parts[p].push_back(one.stones);
+      parts[p].push_back(one.particles);
     }
   std::vector<PairKey> pairs;
   for (const auto &part : parts)
@@ -217,13 +219,13 @@ std::vector<PairKey> PairFinder::find(const Particles &particles,
   return pairs;
 }
 
-PairFinder::Candidate PairFinder::between_spheres(const Particles &particles,
-                                                  const PairKey &pair,
-                                                  double travelled)
+PairFinder::Candidate
+PairFinder::between_spheres(const ParticleSystem &particles,
+                            const PairKey &pair, double travelled)
 {
   const auto i = static_cast<std::size_t>(pair.first),
              j = static_cast<std::size_t>(pair.second);
-  const Body &a = particles.body[i], &b = particles.body[j];
+  const ParticleShape &a = particles.shape[i], &b = particles.shape[j];
   const double distance =
       (particles.position(j) - particles.position(i)).norm();
   return {pair,
@@ -232,8 +234,9 @@ PairFinder::Candidate PairFinder::between_spheres(const Particles &particles,
           distance - a.least_radius - b.least_radius - travelled};
 }
 
-void PairFinder::search(const Particles &particles, ContactGeometry geometry,
-                        double range, const Travel &travel)
+void PairFinder::search(const ParticleSystem &particles,
+                        ContactGeometry geometry, double range,
+                        const Travel &travel)
 {
   // What is known of a pair still holds.
   const std::vector<Candidate> before = std::exchange(candidates, {});
@@ -242,10 +245,10 @@ void PairFinder::search(const Particles &particles, ContactGeometry geometry,
   candidates.reserve(all.size());
   for (const PairKey &pair : all)
   {
-    while (known != before.end() && known->stones < pair)
+    while (known != before.end() && known->particles < pair)
       ++known;
     candidates.push_back(
-        known != before.end() && known->stones == pair
+        known != before.end() && known->particles == pair
             ? *known
             : between_spheres(particles, pair,
                               travelled(particles, pair, travel)));
@@ -253,7 +256,8 @@ void PairFinder::search(const Particles &particles, ContactGeometry geometry,
   reach = travel.centres + range;
 }
 
-std::vector<PairKey> near_spheres(const Particles &particles, double margin)
+std::vector<PairKey> near_spheres(const ParticleSystem &particles,
+                                  double margin)
 {
   return within(particles, ContactGeometry::surface, margin);
 }

@@ -34,9 +34,9 @@ const kernel::MapAngles &angles()
   return table;
 }
 
-kernel::MapView view_of(const MappedStone &stone)
+kernel::MapView view_of(const MappedParticle &particle)
 {
-  return {stone.map.radii(), static_cast<float>(stone.body.scale)};
+  return {particle.map.radii(), static_cast<float>(particle.body.scale)};
 }
 } // namespace
 
@@ -48,10 +48,11 @@ const kernel::MapLoops &kernel::map_loops()
                                        : baseline::map_loops;
 }
 
-NodeList::NodeList(const MappedStone &stone, const Vec3 &up, double lowest)
+NodeList::NodeList(const MappedParticle &particle, const Vec3 &up,
+                   double lowest)
 {
   const Eigen::Vector3f along = up.cast<float>();
-  n = kernel::map_loops().nodes_above(angles(), view_of(stone), along.data(),
+  n = kernel::map_loops().nodes_above(angles(), view_of(particle), along.data(),
                                       static_cast<float>(lowest), nodes.data(),
                                       points());
 }
@@ -62,18 +63,18 @@ Vec3 NodeList::position(int k) const
   return {x[at], y[at], z[at]};
 }
 
-void find_gaps(const MappedStone &stone, const RelativePose &pose, double range,
-               const kernel::PointRows &points, int n, float *gap)
+void find_gaps(const MappedParticle &particle, const RelativePose &pose,
+               double range, const kernel::PointRows &points, int n, float *gap)
 {
   kernel::MapField field;
-  field.map = view_of(stone);
+  field.map = view_of(particle);
   for (int c = 0; c < 3; ++c)
   {
     field.centre[c] = static_cast<float>(pose.position[c]);
     for (int d = 0; d < 3; ++d)
       field.rotation[3 * c + d] = static_cast<float>(pose.rotation(c, d));
   }
-  field.reach = static_cast<float>(stone.body.circumscribed_radius + range);
+  field.reach = static_cast<float>(particle.body.circumscribed_radius + range);
   kernel::map_loops().gaps(field, points, n, gap);
 }
 } // namespace dem

@@ -2,18 +2,18 @@
 
 #include "map_kernels.h"
 
-#include <dem/search/spots.h>
+#include <dem/search/contact_points.h>
 
 #include <array>
 
 namespace dem
 {
-/// Some nodes of the map of a stone, as points of its body frame [m].
+/// Some nodes of the map of a particle, as points of its body frame [m].
 class NodeList
 {
 public:
   /// Those higher than `lowest` [m] along a unit vector of the body frame.
-  NodeList(const MappedStone &stone, const Vec3 &up, double lowest);
+  NodeList(const MappedParticle &particle, const Vec3 &up, double lowest);
 
   int size() const { return n; }
   int node(int k) const { return nodes[static_cast<std::size_t>(k)]; }
@@ -29,10 +29,12 @@ private:
   Column<float> x, y, z;
 };
 
-/// Gaps of n points from a stone by its map: along the ray from its centre,
+/// Gaps of n points from a particle by its map: along the ray from its centre,
 /// times the cosine between ray and normal there, < 0 inside; infinite beyond
-/// `range` from its circumscribed sphere [m]. The pose is that of the stone in
-/// the frame of the points; all have room for kernel::map_spare entries more.
-void find_gaps(const MappedStone &stone, const RelativePose &pose, double range,
-               const kernel::PointRows &points, int n, float *gap);
+/// `range` from its circumscribed sphere [m]. The pose is that of the particle
+/// in the frame of the points; all have room for kernel::map_spare entries
+/// more.
+void find_gaps(const MappedParticle &particle, const RelativePose &pose,
+               double range, const kernel::PointRows &points, int n,
+               float *gap);
 } // namespace dem

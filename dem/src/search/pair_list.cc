@@ -34,7 +34,7 @@ std::vector<std::int32_t> places_in(const ContactBatch &batch,
 }
 } // namespace
 
-void rebuild_pairs(const Particles &particles, const BatchLayout &layout,
+void rebuild_pairs(const ParticleSystem &particles, const BatchLayout &layout,
                    const std::vector<PairKey> &near, ContactBatch &batch,
                    Dissipation &retired)
 {

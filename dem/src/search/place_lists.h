@@ -3,16 +3,16 @@
 #include "../contact/follow.h"
 #include "carry_over.h"
 
-#include <dem/search/spot_lists.h>
-#include <dem/search/wall_places.h>
+#include <dem/search/contact_point_lists.h>
+#include <dem/search/wall_contact_points.h>
 
 #include <algorithm>
 #include <numeric>
 #include <span>
 #include <utility>
 
-/// Lists of places by pair of bodies: what those of stones and of walls have in
-/// common.
+/// Lists of places by pair of bodies: what those of particles and of walls have
+/// in common.
 namespace dem
 {
 namespace
@@ -23,9 +23,9 @@ constexpr double far_margins = 3.;
 /// One entry of the list to be.
 struct Row
 {
-  std::int32_t source = -1; ///< where it was, -1: new
-  Spot spot;                ///< on a wall only `on_a`
-  FacetSpot foot;           ///< on drums and facets
+  std::int32_t source = -1;   ///< where it was, -1: new
+  ContactPoint contact_point; ///< on a wall only `on_a`
+  FacetContactPoint foot;     ///< on drums and facets
 };
 
 /// Numbers of the entries of one pair as they were.
@@ -72,30 +72,30 @@ struct PairList
 {
   std::vector<Row> rows;
   double clear = 0.;           ///< travel up to which the list is complete [m]
-  Vec3 between = Vec3::Zero(); ///< WatchedPair::between
+  Vec3 between = Vec3::Zero(); ///< CandidatePair::between
   bool is_new = true;          ///< else all rows stay as they are
-  SpotEvents events;
+  ContactPointEvents events;
 
-  std::vector<Spot> spots() const
+  std::vector<ContactPoint> contact_points() const
   {
-    std::vector<Spot> all;
+    std::vector<ContactPoint> all;
     for (const Row &row : rows)
-      all.push_back(row.spot);
+      all.push_back(row.contact_point);
     return all;
   }
 
   /// Keeps an old contact unless one that is kept is at its place.
   void keep(const Row &row)
   {
-    const bool is_double =
-        std::any_of(rows.begin(), rows.end(),
-                    [&](const Row &other)
-                    {
-                      // On walls beside each other on the stone, and of one
-                      // patch.
-                      return is_one_place(row.spot, other.spot) &&
-                             is_one_patch(row.foot.normal, other.foot.normal);
-                    });
+    const bool is_double = std::any_of(
+        rows.begin(), rows.end(),
+        [&](const Row &other)
+        {
+          // On walls beside each other on the particle, and of one
+          // patch.
+          return is_one_place(row.contact_point, other.contact_point) &&
+                 is_one_patch(row.foot.normal, other.foot.normal);
+        });
     if (is_double)
       ++events.n_merged;
     else
@@ -104,27 +104,28 @@ struct PairList
 
   /// Adds new contacts. Of too many the farthest go, be they new or old, and
   /// the list is complete until those could touch.
-  void add(const std::vector<Spot> &found, bool is_first)
+  void add(const std::vector<ContactPoint> &found, bool is_first)
   {
-    for (const Spot &spot : found)
-      rows.push_back({-1, spot, {}});
-    while (rows.size() > most_spots)
+    for (const ContactPoint &contact_point : found)
+      rows.push_back({-1, contact_point, {}});
+    while (rows.size() > most_contact_points)
     {
       const auto farthest = std::ranges::min_element(
-          rows, {}, [](const Row &row) { return row.spot.overlap; });
-      clear = std::min(clear, std::max(0., -farthest->spot.overlap));
+          rows, {}, [](const Row &row) { return row.contact_point.overlap; });
+      clear = std::min(clear, std::max(0., -farthest->contact_point.overlap));
       rows.erase(farthest);
       ++events.n_unlisted;
     }
     for (const Row &row : rows)
-      events.n_late += row.source < 0 && row.spot.overlap > 0. && !is_first;
+      events.n_late +=
+          row.source < 0 && row.contact_point.overlap > 0. && !is_first;
   }
 };
 
 /// A contact that has come to another place, or lost its own.
-inline bool has_strayed(const ContactBatch &batch, std::size_t k)
+inline bool has_escaped(const ContactBatch &batch, std::size_t k)
 {
-  return batch.strayed[k] != 0 || batch.slack[k] >= kernel::closed_slack;
+  return batch.escaped[k] != 0 || batch.slack[k] >= kernel::closed_slack;
 }
 
 /// Touching contacts come first: of two at one place the other one goes.
@@ -153,12 +154,12 @@ inline PairList unchanged(const OldRows &old)
 
 /// Makes the lists of all pairs: `make(pair, old)` that of one which is due.
 template <class Make>
-std::vector<PairList> make_lists(const std::vector<WatchedPair> &pairs,
+std::vector<PairList> make_lists(const std::vector<CandidatePair> &pairs,
                                  OldList old_list, const Make &make)
 {
   std::vector<OldRows> old;
   old.reserve(pairs.size());
-  for (const WatchedPair &pair : pairs)
+  for (const CandidatePair &pair : pairs)
     old.push_back(old_list.next(pair.key));
   std::vector<PairList> lists(pairs.size());
 #pragma omp parallel for schedule(dynamic, 16)
@@ -167,10 +168,10 @@ std::vector<PairList> make_lists(const std::vector<WatchedPair> &pairs,
   return lists;
 }
 
-inline bool have_strayed(const ContactBatch &batch, const OldRows &old)
+inline bool have_escaped(const ContactBatch &batch, const OldRows &old)
 {
   for (const std::int32_t k : old)
-    if (has_strayed(batch, row_of(k)))
+    if (has_escaped(batch, row_of(k)))
       return true;
   return false;
 }
@@ -191,7 +192,7 @@ struct Arrangement
   std::vector<PairKey> key;
   std::vector<const Row *> row;
 
-  Arrangement(const std::vector<WatchedPair> &pairs,
+  Arrangement(const std::vector<CandidatePair> &pairs,
               const std::vector<PairList> &lists)
   {
     for (std::size_t p = 0; p < pairs.size(); ++p)
@@ -236,7 +237,7 @@ inline void retire_dropped(const Arrangement &to, const ContactBatch &batch,
 }
 
 /// Puts the batch in the order of the lists and evaluates new sides.
-inline void arrange(const SpotSearchInput &input, const Arrangement &to,
+inline void arrange(const ContactPointSearchInput &input, const Arrangement &to,
                     ContactBatch &batch)
 {
   const bool is_damage_new =
@@ -249,15 +250,15 @@ inline void arrange(const SpotSearchInput &input, const Arrangement &to,
     const auto k = static_cast<std::size_t>(entry);
     batch.a[k] = to.key[k].first;
     batch.b[k] = to.key[k].second;
-    batch.strayed[k] = 0;
+    batch.escaped[k] = 0;
     if (to.source[k] >= 0)
       continue;
-    const Spot &spot = to.row[k]->spot;
+    const ContactPoint &contact_point = to.row[k]->contact_point;
     if (input.layout.has_partners)
-      place_pair(input.context, batch, k, spot);
+      place_pair(input.context, batch, k, contact_point);
     else
-      renew_side(input.context, batch, k, true, spot.on_a);
-    batch.slack[k] = input.is_first ? 0. : std::max(0., spot.overlap);
+      renew_side(input.context, batch, k, true, contact_point.on_a);
+    batch.slack[k] = input.is_first ? 0. : std::max(0., contact_point.overlap);
   }
   if (is_damage_new)
     note_corners(input.context.particles, batch);
@@ -268,14 +269,16 @@ inline bool is_same_layout(const BatchLayout &one, const BatchLayout &other)
 {
   return one.has_rolling == other.has_rolling &&
          one.has_damage == other.has_damage && one.has_turn == other.has_turn &&
-         one.has_peak == other.has_peak && one.has_spots == other.has_spots;
+         one.has_peak == other.has_peak &&
+         one.has_contact_points == other.has_contact_points;
 }
 
 /// The pairs that bounding spheres allow, with what is known of them.
-inline std::vector<WatchedPair> merged(const std::vector<PairKey> &keys,
-                                       const std::vector<WatchedPair> &known)
+inline std::vector<CandidatePair>
+merged(const std::vector<PairKey> &keys,
+       const std::vector<CandidatePair> &known)
 {
-  std::vector<WatchedPair> pairs;
+  std::vector<CandidatePair> pairs;
   pairs.reserve(keys.size());
   auto old = known.begin();
   for (const PairKey &key : keys)
@@ -283,7 +286,8 @@ inline std::vector<WatchedPair> merged(const std::vector<PairKey> &keys,
     while (old != known.end() && old->key < key)
       ++old;
     const bool is_known = old != known.end() && old->key == key;
-    pairs.push_back(is_known ? *old : WatchedPair{key, -1., 0., Vec3::Zero()});
+    pairs.push_back(is_known ? *old
+                             : CandidatePair{key, -1., 0., Vec3::Zero()});
   }
   return pairs;
 }
@@ -293,13 +297,13 @@ inline std::vector<WatchedPair> merged(const std::vector<PairKey> &keys,
 template <class Travelled>
 struct Watch
 {
-  std::vector<WatchedPair> &pairs;
+  std::vector<CandidatePair> &pairs;
   Travelled travelled;
   SecondOf second_of;
 };
 // Clang 14 deduces no arguments of an aggregate without a guide.
 template <class Travelled>
-Watch(std::vector<WatchedPair> &, Travelled, SecondOf) -> Watch<Travelled>;
+Watch(std::vector<CandidatePair> &, Travelled, SecondOf) -> Watch<Travelled>;
 
 /// Numbers of the entries by what they are listed by; those on walls stand in
 /// that order.
@@ -313,7 +317,7 @@ inline std::vector<std::int32_t> entries_by_key(const ContactBatch &batch,
   return order;
 }
 
-/// `b` is the stone or the plane itself.
+/// `b` is the particle or the plane itself.
 inline std::int32_t itself(std::int32_t b)
 {
   return b;
@@ -322,24 +326,25 @@ inline std::int32_t itself(std::int32_t b)
 /// Makes the lists that are due and puts the batch in their order, then calls
 /// arranged(Arrangement) if that is another one.
 template <class Travelled, class Make, class Arranged>
-SpotEvents renew(const SpotSearchInput &input, const Watch<Travelled> &watch,
-                 const Make &make, ContactBatch &batch, Dissipation &retired,
-                 const Arranged &arranged)
+ContactPointEvents renew(const ContactPointSearchInput &input,
+                         const Watch<Travelled> &watch, const Make &make,
+                         ContactBatch &batch, Dissipation &retired,
+                         const Arranged &arranged)
 {
-  std::vector<WatchedPair> &pairs = watch.pairs;
+  std::vector<CandidatePair> &pairs = watch.pairs;
   const std::vector<std::int32_t> old_order =
       entries_by_key(batch, input.layout.has_partners);
   const std::vector<PairList> lists = make_lists(
       pairs, OldList(batch, watch.second_of, old_order),
-      [&](const WatchedPair &pair, const OldRows &old)
+      [&](const CandidatePair &pair, const OldRows &old)
       {
         const bool is_due =
             pair.due < watch.travelled(pair.key) + input.notice ||
-            have_strayed(batch, old) ||
+            have_escaped(batch, old) ||
             (pair.margin > 2. * input.margin && has_open_places(batch, old));
         return is_due ? make(pair, old) : unchanged(old);
       });
-  SpotEvents events;
+  ContactPointEvents events;
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
     events += lists[p].events;
@@ -353,7 +358,7 @@ SpotEvents renew(const SpotSearchInput &input, const Watch<Travelled> &watch,
   Arrangement to(pairs, lists);
   if (!to.changes(old_order) && is_same_layout(input.layout, batch.layout))
   {
-    std::fill(batch.strayed.begin(), batch.strayed.end(), std::uint8_t{0});
+    std::fill(batch.escaped.begin(), batch.escaped.end(), std::uint8_t{0});
     return events;
   }
   if (input.layout.has_partners)

@@ -68,13 +68,14 @@ void sort_entries(ContactBatch &batch)
   batch.rearrange(batch.layout, source);
 }
 
-std::int32_t moved(const std::vector<std::int32_t> &place, std::int32_t stone)
+std::int32_t moved(const std::vector<std::int32_t> &place,
+                   std::int32_t particle)
 {
-  return place[static_cast<std::size_t>(stone)];
+  return place[static_cast<std::size_t>(particle)];
 }
 
-/// Renames the stones; returns the order of the contacts by (stone, part), each
-/// with its number from before.
+/// Renames the particles; returns the order of the contacts by (particle,
+/// part), each with its number from before.
 template <class PartOf>
 std::vector<std::int32_t> place_order(const std::vector<std::int32_t> &place,
                                       ContactBatch &batch,
@@ -121,8 +122,8 @@ std::vector<std::int32_t> space_order(const std::vector<Vec3> &position)
   std::sort(order.begin(), order.end(),
             [&code](std::int32_t i, std::int32_t j)
             {
-              const auto code_of = [&code](std::int32_t stone)
-              { return code[static_cast<std::size_t>(stone)]; };
+              const auto code_of = [&code](std::int32_t particle)
+              { return code[static_cast<std::size_t>(particle)]; };
               return std::pair(code_of(i), i) < std::pair(code_of(j), j);
             });
   return order;
@@ -159,31 +160,31 @@ void renumber_planes(const std::vector<std::int32_t> &place,
 void renumber_facets(const std::vector<std::int32_t> &place,
                      FacetCandidates &candidates, ContactBatch &batch)
 {
-  std::vector<std::int32_t> &stone = candidates.stone;
-  for (std::int32_t &one : stone)
+  std::vector<std::int32_t> &particle = candidates.particle;
+  for (std::int32_t &one : particle)
     one = moved(place, one);
   for (std::size_t k = 0; k < batch.size(); ++k)
     batch.a[k] = moved(place, batch.a[k]);
-  std::vector<std::int32_t> rows(stone.size());
+  std::vector<std::int32_t> rows(particle.size());
   std::iota(rows.begin(), rows.end(), 0);
   std::sort(rows.begin(), rows.end(),
-            [&stone](std::int32_t r, std::int32_t s)
+            [&particle](std::int32_t r, std::int32_t s)
             {
-              return stone[static_cast<std::size_t>(r)] <
-                     stone[static_cast<std::size_t>(s)];
+              return particle[static_cast<std::size_t>(r)] <
+                     particle[static_cast<std::size_t>(s)];
             });
   std::vector<std::int32_t> slots;
   slots.reserve(batch.size());
   for (const std::int32_t row : rows)
-    for (std::int32_t s = 0; s < slots_per_stone; ++s)
-      slots.push_back(slots_per_stone * row + s);
-  reorder_column(stone, rows);
-  reorder_column(candidates.spot, slots);
+    for (std::int32_t s = 0; s < slots_per_particle; ++s)
+      slots.push_back(slots_per_particle * row + s);
+  reorder_column(particle, rows);
+  reorder_column(candidates.contact_point, slots);
   batch.rearrange(batch.layout, slots);
   candidates.row_start.clear();
   candidates.triangle.clear();
-  candidates.triangle_wake.clear();
-  candidates.wake.clear();
+  candidates.triangle_reactivation.clear();
+  candidates.reactivation.clear();
 }
 
 void renumber_drum_places(const std::vector<std::int32_t> &place,
@@ -212,8 +213,8 @@ void renumber_facet_places(const std::vector<std::int32_t> &place,
 {
   const std::vector<std::int32_t> order =
       place_order(place, batch, [](std::int32_t) { return std::int32_t{0}; });
-  reorder_column(candidates.spot, order);
-  reorder_column(candidates.wake, order);
+  reorder_column(candidates.contact_point, order);
+  reorder_column(candidates.reactivation, order);
   batch.rearrange(batch.layout, order);
   for (std::size_t k = 0; k < order.size(); ++k)
     batch.b[k] = static_cast<std::int32_t>(k);

@@ -1,7 +1,7 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
 #include "expansion_kernels.h"
 
-#include "../contact/lane_rows.h"
+#include "../contact/simd_rows.h"
 
 #include <bit>
 
@@ -34,10 +34,10 @@ inline void fill(Powers &power, double x, double y, int order)
   power.imaginary[group + 1] = y;
   for (int m = 2; m <= group; ++m)
     set_product(power, m, m / 2, m - m / 2);
-  const Lanes c = power.real[2 * group], d = power.imaginary[2 * group];
+  const Simd c = power.real[2 * group], d = power.imaginary[2 * group];
   for (int m = group; m <= order; m += n_lanes)
   {
-    const Lanes p = load(power.real + m), q = load(power.imaginary + m);
+    const Simd p = load(power.real + m), q = load(power.imaginary + m);
     store(c * p - d * q, power.real + group + m);
     store(c * q + d * p, power.imaginary + group + m);
   }
@@ -49,25 +49,25 @@ constexpr int reversed(int i)
 }
 
 /// The lanes have first[0], first[-1], first[-2], ...
-inline Lanes load_reversed(const double *first)
+inline Simd load_reversed(const double *first)
 {
-  const LanePack row = load_pack<n_lanes>(first - (n_lanes - 1));
-  return std::bit_cast<Lanes>(shuffle<n_lanes, reversed>(row, row));
+  const SimdPack row = load_pack<n_lanes>(first - (n_lanes - 1));
+  return std::bit_cast<Simd>(shuffle<n_lanes, reversed>(row, row));
 }
 
 /// p_nm, its derivative by z and half its second one, of two degrees.
 struct Climb
 {
-  Lanes value = 0., slope = 0., bend = 0.;
-  Lanes value_before = 0., slope_before = 0., bend_before = 0.;
+  Simd value = 0., slope = 0., bend = 0.;
+  Simd value_before = 0., slope_before = 0., shape_operator_before = 0.;
 
   /// To the next degree; `start` is 1 at the order that begins with it.
-  void step(const Lanes &z, const Lanes &fall, const Lanes &start)
+  void step(const Simd &z, const Simd &fall, const Simd &start)
   {
-    const Lanes next_bend = slope + z * bend - fall * bend_before;
-    const Lanes next_slope = value + z * slope - fall * slope_before;
-    const Lanes next_value = z * value - fall * value_before + start;
-    bend_before = bend;
+    const Simd next_bend = slope + z * bend - fall * shape_operator_before;
+    const Simd next_slope = value + z * slope - fall * slope_before;
+    const Simd next_value = z * value - fall * value_before + start;
+    shape_operator_before = bend;
     slope_before = slope;
     value_before = value;
     bend = next_bend;
@@ -79,9 +79,9 @@ struct Climb
 /// Sums over the degrees, order by order: factors of cos and sin.
 struct DegreeSums
 {
-  Lanes cosine = 0., sine = 0.;
+  Simd cosine = 0., sine = 0.;
 
-  void add(const Lanes &c, const Lanes &s, const Lanes &by)
+  void add(const Simd &c, const Simd &s, const Simd &by)
   {
     cosine += c * by;
     sine += s * by;
@@ -97,15 +97,15 @@ struct OrderSums
 inline OrderSums sum_degrees(const ExpansionTable &table,
                              const SeriesRows &series, double height, int m)
 {
-  const Lanes z = height;
+  const Simd z = height;
   OrderSums sums;
   Climb climb;
   for (int n = m; n <= series.order; ++n)
   {
     climb.step(z, load(table.fall[n] + m), load(table.first[n] + m));
-    const Lanes scale = load(table.scale[n] + m);
-    const Lanes c = scale * load(series.degree[n] + m);
-    const Lanes s = scale * load_reversed(series.degree[n] - m);
+    const Simd scale = load(table.scale[n] + m);
+    const Simd c = scale * load(series.degree[n] + m);
+    const Simd s = scale * load_reversed(series.degree[n] - m);
     sums.value.add(c, s, climb.value);
     sums.slope.add(c, s, climb.slope);
     sums.bend.add(c, s, climb.bend);
@@ -115,28 +115,28 @@ inline OrderSums sum_degrees(const ExpansionTable &table,
 
 /// Real part and, with the sign of a derivative by y, imaginary part of
 /// f (c - i s) (p + i q).
-inline Lanes along(const DegreeSums &sum, const Lanes &p, const Lanes &q)
+inline Simd along(const DegreeSums &sum, const Simd &p, const Simd &q)
 {
   return sum.cosine * p + sum.sine * q;
 }
 
-inline Lanes across(const DegreeSums &sum, const Lanes &p, const Lanes &q)
+inline Simd across(const DegreeSums &sum, const Simd &p, const Simd &q)
 {
   return sum.sine * p - sum.cosine * q;
 }
 
-using JetLanes = Lanes[n_jet];
+using JetSimd = Simd[n_jet];
 
 /// Derivatives by x and y lower the power of x + i y.
 inline void add_orders(const ExpansionTable &table, const Powers &power,
-                       const OrderSums &sums, int m, JetLanes &jet)
+                       const OrderSums &sums, int m, JetSimd &jet)
 {
   const double *real = power.real + group + m;
   const double *imaginary = power.imaginary + group + m;
-  const Lanes once = load(table.m + m), twice = load(table.m_times + m);
-  const Lanes p = load(real), q = load(imaginary);
-  const Lanes p1 = once * load(real - 1), q1 = once * load(imaginary - 1);
-  const Lanes p2 = twice * load(real - 2), q2 = twice * load(imaginary - 2);
+  const Simd once = load(table.m + m), twice = load(table.m_times + m);
+  const Simd p = load(real), q = load(imaginary);
+  const Simd p1 = once * load(real - 1), q1 = once * load(imaginary - 1);
+  const Simd p2 = twice * load(real - 2), q2 = twice * load(imaginary - 2);
   jet[jet_value] += along(sums.value, p, q);
   jet[jet_x] += along(sums.value, p1, q1);
   jet[jet_y] += across(sums.value, p1, q1);
@@ -145,7 +145,7 @@ inline void add_orders(const ExpansionTable &table, const Powers &power,
   jet[jet_xy] += across(sums.value, p2, q2);
   jet[jet_xz] += along(sums.slope, p1, q1);
   jet[jet_yz] += across(sums.slope, p1, q1);
-  jet[jet_zz] += Lanes(2.) * along(sums.bend, p, q);
+  jet[jet_zz] += Simd(2.) * along(sums.bend, p, q);
 }
 
 /// Orders are summed by their place in a group of 8, then the 8 places: same
@@ -158,8 +158,8 @@ void expand_one(const ExpansionTable &table, const SeriesRows &series,
   alignas(64) double places[n_jet][group];
   for (int first = 0; first < group; first += n_lanes)
   {
-    JetLanes lanes;
-    for (Lanes &sum : lanes)
+    JetSimd lanes;
+    for (Simd &sum : lanes)
       sum = 0.;
     for (int m = first; m <= series.order; m += group)
       add_orders(table, power, sum_degrees(table, series, s[2], m), m, lanes);
@@ -177,10 +177,10 @@ void expand_one(const ExpansionTable &table, const SeriesRows &series,
 /// (x + i y)^m and the two powers below.
 struct PowerSteps
 {
-  Lanes p[3] = {Lanes(1.), Lanes(0.), Lanes(0.)};
-  Lanes q[3] = {Lanes(0.), Lanes(0.), Lanes(0.)};
+  Simd p[3] = {Simd(1.), Simd(0.), Simd(0.)};
+  Simd q[3] = {Simd(0.), Simd(0.), Simd(0.)};
 
-  void step(const Lanes &x, const Lanes &y)
+  void step(const Simd &x, const Simd &y)
   {
     p[2] = p[1];
     q[2] = q[1];
@@ -192,16 +192,16 @@ struct PowerSteps
 };
 
 /// One column of coefficients; `entry` goes on to the next one.
-inline OrderSums sum_column(const ColumnEntry *&entry, const Lanes &z, int n)
+inline OrderSums sum_column(const ColumnEntry *&entry, const Simd &z, int n)
 {
   OrderSums sums;
-  Lanes value = 1., before = 0.;
+  Simd value = 1., before = 0.;
   for (const ColumnEntry *const end = entry + n; entry != end; ++entry)
   {
     sums.value.add(entry->value[0], entry->value[1], value);
     sums.slope.add(entry->slope[0], entry->slope[1], value);
     sums.bend.add(entry->bend[0], entry->bend[1], value);
-    const Lanes next = z * value - entry->fall * before;
+    const Simd next = z * value - entry->fall * before;
     before = value;
     value = next;
   }
@@ -209,10 +209,10 @@ inline OrderSums sum_column(const ColumnEntry *&entry, const Lanes &z, int n)
 }
 
 inline void add_column(const OrderSums &sums, const PowerSteps &power, int m,
-                       JetLanes &jet)
+                       JetSimd &jet)
 {
-  const Lanes *p = power.p, *q = power.q;
-  const Lanes once = m, below = m - 1, twice = m * (m - 1);
+  const Simd *p = power.p, *q = power.q;
+  const Simd once = m, below = m - 1, twice = m * (m - 1);
   jet[jet_value] += along(sums.value, p[0], q[0]);
   jet[jet_x] += once * along(sums.value, p[1], q[1]);
   jet[jet_y] += once * across(sums.value, p[1], q[1]);
@@ -229,9 +229,9 @@ void expand_many(const Columns &columns, const Directions &s, double *jet)
 {
   for (std::ptrdiff_t i = 0; i < s.n; i += n_lanes)
   {
-    const Lanes x = load(s.x + i), y = load(s.y + i), z = load(s.z + i);
-    JetLanes lanes;
-    for (Lanes &sum : lanes)
+    const Simd x = load(s.x + i), y = load(s.y + i), z = load(s.z + i);
+    JetSimd lanes;
+    for (Simd &sum : lanes)
       sum = 0.;
     const ColumnEntry *entry = columns.entry;
     PowerSteps power;

@@ -76,7 +76,7 @@ void add_overhang(const std::vector<detail::RayHits> &hits,
 
 void add_residual(const RadialSamples &samples, ShapeFit &fit)
 {
-  const double mean = fit.coefficients[0] * ball_radius_factor;
+  const double mean = fit.coefficients[0] * equivalent_radius_factor;
   double square = 0.;
   for (std::size_t k = 0; k < samples.radius.size(); ++k)
   {

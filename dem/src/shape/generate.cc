@@ -18,7 +18,7 @@ using detail::LogShape;
 using detail::low_degree;
 
 constexpr int n_parities = 8;
-/// Energy that no stone has: keeps the logarithm of a sphere's finite.
+/// Energy that no particle has: keeps the logarithm of a sphere's finite.
 constexpr double smooth = 1e-20;
 
 double energy(const std::vector<double> &logs, int n)
@@ -59,9 +59,10 @@ double normal_number(Random &random)
   return radius * std::cos(2. * std::numbers::pi * random.uniform());
 }
 
-/// A root of the covariance. Rows are stones, columns what is drawn together,
-/// both free of their mean. Off the diagonal the covariance is shrunk by n / (n
-/// + d), as few stones make many correlations.
+/// A root of the covariance. Rows are particles, columns what is drawn
+/// together, both free of their mean. Off the diagonal the covariance is shrunk
+/// by n / (n
+/// + d), as few particles make many correlations.
 Eigen::MatrixXd covariance_root(const Eigen::MatrixXd &rows, bool has_mean)
 {
   const auto n = double(rows.rows()), d = double(rows.cols());
@@ -84,8 +85,8 @@ void require(bool is_met, const std::string &what)
 } // namespace
 
 ShapeGenerator::ShapeGenerator(std::span<const Coefficients> sample,
-                               int order_of_stones)
-    : order(order_of_stones)
+                               int order_of_particles)
+    : order(order_of_particles)
 {
   require(sample.size() >= 3, "the sample has " +
                                   std::to_string(sample.size()) +
@@ -106,7 +107,7 @@ ShapeGenerator::ShapeGenerator(std::span<const Coefficients> sample,
     for (std::size_t i = 0; i < quantiles.size(); ++i)
       quantiles[i] += logs.back().quantiles[i] / double(sample.size());
     log_radius +=
-        std::log(logs.back().equivalent_radius) / double(sample.size());
+        std::log(logs.back().volume_equivalent_radius) / double(sample.size());
   }
   radius = std::exp(log_radius);
   for (int parity = 0; parity < n_parities; ++parity)
@@ -151,7 +152,7 @@ void ShapeGenerator::fit_spectrum(const std::vector<detail::LogShape> &logs)
 detail::LogShape ShapeGenerator::draw(Random &random) const
 {
   LogShape log;
-  log.equivalent_radius = radius;
+  log.volume_equivalent_radius = radius;
   std::copy(quantiles.begin(), quantiles.end(), log.quantiles.begin());
   log.coefficients.assign(std::size_t(n_coefficients(order)), 0.);
   double amplitude = 0.;
@@ -188,9 +189,10 @@ detail::LogShape ShapeGenerator::draw(Random &random) const
 Coefficients ShapeGenerator::operator()(Random &random) const
 {
   for (int attempt = 0; attempt < 100; ++attempt)
-    if (Coefficients stone = detail::from_log(draw(random)); !stone.empty())
-      return stone;
-  throw std::runtime_error("generate: no stone in 100 has a radius above a "
+    if (Coefficients particle = detail::from_log(draw(random));
+        !particle.empty())
+      return particle;
+  throw std::runtime_error("generate: no particle in 100 has a radius above a "
                            "twentieth of its mean: the sample varies too much");
 }
 } // namespace dem

@@ -240,14 +240,14 @@ LogShape log_shape(const Coefficients &shape, int order)
   const PrincipalFrame frame = principal_frame(of.inertia);
   const Vec3 squares = squared_axes(frame.moments);
   LogShape log;
-  log.equivalent_radius = sphere_radius(of.volume);
+  log.volume_equivalent_radius = sphere_radius(of.volume);
   log.log_elongation = 0.5 * std::log(squares.y() / squares.x());
   log.log_flatness = 0.5 * std::log(squares.z() / squares.y());
   const LogEllipsoid ellipsoid(log.log_elongation, log.log_flatness);
   std::vector<double> rest;
   for (const Vec3 &s : rule.direction)
     rest.push_back(
-        std::log(radius(shape, frame.axes * s) / log.equivalent_radius) -
+        std::log(radius(shape, frame.axes * s) / log.volume_equivalent_radius) -
         ellipsoid(s));
   log.coefficients = project_nodes(order, rest);
   log.quantiles = quantiles_of(node_radii(log.coefficients, rule));
@@ -268,7 +268,7 @@ Coefficients from_log(const LogShape &log)
   if (!(moments.lowest > 0.05 * size))
     return {};
   for (double &a : shape)
-    a *= log.equivalent_radius / size;
+    a *= log.volume_equivalent_radius / size;
   return shape;
 }
 

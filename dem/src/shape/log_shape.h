@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 
 #include <array>
 
@@ -17,13 +17,13 @@ double high_energy(std::span<const double> coefficients);
 /// below, from the least value to the largest [-].
 using Quantiles = std::array<double, 65>;
 
-/// A stone in its principal frame, x along the least moment of inertia, z along
-/// the largest, as log(r / R) = log(r_e / R) + sum b_j Y_j: r_e is the
-/// ellipsoid with the second moments of the stone, R the radius of the sphere
-/// of its volume.
+/// A particle in its principal frame, x along the least moment of inertia, z
+/// along the largest, as log(r / R) = log(r_e / R) + sum b_j Y_j: r_e is the
+/// ellipsoid with the second moments of the particle, R the radius of the
+/// sphere of its volume.
 struct LogShape
 {
-  double equivalent_radius = 0.;    ///< R [m]
+  double volume_equivalent_radius = 0.; ///< R [m]
   double log_elongation = 0.;       ///< of the axes b / a of the ellipsoid [-]
   double log_flatness = 0.;         ///< c / b [-]
   std::vector<double> coefficients; ///< b_j up to the order asked for [-]
@@ -32,11 +32,11 @@ struct LogShape
 
 LogShape log_shape(const Coefficients &shape, int order);
 
-/// The series of such a stone up to the order of b. The values of sum b_j Y_j
-/// are first moved, each by its rank, to these quantiles, with the energy of
-/// the higher degrees kept. The stone is moved in its first degree until its
-/// centroid is the origin, and scaled to its R. Empty if its radius comes below
-/// a twentieth of R.
+/// The series of such a particle up to the order of b. The values of sum b_j
+/// Y_j are first moved, each by its rank, to these quantiles, with the energy
+/// of the higher degrees kept. The particle is moved in its first degree until
+/// its centroid is the origin, and scaled to its R. Empty if its radius comes
+/// below a twentieth of R.
 Coefficients from_log(const LogShape &log);
 
 /// Bits 1, 2, 4: Y_nm changes its sign with x, y, z.

@@ -85,7 +85,7 @@ ShapeMeasures measure_shape(std::span<const double> coefficients,
       std::minmax_element(radii.begin(), radii.end());
   measures.inscribed_radius = *lowest;
   measures.circumscribed_radius = *highest;
-  measures.mean_radius = coefficients[0] * ball_radius_factor;
+  measures.mean_radius = coefficients[0] * equivalent_radius_factor;
   const CornerSums sums = corner_sums(coefficients, rule, *lowest);
   measures.area = sums.area;
   measures.max_slope = sums.max_slope;

@@ -119,7 +119,7 @@ detail::RadialSamples samples_about(std::span<const double> series,
 
 double mean_of(std::span<const double> coefficients)
 {
-  return coefficients[0] * ball_radius_factor;
+  return coefficients[0] * equivalent_radius_factor;
 }
 
 double largest_deviation(const detail::RadialSamples &samples,

@@ -21,6 +21,6 @@ Ringing ringing(std::span<const double> coefficients)
   for (const double r : node_radii(upper, standard_quadrature()))
     largest = std::max(largest, std::abs(r));
   return {std::sqrt(square) / coefficients[0],
-          largest / (coefficients[0] * ball_radius_factor)};
+          largest / (coefficients[0] * equivalent_radius_factor)};
 }
 } // namespace dem

@@ -86,19 +86,19 @@ TEST_F(CaseFile, ByteOrderMarkIsPassedOver)
 
 TEST_F(CaseFile, CommandLineWinsOverCaseOverMaterial)
 {
-  write("m.prm", "subsection Stone\n  set density = 2000\n"
+  write("m.prm", "subsection Particle\n  set density = 2000\n"
                  "  set friction = 0.3\n  set shear_damping = 0.1\nend\n");
   const std::string file =
       write_case("subsection Material\n  set file = m.prm\nend\n"
-                 "subsection Stone\n  set friction = 0.4\n"
+                 "subsection Particle\n  set friction = 0.4\n"
                  "  set shear_damping = 0.2\nend\n");
   const std::vector<Override> overrides = {
-      parse_override("Stone/shear_damping=0.3")};
+      parse_override("Particle/shear_damping=0.3")};
   const Case c = read_case(file, overrides);
-  EXPECT_EQ(c.stone.density, 2000.);
-  EXPECT_EQ(c.stone.friction, 0.4);
-  EXPECT_EQ(c.stone.shear_damping, 0.3);
-  EXPECT_EQ(c.stone.shear_modulus, dem::StoneMaterial().shear_modulus);
+  EXPECT_EQ(c.particle.density, 2000.);
+  EXPECT_EQ(c.particle.friction, 0.4);
+  EXPECT_EQ(c.particle.shear_damping, 0.3);
+  EXPECT_EQ(c.particle.shear_modulus, dem::ParticleMaterial().shear_modulus);
 }
 
 // There is no silent way of exchange, and no impossible one.
@@ -117,13 +117,13 @@ TEST_F(CaseFile, ExchangeMustBeSaid)
                               keys + "end\n"));
   };
   const std::string every_step = "  set exchange = every_step\n";
-  EXPECT_NE(with(every_step + "  set stone_steps = 2\n")
-                .find("Coupling/stone_steps = 2"),
+  EXPECT_NE(with(every_step + "  set particle_steps = 2\n")
+                .find("Coupling/particle_steps = 2"),
             std::string::npos);
   EXPECT_NE(with(every_step + "  set body_time = implicit\n")
                 .find("Coupling/body_time"),
             std::string::npos);
-  EXPECT_EQ(with("  set exchange = iterated\n  set stone_steps = 2\n"
+  EXPECT_EQ(with("  set exchange = iterated\n  set particle_steps = 2\n"
                  "  set body_time = implicit\n"),
             "");
 }
@@ -160,7 +160,7 @@ TEST_F(CaseFile, ResolvedCaseReadsBackTheSame)
     else if (const auto *choice = std::get_if<Choice>(&p.value);
              choice && p.key != "kind")
       choice->set(choice->names.size() - 1);
-  c.breakage.min_ball_radius = 1e-3 / 3.;
+  c.breakage.min_equivalent_radius = 1e-3 / 3.;
   c.specimen.shapes = "shapes";
   const std::string printed = resolved_case(c);
   Case again = read_case(write("resolved.prm", printed), {});
@@ -230,9 +230,9 @@ TEST_F(CaseFile, EveryParameterIsDescribedOnce)
 TEST_F(CaseFile, FaultsNameTheirPlace)
 {
   const std::string file =
-      write_case("subsection Stone\n  set friction = -1\nend\n");
+      write_case("subsection Particle\n  set friction = -1\nend\n");
   EXPECT_EQ(message_of(file),
-            file + ":6: Stone/friction = -1: must be a number of at least 0 "
+            file + ":6: Particle/friction = -1: must be a number of at least 0 "
                    "and at most 10");
 }
 
@@ -293,7 +293,7 @@ TEST_F(CaseFile, PresetsAreOverTheCase)
   const std::vector<Override> fast = {parse_override("preset=fast")};
   const Case c = read_case(file, fast);
   EXPECT_EQ(c.time.step, StepRule::stable);
-  EXPECT_EQ(c.contact.geometry, dem::ContactGeometry::ball);
+  EXPECT_EQ(c.contact.geometry, dem::ContactGeometry::sphere);
   const std::vector<Override> both = {parse_override("Time/safety=0.3"),
                                       parse_override("preset=fast")};
   EXPECT_EQ(read_case(file, both).time.safety, 0.3);

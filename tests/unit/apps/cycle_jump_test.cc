@@ -74,16 +74,16 @@ Outcome run(const spall::CycleJumpParameters &parameters, Specimen specimen,
   std::optional<std::pair<JumpPlan, Specimen>> kept;
   double kept_cycle = 0., cycle = 0.;
   int n_simulated = 0;
-  while (cycle < n_cycles || plan.due() == JumpStep::go_back)
+  while (cycle < n_cycles || plan.due() == JumpStep::restore_state)
   {
-    if (plan.due() == JumpStep::go_back)
+    if (plan.due() == JumpStep::restore_state)
     {
       const JumpPlan refused = plan;
       std::tie(plan, specimen) = *kept;
       cycle = kept_cycle;
       plan.shorten(refused);
     }
-    if (plan.due() == JumpStep::keep)
+    if (plan.due() == JumpStep::save_state)
     {
       kept = {plan, specimen};
       kept_cycle = cycle;

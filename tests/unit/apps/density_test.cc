@@ -10,12 +10,12 @@ namespace
 {
 using namespace spall;
 
-dem::Particles one_ball(const dem::Vec3 &centre, double radius)
+dem::ParticleSystem one_ball(const dem::Vec3 &centre, double radius)
 {
-  dem::Particles stones;
-  stones.add(dem::make_sphere(radius), centre, dem::Quaternion::Identity(),
-             2750.);
-  return stones;
+  dem::ParticleSystem particles;
+  particles.add(dem::make_sphere(radius), centre, dem::Quaternion::Identity(),
+                2750.);
+  return particles;
 }
 
 // A ball in the column below a plate, and one that its edge halves.

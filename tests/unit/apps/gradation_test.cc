@@ -11,7 +11,7 @@ namespace
 TEST(Gradation, ReadsRowsAndSkipsComments)
 {
   const std::string path = testing::TempDir() + "/gradation_test.csv";
-  std::ofstream(path) << "# stones\n\ndiameter_m, passing_1\r\n"
+  std::ofstream(path) << "# particles\n\ndiameter_m, passing_1\r\n"
                          "0.005, 0\n# middle\n0.01, 0.25\n0.02, 1\n";
   const spall::Gradation curve = spall::read_gradation(path);
   EXPECT_EQ(curve.diameter, (std::vector<double>{0.005, 0.01, 0.02}));

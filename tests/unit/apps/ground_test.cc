@@ -37,8 +37,8 @@ protected:
   void SetUp() override
   {
     base.file = (fs::path(testing::TempDir()) / "case.prm").string();
-    LayerParameters &stones = base.subgrade.layer;
-    stones.length = stones.width = 0.3;
+    LayerParameters &particles = base.subgrade.layer;
+    particles.length = particles.width = 0.3;
     base.subgrade.plate.diameter = 0.2;
     GroundParameters &ground = base.subgrade.ground;
     ground.length = ground.width = 1.;
@@ -175,7 +175,7 @@ TEST_F(GroundFile, SaysWhatDoesNotFit)
   expect(moved([](Eigen::Vector3d &x) { x.x() += 0.01; }),
          "no node at (0, 0, 0)");
   expect(moved([](Eigen::Vector3d &x) { x.head<2>() *= 0.25; }),
-         "the box of the stones");
+         "the box of the particles");
   expect(moved([](Eigen::Vector3d &x) { x.head<2>() *= 3.; }),
          "narrow side of the plate");
   // A pit in the top, a cell turned inside out.

@@ -73,7 +73,7 @@ protected:
 };
 
 /// The particles of a case as its test makes them.
-dem::Particles drawn(const Case &c)
+dem::ParticleSystem drawn(const Case &c)
 {
   switch (c.kind)
   {
@@ -82,14 +82,14 @@ dem::Particles drawn(const Case &c)
   case CaseKind::vibratory_compaction:
     return make_compaction_scene(c).all;
   case CaseKind::subgrade:
-    return make_stone_box(c).all;
+    return make_particle_box(c).all;
   default:
-    return make_lab_test(c)->all_stones();
+    return make_lab_test(c)->all_particles();
   }
 }
 
 /// Share of the mass in particles of at most this diameter [-].
-double passing(const dem::Particles &particles, double diameter)
+double passing(const dem::ParticleSystem &particles, double diameter)
 {
   double finer = 0., all = 0.;
   for (std::size_t i = 0; i < particles.size(); ++i)
@@ -118,7 +118,7 @@ TEST_F(GradationOfKinds, SievesPassWhatTheTableAsks)
       {
         const Case c = case_of(kind, file_of(table), its_shapes);
         const Gradation sieves = read_gradation(c.specimen.gradation);
-        const dem::Particles particles = drawn(c);
+        const dem::ParticleSystem particles = drawn(c);
         const auto found = obtained_gradation(c, particles);
         ASSERT_TRUE(found);
         const std::string where = std::string(table.name) + ", kind " +

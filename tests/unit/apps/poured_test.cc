@@ -35,7 +35,7 @@ std::string text_with(const std::function<void(Case &)> &change)
 }
 
 // Held ground counts by the mesh and the masses of its top alone.
-TEST(PouredStones, TextFollowsTheTopOfTheGround)
+TEST(PouredParticles, TextFollowsTheTopOfTheGround)
 {
   const std::string before = text_with([](Case &) {});
   const auto ground = [](auto change)
@@ -52,7 +52,7 @@ TEST(PouredStones, TextFollowsTheTopOfTheGround)
   EXPECT_NE(ground([](auto &g) { g.length = 0.81; }), before);
 }
 
-TEST(PouredStones, TextFollowsTheStonesAndNotTheLoads)
+TEST(PouredParticles, TextFollowsTheParticlesAndNotTheLoads)
 {
   const std::string before = text_with([](Case &) {});
   EXPECT_EQ(text_with(
@@ -61,7 +61,7 @@ TEST(PouredStones, TextFollowsTheStonesAndNotTheLoads)
                   c.subgrade.pulse.amplitude = 1.;
                   c.subgrade.plate.mass = 1.;
                   c.subgrade.record.stress_depths = "";
-                  c.coupling.rules.stone_steps = 2;
+                  c.coupling.rules.particle_steps = 2;
                 }),
             before);
   EXPECT_NE(text_with([](Case &c) { c.subgrade.layer.friction = 0.3; }),

@@ -41,14 +41,15 @@ void expect_all_listed(Case any, CaseKind kind, const PreparationKeys &keys)
 {
   for (const Section &section : sections())
     for (const Parameter &parameter : parameters_of(any))
-      if (section.is_of(kind) && parameter.section == section.name)
+      if (section.is_of(kind) && parameter.section == section.name &&
+          is_among(parameter.kinds, kind))
       {
         EXPECT_NE(lists(keys.deciding, parameter), lists(keys.later, parameter))
             << name_of(parameter) << " must be in one of the lists";
       }
 }
 
-/// Some twenty stones that are soon together.
+/// Some twenty particles that are soon together.
 class Preparation : public testing::Test
 {
 protected:
@@ -82,7 +83,7 @@ protected:
   Case base;
 };
 
-/// Position and velocity of every stone after these steps, the energies
+/// Position and velocity of every particle after these steps, the energies
 /// besides.
 std::vector<double> after(const Case &parameters, int n_steps)
 {
@@ -93,10 +94,11 @@ std::vector<double> after(const Case &parameters, int n_steps)
   const dem::EngineEnergy energy = test.engine().energy();
   std::vector<double> all = {energy.friction, energy.rolling, energy.damping,
                              energy.elastic, energy.breakage};
-  const dem::Particles &stones = test.engine().particles();
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  const dem::ParticleSystem &particles = test.engine().particles();
+  for (std::size_t i = 0; i < particles.size(); ++i)
     for (int d = 0; d < 3; ++d)
-      for (const double value : {stones.position(i)[d], stones.velocity(i)[d]})
+      for (const double value :
+           {particles.position(i)[d], particles.velocity(i)[d]})
         all.push_back(value);
   return all;
 }
@@ -155,7 +157,7 @@ TEST_F(Preparation, TextFollowsTheContentsOfFilesNotTheirNames)
   EXPECT_NE(text_of(other), before);
 }
 
-// Contacts from early on: the stones meet after some hundred steps.
+// Contacts from early on: the particles meet after some hundred steps.
 TEST_F(Preparation, KeysOfLaterLeaveTheSpecimenAsItIs)
 {
   constexpr int n_steps = 1500;
@@ -174,7 +176,7 @@ TEST_F(Preparation, KeysOfLaterLeaveTheSpecimenAsItIs)
   rigid.boundary.lateral = Lateral::rigid;
   EXPECT_EQ(after(rigid, n_steps), before);
   Case heavier = base;
-  heavier.stone.density *= 1.001;
+  heavier.particle.density *= 1.001;
   EXPECT_NE(after(heavier, n_steps), before);
 }
 
@@ -195,7 +197,7 @@ TEST_F(Preparation, OwnStepsLeaveTheNumericsOfLoadingOut)
   fixed.time.fixed_step = 1e-6;
   fixed.time.safety = 0.3;
   fixed.contact.refresh_tolerance = 0.;
-  fixed.contact.search_margin = 1e-3;
+  fixed.contact.skin = 1e-3;
   EXPECT_EQ(after(fixed, n_steps), before);
   EXPECT_EQ(text_of(fixed), text_of(same));
   EXPECT_NE(text_of(own), text_of(same));
@@ -210,16 +212,16 @@ TEST_F(Preparation, OwnTolerancesEndWithIt)
   base.preparation.unbalanced_ratio = 0.1;
   base.preparation.safety = base.time.safety;
   base.contact.refresh_tolerance = 1e-3;
-  base.contact.search_margin = 2e-4;
+  base.contact.skin = 2e-4;
   const dem::GeometryParameters usual;
   Triaxial test(base);
   const dem::GeometryParameters &geometry = test.engine().parameters().geometry;
   EXPECT_EQ(geometry.refresh_tolerance, usual.refresh_tolerance);
-  EXPECT_EQ(geometry.search_margin, usual.search_margin);
+  EXPECT_EQ(geometry.skin, usual.skin);
   while (test.stage() == Stage::preparation)
     test.advance();
   EXPECT_EQ(geometry.refresh_tolerance, 1e-3);
-  EXPECT_EQ(geometry.search_margin, 2e-4);
+  EXPECT_EQ(geometry.skin, 2e-4);
 }
 
 // What is taken up goes on as what prepared itself.
@@ -241,7 +243,7 @@ TEST_F(Preparation, IsTakenUpBitForBit)
     first.advance();
   EXPECT_EQ(n_calls, 1);
   Case other = base;
-  other.stone.friction = 0.3;
+  other.particle.friction = 0.3;
   for (const Case &parameters : {base, other})
   {
     Triaxial second(parameters);
@@ -250,7 +252,7 @@ TEST_F(Preparation, IsTakenUpBitForBit)
     EXPECT_EQ(second.stage(), Stage::consolidation);
     EXPECT_EQ(second.prepared().is_taken, 1);
     EXPECT_EQ(second.prepared().hash, first.prepared().hash);
-    if (parameters.stone.friction != base.stone.friction)
+    if (parameters.particle.friction != base.particle.friction)
       continue;
     for (int k = 0; k < 300; ++k)
     {

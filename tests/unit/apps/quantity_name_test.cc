@@ -20,6 +20,6 @@ TEST(QuantityName, IsWordsAndUnit)
 TEST(QuantityName, KeysInWords)
 {
   EXPECT_EQ(key_label("Loading/frequency", "Hz"), "Loading frequency (Hz)");
-  EXPECT_EQ(key_label("Stone/friction", "-"), "Stone friction (–)");
+  EXPECT_EQ(key_label("Particle/friction", "-"), "Particle friction (–)");
   EXPECT_EQ(key_label("Variants", ""), "Variants");
 }

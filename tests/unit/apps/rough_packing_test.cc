@@ -24,7 +24,7 @@ struct Packing
     for (int i = 0; i < 250; ++i)
       bodies.push_back(dem::make_sphere(i < 125 ? 0.01 : 0.005));
     double volume = 0.;
-    for (const dem::Body &body : bodies)
+    for (const dem::ParticleShape &body : bodies)
       volume += body.volume;
     height = volume / (0.6 * room.section());
     for (int d = 0; d < 2; ++d)
@@ -36,9 +36,9 @@ struct Packing
 
   void fill()
   {
-    const auto places = crowd(bodies, room, height, 0.2);
+    const auto places = dense_packing(bodies, room, height, 0.2);
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      engine.add_stone(bodies[i], places[i].position, places[i].orientation);
+      engine.add_particle(bodies[i], places[i].position, places[i].orientation);
   }
 
   double deepest() const
@@ -61,18 +61,18 @@ struct Packing
 
   dem::Room room{dem::Vec3(0., 0., 0.1), 0.1, 0.1, false};
   double height = 0.;
-  std::vector<dem::Body> bodies;
+  std::vector<dem::ParticleShape> bodies;
   dem::Engine engine{soft_walls()};
 };
 
-TEST(RoughPacking, LetsGoOfTheOverlapsOfACrowd)
+TEST(RoughPacking, LetsGoOfTheOverlapsOfADensePacking)
 {
   Packing packing;
   packing.fill();
   EXPECT_LT(packing.highest(),
             packing.room.floor.z() + packing.height + 0.01); // largest radius
-  packing.engine.let_strays_go();
-  packing.engine.advance_unseen(1e-15);
+  packing.engine.allow_escape();
+  packing.engine.advance_deferred(1e-15);
   const double before = packing.deepest();
   EXPECT_GT(before, 0.005); // of a radius of the smaller ones
   relax(packing.engine, 1e-4);

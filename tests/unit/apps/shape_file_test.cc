@@ -66,7 +66,7 @@ TEST_F(ShapeFiles, AreReadBackAsWritten)
   shape.order = 2;
   shape.coefficients = {0.03,      1e-3, -2e-3 / 3., 0.,   1e-4,
                         1e-5 / 7., 2e-4, 0.,         -1e-4};
-  shape.name = "a \"stone\"";
+  shape.name = "a \"particle\"";
   shape.source = "test";
   shape.licence = "MIT";
   const std::string path = (folder / "s.json").string();
@@ -148,7 +148,7 @@ TEST(CommittedShapes, HaveTheVolumesOfTheSource)
     EXPECT_EQ(shapes[i].order, 20);
     EXPECT_NE(shapes[i].licence.find("MIT"), std::string::npos);
     EXPECT_NE(shapes[i].source.find("NIST"), std::string::npos);
-    const double volume = dem::own_body(shapes[i].coefficients).volume;
+    const double volume = dem::shape_of(shapes[i].coefficients).volume;
     EXPECT_LT(volume, 1.0005 * source[i] * 1e-9); // the table has four digits
     EXPECT_GT(volume, 0.993 * source[i] * 1e-9);
   }
@@ -161,7 +161,7 @@ TEST(CommittedShapes, StayInsideTheBoundsOfTheirBodies)
   const dem::SphereQuadrature fine = dem::make_quadrature(200, 400);
   for (const ShapeFile &shape : committed_shapes())
   {
-    const dem::Body body = dem::own_body(shape.coefficients);
+    const dem::ParticleShape body = dem::shape_of(shape.coefficients);
     for (const dem::Vec3 &s : fine.direction)
     {
       const dem::RadialExpansion at = dem::expand(shape.coefficients, s);

@@ -25,13 +25,13 @@ TEST(StepWatch, SeesAsFarAsTheNextLook)
   TimeParameters time;
   time.step = StepRule::stable;
   constexpr double cap = 1.;
-  for (const int stone_steps : {1, 5})
+  for (const int particle_steps : {1, 5})
   {
     StepWatch watch(time, cap);
     Surroundings around;
-    around.stone_steps = stone_steps;
+    around.particle_steps = particle_steps;
     watch.look(engine, around, step);
-    if (stone_steps == 1)
+    if (particle_steps == 1)
       EXPECT_EQ(watch.state().limit, cap);
     else
       EXPECT_LT(watch.state().limit, 1e-3 * cap);

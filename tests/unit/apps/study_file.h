@@ -39,7 +39,7 @@ protected:
                        "  set combine = " +
                            combine +
                            "\nend\nsubsection Sweep\n"
-                           "  set Stone/density = 2000, 2750, 3000\n"
+                           "  set Particle/density = 2000, 2750, 3000\n"
                            "  set Time/fixed_step = 1e-6, 2e-6\nend\n"));
   }
 

@@ -69,8 +69,8 @@ protected:
                        "  set a = Breakage/is_active=true\n"
                        "  set b = Breakage/is_active=false\nend\n"
                        "subsection Sweep\n"
-                       "  set Stone/density = 2000, 3000\n"
-                       "  set Stone/friction = 0.3, 0.6\nend\n"
+                       "  set Particle/density = 2000, 3000\n"
+                       "  set Particle/friction = 0.3, 0.6\nend\n"
                        "subsection Expect\n" +
                            more + "end\n"));
     points = points_of(study);
@@ -98,12 +98,13 @@ protected:
 // The seeds differ by a hundred times the effect, which pairs take out.
 TEST_F(SeededStudy, PairsTakeOutWhatSeedsShare)
 {
-  make("  set up = n_events rises with Stone/density where Variants=a\n"
-       "  set down = n_events falls with Stone/density where Variants=b: as X\n"
-       "  set no = n_events rises with Stone/density where Variants=b\n"
-       "  set plus = n_events is_positive with Stone/density\n"
-       "  set more = n_events answers_more with Stone/density than "
-       "Stone/friction\n",
+  make("  set up = n_events rises with Particle/density where Variants=a\n"
+       "  set down = n_events falls with Particle/density where Variants=b: as "
+       "X\n"
+       "  set no = n_events rises with Particle/density where Variants=b\n"
+       "  set plus = n_events is_positive with Particle/density\n"
+       "  set more = n_events answers_more with Particle/density than "
+       "Particle/friction\n",
        1., -1., 0.1);
   EXPECT_EQ(points.size(), 2u * 4u * 3u);
   EXPECT_EQ(study.expectations[1].reported, "as X");
@@ -121,8 +122,8 @@ TEST_F(SeededStudy, PairsTakeOutWhatSeedsShare)
 
 TEST_F(SeededStudy, WhatSeedsDifferByIsNotResolved)
 {
-  make("  set up = n_events rises with Stone/density where Variants=a\n"
-       "  set same = n_events stays with Stone/density where Variants=a\n",
+  make("  set up = n_events rises with Particle/density where Variants=a\n"
+       "  set same = n_events stays with Particle/density where Variants=a\n",
        1., -1., 1.);
   EXPECT_EQ(ruling(0), Ruling::not_resolved);
   EXPECT_EQ(ruling(1), Ruling::holds); // 1 of 202
@@ -131,23 +132,26 @@ TEST_F(SeededStudy, WhatSeedsDifferByIsNotResolved)
 // 2 (seed k: 2 +- 0.02) from 200 on: by 0.01.
 TEST_F(SeededStudy, SharesAreThoseOfTheFirstValue)
 {
-  make("  set in = n_events rises with Stone/density by 0.0045..0.0055 where "
-       "Variants=a\n"
-       "  set below = n_events rises with Stone/density by 0.001..0.0049 where "
-       "Variants=a\n"
-       "  set above = n_events rises with Stone/density by 0.0051..1 where "
-       "Variants=a\n"
-       "  set down = n_events falls with Stone/density by 0.0045..0.0055 where "
-       "Variants=b\n"
-       "  set other = n_events answers_more with Stone/density than "
-       "Variants=b where Variants=a\n"
-       "  set less = n_events answers_more with Stone/density than "
-       "Variants=a where Variants=b\n"
-       "  set near = n_events stays with Stone/density by 0.004..0.006 where "
-       "Variants=a\n"
-       "  set far = n_events stays with Stone/density by -0.004..0.004 where "
-       "Variants=a\n",
-       1.01, -1., 0.001);
+  make(
+      "  set in = n_events rises with Particle/density by 0.0045..0.0055 where "
+      "Variants=a\n"
+      "  set below = n_events rises with Particle/density by 0.001..0.0049 "
+      "where "
+      "Variants=a\n"
+      "  set above = n_events rises with Particle/density by 0.0051..1 where "
+      "Variants=a\n"
+      "  set down = n_events falls with Particle/density by 0.0045..0.0055 "
+      "where "
+      "Variants=b\n"
+      "  set other = n_events answers_more with Particle/density than "
+      "Variants=b where Variants=a\n"
+      "  set less = n_events answers_more with Particle/density than "
+      "Variants=a where Variants=b\n"
+      "  set near = n_events stays with Particle/density by 0.004..0.006 where "
+      "Variants=a\n"
+      "  set far = n_events stays with Particle/density by -0.004..0.004 where "
+      "Variants=a\n",
+      1.01, -1., 0.001);
   // From 202.02 up by 1.01: 0.0050; from 198 down by 1: 0.00505.
   EXPECT_EQ(ruling(0), Ruling::holds);
   EXPECT_EQ(ruling(1), Ruling::does_not);
@@ -158,7 +162,7 @@ TEST_F(SeededStudy, SharesAreThoseOfTheFirstValue)
   EXPECT_EQ(ruling(6), Ruling::holds);
   EXPECT_EQ(ruling(7), Ruling::does_not);
   EXPECT_EQ(in_words(study.expectations[0]),
-            "n_events rises with Stone/density by 0.450 to 0.550 % where "
+            "n_events rises with Particle/density by 0.450 to 0.550 % where "
             "Variants = a");
 }
 
@@ -180,7 +184,7 @@ TEST_F(SeededStudy, ChartsAndTablesTellVariantsApart)
   EXPECT_NE(text.find("| n_events | b | 3000 | 197.0 ± 100 | −1.00 ± 0.0"),
             std::string::npos);
   const std::string page = study_page(data, folder, {});
-  const std::size_t chart = page.find("id=\"n_events_Stone_density\"");
+  const std::size_t chart = page.find("id=\"n_events_Particle_density\"");
   ASSERT_NE(chart, std::string::npos);
   EXPECT_NE(page.find(">a</text>", chart), std::string::npos);
 }
@@ -197,7 +201,7 @@ protected:
         write("c2.prm", "subsection Study\n  set case = c.prm\n"
                         "  set outcomes = n_events\n  set seeds = 1, 2, 3\n"
                         "  set combine = grid\nend\nsubsection Sweep\n"
-                        "  set Stone/friction = 0.1, 0.3, 0.4, 0.5\nend\n"
+                        "  set Particle/friction = 0.1, 0.3, 0.4, 0.5\nend\n"
                         "subsection Expect\n  set it = n_events " +
                             sentence + "\nend\n"));
     study.judged_by = rule;
@@ -219,7 +223,7 @@ TEST_F(CourseOfASweep, IsSteeperLevelOrTurnsFromAValue)
                             level = {100., 140., 140.5, 140.2},
                             turns = {100., 140., 120., 100.},
                             straight = {100., 120., 130., 140.};
-  const std::string key = "with Stone/friction ";
+  const std::string key = "with Particle/friction ";
   for (const JudgedBy rule : {JudgedBy::means, JudgedBy::seeds})
   {
     const auto of = [&](const std::string &relation, const std::string &course,
@@ -255,11 +259,11 @@ TEST_F(SeededStudy, BadSentencesAreRefused)
   EXPECT_THROW(
       make("  set x = n_events rises with Wall/friction\n", 1., 1., 0.),
       InputError);
-  EXPECT_THROW(
-      make("  set x = n_events answers_more with Stone/density\n", 1., 1., 0.),
-      InputError);
-  EXPECT_THROW(make("  set x = n_events rises with Stone/density than "
-                    "Stone/friction\n",
+  EXPECT_THROW(make("  set x = n_events answers_more with Particle/density\n",
+                    1., 1., 0.),
+               InputError);
+  EXPECT_THROW(make("  set x = n_events rises with Particle/density than "
+                    "Particle/friction\n",
                     1., 1., 0.),
                InputError);
 }

@@ -71,8 +71,8 @@ TEST_F(StudyFile, VariantsSetKeysTogether)
                            "  set outcomes = n_events\nend\n"
                            "subsection Variants\n";
   const Study two = read_study(write(
-      "v.prm", head + "  set light = Stone/density=2000; Press/speed=0.01\n"
-                      "  set heavy = Stone/density=3000\nend\n"
+      "v.prm", head + "  set light = Particle/density=2000; Press/speed=0.01\n"
+                      "  set heavy = Particle/density=3000\nend\n"
                       "subsection Sweep\n  set Time/fixed_step = 1e-6\nend\n"));
   const std::vector<StudyPoint> points = points_of(two);
   ASSERT_EQ(points.size(), 3u);
@@ -125,14 +125,14 @@ TEST_F(StudyFile, CasesOfASeedRunTogether)
 // Points of the file at the value of the key, the other key as in the base.
 TEST_F(StudyFile, MeasuredPointsAreThoseOfTheValue)
 {
-  write("m.csv", "Stone/density,Time/fixed_step,time_s,force_N\n"
+  write("m.csv", "Particle/density,Time/fixed_step,time_s,force_N\n"
                  "2000,1e-6,0.1,5\n2000,1e-6,0.2,6\n2000,2e-6,0.1,7\n"
                  "2750,1e-6,0.1,8\n");
   const std::string text =
       "subsection Study\n  set case = c.prm\n  set outcomes = n_events\n"
       "  set curve = time_s, force_N\n  set measured = m.csv\nend\n"
       "subsection Base\n  set Time/fixed_step = 1e-6\nend\n"
-      "subsection Sweep\n  set Stone/density = 2000, 3000\n"
+      "subsection Sweep\n  set Particle/density = 2000, 3000\n"
       "  set Time/fixed_step = 2e-6\nend\n";
   const Study study = read_study(write("m.prm", text));
   const std::vector<StudyPoint> points = points_of(study);
@@ -145,10 +145,10 @@ TEST_F(StudyFile, MeasuredPointsAreThoseOfTheValue)
   EXPECT_EQ(at("2750").y, (std::vector<double>{8.}));
   EXPECT_TRUE(at("3000").x.empty());
   // Keys that are not swept count as the case has them.
-  write("m.csv", "Stone/density,Stone/friction,time_s,force_N\n"
+  write("m.csv", "Particle/density,Particle/friction,time_s,force_N\n"
                  "2000,0.5,0.1,5\n2000,0.7,0.1,6\n");
   EXPECT_EQ(at("2000").y, (std::vector<double>{5.}));
-  write("m.csv", "Stone/friction,time_s,force_N\n0.5,0.1,5\n");
+  write("m.csv", "Particle/friction,time_s,force_N\n0.5,0.1,5\n");
   EXPECT_THROW(read_study(write("m.prm", text)), InputError);
 }
 
@@ -160,7 +160,7 @@ TEST_F(StudyFile, ProfilesAreMeansOfTheCases)
                            "  set outcomes = n_events\n  set seeds = 1, 2\n"
                            "  set profiles = ";
   const std::string tail = "\nend\nsubsection Sweep\n"
-                           "  set Stone/density = 2000\nend\n";
+                           "  set Particle/density = 2000\nend\n";
   const Study given = read_study(
       write("p.prm", head + "edge.csv: distance_m, porosity_1" + tail));
   ASSERT_EQ(given.profiles.size(), 1u);
@@ -192,9 +192,9 @@ TEST_F(StudyFile, VariantsMaySetWhatIsSwept)
       write("v.prm", "subsection Study\n  set case = c.prm\n"
                      "  set outcomes = n_events\nend\n"
                      "subsection Variants\n"
-                     "  set plain = Stone/friction=0.3\n"
-                     "  set dense = Stone/density=3000\nend\n"
-                     "subsection Sweep\n  set Stone/density = 2000\nend\n"));
+                     "  set plain = Particle/friction=0.3\n"
+                     "  set dense = Particle/density=3000\nend\n"
+                     "subsection Sweep\n  set Particle/density = 2000\nend\n"));
   const std::vector<StudyPoint> points = points_of(map);
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[1].values, (std::vector<std::string>{"dense", "2750"}));

@@ -12,19 +12,19 @@ namespace
 {
 struct Pair
 {
-  double node_mass = 1e-4;   ///< m [kg]
-  double stone_mass = 5e-4;  ///< M [kg]
-  double stiffness = 1e6;    ///< k [N/m]
-  double damping_ratio = 0.; ///< beta [-]
+  double node_mass = 1e-4;     ///< m [kg]
+  double particle_mass = 5e-4; ///< M [kg]
+  double stiffness = 1e6;      ///< k [N/m]
+  double damping_ratio = 0.;   ///< beta [-]
 
-  double mass() const { return 1. / (1. / node_mass + 1. / stone_mass); }
+  double mass() const { return 1. / (1. / node_mass + 1. / particle_mass); }
   double dashpot() const
   {
     return 2. * damping_ratio * std::sqrt(stiffness * mass());
   }
 };
 
-/// Positions and velocities of node and stone, and the force between them.
+/// Positions and velocities of node and particle, and the force between them.
 struct Motion
 {
   Eigen::Vector2d x, v;
@@ -35,7 +35,7 @@ struct Motion
 /// the new positions and the velocities of the half step, half kick.
 void step(const Pair &pair, double time_step, Motion &motion)
 {
-  const Eigen::Vector2d push(1. / pair.node_mass, -1. / pair.stone_mass);
+  const Eigen::Vector2d push(1. / pair.node_mass, -1. / pair.particle_mass);
   motion.v += 0.5 * time_step * motion.force * push;
   motion.x += time_step * motion.v;
   motion.force = -pair.stiffness * (motion.x(0) - motion.x(1)) -
@@ -80,7 +80,7 @@ coupling::ExchangeGain gain_of(const Pair &pair, double time_step)
 {
   const std::vector<double> masses{3e-4, pair.node_mass, 2e-4};
   return coupling::exchange_gain(
-      {pair.stiffness, pair.damping_ratio, pair.stone_mass}, masses,
+      {pair.stiffness, pair.damping_ratio, pair.particle_mass}, masses,
       std::numeric_limits<double>::infinity(), time_step);
 }
 

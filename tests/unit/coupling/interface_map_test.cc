@@ -111,7 +111,7 @@ TEST(InterfaceMap, SpringsMoveFromVerticesToNodes)
       springs.b.back()[c] = {2 + triangle[c], weight[c]};
   }
   springs.a.push_back(0);
-  springs.b.push_back({dem::FarShare{1, 1.}}); // two stones: left alone
+  springs.b.push_back({dem::FarShare{1, 1.}}); // two particles: left alone
   const coupling::SurfacePoints points{&map, coupling::movable_mass(membrane)};
   coupling::refer_to_nodes({&points, 1}, springs);
   ASSERT_EQ(springs.n_bodies(), 2 + membrane.n_nodes());
@@ -197,13 +197,13 @@ TEST(InterfaceMap, SurfaceCoversTheQuadsAndFacesOutwards)
   EXPECT_EQ(surface.velocity.size(), surface.position.size());
 }
 
-TEST(InterfaceMap, StonesOutsideTurnTheFacets)
+TEST(InterfaceMap, ParticlesOutsideTurnTheFacets)
 {
   const fem::Membrane membrane(fem::MembraneParameters(), small_box());
   const auto inside =
       make_surface(coupling::InterfaceMap(membrane.mesh()), membrane);
   const auto outside = make_surface(
-      coupling::InterfaceMap(membrane.mesh(), coupling::StoneSide::outside),
+      coupling::InterfaceMap(membrane.mesh(), coupling::ParticleSide::outside),
       membrane);
   for (std::size_t k = 0; k < inside.triangles.size(); ++k)
   {

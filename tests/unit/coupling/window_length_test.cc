@@ -4,19 +4,19 @@
 
 #include <initializer_list>
 
-// How many steps of the stones make a window: by the gain of the contacts and
-// by what the ledger says.
+// How many steps of the particles make a window: by the gain of the contacts
+// and by what the ledger says.
 namespace
 {
 using coupling::LedgerSums;
 using coupling::WindowLength;
 
 /// Of a ledger in which `astray` of `moved` got lost [J].
-LedgerSums books(double astray, double moved)
+LedgerSums books(double energy_error, double moved)
 {
   LedgerSums sums;
   sums.given = moved;
-  sums.taken = moved - astray;
+  sums.taken = moved - energy_error;
   sums.moved = moved;
   return sums;
 }
@@ -50,7 +50,7 @@ TEST(WindowLength, FollowsTheGain)
   EXPECT_EQ(length.steps(), 1);
 }
 
-// Halved where more goes astray than may since the last look, as before where
+// Halved where more is lost than may since the last look, as before where
 // it is less, a quarter longer where it is less than a quarter.
 TEST(WindowLength, FollowsTheLedger)
 {
@@ -68,7 +68,7 @@ TEST(WindowLength, FollowsTheLedger)
   }
 }
 
-// Where hardly anything crosses, a share of it says nothing: what goes astray
+// Where hardly anything crosses, a share of it says nothing: what is lost
 // counts against the mean of all windows.
 TEST(WindowLength, AtRestTheMeanCounts)
 {

@@ -65,7 +65,7 @@ Struck strike(int n_along, coupling::ExchangeRule rule)
   dem::EngineParameters p = support::bare_parameters();
   p.surface.normal_stiffness = 1000.;
   p.surface.normal_damping = 0.2;
-  p.stone.density = 1000.;
+  p.particle.density = 1000.;
   dem::Engine engine(p);
   support::add_sphere(engine, radius,
                       {0.5 * length, 0.5 * width, thickness + radius});
@@ -79,8 +79,8 @@ Struck strike(int n_along, coupling::ExchangeRule rule)
   const coupling::SolidBody &its = *body;
   const fem::SurfaceMesh top = body->mesh();
   exchange.add(std::move(body), top, "beam", p.surface,
-               coupling::StoneSide::outside, engine);
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+               coupling::ParticleSide::outside, engine);
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
 
   const double omega = first_frequency();
   const double step = 2e-5, period = 2. * M_PI / omega;
@@ -89,7 +89,7 @@ Struck strike(int n_along, coupling::ExchangeRule rule)
   Struck seen;
   while (engine.time() < 1.2 * period)
   {
-    exchange.advance(stones, step);
+    exchange.advance(particles, step);
     const double now = engine.particles().velocity(0).z();
     const double given = mass * (now - last);
     impulse += given;

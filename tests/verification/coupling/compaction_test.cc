@@ -8,13 +8,13 @@
 #include <compaction/scene.h>
 #include <complex>
 
-// The plate of a vibratory compaction on one stone, an oscillator of two
+// The plate of a vibratory compaction on one particle, an oscillator of two
 // masses with known springs: what it presses on is its weight and the force of
 // its exciter.
 namespace
 {
 constexpr double gravity = 9.81, step = 2e-5;
-constexpr double stiffness = 1e6, damping_ratio = 0.5, stone_mass = 0.1,
+constexpr double stiffness = 1e6, damping_ratio = 0.5, particle_mass = 0.1,
                  radius = 0.02;
 
 spall::PlateParameters plate_parameters()
@@ -45,8 +45,8 @@ struct Scene
   static dem::EngineParameters parameters()
   {
     dem::EngineParameters p = support::bare_parameters();
-    p.stone.density =
-        stone_mass / (4. / 3. * std::numbers::pi * radius * radius * radius);
+    p.particle.density =
+        particle_mass / (4. / 3. * std::numbers::pi * radius * radius * radius);
     p.wall.normal_stiffness = stiffness;
     p.wall.normal_damping = damping_ratio;
     p.gravity = {0., 0., -gravity};
@@ -67,14 +67,15 @@ struct Scene
         body, coupling::Field{body.centre},
         spall::plate_drive(plate_parameters(), exciter()));
     plate = lid.get();
-    exchange.add(std::move(lid), std::make_unique<coupling::PlaneSeam>(plane),
-                 engine);
+    exchange.add(std::move(lid),
+                 std::make_unique<coupling::PlaneAdapter>(plane), engine);
   }
   double height() const { return engine.planes()[plane].point.z(); }
   double impulse() const { return engine.planes()[plane].impulse.z(); }
   void advance()
   {
-    exchange.advance(coupling::stones_of(engine, support::no_shapes()), step);
+    exchange.advance(coupling::particles_of(engine, support::no_shapes()),
+                     step);
   }
   void run_to(double time)
   {
@@ -93,11 +94,11 @@ std::complex<double> steady_answer()
       exciter().eccentric_mass * exciter().eccentricity * omega * omega;
   const std::complex<double> spring =
       stiffness +
-      1i * omega * 2. * damping_ratio * std::sqrt(stiffness * stone_mass);
-  const std::complex<double> in_stone =
-      spring / (2. * spring - stone_mass * omega * omega);
-  return force /
-         (spring - plate_parameters().mass * omega * omega - spring * in_stone);
+      1i * omega * 2. * damping_ratio * std::sqrt(stiffness * particle_mass);
+  const std::complex<double> in_particle =
+      spring / (2. * spring - particle_mass * omega * omega);
+  return force / (spring - plate_parameters().mass * omega * omega -
+                  spring * in_particle);
 }
 } // namespace
 
@@ -131,12 +132,12 @@ TEST(CompactionPlate, SwingsAsTheOscillatorDoes)
   const double weight =
       plate_parameters().mass * gravity + plate_parameters().load;
   EXPECT_NEAR(2. * radius - mean,
-              (2. * weight + stone_mass * gravity) / stiffness,
+              (2. * weight + particle_mass * gravity) / stiffness,
               1e-4 * 2. * weight / stiffness);
 }
 
-// What the stones carry over whole periods is the weight, but for the momentum
-// that the plate has taken up.
+// What the particles carry over whole periods is the weight, but for the
+// momentum that the plate has taken up.
 TEST(CompactionPlate, MeanLoadIsTheWeight)
 {
   Scene scene;

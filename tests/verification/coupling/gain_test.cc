@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-// A light plate pressed on a heavy stone, k dt^2 / (4 m) from 0.01 to 10: where
-// each way of exchange fails and where it carries on is known.
+// A light plate pressed on a heavy particle, k dt^2 / (4 m) from 0.01 to 10:
+// where each way of exchange fails and where it carries on is known.
 using namespace support::gain;
 
 TEST(ExchangeGain, EveryStepHoldsUpToOne)
@@ -61,7 +61,7 @@ TEST(ExchangeGain, IterationCarriesOnAtAnyGain)
       EXPECT_NEAR(best, 1. / (1. + gain), 1e-12);
       const Outcome constant =
           swing(gain, iterated(RelaxationKind::constant, best, n), 300);
-      // The stone moves by 1e-4 of it: a third pass, a fourth now and then.
+      // The particle moves by 1e-4 of it: a third pass, a fourth now and then.
       EXPECT_LE(constant.passes, 4.) << gain << ' ' << n;
       const Outcome aitken =
           swing(gain, iterated(RelaxationKind::aitken, 0.5, n), 300);
@@ -69,23 +69,24 @@ TEST(ExchangeGain, IterationCarriesOnAtAnyGain)
       for (const Outcome &outcome : {constant, aitken})
       {
         EXPECT_LT(outcome.growth, 1.01) << gain << ' ' << n;
-        EXPECT_LT(outcome.astray, 1e-7) << gain << ' ' << n;
+        EXPECT_LT(outcome.energy_error, 1e-7) << gain << ' ' << n;
       }
     }
 }
 
 // A quarter of a swing: the prediction is off by the change of the mean load,
-// so that -T^2 / (2 m) sum f (f - 2 f' + f'') goes astray: of third order.
+// so that -T^2 / (2 m) sum f (f - 2 f' + f'') is lost: of third order.
 TEST(ExchangeGain, LedgerOfOnePassIsOfThirdOrder)
 {
-  std::vector<double> astray;
+  std::vector<double> energy_error;
   for (const double gain : {0.01, 0.0025, 0.000625})
   {
     const auto n = std::lround(0.25 * M_PI / std::sqrt(gain));
-    astray.push_back(swing(gain, one_pass(4), static_cast<int>(n)).astray);
+    energy_error.push_back(
+        swing(gain, one_pass(4), static_cast<int>(n)).energy_error);
   }
-  EXPECT_NEAR(astray[0] / astray[1], 8., 0.8);
-  EXPECT_NEAR(astray[1] / astray[2], 8., 0.8);
+  EXPECT_NEAR(energy_error[0] / energy_error[1], 8., 0.8);
+  EXPECT_NEAR(energy_error[1] / energy_error[2], 8., 0.8);
 }
 
 // A dashpot lags too: the bound for one pass holds with it, and the sharp

@@ -72,19 +72,20 @@ Rest rest(double cell, double growth)
       half_space(mesh, weight), fem::z_upper, coupling::BodySteps{});
   const coupling::SolidBody &body = *ground;
   const fem::SurfaceMesh top = ground->mesh();
-  const coupling::Body &joined =
+  const coupling::DeformableBody &joined =
       exchange.add(std::move(ground), top, "ground", p.surface,
-                   coupling::StoneSide::outside, engine);
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+                   coupling::ParticleSide::outside, engine);
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
   for (int k = 0; k < 4000; ++k)
-    exchange.advance(stones, 1e-5);
+    exchange.advance(particles, 1e-5);
 
-  const double modulus = p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+  const double modulus =
+      p.particle.shear_modulus / (1. - p.particle.poisson_ratio);
   // 1 / E* = (1 - nu) / (2 G): the plate is rigid.
   const double hertz =
       std::pow(weight / (4. / 3. * 2. * modulus * std::sqrt(radius)), 2. / 3.);
   const dem::ContactBatch &batch = engine.on_facets();
-  const std::size_t touch = support::only_touch(batch);
+  const std::size_t touch = support::only_nearest_point(batch);
   Rest seen;
   if (touch == batch.size())
     return seen;

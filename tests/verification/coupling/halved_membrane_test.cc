@@ -26,7 +26,7 @@ struct Scene : support::SphereOnBody
         std::make_unique<coupling::MembraneBody>(
             std::move(membrane), coupling::BodySteps{!is_explicit, 1}),
         mesh, "membrane", engine.parameters().surface,
-        coupling::StoneSide::outside, engine);
+        coupling::ParticleSide::outside, engine);
   }
 
   static fem::Membrane tight_square()
@@ -53,7 +53,7 @@ struct Scene : support::SphereOnBody
     coupling::ExchangeParameters p;
     p.rule = rule;
     p.tolerance = 1e-12;
-    p.stone_steps = 1;
+    p.particle_steps = 1;
     return p;
   }
 };

@@ -46,7 +46,7 @@ struct Rest
 {
   double centre = 0., quarter = 0.; ///< deflections [m]
   double weight = 0.;               ///< of the sphere [N]
-  double stone = 0.;                ///< how far the sphere has come down [m]
+  double particle = 0.;             ///< how far the sphere has come down [m]
   double overlap = 0.;              ///< of the contact [m]
 };
 
@@ -75,24 +75,24 @@ Rest rest(int n, coupling::ExchangeRule rule)
   rules.rule = rule;
   rules.tolerance = 1e-12;
   const bool is_explicit = rule == coupling::ExchangeRule::every_step;
-  rules.stone_steps = is_explicit ? 1 : 20;
+  rules.particle_steps = is_explicit ? 1 : 20;
   coupling::Exchange exchange(rules);
   const coupling::BodySteps steps{!is_explicit, 1};
-  coupling::Body &sheet = exchange.add(
+  coupling::DeformableBody &sheet = exchange.add(
       std::make_unique<coupling::MembraneBody>(std::move(membrane), steps),
-      square, "membrane", p.surface, coupling::StoneSide::outside, engine);
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+      square, "membrane", p.surface, coupling::ParticleSide::outside, engine);
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
   const double step = 2e-5;
-  const auto n_windows = std::lround(0.15 / (step * rules.stone_steps));
+  const auto n_windows = std::lround(0.15 / (step * rules.particle_steps));
   for (long k = 0; k < n_windows; ++k)
-    exchange.advance(stones, step * rules.stone_steps);
+    exchange.advance(particles, step * rules.particle_steps);
   const auto w = [&](int column, int row)
   {
     return -sheet.motion()
                 .position[static_cast<std::size_t>(row * (n + 1) + column)]
                 .z();
   };
-  const std::size_t touch = support::only_touch(engine.on_facets());
+  const std::size_t touch = support::only_nearest_point(engine.on_facets());
   return {w(n / 2, n / 2), w(n / 4, n / 2), 0.1 * engine.particles().mass(0),
           radius - engine.particles().position(0).z(),
           engine.on_facets().overlap.at(touch)};
@@ -114,7 +114,7 @@ TEST(SphereOnMembrane, RestsWhereTheMeshAndItsWeightSay)
       const double centre = discrete_deflection(found.weight, n, n / 2, n / 2);
       EXPECT_NEAR(found.centre, centre, 2e-3 * centre) << n;
       EXPECT_NEAR(found.overlap, found.weight / 2e4, 2e-3 * found.weight / 2e4);
-      EXPECT_NEAR(found.stone, found.centre + found.overlap, 1e-3 * centre);
+      EXPECT_NEAR(found.particle, found.centre + found.overlap, 1e-3 * centre);
       const double quarter = discrete_deflection(found.weight, n, n / 4, n / 2);
       EXPECT_NEAR(found.quarter, quarter, 2e-3 * quarter) << n;
     }

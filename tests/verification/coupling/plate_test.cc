@@ -20,7 +20,7 @@ spall::Case plate_case(spall::PlateKind form)
   c.wall = support::bare_parameters().wall;
   c.wall.normal_stiffness = 1e7;
   c.coupling.exchange = spall::ExchangeChoice::one_pass;
-  c.coupling.rules.stone_steps = 1;
+  c.coupling.rules.particle_steps = 1;
   c.coupling.is_body_implicit = true;
   c.coupling.body_steps = 1;
   return c;
@@ -37,7 +37,7 @@ struct Scene
   {
     dem::EngineParameters p = support::bare_parameters();
     p.wall = c.wall;
-    p.stone.density = 1e12;
+    p.particle.density = 1e12;
     return p;
   }
   static coupling::ExchangeParameters rules(const spall::Case &c)
@@ -63,7 +63,8 @@ struct Scene
   }
   void advance(double step)
   {
-    exchange.advance(coupling::stones_of(engine, support::no_shapes()), step);
+    exchange.advance(coupling::particles_of(engine, support::no_shapes()),
+                     step);
   }
 };
 
@@ -115,7 +116,7 @@ Eigen::Vector2d rocking_error(const spall::Case &c, const Mass &body,
 {
   const double stiffness = c.wall.normal_stiffness;
   Scene scene(c, uneven, -body.mass * gravity / (4. * stiffness));
-  scene.plate.let_go(0.);
+  scene.plate.release(0.);
   Eigen::Vector2d worst = Eigen::Vector2d::Zero(), largest = worst;
   while (scene.engine.time() < 0.1)
   {
@@ -150,7 +151,7 @@ TEST(ElasticPlate, IsRigidWhenItIsStiff)
   c.plate.elements = 3;
   Scene scene(c, {{far, 0., 0.}, {-far, 0., 0.}, {0., far, 0.}, {0., -far, 0.}},
               0.);
-  scene.plate.let_go(0.);
+  scene.plate.release(0.);
   const double springs = 4. * c.wall.normal_stiffness;
   const double sinking = c.plate.mass * gravity / springs,
                omega = std::sqrt(springs / c.plate.mass);

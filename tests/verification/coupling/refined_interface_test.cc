@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-// Stones on a body whose cells are halved below a part of its top: where small
-// quads meet a larger one, hanging nodes stand in the middle of its edges.
+// Particles on a body whose cells are halved below a part of its top: where
+// small quads meet a larger one, hanging nodes stand in the middle of its
+// edges.
 namespace
 {
 constexpr double side = 0.4, radius = 0.03, stiffness = 1e5;
@@ -39,7 +40,7 @@ struct Scene : support::SphereOnBody
   explicit Scene(Way way, double its_step)
       : SphereOnBody(falling_on(stiffness), rules(way), its_step)
   {
-    std::unique_ptr<coupling::Body> its_body;
+    std::unique_ptr<coupling::DeformableBody> its_body;
     fem::SurfaceMesh mesh;
     if (way == Way::condensed)
     {
@@ -60,7 +61,7 @@ struct Scene : support::SphereOnBody
                         junction + dem::Vec3(0., 0., radius - 1e-6));
     body = &exchange.add(std::move(its_body), mesh, "block",
                          engine.parameters().surface,
-                         coupling::StoneSide::outside, engine);
+                         coupling::ParticleSide::outside, engine);
   }
 
   static coupling::ExchangeParameters rules(Way way)

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-// Everything at once: a subgrade with absorbing sides below, stones on it, a
+// Everything at once: a subgrade with absorbing sides below, particles on it, a
 // membrane round them, a plate with a haversine on top.
 namespace
 {
@@ -18,7 +18,7 @@ struct Scene
 {
   dem::Engine engine;
   coupling::Exchange exchange;
-  std::vector<const coupling::Body *> bodies;
+  std::vector<const coupling::DeformableBody *> bodies;
 
   static dem::EngineParameters parameters()
   {
@@ -34,12 +34,13 @@ struct Scene
   {
     coupling::ExchangeParameters r;
     r.rule = rule;
-    r.stone_steps = n;
+    r.particle_steps = n;
     return r;
   }
-  const coupling::Body &add(std::unique_ptr<coupling::Body> body,
-                            const fem::SurfaceMesh &mesh,
-                            const std::string &name, coupling::StoneSide side)
+  const coupling::DeformableBody &
+  add(std::unique_ptr<coupling::DeformableBody> body,
+      const fem::SurfaceMesh &mesh, const std::string &name,
+      coupling::ParticleSide side)
   {
     bodies.push_back(&exchange.add(std::move(body), mesh, name,
                                    engine.parameters().surface, side, engine));
@@ -69,7 +70,7 @@ struct Scene
     auto subgrade = std::make_unique<coupling::SolidBody>(
         std::move(solid), fem::z_upper, coupling::BodySteps{is_free, 1});
     const fem::SurfaceMesh top = subgrade->mesh();
-    add(std::move(subgrade), top, "subgrade", coupling::StoneSide::outside);
+    add(std::move(subgrade), top, "subgrade", coupling::ParticleSide::outside);
 
     const fem::SurfaceMesh round = fem::box_sides(
         {-0.0205, -0.0203, 0.}, {0.0205, 0.0203, 0.062}, {3, 3, 4});
@@ -81,7 +82,7 @@ struct Scene
     membrane.set_pressure(2e3);
     add(std::make_unique<coupling::MembraneBody>(
             std::move(membrane), coupling::BodySteps{false, is_free ? 2 : 1}),
-        round, "membrane", coupling::StoneSide::inside);
+        round, "membrane", coupling::ParticleSide::inside);
 
     const fem::SurfaceMesh lid = support::square_at(0.04, 0.0594);
     coupling::RigidDrive drive;
@@ -96,21 +97,21 @@ struct Scene
     plate.inertia = {2e-3, 2e-3, 3e-3};
     plate.centre = {0., 0., 0.0594};
     add(std::make_unique<coupling::RigidBody>(plate, lid.nodes, drive), lid,
-        "plate", coupling::StoneSide::inside);
+        "plate", coupling::ParticleSide::inside);
   }
 
   double residual() const
   {
     double sum = support::energy_residual(engine);
-    for (const coupling::Body *body : bodies)
+    for (const coupling::DeformableBody *body : bodies)
       sum += support::missing(*body);
     return sum;
   }
   void advance(double window, int n)
   {
-    const auto stones = coupling::stones_of(engine, support::no_shapes());
+    const auto particles = coupling::particles_of(engine, support::no_shapes());
     for (int k = 0; k < n; ++k)
-      exchange.advance(stones, window);
+      exchange.advance(particles, window);
   }
   std::string state() const
   {
@@ -127,13 +128,13 @@ TEST(WholeScene, ClosesAndContinues)
   const struct
   {
     ExchangeRule rule;
-    int stone_steps;
+    int particle_steps;
   } ways[] = {{ExchangeRule::every_step, 1},
               {ExchangeRule::one_pass, 2},
               {ExchangeRule::iterated, 4}};
   for (const auto &way : ways)
   {
-    const int n = way.stone_steps;
+    const int n = way.particle_steps;
     Scene scene(way.rule, n);
     const double start = scene.residual();
     scene.advance(n * step, 2000 / n);
@@ -148,9 +149,10 @@ TEST(WholeScene, ClosesAndContinues)
         load += on_vertex.norm();
       EXPECT_GT(load, 1e-2) << facets.name;
     }
-    std::printf("way %d: work astray %.1e, energy %.1e of what crossed\n",
-                int(way.rule), sums.work_residual(),
-                std::abs(scene.residual() - start) / sums.moved);
+    std::printf(
+        "way %d: interface energy error %.1e, energy %.1e of what crossed\n",
+        int(way.rule), sums.work_residual(),
+        std::abs(scene.residual() - start) / sums.moved);
     const std::string middle = scene.state();
     scene.advance(n * step, 200 / n);
     Scene resumed(way.rule, n);

@@ -22,12 +22,12 @@ Outcome slide(double damping)
 {
   constexpr double radius = 0.05, window = 1e-5;
   dem::EngineParameters p = support::bare_parameters();
-  p.stone.density = 1e12; // stays where it is
-  const double stone_mass =
-      p.stone.density * 4. / 3. * M_PI * std::pow(radius, 3);
+  p.particle.density = 1e12; // stays where it is
+  const double particle_mass =
+      p.particle.density * 4. / 3. * M_PI * std::pow(radius, 3);
   p.surface.normal_stiffness = p.surface.shear_stiffness = stiffness;
   p.surface.friction = friction;
-  p.surface.shear_damping = damping * std::sqrt(plate_mass / stone_mass);
+  p.surface.shear_damping = damping * std::sqrt(plate_mass / particle_mass);
   dem::Engine engine(p);
   support::add_sphere(engine, radius,
                       {0., 0., radius - normal_force / stiffness});
@@ -46,12 +46,13 @@ Outcome slide(double damping)
   };
   const fem::SurfaceMesh mesh = support::square_at(0.1, 0.);
   exchange.add(std::make_unique<coupling::RigidBody>(plate, mesh.nodes, drive),
-               mesh, "plate", p.surface, coupling::StoneSide::outside, engine);
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+               mesh, "plate", p.surface, coupling::ParticleSide::outside,
+               engine);
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
   Outcome seen;
   for (int k = 0; k < 6000; ++k)
   {
-    exchange.advance(stones, window);
+    exchange.advance(particles, window);
     double shear = 0.;
     for (const dem::Vec3 &load : engine.surface().load)
       shear += load.x();

@@ -7,8 +7,8 @@
 
 #include <complex>
 
-// Stones on elastic bodies: a block on four balls, a chain of spheres against a
-// bar, and the three ways to move a body beside each other.
+// Particles on elastic bodies: a block on four balls, a chain of spheres
+// against a bar, and the three ways to move a body beside each other.
 namespace
 {
 constexpr double block_side = 0.1, ball = 0.01, spring = 2450., gravity = 9.81;
@@ -35,7 +35,7 @@ Swing on_balls(const coupling::ExchangeParameters &rules,
   dem::EngineParameters p = support::bare_parameters();
   p.surface.normal_stiffness = spring;
   p.surface.normal_damping = damping;
-  p.stone.density = 1e9;
+  p.particle.density = 1e9;
   dem::Engine engine(p);
   for (const double x : {0.025, 0.075})
     for (const double y : {0.025, 0.075})
@@ -50,13 +50,13 @@ Swing on_balls(const coupling::ExchangeParameters &rules,
     weight[k] = -gravity * kept->solid().nodal_mass()[k] * dem::Vec3::UnitZ();
   kept->set_dead_load(weight);
   exchange.add(std::move(body), mesh, "block", p.surface,
-               coupling::StoneSide::outside, engine);
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
-  const double window = 1e-4 * rules.stone_steps;
+               coupling::ParticleSide::outside, engine);
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
+  const double window = 1e-4 * rules.particle_steps;
   Swing swing;
   for (int k = 0; k * window < duration; ++k)
   {
-    exchange.advance(stones, window);
+    exchange.advance(particles, window);
     double mean = 0.;
     const dem::ContactBatch &batch = engine.on_facets();
     for (std::size_t c = 0; c < batch.size(); ++c)
@@ -70,11 +70,11 @@ Swing on_balls(const coupling::ExchangeParameters &rules,
 }
 
 coupling::ExchangeParameters rules_of(coupling::ExchangeRule rule,
-                                      int stone_steps = 1)
+                                      int particle_steps = 1)
 {
   coupling::ExchangeParameters rules;
   rules.rule = rule;
-  rules.stone_steps = stone_steps;
+  rules.particle_steps = particle_steps;
   rules.tolerance = 1e-11;
   return rules;
 }
@@ -133,7 +133,8 @@ Reflection reflect(const Chain &chain, double phase)
   dem::Engine engine(p);
   const double r = Chain::radius;
   // Hertz, equal spheres: F = 4/3 E* sqrt(r / 2) delta^(3/2).
-  const double modulus = p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+  const double modulus =
+      p.particle.shear_modulus / (1. - p.particle.poisson_ratio);
   const double overlap =
       std::pow(0.75 * Chain::pressed / (modulus * std::sqrt(0.5 * r)), 2. / 3.);
   const double pitch = 2. * r - overlap;
@@ -173,7 +174,7 @@ Reflection reflect(const Chain &chain, double phase)
       std::move(bar), fem::x_lower, coupling::BodySteps{});
   const fem::SurfaceMesh end = body->mesh();
   exchange.add(std::move(body), end, "bar", p.surface,
-               coupling::StoneSide::outside, engine);
+               coupling::ParticleSide::outside, engine);
 
   // A packet on its way to the bar, velocities and displacements.
   const double centre = 0.5 * Chain::n_spheres, breadth = 7.;
@@ -205,7 +206,7 @@ Reflection reflect(const Chain &chain, double phase)
   const double fastest = std::sqrt(chain.bar_modulus / chain.bar_density);
   const double step = std::min(0.05 * std::sqrt(mass / stiffness),
                                0.4 * cell / fastest / std::sqrt(3.));
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
   // Half of the energy is kinetic, on average over a period.
   const double period = 2. * M_PI / frequency;
   const auto mean_of = [&](double time)
@@ -214,7 +215,7 @@ Reflection reflect(const Chain &chain, double phase)
     const auto n = std::lround(time / step);
     for (long k = 0; k < n; ++k)
     {
-      exchange.advance(stones, step);
+      exchange.advance(particles, step);
       sum += kinetic();
     }
     return sum / double(n);
@@ -227,14 +228,14 @@ Reflection reflect(const Chain &chain, double phase)
   const std::complex<double> i(0., 1.);
   const double impedance =
       width * width * std::sqrt(chain.bar_modulus * chain.bar_density);
-  const std::complex<double> joint =
+  const std::complex<double> coupled =
       chain.wall_spring * (i * frequency * impedance) /
       (chain.wall_spring + i * frequency * impedance);
-  // -m w^2 u_0 = k (u_1 - u_0) - joint u_0, u_n = e^{iqn} + R e^{-iqn}.
+  // -m w^2 u_0 = k (u_1 - u_0) - coupled u_0, u_n = e^{iqn} + R e^{-iqn}.
   const auto balance = [&](double q)
   {
     return mass * frequency * frequency + stiffness * (std::exp(i * q) - 1.) -
-           joint;
+           coupled;
   };
   const double share = std::norm(balance(phase) / balance(-phase));
   return {after / before, share, exchange.ledger().work_residual()};
@@ -277,9 +278,9 @@ TEST(Bodies, ThreeWaysOneBody)
                     support::box(dem::Vec3::Constant(block_side), {2, 2, 2}));
     body.fix(fem::z_lower, {true, true, true});
     coupling::ExchangeParameters rules = rules_of(ExchangeRule::iterated);
-    rules.stone_steps = std::max(1, int(std::lround(window / 5e-6)));
+    rules.particle_steps = std::max(1, int(std::lround(window / 5e-6)));
     coupling::Exchange exchange(rules);
-    std::unique_ptr<coupling::Body> moved;
+    std::unique_ptr<coupling::DeformableBody> moved;
     fem::SurfaceMesh mesh;
     if (way == 2)
     {
@@ -296,13 +297,13 @@ TEST(Bodies, ThreeWaysOneBody)
       mesh = one->mesh();
       moved = std::move(one);
     }
-    coupling::Body &kept =
+    coupling::DeformableBody &kept =
         exchange.add(std::move(moved), mesh, "top", p.surface,
-                     coupling::StoneSide::outside, engine);
+                     coupling::ParticleSide::outside, engine);
     const double start = support::residual(engine, {&kept});
-    const auto stones = coupling::stones_of(engine, support::no_shapes());
+    const auto particles = coupling::particles_of(engine, support::no_shapes());
     for (int k = 0; k < std::lround(4e-3 / window); ++k)
-      exchange.advance(stones, window);
+      exchange.advance(particles, window);
     EXPECT_NEAR(support::residual(engine, {&kept}), start,
                 2e-3 * exchange.ledger().moved)
         << way;

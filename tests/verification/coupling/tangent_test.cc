@@ -15,17 +15,17 @@ constexpr double stiffness = 1e6, sunk = 1e-4;
 
 struct Swing
 {
-  double worst = 0.;  ///< off the closed form, over the amplitude [-]
-  double growth = 0.; ///< largest swing, late over early [-]
-  double passes = 0.; ///< per window [-]
-  double astray = 0.; ///< work, see LedgerSums::work_residual [-]
+  double worst = 0.;        ///< off the closed form, over the amplitude [-]
+  double growth = 0.;       ///< largest swing, late over early [-]
+  double passes = 0.;       ///< per window [-]
+  double energy_error = 0.; ///< work, see LedgerSums::work_residual [-]
 };
 
 struct Way
 {
   ExchangeRule rule = ExchangeRule::one_pass;
   bool has_tangent = true;
-  int stone_steps = 1;
+  int particle_steps = 1;
   double damping = 0.;
 };
 
@@ -50,14 +50,14 @@ Swing swing(double gain, const Way &way)
   dem::EngineParameters p = support::bare_parameters();
   p.surface.normal_stiffness = stiffness;
   p.surface.normal_damping = way.damping;
-  p.stone.density = 1e15;
+  p.particle.density = 1e15;
   dem::Engine engine(p);
   constexpr double radius = 0.5;
   support::add_sphere(engine, radius, {0., 0., 0.99 * sunk - radius});
   coupling::ExchangeParameters rules;
   rules.rule = way.rule;
   rules.has_contact_tangent = way.has_tangent;
-  rules.stone_steps = way.stone_steps;
+  rules.particle_steps = way.particle_steps;
   rules.tolerance = 1e-13;
   rules.relaxation.factor = 1.;
   coupling::Exchange exchange(rules);
@@ -67,17 +67,17 @@ Swing swing(double gain, const Way &way)
   const double mass = body->nodal_mass()[4];
   const coupling::MembraneBody &sheet = *body;
   exchange.add(std::move(body), sheet.membrane().mesh(), "sheet", p.surface,
-               coupling::StoneSide::inside, engine);
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+               coupling::ParticleSide::inside, engine);
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
   const double window = 2. * std::sqrt(gain * mass / stiffness);
   for (int k = 0; k < 3; ++k) // the load that is there at the start
-    exchange.advance(stones, 1e-6 * window);
+    exchange.advance(particles, 1e-6 * window);
   const int n = 600;
   double early = 0., late = 0.;
   Swing seen;
   for (int k = 1; k <= n; ++k)
   {
-    exchange.advance(stones, window);
+    exchange.advance(particles, window);
     const double z = sheet.membrane().positions()[4].z() + 0.01 * sunk;
     const double known =
         0.01 * sunk * std::cos(2. * std::atan(std::sqrt(gain)) * k);
@@ -89,7 +89,7 @@ Swing swing(double gain, const Way &way)
   }
   seen.growth = late / early;
   seen.passes = double(exchange.n_passes()) / double(exchange.n_windows());
-  seen.astray = exchange.ledger().work_residual();
+  seen.energy_error = exchange.ledger().work_residual();
   return seen;
 }
 } // namespace
@@ -103,13 +103,13 @@ TEST(ContactTangent, MakesOnePassTheTrapezoidalRule)
     {
       const Swing seen = swing(gain, {ExchangeRule::one_pass, true, n});
       EXPECT_LT(seen.worst, 1e-3) << gain << ", " << n;
-      EXPECT_LT(seen.astray, 1e-11);
+      EXPECT_LT(seen.energy_error, 1e-11);
     }
   EXPECT_NEAR(swing(100., {ExchangeRule::one_pass, true, 10}).growth, 1., 1e-3);
   EXPECT_GT(swing(0.34, {ExchangeRule::one_pass, false}).growth, 1.5);
 }
 
-// Dashpots are half a step of the stones late: still nothing grows.
+// Dashpots are half a step of the particles late: still nothing grows.
 TEST(ContactTangent, BearsDashpots)
 {
   for (const int n : {1, 10})

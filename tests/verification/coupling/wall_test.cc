@@ -12,7 +12,7 @@ struct Slide
 {
   double angle = 0.; ///< of the incline [rad]
   double speed = 0.; ///< of the wall, uphill [m/s]
-  int stone_steps = 1;
+  int particle_steps = 1;
   coupling::ExchangeRule rule = coupling::ExchangeRule::one_pass;
 };
 
@@ -42,7 +42,7 @@ Course run(const Slide &slide, double duration)
 
   coupling::ExchangeParameters rules;
   rules.rule = slide.rule;
-  rules.stone_steps = slide.stone_steps;
+  rules.particle_steps = slide.particle_steps;
   coupling::Exchange exchange(rules);
   const fem::SurfaceMesh wall = support::square_at(2., 0., 4);
   fem::PlateBodyParameters held = support::upright(1.);
@@ -51,12 +51,13 @@ Course run(const Slide &slide, double duration)
   drive.path = [&slide](double time)
   { return dem::Vec3(slide.speed * time, 0., 0.); };
   exchange.add(std::make_unique<coupling::RigidBody>(held, wall.nodes, drive),
-               wall, "wall", p.surface, coupling::StoneSide::outside, engine);
+               wall, "wall", p.surface, coupling::ParticleSide::outside,
+               engine);
   const double step = 0.1 * std::sqrt(mass / stiffness);
-  const auto n = std::lround(duration / (step * slide.stone_steps));
-  const auto stones = coupling::stones_of(engine, support::no_shapes());
+  const auto n = std::lround(duration / (step * slide.particle_steps));
+  const auto particles = coupling::particles_of(engine, support::no_shapes());
   for (long k = 0; k < n; ++k)
-    exchange.advance(stones, duration / double(n));
+    exchange.advance(particles, duration / double(n));
   return {engine.particles().velocity(0).x(),
           radius * engine.particles().spin(0).y(),
           exchange.ledger().work_residual()};

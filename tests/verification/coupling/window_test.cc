@@ -13,14 +13,14 @@ namespace
 {
 using coupling::ExchangeRule;
 
-/// A stone of its own shape falls on a membrane whose rim is tied; another
+/// A particle of its own shape falls on a membrane whose rim is tied; another
 /// lies under a plate.
 struct Scene
 {
   dem::Engine engine;
   coupling::Exchange exchange;
   coupling::ShapeLibrary shapes;
-  coupling::Body *sheet = nullptr, *plate = nullptr;
+  coupling::DeformableBody *sheet = nullptr, *plate = nullptr;
 
   static dem::EngineParameters parameters(double fracture_energy)
   {
@@ -39,12 +39,12 @@ struct Scene
       : engine(parameters(fracture_energy)), exchange(rules)
   {
     shapes = {std::make_shared<const dem::Coefficients>(
-        dem::test::random_stone(12, 3))};
+        dem::test::random_particle(12, 3))};
     for (int k = 0; k < 3; ++k)
     {
-      engine.add_stone(dem::make_body(shapes[0], 0.01),
-                       {0.004 * k - 0.004, 0.002 * k, 0.014 + 0.026 * k},
-                       dem::Quaternion::Identity());
+      engine.add_particle(dem::make_shape(shapes[0], 0.01),
+                          {0.004 * k - 0.004, 0.002 * k, 0.014 + 0.026 * k},
+                          dem::Quaternion::Identity());
       engine.particles().velocity(std::size_t(k)) = {0.1, 0., -1.};
     }
     fem::MembraneParameters m;
@@ -60,7 +60,7 @@ struct Scene
     sheet = &exchange.add(
         std::make_unique<coupling::MembraneBody>(std::move(membrane), steps),
         square, "membrane", engine.parameters().surface,
-        coupling::StoneSide::outside, engine);
+        coupling::ParticleSide::outside, engine);
     const fem::SurfaceMesh above = support::square_at(0.06, 0.08);
     coupling::RigidDrive drive;
     drive.load = [](double)
@@ -72,14 +72,15 @@ struct Scene
     plate = &exchange.add(std::make_unique<coupling::RigidBody>(
                               support::upright(0.5), above.nodes, drive),
                           above, "plate", engine.parameters().surface,
-                          coupling::StoneSide::inside, engine);
+                          coupling::ParticleSide::inside, engine);
   }
 
   void advance(double window, int n)
   {
-    const coupling::Stones stones = coupling::stones_of(engine, shapes);
+    const coupling::CoupledParticles particles =
+        coupling::particles_of(engine, shapes);
     for (int k = 0; k < n; ++k)
-      exchange.advance(stones, window);
+      exchange.advance(particles, window);
   }
   std::string state() const
   {
@@ -96,18 +97,18 @@ struct Scene
   }
 };
 
-coupling::ExchangeParameters rules_of(ExchangeRule rule, int stone_steps = 1,
+coupling::ExchangeParameters rules_of(ExchangeRule rule, int particle_steps = 1,
                                       double tolerance = 1e-11)
 {
   coupling::ExchangeParameters rules;
   rules.rule = rule;
-  rules.stone_steps = stone_steps;
+  rules.particle_steps = particle_steps;
   rules.tolerance = tolerance;
   rules.ledger_limit = std::numeric_limits<double>::infinity();
   return rules;
 }
 
-constexpr double stone_step = 2e-6;
+constexpr double particle_step = 2e-6;
 constexpr double brittle = 1., tough = 1e9; // J/m^2
 } // namespace
 
@@ -121,27 +122,28 @@ TEST(Windows, ContinueBitForBit)
     const int n = rule == ExchangeRule::every_step ? 1 : 4;
     const auto rules = rules_of(rule, n);
     Scene unbroken(rules, brittle);
-    unbroken.advance(n * stone_step, 2400 / n);
+    unbroken.advance(n * particle_step, 2400 / n);
     const std::string middle = unbroken.state();
-    unbroken.advance(n * stone_step, 1200 / n);
+    unbroken.advance(n * particle_step, 1200 / n);
     Scene resumed(rules, brittle);
     resumed.restore(middle);
     EXPECT_EQ(resumed.state(), middle);
-    resumed.advance(n * stone_step, 1200 / n);
+    resumed.advance(n * particle_step, 1200 / n);
     EXPECT_EQ(resumed.state(), unbroken.state()) << int(rule);
     EXPECT_GT(unbroken.engine.n_events(), 0);
     EXPECT_LT(std::size_t(0),
-              unbroken.engine.surfaces()[0].candidates.stone.size());
+              unbroken.engine.surfaces()[0].candidates.particle.size());
   }
 }
 
-// What an iterated window leaves of the stones is what a single pass along its
-// last motion leaves: contact history, cumulative factors, shapes, velocities.
+// What an iterated window leaves of the particles is what a single pass along
+// its last motion leaves: contact history, cumulative factors, shapes,
+// velocities.
 TEST(Windows, IterationLeavesNoTraceOfItsPasses)
 {
   const int n = 4;
   Scene scene(rules_of(ExchangeRule::iterated, n), brittle);
-  scene.advance(n * stone_step, 500);
+  scene.advance(n * particle_step, 500);
   int n_breaking = 0, n_repeated = 0;
   for (int k = 0; k < 300; ++k)
   {
@@ -159,7 +161,7 @@ TEST(Windows, IterationLeavesNoTraceOfItsPasses)
       }
     };
     nodes(from);
-    scene.advance(n * stone_step, 1);
+    scene.advance(n * particle_step, 1);
     nodes(to);
     scene.engine.save(after, scene.shapes);
     n_repeated += scene.exchange.last_window().passes > 1;
@@ -168,7 +170,7 @@ TEST(Windows, IterationLeavesNoTraceOfItsPasses)
     std::istringstream in(before.str(), std::ios::binary);
     once.restore(in, scene.shapes);
     const std::int64_t events_before = once.n_events();
-    const double window = n * stone_step;
+    const double window = n * particle_step;
     for (std::size_t s = 0; s < 2; ++s)
       for (dem::Vec3 &impulse : once.surfaces()[s].impulse)
         impulse = dem::Vec3::Zero();
@@ -208,7 +210,7 @@ TEST(Windows, RestoringTakesEventsBack)
 {
   const int n = 4;
   Scene scene(rules_of(ExchangeRule::iterated, n), brittle);
-  scene.advance(n * stone_step, 500);
+  scene.advance(n * particle_step, 500);
   const auto told = [&scene]
   {
     return scene.exchange.take_events().size() +
@@ -217,23 +219,23 @@ TEST(Windows, RestoringTakesEventsBack)
   told();
   const std::int64_t n_before = scene.engine.n_events();
   const std::string middle = scene.state();
-  scene.advance(n * stone_step, 300);
+  scene.advance(n * particle_step, 300);
   const std::int64_t n_after = scene.engine.n_events();
   ASSERT_GT(n_after, n_before);
   scene.restore(middle);
-  scene.advance(n * stone_step, 300);
+  scene.advance(n * particle_step, 300);
   EXPECT_EQ(std::int64_t(told()), n_after - n_before);
 }
 
-// Work that the stones gave and the bodies took: to round-off with every step,
-// to the tolerance when iterated; one pass stays small where it is stable.
-// Impulses agree to round-off always. Friction and dashpots are there.
+// Work that the particles gave and the bodies took: to round-off with every
+// step, to the tolerance when iterated; one pass stays small where it is
+// stable. Impulses agree to round-off always. Friction and dashpots are there.
 TEST(Windows, LedgerCloses)
 {
-  const auto ledger = [](ExchangeRule rule, int stone_steps)
+  const auto ledger = [](ExchangeRule rule, int particle_steps)
   {
-    Scene scene(rules_of(rule, stone_steps), tough);
-    scene.advance(stone_steps * stone_step, 4000 / stone_steps);
+    Scene scene(rules_of(rule, particle_steps), tough);
+    scene.advance(particle_steps * particle_step, 4000 / particle_steps);
     EXPECT_GT(scene.exchange.ledger().moved, 1e-3);
     EXPECT_LT(scene.exchange.ledger().impulse_residual(), 1e-12);
     return scene.exchange.ledger().work_residual();
@@ -251,9 +253,10 @@ TEST(Windows, LedgerCloses)
   EXPECT_LT(error[3], 1e-4);
 }
 
-// Free plate, stones between: nothing but gravity and the drive, the tied rim
-// and what they give is known. Momentum of stones and plate with the loads.
-TEST(Windows, MomentumOfStonesIsWhatTheBodiesGot)
+// Free plate, particles between: nothing but gravity and the drive, the tied
+// rim and what they give is known. Momentum of particles and plate with the
+// loads.
+TEST(Windows, MomentumOfParticlesIsWhatTheBodiesGot)
 {
   for (const ExchangeRule rule :
        {ExchangeRule::every_step, ExchangeRule::one_pass,
@@ -262,7 +265,7 @@ TEST(Windows, MomentumOfStonesIsWhatTheBodiesGot)
     const int n = rule == ExchangeRule::every_step ? 1 : 5;
     Scene scene(rules_of(rule, n), tough);
     const dem::Vec3 start = support::momentum(scene.engine);
-    scene.advance(n * stone_step, 3000 / n);
+    scene.advance(n * particle_step, 3000 / n);
     const double mass = 3. * scene.engine.particles().mass(0);
     const dem::Vec3 fallen =
         mass * scene.engine.time() * dem::Vec3(0., 0., -9.81);
@@ -275,18 +278,19 @@ TEST(Windows, MomentumOfStonesIsWhatTheBodiesGot)
   }
 }
 
-// The energy of the whole scene: one law for stones, contacts and bodies.
+// The energy of the whole scene: one law for particles, contacts and bodies.
 TEST(Windows, EnergyOfTheWholeCloses)
 {
-  const auto missing =
-      [](ExchangeRule rule, int stone_steps, int body_steps, bool is_implicit)
+  const auto missing = [](ExchangeRule rule, int particle_steps, int body_steps,
+                          bool is_implicit)
   {
-    Scene scene(rules_of(rule, stone_steps), tough, {is_implicit, body_steps});
+    Scene scene(rules_of(rule, particle_steps), tough,
+                {is_implicit, body_steps});
     const auto residual = [&scene] {
       return support::residual(scene.engine, {scene.sheet, scene.plate});
     };
-    const double start = residual(); // the stones have come with a speed
-    scene.advance(stone_steps * stone_step, 4000 / stone_steps);
+    const double start = residual(); // the particles have come with a speed
+    scene.advance(particle_steps * particle_step, 4000 / particle_steps);
     return std::abs(residual() - start) / scene.exchange.ledger().moved;
   };
   EXPECT_LT(missing(ExchangeRule::every_step, 1, 1, false), 2e-3);
@@ -300,7 +304,7 @@ TEST(Windows, LedgerLimitStopsTheRun)
   auto rules = rules_of(ExchangeRule::one_pass, 8);
   rules.ledger_limit = 1e-9;
   Scene scene(rules, tough);
-  EXPECT_THROW(scene.advance(8 * stone_step, 500), std::runtime_error);
+  EXPECT_THROW(scene.advance(8 * particle_step, 500), std::runtime_error);
 }
 
 TEST(Windows, WhatMakesNoSenseIsRefused)

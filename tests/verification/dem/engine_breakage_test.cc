@@ -8,7 +8,7 @@
 #include <shape/test_shapes.h>
 #include <vector>
 
-// Stones pressed until they break, in the engine.
+// Particles pressed until they break, in the engine.
 namespace
 {
 using Series = std::shared_ptr<const dem::Coefficients>;
@@ -25,9 +25,10 @@ Series ellipsoid()
   return series;
 }
 
-dem::Body stone(const Series &series)
+dem::ParticleShape particle(const Series &series)
 {
-  return dem::make_body(series, series->front() * dem::ball_radius_factor);
+  return dem::make_shape(series,
+                         series->front() * dem::equivalent_radius_factor);
 }
 
 /// R = 1 / sqrt(K_G) at the tip of the long axis: b c / a [m].
@@ -51,12 +52,12 @@ struct Press
   dem::Engine engine;
   double time_step = 0.; // [s]
 
-  /// Both plates close on the stone at this speed, from touch [m/s].
-  Press(const dem::EngineParameters &parameters, const dem::Body &body,
+  /// Both plates close on the particle at this speed, from touch [m/s].
+  Press(const dem::EngineParameters &parameters, const dem::ParticleShape &body,
         const dem::Vec3 &turned, double speed)
       : engine(parameters)
   {
-    engine.add_stone(
+    engine.add_particle(
         body, dem::Vec3::Zero(),
         dem::Quaternion::FromTwoVectors(turned, dem::Vec3::UnitX()));
     const auto reach = [&](const dem::Vec3 &u)
@@ -90,17 +91,17 @@ struct Press
 constexpr double slow = 5e-3; // plates, m/s: 250 N/ms
 } // namespace
 
-// A skew irregular stone breaks too, and keeps its books.
-TEST(EngineBreakage, IrregularStoneKeepsItsBooks)
+// A skew irregular particle breaks too, and keeps its books.
+TEST(EngineBreakage, IrregularParticleKeepsItsBooks)
 {
   dem::EngineParameters p = press_parameters();
   p.wall.friction = 0.5;
   p.wall.shear_damping = 0.2;
-  const auto series =
-      std::make_shared<const dem::Coefficients>(dem::test::random_stone(20, 3));
-  Press press(p, stone(series), dem::Vec3(1., 2., -1.).normalized(), slow);
+  const auto series = std::make_shared<const dem::Coefficients>(
+      dem::test::random_particle(20, 3));
+  Press press(p, particle(series), dem::Vec3(1., 2., -1.).normalized(), slow);
   dem::Engine &engine = press.engine;
-  const double volume = engine.particles().body[0].volume;
+  const double volume = engine.particles().shape[0].volume;
   double removed = 0.;
   while (engine.n_events() < 200 && engine.time() < 0.02)
     for (const dem::BreakageEvent &event : press.load_to(1e4))
@@ -120,7 +121,8 @@ TEST(EngineBreakage, PerfectSphereNeverBreaks)
   const auto series = std::make_shared<const dem::Coefficients>(
       dem::test::sphere_series(20, 0.01));
   const double limit = 4. * std::numbers::pi * 0.01 * fracture_energy;
-  for (const dem::Body &body : {stone(series), dem::make_sphere(0.01)})
+  for (const dem::ParticleShape &body :
+       {particle(series), dem::make_sphere(0.01)})
   {
     Press press(press_parameters(), body, dem::Vec3::UnitX(), 10. * slow);
     EXPECT_TRUE(press.load_to(10. * limit).empty());
@@ -128,7 +130,7 @@ TEST(EngineBreakage, PerfectSphereNeverBreaks)
   }
 }
 
-// Switched off, or a stone below the size from which stones break.
+// Switched off, or a particle below the size from which particles break.
 TEST(EngineBreakage, NothingBreaksThatMayNot)
 {
   const double limit =
@@ -139,7 +141,7 @@ TEST(EngineBreakage, NothingBreaksThatMayNot)
   small.breakage.min_diameter = 2.1 * axes.x();
   for (const dem::EngineParameters &p : {off, small})
   {
-    Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), 10. * slow);
+    Press press(p, particle(ellipsoid()), dem::Vec3::UnitX(), 10. * slow);
     EXPECT_TRUE(press.load_to(limit).empty());
     EXPECT_EQ(press.engine.n_events(), 0);
     EXPECT_EQ(dem::abrasion(press.engine.particles()), 0.);
@@ -178,7 +180,7 @@ double damage_of_noise(double hysteresis)
 {
   dem::EngineParameters p = press_parameters();
   p.breakage.hysteresis = hysteresis;
-  Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  Press press(p, particle(ellipsoid()), dem::Vec3::UnitX(), slow);
   press.load_to(first_event() / 3.);
   drive(press, 0., 1000);
   const double before = factor(press);
@@ -196,7 +198,7 @@ double worn_when_set(dem::ContactGeometry geometry, double repetitions)
 {
   dem::EngineParameters p = press_parameters();
   p.geometry.geometry = p.geometry.wall_geometry = geometry;
-  Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  Press press(p, particle(ellipsoid()), dem::Vec3::UnitX(), slow);
   EXPECT_TRUE(press.load_to(0.05 * first_event()).empty());
   const double before = factor(press);
   press.engine.set_repetitions(repetitions);
@@ -208,7 +210,8 @@ double worn_when_set(dem::ContactGeometry geometry, double repetitions)
 /// let go, and pressed again, when rises count so many times.
 std::vector<double> worn_by_loads(double repetitions)
 {
-  Press press(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  Press press(press_parameters(), particle(ellipsoid()), dem::Vec3::UnitX(),
+              slow);
   std::vector<double> worn;
   for (int load = 0; load < 3; ++load)
   {
@@ -240,7 +243,7 @@ TEST(EngineBreakage, PatchKeepsTheFactor)
   {
     dem::EngineParameters p = press_parameters();
     p.breakage.memory = memory;
-    Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+    Press press(p, particle(ellipsoid()), dem::Vec3::UnitX(), slow);
     EXPECT_TRUE(press.load_to(0.6 * first_event()).empty());
     EXPECT_NEAR(factor(press), 0.6, 0.03);
     while (press.force() > 0.)
@@ -253,9 +256,9 @@ TEST(EngineBreakage, PatchKeepsTheFactor)
   }
 }
 
-// A soft wall lets the stone sink in, a narrow kernel takes off more than the
-// overlap: the event opens its contact. One step that counts many times takes
-// the factor past 1; the rest of it is lost, or waits on the patch.
+// A soft wall lets the particle sink in, a narrow kernel takes off more than
+// the overlap: the event opens its contact. One step that counts many times
+// takes the factor past 1; the rest of it is lost, or waits on the patch.
 TEST(EngineBreakage, PatchKeepsTheFactorOfAContactThatAnEventOpens)
 {
   using enum dem::FactorMemory;
@@ -266,7 +269,7 @@ TEST(EngineBreakage, PatchKeepsTheFactorOfAContactThatAnEventOpens)
     p.breakage.memory = memory;
     p.breakage.kernel_floor = 1.;
     p.breakage.kernel_scale = 0.5;
-    Press press(p, stone(ellipsoid()), dem::Vec3::UnitX(), 40. * slow);
+    Press press(p, particle(ellipsoid()), dem::Vec3::UnitX(), 40. * slow);
     EXPECT_TRUE(press.load_to(0.5 * first_event()).empty());
     const double before = factor(press);
     press.engine.advance(press.time_step);
@@ -291,9 +294,11 @@ TEST(EngineBreakage, PatchKeepsTheFactorOfAContactThatAnEventOpens)
 TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
 {
   constexpr double share = 0.15;
-  Press once(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  Press once(press_parameters(), particle(ellipsoid()), dem::Vec3::UnitX(),
+             slow);
   EXPECT_TRUE(once.load_to(share * first_event()).empty());
-  Press often(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  Press often(press_parameters(), particle(ellipsoid()), dem::Vec3::UnitX(),
+              slow);
   often.engine.set_repetitions(5.);
   EXPECT_TRUE(often.load_to(share * first_event()).empty());
   // Turns of the energy are in single precision.
@@ -303,7 +308,8 @@ TEST(EngineBreakage, RepetitionsMultiplyTheFactor)
   EXPECT_NEAR(events[0].force_before, 0.2 * first_event(),
               0.03 * 0.2 * first_event());
 
-  Press never(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  Press never(press_parameters(), particle(ellipsoid()), dem::Vec3::UnitX(),
+              slow);
   never.engine.set_repetitions(0.);
   EXPECT_TRUE(never.load_to(2. * first_event()).empty());
   EXPECT_EQ(factor(never), 0.);
@@ -325,7 +331,8 @@ TEST(EngineBreakage, RepetitionsMayBeginUnderLoad)
 // spring, which the criterion sees.
 TEST(EngineBreakage, WhatMakesUpForAFallCountsOnce)
 {
-  Press press(press_parameters(), stone(ellipsoid()), dem::Vec3::UnitX(), slow);
+  Press press(press_parameters(), particle(ellipsoid()), dem::Vec3::UnitX(),
+              slow);
   const auto spring = [&press]
   {
     const dem::ContactBatch &batch = press.engine.on_planes();
@@ -355,7 +362,7 @@ TEST(EngineBreakage, EveryLoadCountsAsOften)
 
 namespace
 {
-/// Of the first event of a stone pressed on the tip of another solid, which
+/// Of the first event of a particle pressed on the tip of another solid, which
 /// does not break: volume over that of the cap of the whole overlap [-].
 double volume_share(const dem::SolidMaterial &other)
 {
@@ -366,8 +373,8 @@ double volume_share(const dem::SolidMaterial &other)
   for (const std::uint8_t material : {0, 1})
   {
     const double side = material == 0 ? -1. : 1.;
-    engine.add_stone(stone(ellipsoid()), {side * axes.x(), 0., 0.},
-                     dem::Quaternion::Identity(), material);
+    engine.add_particle(particle(ellipsoid()), {side * axes.x(), 0., 0.},
+                        dem::Quaternion::Identity(), material);
     engine.particles().last().velocity.x() = -side * 10.;
   }
   while (engine.n_events() == 0 && engine.time() < 1e-3)
@@ -384,7 +391,7 @@ double volume_share(const dem::SolidMaterial &other)
 // delta_i = w_i delta, w_i by (1 - nu) / G: V_i goes with the square.
 TEST(EngineBreakage, SharesAreByCompliance)
 {
-  const dem::StoneMaterial rock;
+  const dem::ParticleMaterial rock;
   const double own = (1. - rock.poisson_ratio) / rock.shear_modulus;
   for (const double stiffer : {1., 10.})
   {
@@ -397,9 +404,9 @@ TEST(EngineBreakage, SharesAreByCompliance)
 
 namespace
 {
-/// Forces of the first event on the tips of a stone that stands on facets under
-/// a plate, by the kind of the other side, if breaking is switched on under
-/// half of the force of an event [N].
+/// Forces of the first event on the tips of a particle that stands on facets
+/// under a plate, by the kind of the other side, if breaking is switched on
+/// under half of the force of an event [N].
 std::map<int, double> first_events_when_switched_on(dem::WallLaw law)
 {
   dem::EngineParameters p = press_parameters();
@@ -407,8 +414,8 @@ std::map<int, double> first_events_when_switched_on(dem::WallLaw law)
   p.wall.law = law;
   p.surface = p.wall;
   dem::Engine engine(p);
-  engine.add_stone(
-      stone(ellipsoid()), dem::Vec3(0., 0., axes.x()),
+  engine.add_particle(
+      particle(ellipsoid()), dem::Vec3(0., 0., axes.x()),
       dem::Quaternion::FromTwoVectors(dem::Vec3::UnitX(), dem::Vec3::UnitZ()));
   engine.add_plane({0., 0., 2. * axes.x()}, -dem::Vec3::UnitZ());
   engine.attach_surface(support::coplanar_fan(4, 0.02, 0.3));

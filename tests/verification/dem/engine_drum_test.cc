@@ -71,7 +71,7 @@ TEST(EngineDrum, FrictionCarriesABallAlong)
   engine.set_drum(drum);
   const double r = 0.02;
   const double mass =
-      p.stone.density * 4. / 3. * std::numbers::pi * std::pow(r, 3);
+      p.particle.density * 4. / 3. * std::numbers::pi * std::pow(r, 3);
   const double sag = mass * gravity / p.wall.normal_stiffness;
   support::add_sphere(engine, r, {0., 0., -(drum.radius - r + sag)});
   support::advance(engine, 1e-5, 2000);
@@ -90,27 +90,27 @@ TEST(EngineDrum, FrictionCarriesABallAlong)
               1., 1e-2);
 }
 
-// The shelf lifts balls and drops them: what the drum puts in, gravity and the
+// The lifter lifts balls and drops them: what the drum puts in, gravity and the
 // losses take out. Velocity Verlet leaves the square of the step.
 TEST(EngineDrum, EnergyIsAccountedForThroughATurn)
 {
   dem::EngineParameters p = drum_parameters();
-  p.wall.friction = p.stone.friction = 0.4;
+  p.wall.friction = p.particle.friction = 0.4;
   p.wall.normal_damping = p.wall.shear_damping = 0.3;
-  p.stone.normal_damping = p.stone.shear_damping = 0.3;
-  p.stone.shear_modulus = 1e7;
+  p.particle.normal_damping = p.particle.shear_damping = 0.3;
+  p.particle.shear_modulus = 1e7;
   p.other_solids = {{7850., 2e7, 0.3}};
   dem::Engine engine(p);
   dem::Drum drum = plain_drum();
   drum.spin = 3.3;
-  drum.shelf_height = 0.09;
-  drum.shelf_thickness = 0.02;
+  drum.lifter_height = 0.09;
+  drum.lifter_thickness = 0.02;
   engine.set_drum(drum);
   for (int k = 0; k < 6; ++k)
-    engine.add_stone(dem::make_sphere(0.015 + 0.002 * k),
-                     {0.05 * (k - 2.5), 0.02 * (k % 3), -0.1},
-                     dem::Quaternion::Identity(),
-                     static_cast<std::uint8_t>(k % 2));
+    engine.add_particle(dem::make_sphere(0.015 + 0.002 * k),
+                        {0.05 * (k - 2.5), 0.02 * (k % 3), -0.1},
+                        dem::Quaternion::Identity(),
+                        static_cast<std::uint8_t>(k % 2));
   const double end = 2. * std::numbers::pi / drum.spin;
   double highest = -1.;
   while (engine.time() < end)
@@ -124,7 +124,7 @@ TEST(EngineDrum, EnergyIsAccountedForThroughATurn)
       ASSERT_LT(std::abs(x.y()), 0.5 * drum.length);
     }
   }
-  EXPECT_GT(highest, 0.1); // the shelf has lifted one
+  EXPECT_GT(highest, 0.1); // the lifter has lifted one
   EXPECT_NEAR(engine.drum().angle, drum.spin * engine.time(), 1e-9);
   EXPECT_GT(engine.energy().drum_work, 0.1);
   EXPECT_LT(std::abs(energy_residual(engine)),
@@ -134,8 +134,8 @@ TEST(EngineDrum, EnergyIsAccountedForThroughATurn)
 TEST(EngineDrum, NearestPoints)
 {
   dem::Drum drum = plain_drum();
-  drum.shelf_height = 0.09;
-  drum.shelf_thickness = 0.02;
+  drum.lifter_height = 0.09;
+  drum.lifter_thickness = 0.02;
   const dem::Vec3 x(0.05, 0.1, 0.1);
   const dem::DrumPoint wall = nearest_on_drum(drum, dem::DrumPart::cylinder, x);
   EXPECT_NEAR(wall.distance, 0.3 - std::hypot(0.05, 0.1), 1e-15);
@@ -144,13 +144,13 @@ TEST(EngineDrum, NearestPoints)
               1e-15);
   EXPECT_NEAR(nearest_on_drum(drum, dem::DrumPart::lower_end, x).distance, 0.3,
               1e-15);
-  // The shelf points up from z = 0.21, x = -0.01 .. 0.01: nearest is an edge.
-  const dem::DrumPoint shelf = nearest_on_drum(drum, dem::DrumPart::shelf, x);
-  EXPECT_NEAR(shelf.distance, std::hypot(0.04, 0.11), 1e-15);
-  EXPECT_LT((shelf.point - dem::Vec3(0.01, 0.1, 0.21)).norm(), 1e-15);
+  // The lifter points up from z = 0.21, x = -0.01 .. 0.01: nearest is an edge.
+  const dem::DrumPoint lifter = nearest_on_drum(drum, dem::DrumPart::lifter, x);
+  EXPECT_NEAR(lifter.distance, std::hypot(0.04, 0.11), 1e-15);
+  EXPECT_LT((lifter.point - dem::Vec3(0.01, 0.1, 0.21)).norm(), 1e-15);
   drum.angle = 0.5 * std::numbers::pi; // now along y x z = x
   const dem::DrumPoint turned =
-      nearest_on_drum(drum, dem::DrumPart::shelf, dem::Vec3(0.1, 0., 0.005));
+      nearest_on_drum(drum, dem::DrumPart::lifter, dem::Vec3(0.1, 0., 0.005));
   EXPECT_NEAR(turned.distance, 0.11, 1e-15);
   EXPECT_LT((turned.normal - dem::Vec3::UnitX()).norm(), 1e-12);
 }

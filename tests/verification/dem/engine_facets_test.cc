@@ -8,7 +8,7 @@
 // Triangles that lie in one plane must act as that plane.
 namespace
 {
-constexpr double ball_radius = 0.01, gravity = 9.81;
+constexpr double equivalent_radius = 0.01, gravity = 9.81;
 
 dem::EngineParameters floor_parameters()
 {
@@ -28,7 +28,7 @@ dem::Engine ball_above(const dem::EngineParameters &parameters, double x,
                        double y)
 {
   dem::Engine engine(parameters);
-  support::add_sphere(engine, ball_radius, {x, y, ball_radius});
+  support::add_sphere(engine, equivalent_radius, {x, y, equivalent_radius});
   return engine;
 }
 
@@ -64,7 +64,7 @@ double sunk_at_rest(dem::Engine engine)
 {
   // The damped motion has fallen by exp(-0.62 x 50), below round-off.
   support::advance(engine, 0.1 * unit_time(engine), 500);
-  return ball_radius - engine.particles().position(0).z();
+  return equivalent_radius - engine.particles().position(0).z();
 }
 
 /// A floor with hills that moves, its vertices with a mass.
@@ -135,10 +135,11 @@ Balance balance_of(const dem::Engine &engine)
     sum.force += force;
     sum.moment +=
         engine.particles().position(i).cross(force) + batch.load[k].moment;
-    // The stone feels the force where the surface does, which moves so:
-    sum.power += force.dot(dem::facet_row(surface, engine.facets().spot[k],
-                                          engine.facets().spot[k])
-                               .velocity);
+    // The particle feels the force where the surface does, which moves so:
+    sum.power +=
+        force.dot(dem::facet_row(surface, engine.facets().contact_point[k],
+                                 engine.facets().contact_point[k])
+                      .velocity);
   }
   return sum;
 }
@@ -159,8 +160,9 @@ TEST(EngineFacets, BallOnAFanSinksAsOnAPlane)
 {
   const dem::EngineParameters p = floor_parameters();
   const double plane = sunk_at_rest(ball_on_plane(p, 0., 0.));
-  const double exact = 4. / 3. * std::numbers::pi * std::pow(ball_radius, 3) *
-                       p.stone.density * gravity / p.wall.normal_stiffness;
+  const double exact = 4. / 3. * std::numbers::pi *
+                       std::pow(equivalent_radius, 3) * p.particle.density *
+                       gravity / p.wall.normal_stiffness;
   // The position has 16 digits, the overlap is 1e-4 of it.
   EXPECT_NEAR(plane / exact, 1., 1e-8);
   for (const int n : {2, 4, 6})
@@ -191,7 +193,7 @@ TEST(EngineFacets, RollingOverFacetsIsRollingOnAPlane)
         for (dem::Engine *engine : {&plane, &fan})
         {
           engine->particles().velocity(0).x() = 0.3;
-          engine->particles().spin(0).y() = 0.3 / ball_radius;
+          engine->particles().spin(0).y() = 0.3 / equivalent_radius;
         }
         const double dt = 0.1 * unit_time(plane);
         const double weight = plane.particles().mass(0) * gravity;
@@ -199,8 +201,9 @@ TEST(EngineFacets, RollingOverFacetsIsRollingOnAPlane)
         {
           plane.advance(dt);
           fan.advance(dt);
-          const std::size_t k = support::only_touch(fan.on_facets());
-          const std::size_t one = support::only_touch(plane.on_planes());
+          const std::size_t k = support::only_nearest_point(fan.on_facets());
+          const std::size_t one =
+              support::only_nearest_point(plane.on_planes());
           ASSERT_LT(one, plane.on_planes().size());
           ASSERT_LT(k, fan.on_facets().size())
               << n << " triangles, x = " << plane.particles().position(0).x();
@@ -208,14 +211,15 @@ TEST(EngineFacets, RollingOverFacetsIsRollingOnAPlane)
           const auto b = fan.on_facets().history(k);
           ASSERT_NEAR(a.normal_force, b.normal_force, 1e-6 * weight);
           ASSERT_LT(length(a.shear - b.shear), 1e-6 * weight);
-          ASSERT_LT(length(a.rolling - b.rolling), 1e-6 * weight * ball_radius);
+          ASSERT_LT(length(a.rolling - b.rolling),
+                    1e-6 * weight * equivalent_radius);
         }
         // In the end the load is the weight, and the springs are loaded.
-        const std::size_t k = support::only_touch(fan.on_facets());
+        const std::size_t k = support::only_nearest_point(fan.on_facets());
         const auto b = fan.on_facets().history(k);
         EXPECT_NEAR(b.normal_force, weight, 1e-6 * weight);
         EXPECT_GT(length(b.shear), 1e-3 * weight);
-        EXPECT_GT(length(b.rolling), 1e-3 * weight * ball_radius);
+        EXPECT_GT(length(b.rolling), 1e-3 * weight * equivalent_radius);
       }
 }
 
@@ -224,8 +228,8 @@ TEST(EngineFacets, RollingOverFacetsIsRollingOnAPlane)
 TEST(EngineFacets, LoadsOfASphereAreConservative)
 {
   dem::Engine engine(sticky_parameters());
-  support::add_sphere(engine, ball_radius, {0.001, 0.002, 0.0095});
-  support::add_sphere(engine, ball_radius, {-0.012, -0.011, 0.0097});
+  support::add_sphere(engine, equivalent_radius, {0.001, 0.002, 0.0095});
+  support::add_sphere(engine, equivalent_radius, {-0.012, -0.011, 0.0097});
   engine.attach_surface(hills());
   engine.particles().velocity(0) = {0.1, 0.2, -0.1};
   engine.particles().spin(0) = {3., -2., 1.};
@@ -238,11 +242,12 @@ TEST(EngineFacets, LoadsOfASphereAreConservative)
 
 TEST(EngineFacets, LoadsOfAShapeAreConservative)
 {
-  auto series =
-      std::make_shared<const dem::Coefficients>(dem::test::random_stone(20, 3));
+  auto series = std::make_shared<const dem::Coefficients>(
+      dem::test::random_particle(20, 3));
   dem::Engine engine(sticky_parameters());
-  engine.add_stone(dem::make_body(series, ball_radius), {0.001, 0.002, 0.008},
-                   dem::Quaternion(0.5, 0.5, -0.5, 0.5));
+  engine.add_particle(dem::make_shape(series, equivalent_radius),
+                      {0.001, 0.002, 0.008},
+                      dem::Quaternion(0.5, 0.5, -0.5, 0.5));
   engine.attach_surface(hills());
   engine.particles().velocity(0) = {0.1, 0.2, -0.1};
   engine.particles().spin(0) = {3., -2., 1.};
@@ -261,7 +266,7 @@ TEST(EngineFacets, WorkOfTheSurfaceIsBooked)
   p.surface.normal_stiffness = 1e6;
   p.surface.shear_stiffness = 8e5;
   dem::Engine engine(p);
-  support::add_sphere(engine, ball_radius, {0., 0., ball_radius});
+  support::add_sphere(engine, equivalent_radius, {0., 0., equivalent_radius});
   dem::FacetSurface fan = support::coplanar_fan(6, 0.05, 0.);
   const dem::Vec3 velocity(0.1, 0.05, 0.2);
   fan.velocity.assign(fan.velocity.size(), velocity);
@@ -287,10 +292,10 @@ double brute_overlap(const dem::Engine &engine, std::size_t ball)
   const dem::FacetSurface &surface = engine.surface();
   double least = engine.particles().radius(ball);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    least = std::min(least,
-                     dem::nearest_touch(surface, static_cast<std::int32_t>(t),
-                                        engine.particles().position(ball))
-                         .distance);
+    least = std::min(
+        least, dem::nearest_on_facet(surface, static_cast<std::int32_t>(t),
+                                     engine.particles().position(ball))
+                   .distance);
   return engine.particles().radius(ball) - least;
 }
 
@@ -300,7 +305,7 @@ bool is_shared(const dem::Engine &engine, std::size_t ball)
   const dem::ContactBatch &batch = engine.on_facets();
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.a[k] == static_cast<std::int32_t>(ball) && batch.is_touching(k) &&
-        !engine.facets().spot[k].shares.of.empty())
+        !engine.facets().contact_point[k].shares.of.empty())
       return true;
   return false;
 }
@@ -366,7 +371,7 @@ TEST(EngineFacets, NoTouchIsMissed)
 
 namespace
 {
-/// Two halves of a valley along y with these slopes; stones lie above.
+/// Two halves of a valley along y with these slopes; particles lie above.
 std::array<dem::FacetSurface, 2> valley(double slope)
 {
   std::array<dem::FacetSurface, 2> halves;
@@ -394,7 +399,8 @@ TEST(EngineFacets, TwoSurfacesCarryTheBallBetweenThem)
   p.surface.rolling_friction = 0.;
   dem::Engine engine(p);
   const double slope = 0.75, cosine = 0.8;
-  support::add_sphere(engine, ball_radius, {0., 0., ball_radius / cosine});
+  support::add_sphere(engine, equivalent_radius,
+                      {0., 0., equivalent_radius / cosine});
   dem::WallMaterial soft = p.surface;
   soft.normal_stiffness = 0.5 * p.surface.normal_stiffness;
   const auto halves = valley(slope);
@@ -413,7 +419,7 @@ TEST(EngineFacets, TwoSurfacesCarryTheBallBetweenThem)
     for (const dem::Vec3 &on_vertex : engine.surface(s).load)
       load += on_vertex;
     EXPECT_NEAR(load.norm(), normal, 1e-9 * normal) << s;
-    const std::size_t k = support::only_touch(engine.on_facets(s));
+    const std::size_t k = support::only_nearest_point(engine.on_facets(s));
     ASSERT_LT(k, engine.on_facets(s).size());
     const double stiffness = engine.surfaces()[s].material.normal_stiffness;
     EXPECT_NEAR(engine.on_facets(s).overlap[k], normal / stiffness,

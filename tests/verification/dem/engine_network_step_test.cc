@@ -20,7 +20,7 @@ using dem::Vec3;
 
 constexpr double below = 0.997, above = 1.003;
 /// Without damping a disturbance beats, up to 1 / sqrt(2 x 0.003) = 13 times
-/// (and a little, since the modes of several stones mix).
+/// (and a little, since the modes of several particles mix).
 /// Growth ends where k_s varies so much within a step that the loss of the
 /// shear springs takes up what the step makes.
 constexpr double bounded = 40., unbounded = 500.;
@@ -29,27 +29,27 @@ constexpr double bounded = 40., unbounded = 500.;
 double fastest(const dem::Engine &engine)
 {
   double speed = 0.;
-  const dem::Particles &stones = engine.particles();
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    speed = std::max(speed, stones.velocity(i).norm() +
-                                stones.radius(i) * stones.spin(i).norm());
+  const dem::ParticleSystem &particles = engine.particles();
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    speed = std::max(speed, particles.velocity(i).norm() +
+                                particles.radius(i) * particles.spin(i).norm());
   return speed;
 }
 
 /// Largest speed of a later hundred steps over that of the first ten, after a
-/// disturbance of all stones at rest, up to `along` [m/s]; infinite where the
-/// engine stops since they leap.
+/// disturbance of all particles at rest, up to `along` [m/s]; infinite where
+/// the engine stops since they leap.
 double growth(dem::Engine &engine, double dt, int n_steps,
               const Vec3 &along = Vec3::Constant(1e-9))
 {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> share(-1., 1.);
-  dem::Particles &stones = engine.particles();
-  for (std::size_t i = 0; i < stones.size(); ++i)
+  dem::ParticleSystem &particles = engine.particles();
+  for (std::size_t i = 0; i < particles.size(); ++i)
     for (int d = 0; d < 3; ++d)
     {
-      stones.velocity(i)[d] = along[d] * share(generator);
-      stones.spin(i)[d] = along[d] * share(generator) / stones.radius(i);
+      particles.velocity(i)[d] = along[d] * share(generator);
+      particles.spin(i)[d] = along[d] * share(generator) / particles.radius(i);
     }
   const auto largest = [&](int n)
   {
@@ -78,7 +78,7 @@ dem::EngineParameters frictional()
   dem::EngineParameters p = support::bare_parameters();
   p.wall.normal_stiffness = 1e8;
   p.wall.shear_stiffness = 0.85e8;
-  p.wall.friction = p.stone.friction = 1e6;
+  p.wall.friction = p.particle.friction = 1e6;
   return p;
 }
 
@@ -161,8 +161,8 @@ TEST(EngineNetworkStep, ChainBetweenWalls)
   constexpr int n = 6;
   constexpr double overlap = 1e-5;
   dem::EngineParameters p = support::bare_parameters();
-  const double modulus =
-      p.stone.shear_modulus / (1. - p.stone.poisson_ratio); // E*, equal bodies
+  const double modulus = p.particle.shear_modulus /
+                         (1. - p.particle.poisson_ratio); // E*, equal bodies
   const double k = 2. * modulus * std::sqrt(0.5 * radius * overlap);
   p.wall.normal_stiffness = k;
   const double wall_overlap = 2. / 3. * overlap; // F = 2/3 k delta
@@ -208,9 +208,10 @@ TEST(EngineNetworkStep, PairInShear)
   {
     dem::EngineParameters p = frictional();
     p.wall.friction = 0.;
-    p.stone.shear_damping = beta;
-    p.stone.rolling_friction = 1e6; // does not act in this mode
-    const double modulus = p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+    p.particle.shear_damping = beta;
+    p.particle.rolling_friction = 1e6; // does not act in this mode
+    const double modulus =
+        p.particle.shear_modulus / (1. - p.particle.poisson_ratio);
     const double force =
         4. / 3. * modulus * std::sqrt(0.5 * radius) * std::pow(overlap, 1.5);
     p.wall.normal_stiffness = 1e4;
@@ -231,7 +232,7 @@ TEST(EngineNetworkStep, PairInShear)
     };
     dem::Engine engine = make();
     const double mass = engine.particles().mass(0);
-    const double g = p.stone.shear_modulus, nu = p.stone.poisson_ratio;
+    const double g = p.particle.shear_modulus, nu = p.particle.poisson_ratio;
     // k_s = 8 G* a, 1/G* = 2 (2 - nu) / G, a = sqrt(R* delta)
     const double shear = 4. * g / (2. - nu) * std::sqrt(0.5 * radius * overlap);
     const double exact =
@@ -294,8 +295,8 @@ TEST(EngineNetworkStep, PackingAtRest)
   p.wall.normal_stiffness = 2e5;
   p.wall.shear_stiffness = 1.7e5;
   p.wall.normal_damping = p.wall.shear_damping = 0.3;
-  p.stone.normal_damping = p.stone.shear_damping = 0.2;
-  p.stone.rolling_friction = p.wall.rolling_friction = 1e6;
+  p.particle.normal_damping = p.particle.shear_damping = 0.2;
+  p.particle.rolling_friction = p.wall.rolling_friction = 1e6;
   dem::Engine engine = settled(p);
   const dem::SpringNetwork network = dem::contact_springs(engine, 0.);
   ASSERT_GT(network.n_contacts(), 27u);
@@ -330,8 +331,8 @@ TEST(EngineNetworkStep, BallInFlight)
   engine.particles().velocity(0) = Vec3(0., 0., -speed);
   EXPECT_EQ(dem::contact_springs(engine, 0.).n_contacts(), 0u);
   const double mass = engine.particles().mass(0),
-               plane_modulus =
-                   2. * p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+               plane_modulus = 2. * p.particle.shear_modulus /
+                               (1. - p.particle.poisson_ratio);
   const double deepest = std::pow(15. * mass * 4. * speed * speed /
                                       (16. * plane_modulus * std::sqrt(radius)),
                                   0.4);
@@ -354,8 +355,8 @@ TEST(EngineNetworkStep, BallInFlight)
 
 namespace
 {
-/// A stone whose true surface has come `late` into a Hertz wall across -x, and
-/// `pressed` further since [m]. Its lists are there before the wall is.
+/// A particle whose true surface has come `late` into a Hertz wall across -x,
+/// and `pressed` further since [m]. Its lists are there before the wall is.
 dem::SpringNetwork springs_of_late(bool in_drum, double late, double pressed)
 {
   dem::EngineParameters p = support::bare_parameters();
@@ -365,8 +366,8 @@ dem::SpringNetwork springs_of_late(bool in_drum, double late, double pressed)
   dem::Engine engine(p);
   const auto series = std::make_shared<const dem::Coefficients>(
       dem::test::sphere_series(4, radius));
-  engine.add_stone(dem::make_body(series, radius), Vec3(radius - late, 0., 0.),
-                   dem::Quaternion::Identity());
+  engine.add_particle(dem::make_shape(series, radius),
+                      Vec3(radius - late, 0., 0.), dem::Quaternion::Identity());
   dem::Drum drum;
   drum.axis = Vec3::UnitZ();
   drum.radius = 0.1;
@@ -389,8 +390,9 @@ dem::SpringNetwork springs_of_late(bool in_drum, double late, double pressed)
 // of what is pressed on top, k = 2 E* sqrt(R delta).
 TEST(EngineNetworkStep, PlaceFoundLateOnAWall)
 {
-  const dem::StoneMaterial stone = support::bare_parameters().stone;
-  const double modulus = 2. * stone.shear_modulus / (1. - stone.poisson_ratio),
+  const dem::ParticleMaterial particle = support::bare_parameters().particle;
+  const double modulus =
+                   2. * particle.shear_modulus / (1. - particle.poisson_ratio),
                pressed = 1e-6;
   for (const bool in_drum : {false, true})
   {

@@ -7,7 +7,7 @@
 
 #include <shape/test_shapes.h>
 
-// A stone between two rigid platens (Wall/law hertz), in the engine.
+// A particle between two rigid platens (Wall/law hertz), in the engine.
 namespace
 {
 using Series = std::shared_ptr<const dem::Coefficients>;
@@ -28,11 +28,11 @@ dem::EngineParameters platen_parameters()
 /// E* against a rigid plate: 2 G / (1 - nu) [Pa].
 double plate_modulus(const dem::EngineParameters &p)
 {
-  return 2. * p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+  return 2. * p.particle.shear_modulus / (1. - p.particle.poisson_ratio);
 }
 
 /// x^6 + y^6 + z^6 = (16 mm)^6.
-dem::Body rounded_cube(int order)
+dem::ParticleShape rounded_cube(int order)
 {
   const auto series = std::make_shared<const dem::Coefficients>(
       dem::test::project(order,
@@ -41,7 +41,8 @@ dem::Body rounded_cube(int order)
                            const dem::Vec3 sixth = s.array().pow(6);
                            return 0.016 / std::pow(sixth.sum(), 1. / 6.);
                          }));
-  return dem::make_body(series, series->front() * dem::ball_radius_factor);
+  return dem::make_shape(series,
+                         series->front() * dem::equivalent_radius_factor);
 }
 
 struct Platens
@@ -50,13 +51,15 @@ struct Platens
   double speed = 0.; // of the upper one, down [m/s]
   std::vector<dem::BreakageEvent> events;
 
-  /// The stone touches both with the body direction `up` and its opposite.
-  Platens(const dem::EngineParameters &parameters, const dem::Body &body,
-          const dem::Vec3 &up, double speed_of_upper)
+  /// The particle touches both with the body direction `up` and its opposite.
+  Platens(const dem::EngineParameters &parameters,
+          const dem::ParticleShape &body, const dem::Vec3 &up,
+          double speed_of_upper)
       : engine(parameters), speed(speed_of_upper)
   {
-    engine.add_stone(body, dem::Vec3::Zero(),
-                     dem::Quaternion::FromTwoVectors(up, dem::Vec3::UnitZ()));
+    engine.add_particle(
+        body, dem::Vec3::Zero(),
+        dem::Quaternion::FromTwoVectors(up, dem::Vec3::UnitZ()));
     const dem::Vec3 u = up.normalized();
     const auto reach = [&](const dem::Vec3 &s)
     {
@@ -104,13 +107,13 @@ TEST(EnginePlatens, EllipsoidFollowsTheEllipticContact)
   const auto series = std::make_shared<const dem::Coefficients>(
       dem::test::project(20, [&](const dem::Vec3 &s)
                          { return dem::test::ellipsoid_radius(axes, s); }));
-  const dem::Body body =
-      dem::make_body(series, series->front() * dem::ball_radius_factor);
+  const dem::ParticleShape body =
+      dem::make_shape(series, series->front() * dem::equivalent_radius_factor);
   Platens platens(platen_parameters(), body, dem::Vec3::UnitX(), 5e-4);
   platens.press_to(1e-4, 1e-6);
   const dem::EngineParameters p = platen_parameters();
-  const dem::PairElasticity plate =
-      dem::mix({p.stone.shear_modulus, p.stone.poisson_ratio}, {0., 0., true});
+  const dem::PairElasticity plate = dem::mix(
+      {p.particle.shear_modulus, p.particle.poisson_ratio}, {0., 0., true});
   const double c_h =
       dem::solve_elliptic(
           plate,
@@ -121,8 +124,8 @@ TEST(EnginePlatens, EllipsoidFollowsTheEllipticContact)
   EXPECT_NEAR(platens.force() / (c_h * std::pow(u, 1.5)), 1., 1e-3);
 }
 
-// Two bodies of different materials: E* of both counts. The stone and the ball
-// of steel approach from touch.
+// Two bodies of different materials: E* of both counts. The particle and the
+// ball of steel approach from touch.
 TEST(EnginePlatens, BodiesOfTwoMaterialsMixTheirModuli)
 {
   dem::EngineParameters p = platen_parameters();
@@ -130,15 +133,15 @@ TEST(EnginePlatens, BodiesOfTwoMaterialsMixTheirModuli)
   p.local_damping = p.wall.normal_damping = 0.;
   dem::Engine engine(p);
   const double r_a = 0.01, r_b = 0.02, gap = 1e-4;
-  engine.add_stone(dem::make_sphere(r_a), {0., 0., 0.},
-                   dem::Quaternion::Identity());
-  engine.add_stone(dem::make_sphere(r_b), {r_a + r_b - gap, 0., 0.},
-                   dem::Quaternion::Identity(), 1);
+  engine.add_particle(dem::make_sphere(r_a), {0., 0., 0.},
+                      dem::Quaternion::Identity());
+  engine.add_particle(dem::make_sphere(r_b), {r_a + r_b - gap, 0., 0.},
+                      dem::Quaternion::Identity(), 1);
   EXPECT_NEAR(engine.particles().mass(1),
               7850. * 4. / 3. * std::numbers::pi * std::pow(r_b, 3), 1e-12);
   engine.advance(1e-9);
   const double modulus =
-      1. / ((1. - p.stone.poisson_ratio) / (2. * p.stone.shear_modulus) +
+      1. / ((1. - p.particle.poisson_ratio) / (2. * p.particle.shear_modulus) +
             (1. - 0.3) / (2. * 2e9));
   const double exact = 4. / 3. * modulus * std::sqrt(r_a * r_b / (r_a + r_b)) *
                        std::pow(gap, 1.5);
@@ -172,7 +175,7 @@ TEST_P(CubeBetweenPlatens, BreaksAsTheModelSays)
   const CubeCase expected = GetParam();
   dem::EngineParameters p = platen_parameters();
   p.breakage.is_active = true;
-  const dem::Body cube = rounded_cube(expected.order);
+  const dem::ParticleShape cube = rounded_cube(expected.order);
   const dem::Vec3 diagonal(1., 1., 1.);
   const double kappa =
       std::sqrt(dem::evaluate_side(cube, diagonal.normalized(), 10.)

@@ -9,12 +9,12 @@
 // bound 0.4 % above it. A factor of 3.5 wrong by 1 % is caught.
 namespace
 {
-constexpr double ball_radius = 0.01, gravity = 1e4;
+constexpr double equivalent_radius = 0.01, gravity = 1e4;
 
 dem::EngineParameters wall_parameters()
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.stone.shear_modulus = 1e5; // the Rayleigh step is far longer
+  p.particle.shear_modulus = 1e5; // the Rayleigh step is far longer
   p.wall.normal_stiffness = 1e8;
   p.wall.shear_stiffness = 0.;
   p.wall.friction = 1e6;
@@ -27,7 +27,7 @@ dem::Engine pressed_ball(const dem::EngineParameters &parameters)
 {
   dem::Engine engine(parameters);
   engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
-  support::add_sphere(engine, ball_radius, {0., 0., ball_radius});
+  support::add_sphere(engine, equivalent_radius, {0., 0., equivalent_radius});
   engine.particles().position(0).z() -=
       engine.particles().mass(0) * gravity / parameters.wall.normal_stiffness;
   return engine;
@@ -52,9 +52,9 @@ double growth(const dem::EngineParameters &parameters, double share)
     for (int step = 0; step < n; ++step)
     {
       engine.advance(dt);
-      speed =
-          std::max(speed, engine.particles().velocity(0).norm() +
-                              ball_radius * engine.particles().spin(0).norm());
+      speed = std::max(speed, engine.particles().velocity(0).norm() +
+                                  equivalent_radius *
+                                      engine.particles().spin(0).norm());
     }
     return speed;
   };
@@ -107,7 +107,7 @@ TEST(EngineStep, RollingMode)
   }
 }
 
-// A ball of steel among stones is stiffer by far; its wave sets the step.
+// A ball of steel among particles is stiffer by far; its wave sets the step.
 TEST(EngineStep, RayleighWaveOfEveryMaterial)
 {
   dem::EngineParameters p = support::bare_parameters();
@@ -117,17 +117,19 @@ TEST(EngineStep, RayleighWaveOfEveryMaterial)
   const auto rayleigh = [](double r, double rho, double G, double nu)
   { return M_PI * r * std::sqrt(rho / G) / (0.1631 * nu + 0.8766); };
   dem::Engine engine(p);
-  support::add_sphere(engine, ball_radius, {0., 0., 0.});
-  const double stone = rayleigh(ball_radius, p.stone.density,
-                                p.stone.shear_modulus, p.stone.poisson_ratio);
-  EXPECT_NEAR(dem::critical_step(p, engine.particles()).step, stone,
-              1e-12 * stone);
-  engine.add_stone(dem::make_sphere(2. * ball_radius),
-                   {0., 0., 4. * ball_radius}, dem::Quaternion::Identity(), 1);
+  support::add_sphere(engine, equivalent_radius, {0., 0., 0.});
+  const double particle =
+      rayleigh(equivalent_radius, p.particle.density, p.particle.shear_modulus,
+               p.particle.poisson_ratio);
+  EXPECT_NEAR(dem::critical_step(p, engine.particles()).step, particle,
+              1e-12 * particle);
+  engine.add_particle(dem::make_sphere(2. * equivalent_radius),
+                      {0., 0., 4. * equivalent_radius},
+                      dem::Quaternion::Identity(), 1);
   const dem::StepLimit limit = dem::critical_step(p, engine.particles());
-  const double steel = rayleigh(2. * ball_radius, 7850., 8e10, 0.3);
+  const double steel = rayleigh(2. * equivalent_radius, 7850., 8e10, 0.3);
   EXPECT_NEAR(limit.step, steel, 1e-12 * steel);
-  EXPECT_NE(limit.reason.find("no stone"), std::string::npos);
+  EXPECT_NE(limit.reason.find("no particle"), std::string::npos);
 }
 
 // The membrane's contact counts as the walls do.

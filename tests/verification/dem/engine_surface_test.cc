@@ -7,7 +7,7 @@
 
 #include <shape/test_shapes.h>
 
-// Stones that meet with their true surfaces.
+// Particles that meet with their true surfaces.
 namespace
 {
 using dem::Vec3;
@@ -27,11 +27,11 @@ std::shared_ptr<const dem::Coefficients> ellipsoid(const Vec3 &axes)
       16, [&](const Vec3 &s) { return dem::test::ellipsoid_radius(axes, s); }));
 }
 
-dem::Body stone(unsigned seed, double radius)
+dem::ParticleShape particle(unsigned seed, double radius)
 {
-  return dem::make_body(std::make_shared<const dem::Coefficients>(
-                            dem::test::random_stone(14, seed)),
-                        radius);
+  return dem::make_shape(std::make_shared<const dem::Coefficients>(
+                             dem::test::random_particle(14, seed)),
+                         radius);
 }
 
 struct Momenta
@@ -39,26 +39,28 @@ struct Momenta
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
 };
 
-Momenta momenta(const dem::Particles &stones)
+Momenta momenta(const dem::ParticleSystem &particles)
 {
   Momenta sum;
-  for (std::size_t k = 0; k < stones.size(); ++k)
+  for (std::size_t k = 0; k < particles.size(); ++k)
   {
-    const Vec3 p = stones.mass(k) * stones.velocity(k);
+    const Vec3 p = particles.mass(k) * particles.velocity(k);
     sum.linear += p;
-    sum.angular += stones.position(k).cross(p) + stones.angular_momentum(k);
+    sum.angular +=
+        particles.position(k).cross(p) + particles.angular_momentum(k);
   }
   return sum;
 }
 
-/// Two rough stones on their way to an oblique hit.
+/// Two rough particles on their way to an oblique hit.
 dem::Engine collision(unsigned seed)
 {
   dem::Engine engine(surface_parameters());
   dem::Random random(seed);
-  const dem::Body a = stone(2 * seed, 0.01), b = stone(2 * seed + 1, 0.007);
-  engine.add_stone(a, Vec3::Zero(), random.rotation());
-  engine.add_stone(b, {0.002, 0.001, 0.03}, random.rotation());
+  const dem::ParticleShape a = particle(2 * seed, 0.01),
+                           b = particle(2 * seed + 1, 0.007);
+  engine.add_particle(a, Vec3::Zero(), random.rotation());
+  engine.add_particle(b, {0.002, 0.001, 0.03}, random.rotation());
   engine.particles().velocity(1) = {0., 0.1, -1.};
   engine.particles().spin(0) = {10., -5., 20.};
   engine.particles().spin(1) = {-30., 10., 5.};
@@ -93,22 +95,22 @@ TEST(Surface, CollisionsKeepMomentaAndEnergy)
   }
 }
 
-// One that comes to stones that have been there for a while meets them as it
+// One that comes to particles that have been there for a while meets them as it
 // does those that came with it.
-TEST(Surface, StoneAddedLaterIsMet)
+TEST(Surface, ParticleAddedLaterIsMet)
 {
   const Vec3 axes(0.01, 0.009, 0.008);
   const auto series = ellipsoid(axes);
-  const dem::Body body =
-      dem::make_body(series, series->front() * dem::ball_radius_factor);
+  const dem::ParticleShape body =
+      dem::make_shape(series, series->front() * dem::equivalent_radius_factor);
   std::vector<Vec3> ends;
   for (const int n_before : {0, 10})
   {
     dem::Engine engine(surface_parameters());
-    engine.add_stone(body, Vec3::Zero(), dem::Quaternion::Identity());
+    engine.add_particle(body, Vec3::Zero(), dem::Quaternion::Identity());
     support::advance(engine, 1e-6, n_before);
-    engine.add_stone(body, {0., 0., 2. * axes.z() + 2e-5},
-                     dem::Quaternion::Identity());
+    engine.add_particle(body, {0., 0., 2. * axes.z() + 2e-5},
+                        dem::Quaternion::Identity());
     engine.particles().velocity(1) = {0., 0., -1.};
     support::advance(engine, 1e-6, 20000);
     EXPECT_GT(engine.particles().velocity(1).z(), -0.9); // they have met
@@ -117,8 +119,9 @@ TEST(Surface, StoneAddedLaterIsMet)
   EXPECT_LT((ends[1] - ends[0]).norm(), 1e-9);
 }
 
-// At 40 m/s stones go so deep that contacts lose their place and end: what they
-// held is booked, and nothing else (half of the energy was, for one of these).
+// At 40 m/s particles go so deep that contacts lose their place and end: what
+// they held is booked, and nothing else (half of the energy was, for one of
+// these).
 TEST(Surface, ContactsThatLoseTheirPlaceKeepTheBooks)
 {
   double worst = 0.;
@@ -138,7 +141,7 @@ TEST(Surface, ContactsThatLoseTheirPlaceKeepTheBooks)
       books = now;
     }
   }
-  std::printf("books astray in one step by %.3g of the energy\n", worst);
+  std::printf("books energy_error in one step by %.3g of the energy\n", worst);
   EXPECT_LT(worst, 3e-3);
 }
 
@@ -148,13 +151,13 @@ TEST(Surface, ForceOnThePoleIsHertz)
 {
   const Vec3 axes(0.012, 0.010, 0.008);
   dem::Engine engine(surface_parameters());
-  const dem::Body body = dem::own_body(*ellipsoid(axes));
-  engine.add_stone(body, Vec3::Zero(), dem::Quaternion::Identity());
+  const dem::ParticleShape body = dem::shape_of(*ellipsoid(axes));
+  engine.add_particle(body, Vec3::Zero(), dem::Quaternion::Identity());
   const double overlap = 2e-5;
-  engine.add_stone(body, {0., 0., 0.016 - overlap},
-                   dem::Quaternion::Identity());
+  engine.add_particle(body, {0., 0., 0.016 - overlap},
+                      dem::Quaternion::Identity());
   engine.advance(1e-12);
-  const std::size_t k = support::only_touch(engine.pairs());
+  const std::size_t k = support::only_nearest_point(engine.pairs());
   ASSERT_LT(k, engine.pairs().size());
   const double first = 0.008 / (0.010 * 0.010),
                second = 0.008 / (0.012 * 0.012);
@@ -169,7 +172,7 @@ TEST(Surface, ForceOnThePoleIsHertz)
   EXPECT_NEAR(engine.pairs().normal_force[k], exact, 5e-3 * exact);
 }
 
-// A long stone lies on its flat side: it rests on the plane with its weight,
+// A long particle lies on its flat side: it rests on the plane with its weight,
 // and an ellipsoid rocks about its lowest point at the rate of a rigid body on
 // a rough plane: w^2 = m g (R - h) / (I + m h^2), R the radius of curvature, h
 // the height of the centre (small angles).
@@ -182,14 +185,14 @@ TEST(Surface, EllipsoidRocksOnAPlane)
   p.wall.normal_stiffness = p.wall.shear_stiffness = 1e6;
   p.wall.normal_damping = p.wall.shear_damping = 0.3;
   dem::Engine engine(p);
-  const dem::Body body = dem::own_body(*ellipsoid(axes));
+  const dem::ParticleShape body = dem::shape_of(*ellipsoid(axes));
   const double tilt = 0.02;
   // About y: the long axis goes up and down.
   engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
   const Vec3 up = Eigen::AngleAxisd(-tilt, Vec3::UnitY()) * Vec3::UnitZ();
   const double sunk = body.volume * 2750. * 9.81 / 1e6;
-  engine.add_stone(body, {0., 0., axes.cwiseProduct(up).norm() - sunk},
-                   dem::Quaternion(Eigen::AngleAxisd(tilt, Vec3::UnitY())));
+  engine.add_particle(body, {0., 0., axes.cwiseProduct(up).norm() - sunk},
+                      dem::Quaternion(Eigen::AngleAxisd(tilt, Vec3::UnitY())));
   const double mass = engine.particles().mass(0);
   const double inertia = mass / 5. * (0.012 * 0.012 + 0.008 * 0.008);
   const double rate = std::sqrt(mass * 9.81 * (0.012 * 0.012 / 0.008 - 0.008) /
@@ -220,8 +223,8 @@ TEST(Surface, InertiaIsThatOfTheEllipsoid)
 {
   const Vec3 axes(0.012, 0.010, 0.008);
   dem::Engine engine(surface_parameters());
-  engine.add_stone(dem::own_body(*ellipsoid(axes)), Vec3::Zero(),
-                   dem::Quaternion::Identity());
+  engine.add_particle(dem::shape_of(*ellipsoid(axes)), Vec3::Zero(),
+                      dem::Quaternion::Identity());
   const double mass = engine.particles().mass(0);
   for (int d = 0; d < 3; ++d)
   {

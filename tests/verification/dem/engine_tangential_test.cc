@@ -21,8 +21,8 @@ constexpr double radius = 0.01;
 dem::EngineParameters sticking()
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.geometry.geometry = p.geometry.wall_geometry = dem::ContactGeometry::ball;
-  p.stone.friction = p.wall.friction = 1e6;
+  p.geometry.geometry = p.geometry.wall_geometry = dem::ContactGeometry::sphere;
+  p.particle.friction = p.wall.friction = 1e6;
   p.wall.normal_stiffness = 1e6;
   p.wall.shear_stiffness = 0.85e6;
   return p;
@@ -32,8 +32,8 @@ dem::EngineParameters sticking()
 dem::EngineParameters rolling()
 {
   dem::EngineParameters p = sticking();
-  p.stone.friction = p.wall.friction = 0.;
-  p.stone.rolling_friction = p.wall.rolling_friction = 1e6;
+  p.particle.friction = p.wall.friction = 0.;
+  p.particle.rolling_friction = p.wall.rolling_friction = 1e6;
   return p;
 }
 
@@ -127,11 +127,11 @@ struct Case
 /// v_t after the impact of two equal spheres that stick, by an integration of
 /// x'' = -C x^(3/2) / m*, T' = -k_s u (scaled down with k_s while that falls),
 /// u' = 7/2 T / m*, in small steps of second order; levers do not change [m/s].
-double sticking_speed_after(const dem::StoneMaterial &stone, double speed,
+double sticking_speed_after(const dem::ParticleMaterial &particle, double speed,
                             double tangential, int n_steps)
 {
-  const double shear = stone.shear_modulus, nu = stone.poisson_ratio;
-  const double mass = 2. / 3. * std::numbers::pi * stone.density * radius *
+  const double shear = particle.shear_modulus, nu = particle.poisson_ratio;
+  const double mass = 2. / 3. * std::numbers::pi * particle.density * radius *
                       radius * radius; // m* = m / 2
   const double root = std::sqrt(0.5 * radius);
   const double normal_prefactor = 4. / 3. * shear / (1. - nu) * root,
@@ -165,7 +165,7 @@ TEST(EngineTangential, ShearOfAStickingImpact)
 {
   const Case impact{two_spheres, sticking(), tangential_speed, 1e-5, 6e-3};
   const double exact =
-      sticking_speed_after(impact.parameters.stone, 1e-5, 3e-6, 200000);
+      sticking_speed_after(impact.parameters.particle, 1e-5, 3e-6, 200000);
   EXPECT_LT(impact.error(6e-6, exact), 2e-4 * std::abs(exact - 3e-6));
   EXPECT_GT(impact.order(exact), 1.5);
 }
@@ -177,7 +177,7 @@ TEST(EngineTangential, ErrorsFallFasterThanTheStep)
 {
   const Case shear{two_spheres, sticking()};
   Case slip = shear;
-  slip.parameters.stone.friction = 0.3;
+  slip.parameters.particle.friction = 0.3;
   const Case roll{two_spheres, rolling(), rolling_spin};
   Case on_wall{sphere_on_plane, sticking()};
   on_wall.parameters.wall.friction = 0.8;
@@ -204,7 +204,7 @@ TEST(EngineTangential, DashpotsAreOfFirstOrder)
   Case damped{two_spheres, sticking(), [](const dem::Engine &engine) {
                 return engine.particles().velocity(0).x();
               }};
-  damped.parameters.stone.normal_damping = 0.27;
+  damped.parameters.particle.normal_damping = 0.27;
   const double exact = damped.limit();
   EXPECT_NEAR(damped.error(4e-6, exact), 8.8e-4, 1e-4);
   EXPECT_NEAR(damped.order(exact), 1., 0.15);
@@ -255,20 +255,21 @@ RollingStiffness rolling_stiffness(dem::Engine &engine,
   for (std::size_t i = 0; i < engine.particles().size(); ++i)
     engine.particles().mass(i) = engine.particles().inertia(i) = 1e20;
   engine.advance(1e-15); // the contact is there
-  const double before = batch.history(support::only_touch(batch)).rolling.y;
+  const double before =
+      batch.history(support::only_nearest_point(batch)).rolling.y;
   engine.particles().spin(0) = {0., spin, 0.};
   engine.advance(dt);
-  const std::size_t k = support::only_touch(batch);
+  const std::size_t k = support::only_nearest_point(batch);
   const dem::SpringNetwork network = dem::contact_springs(engine, 0.);
   return {(before - batch.history(k).rolling.y) / (spin * dt),
           network.rolling_stiffness.at(0), network.shear_stiffness.at(0)};
 }
 
-dem::Body sphere_of_series()
+dem::ParticleShape sphere_of_series()
 {
-  return dem::make_body(std::make_shared<const dem::Coefficients>(
-                            dem::test::sphere_series(8, radius)),
-                        radius);
+  return dem::make_shape(std::make_shared<const dem::Coefficients>(
+                             dem::test::sphere_series(8, radius)),
+                         radius);
 }
 } // namespace
 
@@ -279,15 +280,15 @@ TEST(EngineTangential, RollingRadiusIsOneInAllGeometries)
 {
   constexpr double overlap = 2e-4;
   using enum dem::ContactGeometry;
-  for (const dem::ContactGeometry geometry : {ball, radial, surface})
+  for (const dem::ContactGeometry geometry : {sphere, radial, surface})
   {
     dem::EngineParameters p = rolling();
-    p.stone.friction = p.wall.friction = 1e6;
+    p.particle.friction = p.wall.friction = 1e6;
     p.geometry.geometry = p.geometry.wall_geometry = geometry;
     dem::Engine pair(p);
     for (const double x : {0., 2. * radius - overlap})
-      pair.add_stone(sphere_of_series(), {x, 0., 0.},
-                     dem::Quaternion::Identity());
+      pair.add_particle(sphere_of_series(), {x, 0., 0.},
+                        dem::Quaternion::Identity());
     const RollingStiffness of_pair = rolling_stiffness(pair, pair.pairs());
     const double lever = radius - 0.5 * overlap;
     const double exact = of_pair.shear * 0.25 * lever * lever;
@@ -298,8 +299,8 @@ TEST(EngineTangential, RollingRadiusIsOneInAllGeometries)
     // On a wall the contact point lies on the wall, with `surface` half way.
     dem::Engine on_wall(p);
     on_wall.add_plane(Vec3::Zero(), Vec3::UnitX());
-    on_wall.add_stone(sphere_of_series(), {radius - overlap, 0., 0.},
-                      dem::Quaternion::Identity());
+    on_wall.add_particle(sphere_of_series(), {radius - overlap, 0., 0.},
+                         dem::Quaternion::Identity());
     const RollingStiffness of_wall =
         rolling_stiffness(on_wall, on_wall.on_planes());
     const double arm = radius - (geometry == surface ? 0.5 : 1.) * overlap;

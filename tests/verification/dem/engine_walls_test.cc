@@ -2,13 +2,13 @@
 #include "wall_meshes.h"
 
 #include <dem/packing/random.h>
-#include <dem/search/wall_places.h>
+#include <dem/search/wall_contact_points.h>
 
 #include <gtest/gtest.h>
 
 #include <shape/test_shapes.h>
 
-// Stones that meet drums and facets with their true surfaces.
+// Particles that meet drums and facets with their true surfaces.
 namespace
 {
 using dem::Vec3;
@@ -27,10 +27,10 @@ dem::EngineParameters surface_parameters()
   return p;
 }
 
-std::shared_ptr<const dem::Coefficients> rough_stone(unsigned seed)
+std::shared_ptr<const dem::Coefficients> rough_particle(unsigned seed)
 {
   return std::make_shared<const dem::Coefficients>(
-      dem::test::random_stone(10, seed));
+      dem::test::random_particle(10, seed));
 }
 
 dem::Drum small_drum()
@@ -38,17 +38,17 @@ dem::Drum small_drum()
   dem::Drum drum;
   drum.radius = 0.05;
   drum.length = 0.06;
-  drum.shelf_height = 0.012;
-  drum.shelf_thickness = 0.006;
+  drum.lifter_height = 0.012;
+  drum.lifter_thickness = 0.006;
   return drum;
 }
 
-/// A stone thrown about inside.
-void throw_stone(dem::Engine &engine, unsigned seed)
+/// A particle thrown about inside.
+void throw_particle(dem::Engine &engine, unsigned seed)
 {
   dem::Random random(seed);
-  engine.add_stone(dem::make_body(rough_stone(seed), 0.01), Vec3::Zero(),
-                   random.rotation());
+  engine.add_particle(dem::make_shape(rough_particle(seed), 0.01), Vec3::Zero(),
+                      random.rotation());
   for (int d = 0; d < 3; ++d)
   {
     engine.particles().velocity(0)[d] = 2. * (random.uniform() - 0.5);
@@ -105,26 +105,26 @@ EnergyRecord run(dem::Engine &engine, double time_step, double end)
 }
 } // namespace
 
-// Springs alone, over some ten hits on the cylinder, the ends and the shelf:
+// Springs alone, over some ten hits on the cylinder, the ends and the lifter:
 // what is left goes with the square of the step, 1.2e-4 at most here.
-TEST(SurfaceOnDrum, StoneKeepsItsEnergy)
+TEST(SurfaceOnDrum, ParticleKeepsItsEnergy)
 {
   for (unsigned seed = 2; seed <= 5; ++seed)
   {
     dem::Engine engine(surface_parameters());
     engine.set_drum(small_drum());
-    throw_stone(engine, seed);
+    throw_particle(engine, seed);
     const EnergyRecord record = run(engine, 2e-6, 0.12);
     EXPECT_GT(record.stored, 0.1) << seed;
     EXPECT_LT(record.drift, 3e-4) << seed;
     EXPECT_LT(std::abs(record.non_conservative_work), 1e-3) << seed;
-    EXPECT_EQ(engine.spot_events().n_jumps, 0);
-    EXPECT_EQ(engine.spot_events().n_ended, 0);
-    EXPECT_EQ(engine.spot_events().n_late, 0);
+    EXPECT_EQ(engine.contact_point_events().n_jumps, 0);
+    EXPECT_EQ(engine.contact_point_events().n_ended, 0);
+    EXPECT_EQ(engine.contact_point_events().n_late, 0);
   }
 }
 
-// A flat mesh acts as the plane: the same load for any stone and pose.
+// A flat mesh acts as the plane: the same load for any particle and pose.
 TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
 {
   dem::EngineParameters p = surface_parameters();
@@ -133,8 +133,8 @@ TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
   for (unsigned seed = 1; seed <= 30; ++seed)
   {
     dem::Random random(seed);
-    const auto series = rough_stone(seed);
-    const dem::Body body = dem::make_body(series, 0.01);
+    const auto series = rough_particle(seed);
+    const dem::ParticleShape body = dem::make_shape(series, 0.01);
     const dem::Quaternion turned = random.rotation();
     const dem::RadiusMap map(series);
     const double height =
@@ -150,17 +150,17 @@ TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
     on_mesh.attach_surface(floor);
     for (dem::Engine *engine : {&on_plane, &on_mesh})
     {
-      engine->add_stone(body, centre, turned);
+      engine->add_particle(body, centre, turned);
       engine->advance(1e-12);
     }
-    const dem::StoneLoad &exact = on_plane.particles().load[0],
-                         &found = on_mesh.particles().load[0];
+    const dem::ParticleLoad &exact = on_plane.particles().load[0],
+                            &found = on_mesh.particles().load[0];
     ASSERT_GT(exact.force.z(), 1.);
     EXPECT_LT((found.force - exact.force).norm(), 1e-10 * exact.force.norm());
     // Normals on the plane come of gradients in single precision.
     EXPECT_LT((found.moment - exact.moment).norm(),
               2e-8 * 0.01 * exact.force.norm());
-    // What the stone gets the vertices give.
+    // What the particle gets the vertices give.
     Vec3 sum = Vec3::Zero();
     for (const Vec3 &load : on_mesh.surface().load)
       sum += load;
@@ -170,7 +170,7 @@ TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
 
 // Springs alone, between sides with edges and vertices that stand in and out:
 // what is left goes with the square of the step, and no place is lost.
-TEST(SurfaceOnFacets, StoneKeepsItsEnergy)
+TEST(SurfaceOnFacets, ParticleKeepsItsEnergy)
 {
   for (const double roughness : {0., 0.15, 0.4})
   {
@@ -180,14 +180,14 @@ TEST(SurfaceOnFacets, StoneKeepsItsEnergy)
       {
         dem::Engine engine(surface_parameters());
         engine.attach_surface(rough_box(0.06, 5, roughness));
-        throw_stone(engine, seed);
+        throw_particle(engine, seed);
         engine.particles().position(0) = Vec3::Constant(0.03);
         const EnergyRecord record =
             run(engine, drift == &coarse ? 4e-6 : 1e-6, 0.08);
         EXPECT_GT(record.stored, 0.1);
         EXPECT_LT(std::abs(record.non_conservative_work), 1e-3);
         *drift += record.drift;
-        const dem::SpotEvents &events = engine.spot_events();
+        const dem::ContactPointEvents &events = engine.contact_point_events();
         EXPECT_EQ(events.n_jumps + events.n_ended + events.n_late, 0);
         EXPECT_EQ(events.n_unlisted, 0);
       }
@@ -215,19 +215,20 @@ TEST(SurfaceOnFacets, FacetsOfACylinderConverge)
     for (unsigned seed = 1; seed <= 12; ++seed)
     {
       dem::Random random(seed);
-      const auto series = rough_stone(seed);
-      const dem::Body body = dem::make_body(series, 0.01);
+      const auto series = rough_particle(seed);
+      const dem::ParticleShape body = dem::make_shape(series, 0.01);
       const dem::RadiusMap map(series);
       const dem::Quaternion turned = random.rotation();
       const double phi = 6. * random.uniform();
       const Vec3 out(std::cos(phi), std::sin(phi), 0.);
-      dem::PosedStone stone{{body, map}, Vec3::Zero(), turned.matrix()};
+      dem::MappedParticlePose particle{
+          {body, map}, Vec3::Zero(), turned.matrix()};
       double depth = -1.;
       for (double at = 0.035; depth < 5e-5;)
       {
-        stone.position = at * out;
+        particle.position = at * out;
         const auto found =
-            dem::find_on_drum(stone, drum, dem::DrumPart::cylinder, 2e-3);
+            dem::find_on_drum(particle, drum, dem::DrumPart::cylinder, 2e-3);
         depth = found.places.empty() ? -2e-3 : found.places.front().overlap;
         at += std::max(1e-5 - std::min(depth, 0.), 1e-5);
       }
@@ -239,7 +240,7 @@ TEST(SurfaceOnFacets, FacetsOfACylinderConverge)
           engine.attach_surface(mesh);
         else
           engine.set_drum(drum);
-        engine.add_stone(body, stone.position, turned);
+        engine.add_particle(body, particle.position, turned);
         engine.advance(1e-12);
         force.push_back(engine.particles().load[0].force.norm());
       }
@@ -253,8 +254,8 @@ TEST(SurfaceOnFacets, FacetsOfACylinderConverge)
   }
 }
 
-// Beyond a plane or a drum nothing would bring a stone back.
-TEST(EngineWalls, AStoneThatHasComeThroughIsNamed)
+// Beyond a plane or a drum nothing would bring a particle back.
+TEST(EngineWalls, AParticleThatHasComeThroughIsNamed)
 {
   for (const bool in_drum : {false, true})
   {
@@ -280,12 +281,12 @@ TEST(EngineWalls, AStoneThatHasComeThroughIsNamed)
     }
     catch (const std::runtime_error &error)
     {
-      EXPECT_NE(std::string(error.what()).find("stone 0 of "),
+      EXPECT_NE(std::string(error.what()).find("particle 0 of "),
                 std::string::npos);
       EXPECT_NE(std::string(error.what()).find("come through a wall"),
                 std::string::npos);
     }
-    engine.let_strays_go(); // of rough packings
+    engine.allow_escape(); // of rough packings
     EXPECT_NO_THROW(engine.advance(1e-9));
   }
 }

@@ -21,7 +21,7 @@ dem::EngineParameters plate_with(double damping)
 double prefactor(const dem::EngineParameters &p)
 {
   const double modulus =
-      2. * p.stone.shear_modulus / (1. - p.stone.poisson_ratio);
+      2. * p.particle.shear_modulus / (1. - p.particle.poisson_ratio);
   return 4. / 3. * modulus * std::sqrt(radius);
 }
 
@@ -55,7 +55,7 @@ Rebound impact_of(double damping, double step, double gap)
 TEST(HertzImpact, DurationIsThatOfTheClosedForm)
 {
   const dem::EngineParameters p = plate_with(0.);
-  const double mass = dem::make_sphere(radius).volume * p.stone.density;
+  const double mass = dem::make_sphere(radius).volume * p.particle.density;
   const double expected = dem::impact_duration(prefactor(p), mass, speed);
   const double step = 2e-4 * expected;
   EXPECT_NEAR(impact_of(0., step, 1e-7).duration, expected, step);
@@ -66,7 +66,7 @@ TEST(HertzImpact, DurationIsThatOfTheClosedForm)
 TEST(HertzImpact, EnergyErrorStaysWithinItsBound)
 {
   const dem::EngineParameters p = plate_with(0.);
-  const double mass = dem::make_sphere(radius).volume * p.stone.density;
+  const double mass = dem::make_sphere(radius).volume * p.particle.density;
   const double duration = dem::impact_duration(prefactor(p), mass, speed);
   for (const double tolerance : {0.14, 0.05, 0.02, 0.005})
   {

@@ -2,15 +2,15 @@
 #include "wall_meshes.h"
 
 #include <dem/packing/random.h>
-#include <dem/search/wall_places.h>
+#include <dem/search/wall_contact_points.h>
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <shape/test_shapes.h>
 
-// Stones on a sheet that moves: their lists of places are renewed only where
-// stone and sheet have moved against each other.
+// Particles on a sheet that moves: their lists of places are renewed only where
+// particle and sheet have moved against each other.
 namespace
 {
 using dem::Vec3;
@@ -70,39 +70,41 @@ dem::EngineParameters parameters()
   return p;
 }
 
-/// Places of a stone that a search of the whole sheet finds in overlap, and
+/// Places of a particle that a search of the whole sheet finds in overlap, and
 /// those of them that are not in the lists of the engine.
 struct Places
 {
   int n = 0, n_missed = 0;
 };
 
-void check(const dem::Engine &engine, std::int32_t stone,
+void check(const dem::Engine &engine, std::int32_t particle,
            const dem::RadiusMap &map, Places &sum)
 {
-  const auto i = static_cast<std::size_t>(stone);
-  const dem::Particles &stones = engine.particles();
+  const auto i = static_cast<std::size_t>(particle);
+  const dem::ParticleSystem &particles = engine.particles();
   const dem::SurfaceContacts &facets = engine.surfaces()[0];
   std::vector<std::int32_t> all(facets.surface.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   const auto found = dem::find_on_facets(
-      {{stones.body[i], map}, stones.position(i), stones.rotation(i)},
+      {{particles.shape[i], map}, particles.position(i), particles.rotation(i)},
       facets.mesh(), all, 0.01 * radius);
-  for (const dem::WallPlace &place : found.places)
+  for (const dem::WallContactPoint &place : found.places)
   {
     if (place.overlap < 1e-6 * radius)
       continue;
     ++sum.n;
     bool is_listed = false;
     for (std::size_t k = 0; k < facets.batch.size(); ++k)
-      is_listed |= facets.batch.a[k] == stone &&
-                   (facets.batch.side_a.spot(k) - place.on_stone).norm() < 0.03;
+      is_listed |=
+          facets.batch.a[k] == particle &&
+          (facets.batch.side_a.contact_point(k) - place.on_particle).norm() <
+              0.03;
     sum.n_missed += !is_listed;
   }
 }
 } // namespace
 
-// The wave lifts and turns the stones, the tremble makes long paths of short
+// The wave lifts and turns the particles, the tremble makes long paths of short
 // ways.
 TEST(MovingFacets, HardlyAPlaceIsMissed)
 {
@@ -114,10 +116,10 @@ TEST(MovingFacets, HardlyAPlaceIsMissed)
   for (int i = 0; i < n_side * n_side; ++i)
   {
     const auto series = std::make_shared<const dem::Coefficients>(
-        dem::test::random_stone(10, static_cast<unsigned>(i + 1)));
+        dem::test::random_particle(10, static_cast<unsigned>(i + 1)));
     maps.emplace_back(series);
-    engine.add_stone(
-        dem::make_body(series, radius * (0.7 + 0.3 * random.uniform())),
+    engine.add_particle(
+        dem::make_shape(series, radius * (0.7 + 0.3 * random.uniform())),
         {(i % n_side - 1) * spacing, (i / n_side - 1) * spacing, 1.6 * radius},
         random.rotation());
   }
@@ -134,10 +136,10 @@ TEST(MovingFacets, HardlyAPlaceIsMissed)
   EXPECT_GT(places.n, 300);
   // Between two searches a hollow may bring forth a second place in the
   // neighbourhood of the one that is followed: 3 of 741 here, 1 of 747 where
-  // all stones are searched at every look; 17 if motion counts for a fifth, 30
-  // if it counts for nothing.
+  // all particles are searched at every look; 17 if motion counts for a fifth,
+  // 30 if it counts for nothing.
   EXPECT_LT(100 * places.n_missed, places.n);
-  // All stones at each look would be many times that.
-  EXPECT_LT(2 * engine.spot_events().n_scans,
+  // All particles at each look would be many times that.
+  EXPECT_LT(2 * engine.contact_point_events().n_scans,
             engine.n_rebuilds() * n_side * n_side);
 }

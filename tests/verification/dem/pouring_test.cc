@@ -6,19 +6,19 @@
 
 #include <sstream>
 
-// Stones poured into a room and tamped to a density.
+// Particles poured into a room and tamped to a density.
 namespace
 {
-/// A stone of 3.5 mm radius on floor and wall, with its dashpots, is stable up
-/// to some 8e-6 s.
+/// A particle of 3.5 mm radius on floor and wall, with its dashpots, is stable
+/// up to some 8e-6 s.
 constexpr double step = 5e-6;
 
 dem::EngineParameters parameters(double friction)
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.stone.shear_modulus = 5e7;
-  p.stone.friction = p.wall.friction = friction;
-  p.stone.normal_damping = p.stone.shear_damping = 0.3;
+  p.particle.shear_modulus = 5e7;
+  p.particle.friction = p.wall.friction = friction;
+  p.particle.normal_damping = p.particle.shear_damping = 0.3;
   p.wall.normal_stiffness = 1e6;
   p.wall.shear_stiffness = 0.85e6;
   p.wall.normal_damping = p.wall.shear_damping = 0.3;
@@ -34,7 +34,8 @@ struct Scene
   dem::Pouring pouring;
 
   Scene(const dem::Room &its_room, const dem::PouringParameters &how,
-        const std::vector<std::vector<dem::Body>> &layers, double friction)
+        const std::vector<std::vector<dem::ParticleShape>> &layers,
+        double friction)
       : engine(parameters(friction)), room(its_room),
         pouring(room, how, layers, 5)
   {
@@ -69,10 +70,10 @@ struct Scene
   }
 };
 
-std::vector<std::vector<dem::Body>> stones()
+std::vector<std::vector<dem::ParticleShape>> particles()
 {
   dem::Random random(3);
-  std::vector<dem::Body> all;
+  std::vector<dem::ParticleShape> all;
   for (int k = 0; k < 240; ++k)
     all.push_back(dem::make_sphere(7e-3 - 1.5e-5 * k));
   return dem::deal_layers(all, 3);
@@ -100,19 +101,19 @@ std::string state_of(const Scene &scene)
 
 TEST(Pouring, LayersHaveEqualMass)
 {
-  const auto layers = stones();
+  const auto layers = particles();
   std::vector<double> volumes;
   for (const auto &layer : layers)
   {
     EXPECT_EQ(layer.size(), 80u);
     double volume = 0.;
-    for (const dem::Body &stone : layer)
-      volume += stone.volume;
+    for (const dem::ParticleShape &particle : layer)
+      volume += particle.volume;
     volumes.push_back(volume);
     for (std::size_t k = 1; k < layer.size(); ++k)
       EXPECT_LE(layer[k].volume, layer[k - 1].volume);
   }
-  // Each stone goes where least is: to the smallest stone.
+  // Each particle goes where least is: to the smallest particle.
   for (const double volume : volumes)
     EXPECT_NEAR(volume, volumes[0], 1.7e-7);
 }
@@ -131,7 +132,8 @@ TEST(Pouring, DensityOfKnownVolume)
   how.level_pressure = 1e2;
   how.tamper_speed = 2e-3; // dashpots let go too early
   Scene scene({dem::Vec3::Zero(), width, width, false}, how,
-              {std::vector<dem::Body>(4, dem::make_sphere(radius))}, 0.);
+              {std::vector<dem::ParticleShape>(4, dem::make_sphere(radius))},
+              0.);
   scene.run();
   const double mass = 4. * 2750. * 4. / 3. * std::numbers::pi * 1e-6;
   ASSERT_EQ(scene.pouring.layers().size(), 1u);
@@ -146,22 +148,23 @@ TEST(Pouring, DensityOfKnownVolume)
 
 TEST(Pouring, CylinderIsFilledToTheDensity)
 {
-  Scene scene(cylinder, to_density(), stones(), 0.4);
-  double stone_time = 0.; // [s]
+  Scene scene(cylinder, to_density(), particles(), 0.4);
+  double particle_time = 0.; // [s]
   while (!scene.pouring.is_done())
   {
     scene.advance();
-    stone_time += step * static_cast<double>(scene.engine.particles().size());
+    particle_time +=
+        step * static_cast<double>(scene.engine.particles().size());
   }
-  const dem::Particles &all = scene.engine.particles();
+  const dem::ParticleSystem &all = scene.engine.particles();
   ASSERT_EQ(all.size(), 240u);
   // A guess; half as much again is taken.
   const double expected =
       scene.pouring.expected_time(scene.engine.parameters().gravity);
-  EXPECT_GT(stone_time / 240., 0.5 * expected);
-  EXPECT_LT(stone_time / 240., 2. * expected);
-  std::printf("filled in %.3g, expected %.3g s of all stones\n",
-              stone_time / 240., expected);
+  EXPECT_GT(particle_time / 240., 0.5 * expected);
+  EXPECT_LT(particle_time / 240., 2. * expected);
+  std::printf("filled in %.3g, expected %.3g s of all particles\n",
+              particle_time / 240., expected);
   ASSERT_EQ(scene.pouring.layers().size(), 3u);
   for (const dem::Pouring::Layer &layer : scene.pouring.layers())
   {
@@ -183,7 +186,7 @@ TEST(Pouring, CylinderIsFilledToTheDensity)
     EXPECT_LT(all.velocity(i).norm(), 1e-4); // one step since
   }
   EXPECT_NEAR(scene.pouring.layers()[2].mass, mass, 1e-9 * mass);
-  EXPECT_EQ(scene.engine.parameters().stone.friction, 0.4);
+  EXPECT_EQ(scene.engine.parameters().particle.friction, 0.4);
   EXPECT_FALSE(scene.engine.planes()[scene.pouring.tamper()].is_active);
   // Their own weight keeps them together: the floor carries less than all, the
   // wall the rest.
@@ -203,7 +206,7 @@ TEST(Pouring, UndercompactionFallsToNothing)
   how.friction = 0.1;
   how.undercompaction = 0.1;
   how.tamper_pressure = 3e5;
-  Scene scene(cylinder, how, stones(), 0.4);
+  Scene scene(cylinder, how, particles(), 0.4);
   scene.run();
   const auto layers = scene.pouring.layers();
   std::printf("%.5g, %.5g, %.5g kg/m^3\n", layers[0].density, layers[1].density,
@@ -212,20 +215,21 @@ TEST(Pouring, UndercompactionFallsToNothing)
   EXPECT_NEAR(layers[2].density, how.density, 5e-3 * how.density);
 }
 
-// Rough stones under a gentle tamper stay too loose, until they are less rough.
+// Rough particles under a gentle tamper stay too loose, until they are less
+// rough.
 TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
 {
   dem::PouringParameters how = to_density();
   how.friction = 0.6;
   how.tamper_pressure = 2e4;
-  Scene rough(cylinder, how, stones(), 0.4);
+  Scene rough(cylinder, how, particles(), 0.4);
   rough.run();
   EXPECT_LT(rough.pouring.layers()[2].density, 0.985 * how.density);
   EXPECT_EQ(rough.pouring.layers()[2].friction, 0.6);
 
   how.friction_decay = 0.6;
-  Scene scene(cylinder, how, stones(), 0.4);
-  while (scene.engine.parameters().stone.friction > 0.6 * 0.5)
+  Scene scene(cylinder, how, particles(), 0.4);
+  while (scene.engine.parameters().particle.friction > 0.6 * 0.5)
     scene.advance();
   const std::string kept = state_of(scene); // friction has fallen twice
   scene.run();
@@ -238,9 +242,9 @@ TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
   EXPECT_EQ(layers[1].density, rough.pouring.layers()[1].density);
   EXPECT_NEAR(layers[2].density, how.density, 5e-3 * how.density);
   EXPECT_LT(layers[2].friction, 0.5);
-  EXPECT_EQ(scene.engine.parameters().stone.friction, 0.4);
+  EXPECT_EQ(scene.engine.parameters().particle.friction, 0.4);
 
-  Scene resumed(cylinder, how, stones(), 0.4);
+  Scene resumed(cylinder, how, particles(), 0.4);
   std::istringstream in(kept, std::ios::binary);
   resumed.pouring.restore(in);
   resumed.engine.restore(in, {});
@@ -251,7 +255,7 @@ TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
 TEST(Pouring, GoesOnBitForBit)
 {
   const auto make = []
-  { return std::make_unique<Scene>(cylinder, to_density(), stones(), 0.4); };
+  { return std::make_unique<Scene>(cylinder, to_density(), particles(), 0.4); };
   const auto whole = make();
   using Stage = dem::Pouring::Stage;
   Stage before = Stage::waiting;

@@ -98,7 +98,7 @@ double curvature_change(const std::vector<double> &a, double angle)
     const auto kappa = [&](const Vec3 &at)
     { return principal_curvatures(expand(a, at)).maximum; };
     const double there = kappa(std::cos(angle) * s + std::sin(angle) * t);
-    const double floor = 1. / (a[0] * ball_radius_factor);
+    const double floor = 1. / (a[0] * equivalent_radius_factor);
     square += std::pow((kappa(s) - there) / std::max(there, floor), 2) / n;
   }
   return std::sqrt(square);

@@ -7,7 +7,7 @@
 // A ball in a valley of one surface, which several of its facets carry.
 namespace
 {
-constexpr double ball_radius = 0.01, gravity = 9.81;
+constexpr double equivalent_radius = 0.01, gravity = 9.81;
 
 /// A valley along y in one surface, its sides turned by `half` from the plane.
 dem::FacetSurface groove(double half)
@@ -33,8 +33,8 @@ double lost_between(double steps_per_unit)
 {
   dem::Engine engine(springs_only());
   const double half = 0.25;
-  support::add_sphere(engine, ball_radius,
-                      {2e-4, 1e-3, ball_radius / std::cos(half) + 1e-4});
+  support::add_sphere(engine, equivalent_radius,
+                      {2e-4, 1e-3, equivalent_radius / std::cos(half) + 1e-4});
   engine.particles().velocity(0) = {0., 0., -0.2};
   dem::FacetSurface valley = groove(half);
   const double mass = 3. * engine.particles().mass(0);
@@ -65,12 +65,13 @@ double lost_between(double steps_per_unit)
       surface.velocity[v] += 0.5 * dt / mass * surface.load[v];
   }
   EXPECT_GT(engine.particles().velocity(0).z(), 0.05);
-  EXPECT_EQ(support::only_touch(engine.on_facets()), engine.on_facets().size());
+  EXPECT_EQ(support::only_nearest_point(engine.on_facets()),
+            engine.on_facets().size());
   return std::abs(energy() / start - 1.);
 }
 } // namespace
 
-// Stone and vertices hand each other what they have: the forces of a contact
+// Particle and vertices hand each other what they have: the forces of a contact
 // that two facets carry are those of one energy of all.
 TEST(EngineFacets, NoEnergyIsLostBetweenBallAndValley)
 {
@@ -87,8 +88,8 @@ TEST(EngineFacets, BallSwingsInAValley)
   p.gravity = {0., 0., -gravity};
   const double half = 0.25;
   dem::Engine engine(p);
-  support::add_sphere(engine, ball_radius,
-                      {1e-4, 0., ball_radius / std::cos(half) + 3e-5});
+  support::add_sphere(engine, equivalent_radius,
+                      {1e-4, 0., equivalent_radius / std::cos(half) + 3e-5});
   engine.attach_surface(groove(half));
   const double dt =
       0.05 * std::sqrt(engine.particles().mass(0) / p.surface.normal_stiffness);

@@ -117,7 +117,7 @@ struct Pulse
   double incident = 0., reflected = 0.; ///< largest speeds at mid-height [m/s]
 };
 
-/// A push of half a wave on top of the column, watched at mid-height before
+/// A push of half a wave on top of the column, recorded at mid-height before
 /// and after it has met the absorbing bottom.
 Pulse send_pulse(int n, bool is_shear, const Step &step)
 {

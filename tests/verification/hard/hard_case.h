@@ -32,7 +32,7 @@ struct Case
 
 std::vector<Case> membrane_cases();
 std::vector<Case> plate_cases();
-std::vector<Case> stone_cases();
+std::vector<Case> particle_cases();
 
 /// printf into a string.
 std::string text(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -21,18 +21,20 @@ Scene::Scene(const dem::EngineParameters &parameters,
 {
 }
 
-coupling::Body &Scene::add(std::unique_ptr<coupling::Body> body,
-                           const fem::SurfaceMesh &mesh,
-                           const std::string &name, coupling::StoneSide side)
+coupling::DeformableBody &
+Scene::add(std::unique_ptr<coupling::DeformableBody> body,
+           const fem::SurfaceMesh &mesh, const std::string &name,
+           coupling::ParticleSide side)
 {
   bodies.push_back(&exchange.add(std::move(body), mesh, name,
                                  engine.parameters().surface, side, engine));
   return *bodies.back();
 }
 
-coupling::Body &Scene::add_plate(double mass, double z,
-                                 const std::function<double(double)> &force,
-                                 const coupling::BodySteps &steps)
+coupling::DeformableBody &
+Scene::add_plate(double mass, double z,
+                 const std::function<double(double)> &force,
+                 const coupling::BodySteps &steps)
 {
   const fem::SurfaceMesh mesh = support::square_at(0.04, z);
   coupling::RigidDrive drive;
@@ -44,7 +46,7 @@ coupling::Body &Scene::add_plate(double mass, double z,
   };
   return add(std::make_unique<coupling::RigidBody>(support::upright(mass),
                                                    mesh.nodes, drive, steps),
-             mesh, "plate", coupling::StoneSide::inside);
+             mesh, "plate", coupling::ParticleSide::inside);
 }
 
 fem::Membrane &Scene::add_sheet(const fem::MembraneParameters &membrane,
@@ -60,19 +62,19 @@ fem::Membrane &Scene::add_sheet(const fem::MembraneParameters &membrane,
   auto body = std::make_unique<coupling::MembraneBody>(std::move(sheet),
                                                        coupling::BodySteps{});
   coupling::MembraneBody *kept = body.get();
-  add(std::move(body), mesh, "membrane", coupling::StoneSide::outside);
+  add(std::move(body), mesh, "membrane", coupling::ParticleSide::outside);
   return kept->membrane();
 }
 
 void Scene::advance(double window)
 {
-  exchange.advance(coupling::stones_of(engine, shapes), window);
+  exchange.advance(coupling::particles_of(engine, shapes), window);
 }
 
 double Scene::residual() const
 {
   double sum = support::energy_residual(engine);
-  for (const coupling::Body *body : bodies)
+  for (const coupling::DeformableBody *body : bodies)
     sum += support::missing(*body);
   return sum;
 }
@@ -94,14 +96,14 @@ void Scene::restore(const std::string &from)
 
 namespace
 {
-void go(Scene &scene, const Course &course, int from, int to, bool is_watched)
+void go(Scene &scene, const Course &course, int from, int to, bool is_candidate)
 {
   for (int k = from; k < to; ++k)
   {
     if (course.before)
       course.before(scene, k);
     scene.advance(course.window);
-    if (is_watched && course.after)
+    if (is_candidate && course.after)
       course.after(scene, k);
   }
 }
@@ -137,9 +139,9 @@ fem::MembraneParameters latex()
 }
 
 double contact_step(const dem::WallMaterial &contact, double node_mass,
-                    double stone_mass)
+                    double particle_mass)
 {
-  const double mass = 1. / (1. / node_mass + 1. / stone_mass),
+  const double mass = 1. / (1. / node_mass + 1. / particle_mass),
                beta = contact.normal_damping;
   return 2. * (std::sqrt(1. + beta * beta) - beta) *
          std::sqrt(mass / contact.normal_stiffness);

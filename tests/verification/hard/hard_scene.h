@@ -7,26 +7,27 @@
 
 namespace hard
 {
-/// Stones and bodies that are saved and restored together.
+/// Particles and bodies that are saved and restored together.
 struct Scene
 {
   dem::Engine engine;
   coupling::Exchange exchange;
   coupling::ShapeLibrary shapes;
-  std::vector<coupling::Body *> bodies;
+  std::vector<coupling::DeformableBody *> bodies;
 
   explicit Scene(const dem::EngineParameters &parameters,
                  const coupling::ExchangeParameters &rules = {},
                  coupling::ShapeLibrary library = {});
 
-  coupling::Body &add(std::unique_ptr<coupling::Body> body,
-                      const fem::SurfaceMesh &mesh, const std::string &name,
-                      coupling::StoneSide side);
+  coupling::DeformableBody &add(std::unique_ptr<coupling::DeformableBody> body,
+                                const fem::SurfaceMesh &mesh,
+                                const std::string &name,
+                                coupling::ParticleSide side);
   /// A rigid plate of side 40 mm that moves along z.
-  coupling::Body &add_plate(double mass, double z,
-                            const std::function<double(double)> &force,
-                            const coupling::BodySteps &steps = {});
-  /// n x n quads on a square in z = 0 with its rim tied, stones above.
+  coupling::DeformableBody &
+  add_plate(double mass, double z, const std::function<double(double)> &force,
+            const coupling::BodySteps &steps = {});
+  /// n x n quads on a square in z = 0 with its rim tied, particles above.
   fem::Membrane &add_sheet(const fem::MembraneParameters &membrane, double side,
                            int n);
 
@@ -56,8 +57,8 @@ Restart run(const Make &make, const Course &course);
 dem::EngineParameters stiff_parameters();
 /// 1 mm of latex under 200 N/m.
 fem::MembraneParameters latex();
-/// Longest step of one stone on one free node [s], see
+/// Longest step of one particle on one free node [s], see
 /// docs/theory/interface.md.
 double contact_step(const dem::WallMaterial &contact, double node_mass,
-                    double stone_mass);
+                    double particle_mass);
 } // namespace hard

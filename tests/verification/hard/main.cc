@@ -14,7 +14,7 @@ std::vector<hard::Case> all_cases()
 {
   std::vector<hard::Case> all;
   for (const auto &family :
-       {hard::membrane_cases(), hard::plate_cases(), hard::stone_cases()})
+       {hard::membrane_cases(), hard::plate_cases(), hard::particle_cases()})
     all.insert(all.end(), family.begin(), family.end());
   return all;
 }

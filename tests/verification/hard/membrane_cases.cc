@@ -2,14 +2,15 @@
 
 #include <shape/test_shapes.h>
 
-// Stones on, in and through membranes.
+// Particles on, in and through membranes.
 namespace hard
 {
 namespace
 {
 constexpr double radius = 0.01, side = 0.1;
 constexpr int n_quads = 8;
-constexpr double stone_mass = 2750. * 4. / 3. * M_PI * radius * radius * radius;
+constexpr double particle_mass =
+    2750. * 4. / 3. * M_PI * radius * radius * radius;
 /// Of an inner node of the sheet [kg].
 constexpr double node_mass = 1100. * 1e-3 * side * side / (n_quads * n_quads);
 
@@ -26,7 +27,7 @@ std::unique_ptr<Scene> falling_ball(const dem::EngineParameters &p,
 
 double ball_energy(double speed)
 {
-  return 0.5 * stone_mass * speed * speed;
+  return 0.5 * particle_mass * speed * speed;
 }
 
 /// Largest energy residual of a fall over its energy; infinite if it breaks
@@ -55,7 +56,7 @@ double worst_residual(double speed, double step, int n)
 Row light_membrane()
 {
   const dem::EngineParameters p = stiff_parameters();
-  const double limit = contact_step(p.surface, node_mass, stone_mass);
+  const double limit = contact_step(p.surface, node_mass, particle_mass);
   constexpr double speed = 1., duration = 0.03;
   const auto n = int(duration / (0.9 * limit));
   double start = 0., worst = 0.;
@@ -101,7 +102,8 @@ struct Impact
 /// Far enough below the limits of contact and sheet [s].
 double step_of(const dem::EngineParameters &p)
 {
-  return std::min(2e-5, 0.9 * contact_step(p.surface, node_mass, stone_mass));
+  return std::min(2e-5,
+                  0.9 * contact_step(p.surface, node_mass, particle_mass));
 }
 
 Impact impact(const dem::EngineParameters &p, double speed, int n)
@@ -273,7 +275,8 @@ Row self_crossing()
     auto body = std::make_unique<coupling::MembraneBody>(std::move(sheet),
                                                          coupling::BodySteps{});
     walls = &body->membrane();
-    scene->add(std::move(body), mesh, "membrane", coupling::StoneSide::inside);
+    scene->add(std::move(body), mesh, "membrane",
+               coupling::ParticleSide::inside);
     return scene;
   };
   Row row;
@@ -328,7 +331,8 @@ Row lost_confinement()
     auto body = std::make_unique<coupling::MembraneBody>(std::move(sheet),
                                                          coupling::BodySteps{});
     tube = &body->membrane();
-    scene->add(std::move(body), round, "membrane", coupling::StoneSide::inside);
+    scene->add(std::move(body), round, "membrane",
+               coupling::ParticleSide::inside);
     return scene;
   };
   double start = 0., worst = 0., bulge = 0., press = 0.;
@@ -412,8 +416,8 @@ Row long_and_flat()
         std::make_unique<Scene>(p, coupling::ExchangeParameters{}, shapes);
     for (int k = 0; k < 4; ++k)
     {
-      scene->engine.add_stone(
-          dem::make_body(shapes[std::size_t(k % 2)], k % 2 ? 0.0075 : 0.0064),
+      scene->engine.add_particle(
+          dem::make_shape(shapes[std::size_t(k % 2)], k % 2 ? 0.0075 : 0.0064),
           {0.004 * k - 0.006, 0.003 * k - 0.004, 0.018 + 0.03 * k},
           dem::Quaternion(Eigen::AngleAxisd(0.5 + k, dem::Vec3::UnitY())));
       scene->engine.particles().velocity(std::size_t(k)).z() = -1.;
@@ -456,27 +460,28 @@ Row long_and_flat()
 
 std::vector<Case> membrane_cases()
 {
-  return {
-      {"light_membrane", "a ball of 11 g and 1 m/s on nodes of 0.17 g, 1e8 N/m",
-       "the lightest node against the stiffest contact decides the step",
-       light_membrane},
-      {"fast_impact", "a ball comes into the membrane at 10 m/s",
-       "strains of tens of per cent, nodes much faster than the ball",
-       fast_impact},
-      {"punch", "a ball on a membrane, contact of 1e3 N/m",
-       "the overlap becomes larger than the ball, its centre comes through",
-       punch},
-      {"folding", "two rims of a membrane come together",
-       "no bending stiffness: it buckles quad by quad", folding},
-      {"self_crossing", "the walls of a channel of membrane meet",
-       "there is no contact between them", self_crossing},
-      {"lost_confinement", "20 kPa on a tube of balls are gone at once",
-       "all contacts open and close again", lost_confinement},
-      {"size_ratio", "balls of 45 and 5 mm on one membrane",
-       "facets smaller and larger than stones, masses of 729 to 1", size_ratio},
-      {"long_and_flat",
-       "needles of 4 : 1 and plates of 1 : 4 fall on a membrane",
-       "the contact runs along the stone, curvatures of 1 to 64",
-       long_and_flat}};
+  return {{"light_membrane",
+           "a ball of 11 g and 1 m/s on nodes of 0.17 g, 1e8 N/m",
+           "the lightest node against the stiffest contact decides the step",
+           light_membrane},
+          {"fast_impact", "a ball comes into the membrane at 10 m/s",
+           "strains of tens of per cent, nodes much faster than the ball",
+           fast_impact},
+          {"punch", "a ball on a membrane, contact of 1e3 N/m",
+           "the overlap becomes larger than the ball, its centre comes through",
+           punch},
+          {"folding", "two rims of a membrane come together",
+           "no bending stiffness: it buckles quad by quad", folding},
+          {"self_crossing", "the walls of a channel of membrane meet",
+           "there is no contact between them", self_crossing},
+          {"lost_confinement", "20 kPa on a tube of balls are gone at once",
+           "all contacts open and close again", lost_confinement},
+          {"size_ratio", "balls of 45 and 5 mm on one membrane",
+           "facets smaller and larger than particles, masses of 729 to 1",
+           size_ratio},
+          {"long_and_flat",
+           "needles of 4 : 1 and plates of 1 : 4 fall on a membrane",
+           "the contact runs along the particle, curvatures of 1 to 64",
+           long_and_flat}};
 }
 } // namespace hard

@@ -23,7 +23,7 @@ fem::Solid block()
   return solid;
 }
 
-double settlement(const coupling::Body &body)
+double settlement(const coupling::DeformableBody &body)
 {
   double lowest = 0.;
   for (const dem::Vec3 &at : body.motion().position)
@@ -47,7 +47,7 @@ void starts_in_balance(Ground &body)
   // (E (1 - nu)).
   const double exact = 10e3 * 0.2 * 1.3 * 0.4 / (20e6 * 0.7);
   EXPECT_NEAR(settlement(body), exact, 1e-6 * exact);
-  // The stones did the whole of their loads' work on it.
+  // The particles did the whole of their loads' work on it.
   const double given = 40e3 * 0.16 * exact;
   EXPECT_NEAR(body.energy().load_work, given, 1e-5 * given);
   EXPECT_NEAR(support::missing(body), start, 1e-9 * given);

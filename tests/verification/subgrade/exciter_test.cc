@@ -8,14 +8,14 @@
 #include <complex>
 #include <subgrade/load.h>
 
-// A plate with an eccentric mass on a stone on a half-space in one dimension: a
-// column of soil between smooth sides, through whose lower end waves leave, is
-// a dashpot rho c_p A. Two masses, two springs and that dashpot swing as their
-// closed form says.
+// A plate with an eccentric mass on a particle on a half-space in one
+// dimension: a column of soil between smooth sides, through whose lower end
+// waves leave, is a dashpot rho c_p A. Two masses, two springs and that dashpot
+// swing as their closed form says.
 namespace
 {
 constexpr double gravity = 9.81, step = 2e-5;
-constexpr double plate_mass = 30., stone_mass = 0.1, radius = 0.02;
+constexpr double plate_mass = 30., particle_mass = 0.1, radius = 0.02;
 constexpr double on_plate = 3e6, on_ground = 2e6; ///< springs [N/m]
 constexpr double damping_ratio = 0.3;
 constexpr double side = 0.2, depth = 0.5; ///< of the column [m]
@@ -51,11 +51,11 @@ fem::Solid column()
   return solid;
 }
 
-dem::EngineParameters stone_on_ground()
+dem::EngineParameters particle_on_ground()
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.stone.density =
-      stone_mass / (4. / 3. * std::numbers::pi * std::pow(radius, 3));
+  p.particle.density =
+      particle_mass / (4. / 3. * std::numbers::pi * std::pow(radius, 3));
   p.wall.normal_stiffness = on_plate;
   p.surface.normal_stiffness = on_ground;
   p.wall.normal_damping = p.surface.normal_damping = damping_ratio;
@@ -72,7 +72,7 @@ struct Answer
 /// In balance with what lies on it when the exciter starts.
 struct Scene
 {
-  dem::Engine engine{stone_on_ground()};
+  dem::Engine engine{particle_on_ground()};
   coupling::Exchange exchange{coupling::ExchangeParameters{}};
   const spall::SubgradeLoad exciting{exciter()};
   const coupling::RigidBody *plate = nullptr;
@@ -81,21 +81,21 @@ struct Scene
   Scene()
   {
     constexpr double weight = plate_mass * gravity,
-                     whole = weight + stone_mass * gravity;
+                     whole = weight + particle_mass * gravity;
     const dem::Vec3 middle(0.5 * side, 0.5 * side, depth);
-    const double stone = radius - whole / on_ground;
-    support::add_sphere(engine, radius, middle + stone * dem::Vec3::UnitZ());
+    const double particle = radius - whole / on_ground;
+    support::add_sphere(engine, radius, middle + particle * dem::Vec3::UnitZ());
     auto block = std::make_unique<coupling::SolidBody>(column(), fem::z_upper,
                                                        coupling::BodySteps{});
     block->balance(coupling::Field(4, {0., 0., -0.25 * whole}));
     ground = block.get();
     const fem::SurfaceMesh top = block->mesh();
     exchange.add(std::move(block), top, "ground", engine.parameters().surface,
-                 coupling::StoneSide::outside, engine);
+                 coupling::ParticleSide::outside, engine);
 
     fem::PlateBodyParameters body = support::upright(plate_mass);
     body.centre =
-        middle + (stone + radius - weight / on_plate) * dem::Vec3::UnitZ();
+        middle + (particle + radius - weight / on_plate) * dem::Vec3::UnitZ();
     const std::size_t plane =
         engine.add_plane(body.centre, -dem::Vec3::UnitZ());
     auto lid = std::make_unique<coupling::RigidBody>(
@@ -108,8 +108,8 @@ struct Scene
                              },
                              {}});
     plate = lid.get();
-    exchange.add(std::move(lid), std::make_unique<coupling::PlaneSeam>(plane),
-                 engine);
+    exchange.add(std::move(lid),
+                 std::make_unique<coupling::PlaneAdapter>(plane), engine);
   }
 
   /// Down, less where they were [m].
@@ -131,20 +131,20 @@ Answer steady_answer()
   const auto spring = [&](double stiffness)
   {
     return stiffness +
-           1i * w * 2. * damping_ratio * std::sqrt(stiffness * stone_mass);
+           1i * w * 2. * damping_ratio * std::sqrt(stiffness * particle_mass);
   };
   const std::complex<double> upper = spring(on_plate),
                              lower = spring(on_ground),
                              soil_below =
                                  1i * w * s.density * wave * side * side;
-  // From below: what stands under the stone, then under the plate.
-  const auto under_stone = lower * soil_below / (lower + soil_below);
-  const auto stone = under_stone - stone_mass * w * w;
-  const auto under_plate = upper * stone / (upper + stone);
+  // From below: what stands under the particle, then under the plate.
+  const auto under_particle = lower * soil_below / (lower + soil_below);
+  const auto particle = under_particle - particle_mass * w * w;
+  const auto under_plate = upper * particle / (upper + particle);
   Answer answer;
   answer.plate = force / (under_plate - plate_mass * w * w);
-  const auto at_stone = answer.plate * upper / (upper + stone);
-  answer.ground = at_stone * lower / (lower + soil_below);
+  const auto at_particle = answer.plate * upper / (upper + particle);
+  answer.ground = at_particle * lower / (lower + soil_below);
   return answer;
 }
 } // namespace
@@ -153,16 +153,17 @@ TEST(ExciterOnGround, SwingsAsTwoMassesOnADashpotDo)
 {
   const Scene start;
   Scene scene;
-  const auto stones = coupling::stones_of(scene.engine, support::no_shapes());
+  const auto particles =
+      coupling::particles_of(scene.engine, support::no_shapes());
   constexpr double begin = 40. / 30.; // the transient has gone
   constexpr int n_periods = 16;
   const int n = static_cast<int>(std::lround(n_periods / 30. / step));
   while (scene.engine.time() < begin - 0.5 * step)
-    scene.exchange.advance(stones, step);
+    scene.exchange.advance(particles, step);
   Answer answer;
   for (int k = 0; k < n; ++k)
   {
-    scene.exchange.advance(stones, step);
+    scene.exchange.advance(particles, step);
     // sin(omega t) is the imaginary part: x = Im(answer e^(i omega t)).
     const std::complex<double> wave =
         std::polar(2. / n, -omega() * scene.engine.time()) *

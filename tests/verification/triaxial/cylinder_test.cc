@@ -1,4 +1,5 @@
-// A cylinder of stones in its membrane, at rest under the confining pressure.
+// A cylinder of particles in its membrane, at rest under the confining
+// pressure.
 #include "case/file.h"
 #include "triaxial/triaxial.h"
 
@@ -49,7 +50,9 @@ double plate_friction(const Triaxial &test)
 /// What is left of the balance, its largest component [Pa].
 double residual(const StressBalance &b)
 {
-  return (b.stones + b.membrane - b.boundary - b.unrest).cwiseAbs().maxCoeff();
+  return (b.particles + b.membrane - b.boundary - b.unrest)
+      .cwiseAbs()
+      .maxCoeff();
 }
 
 /// Upward speed of the plate [m/s] and its height above the other [m].
@@ -72,7 +75,7 @@ struct Means
   double swing = 0.;
 };
 
-/// Over the last third of the consolidation, in which plate and stones still
+/// Over the last third of the consolidation, in which plate and particles still
 /// swing; of `residual` and `unrest` the largest.
 Means consolidate(Triaxial &test, double plate_mass)
 {
@@ -90,7 +93,7 @@ Means consolidate(Triaxial &test, double plate_mass)
       continue;
     ++n;
     const StressBalance now = test.stress_balance();
-    means.stress.stones += now.stones;
+    means.stress.particles += now.particles;
     means.stress.membrane += now.membrane;
     means.stress.boundary += now.boundary;
     means.stress.unrest += now.unrest;
@@ -99,7 +102,7 @@ Means consolidate(Triaxial &test, double plate_mass)
     means.residual = std::max(means.residual, residual(now));
     means.unrest = std::max(means.unrest, now.unrest.cwiseAbs().maxCoeff());
   }
-  for (dem::Mat3 *sum : {&means.stress.stones, &means.stress.membrane,
+  for (dem::Mat3 *sum : {&means.stress.particles, &means.stress.membrane,
                          &means.stress.boundary, &means.stress.unrest})
     *sum /= n;
   means.plate /= n, means.friction /= n;
@@ -141,13 +144,13 @@ TEST(Cylinder, VolumeOfTheMembraneIsThatOfThePrism)
               test.prepared().porosity, 1e-9);
 }
 
-// At any instant stones and membrane together bear what presses from outside
+// At any instant particles and membrane together bear what presses from outside
 // and what accelerates them. It is an identity, so nothing but round-off is
-// left although plate and stones swing; forces, contact points, stresses of
+// left although plate and particles swing; forces, contact points, stresses of
 // quads and the enclosed volume come from separate sums. Round-off of sums of
 // some thousand forces times positions, 1e-11 of the pressure, has a margin of
 // thirty.
-TEST(Cylinder, StonesAndMembraneBearTheBoundary)
+TEST(Cylinder, ParticlesAndMembraneBearTheBoundary)
 {
   for (const double modulus : {1e5, 1.4e6})
   {
@@ -159,7 +162,7 @@ TEST(Cylinder, StonesAndMembraneBearTheBoundary)
                 "%.0f at most\n",
                 modulus, means.plate, means.swing, means.residual,
                 means.unrest);
-    print("stones", stress.stones);
+    print("particles", stress.particles);
     print("membrane", stress.membrane);
     print("boundary", stress.boundary);
     print("unrest", stress.unrest);
@@ -173,8 +176,8 @@ TEST(Cylinder, StonesAndMembraneBearTheBoundary)
 }
 
 // The same between rigid sides, round and flat, which count as plates; the
-// friction of the stones has just come back, so they move.
-TEST(Cylinder, StonesBearTheRigidSides)
+// friction of the particles has just come back, so they move.
+TEST(Cylinder, ParticlesBearTheRigidSides)
 {
   for (const char *form : {"cylinder", "box"})
   {

@@ -7,21 +7,21 @@
 namespace dem
 {
 /// The part of the drum that contact k of its batch is with; `b` is
-/// n_drum_parts times the id of the stone plus the part.
+/// n_drum_parts times the id of the particle plus the part.
 inline DrumPart drum_part(const ContactBatch &batch, std::size_t k)
 {
   return static_cast<DrumPart>(batch.b[k] % n_drum_parts);
 }
 
-/// Makes the batch hold all (stone, part of the drum) within reach; known
+/// Makes the batch hold all (particle, part of the drum) within reach; known
 /// contacts keep what they carry.
-void rebuild_drum(const Particles &particles, const Drum &drum,
+void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
                   const WallSearch &search, ContactBatch &batch,
                   Dissipation &retired);
 
 /// The drum as the contacts of the batch meet it now: row `b` is the wall of
 /// contact k. Rows of contacts that touch say where they were before.
-void find_drum(const Particles &particles, const Drum &drum,
+void find_drum(const ParticleSystem &particles, const Drum &drum,
                const ContactBatch &batch, std::vector<WallRow> &rows);
 
 /// Moment of the contacts on the drum about its axis [N m].

@@ -11,7 +11,7 @@
 namespace dem
 {
 /// A triangulated boundary that is moved from outside and returns loads.
-/// Triangles are counter-clockwise seen from the outside; stones are inside.
+/// Triangles are counter-clockwise seen from the outside; particles are inside.
 struct FacetSurface
 {
   std::vector<std::array<std::int32_t, 3>> triangles; ///< vertex numbers
@@ -19,7 +19,7 @@ struct FacetSurface
   std::vector<Vec3> velocity;                         ///< of vertices [m/s]
   /// Effective mass of vertices for the dashpot; infinite if prescribed [kg].
   std::vector<double> mass;
-  std::vector<Vec3> load; ///< force of the stones on vertices, out [N]
+  std::vector<Vec3> load; ///< force of the particles on vertices, out [N]
 };
 
 enum class Feature : std::uint8_t
@@ -78,28 +78,28 @@ inline std::array<Vec3, 3> corners_of(const FacetSurface &surface,
           surface.position[static_cast<std::size_t>(vertex[2])]};
 }
 
-/// One contact of a stone with one smooth patch of the surface.
-struct FacetTouch
+/// One contact of a particle with one smooth patch of the surface.
+struct NearestFacetPoint
 {
   NearestPoint nearest;
-  Vec3 direction = Vec3::UnitZ(); ///< unit, from the stone's centre [-]
+  Vec3 direction = Vec3::UnitZ(); ///< unit, from the particle's centre [-]
   double distance = 0.;           ///< centre to nearest point [m]
 };
 
 /// The nearest point of one triangle, as if it were touched there (without
 /// direction).
-FacetTouch nearest_touch(const FacetSurface &surface, std::int32_t triangle,
-                         const Vec3 &x);
+NearestFacetPoint nearest_on_facet(const FacetSurface &surface,
+                                   std::int32_t triangle, const Vec3 &x);
 
-/// Of the nearest points of triangles (nearest_touch, in any order) keeps the
-/// local minima of the distance from x to the surface, one per smooth patch:
-/// a point on an edge or a vertex counts only if no triangle that shares the
-/// feature comes nearer (face before edge before vertex), and of several
+/// Of the nearest points of triangles (nearest_on_facet, in any order) keeps
+/// the local minima of the distance from x to the surface, one per smooth
+/// patch: a point on an edge or a vertex counts only if no triangle that shares
+/// the feature comes nearer (face before edge before vertex), and of several
 /// minima whose directions are within 45 degrees only the nearest is kept.
 /// Order: by distance, then triangle. The mesh is conforming (neighbours share
 /// vertex numbers). At distance zero the direction is the outward normal.
 void keep_minima(const FacetSurface &surface, const FacetTopology &topology,
-                 const Vec3 &x, std::vector<FacetTouch> &touches);
+                 const Vec3 &x, std::vector<NearestFacetPoint> &touches);
 
 /// Part of one vertex in a contact.
 struct VertexShare
@@ -144,7 +144,7 @@ struct PressedBall
 /// direction are set anew, `shares` gets one row per touch, or keeps more. The
 /// number of facets and vertices is not limited.
 void share_patches(const FacetMesh &mesh, const PressedBall &ball,
-                   const std::vector<FacetTouch> &near,
-                   std::vector<FacetTouch> &touches,
+                   const std::vector<NearestFacetPoint> &near,
+                   std::vector<NearestFacetPoint> &touches,
                    std::vector<FacetShares> &shares);
 } // namespace dem

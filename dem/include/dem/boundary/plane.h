@@ -4,17 +4,17 @@
 
 namespace dem
 {
-/// A rigid plane that moves without turning; stones are on the side of the
+/// A rigid plane that moves without turning; particles are on the side of the
 /// normal.
 struct Plane
 {
   Vec3 point = Vec3::Zero();    ///< any point of it [m]
-  Vec3 normal = Vec3::UnitZ();  ///< unit, into the stones [-]
+  Vec3 normal = Vec3::UnitZ();  ///< unit, into the particles [-]
   Vec3 velocity = Vec3::Zero(); ///< [m/s]
-  Vec3 force = Vec3::Zero();    ///< of the stones on the plane, out [N]
-  double work = 0.;             ///< done by the plane on the stones, out [J]
+  Vec3 force = Vec3::Zero();    ///< of the particles on the plane, out [N]
+  double work = 0.;             ///< done by the plane on the particles, out [J]
   Vec3 impulse = Vec3::Zero();  ///< force over time, set to zero by its reader
                                 ///< [N s]
-  bool is_active = true;        ///< false: stones do not see it
+  bool is_active = true;        ///< false: particles do not see it
 };
 } // namespace dem

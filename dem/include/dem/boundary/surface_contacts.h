@@ -2,14 +2,14 @@
 
 #include <dem/contact/forces.h>
 #include <dem/contact/material.h>
-#include <dem/search/facet_watch.h>
-#include <dem/search/watched_pair.h>
+#include <dem/search/candidate_pair.h>
+#include <dem/search/facet_motion.h>
 
 #include <string>
 
 namespace dem
 {
-/// A facet surface of the scene and the contacts of the stones on it.
+/// A facet surface of the scene and the contacts of the particles on it.
 struct SurfaceContacts
 {
   /// Throws std::invalid_argument as FacetTopology does.
@@ -17,24 +17,24 @@ struct SurfaceContacts
                   FacetSurface at_start);
 
   std::string name;
-  WallMaterial material; ///< stones on this surface
+  WallMaterial material; ///< particles on this surface
   FacetSurface surface;
   FacetTopology topology;
   FacetCandidates candidates;
   ContactBatch batch;
-  double work = 0.; ///< done by the surface on the stones [J]
+  double work = 0.; ///< done by the surface on the particles [J]
   /// Load on each vertex over time since somebody set it to zero, by the
-  /// trapezoidal rule: the momentum that the stones have lost [N s].
+  /// trapezoidal rule: the momentum that the particles have lost [N s].
   std::vector<Vec3> impulse;
   std::vector<Vec3> load_before; ///< of the last step [N]
 
-  /// Stones that may come to it, if they follow their surfaces; sorted.
-  std::vector<WatchedPair> watched;
-  FacetWatch watch; ///< what has moved since then
+  /// Particles that may come to it, if they follow their surfaces; sorted.
+  std::vector<CandidatePair> near_particles;
+  FacetMotion watch; ///< what has moved since then
 
   // Space to work in, kept from step to step.
   std::vector<WallRow> rows;
-  std::vector<double> overlap; ///< of stones that follow their surfaces [m]
+  std::vector<double> overlap; ///< of particles that follow their surfaces [m]
   std::vector<double> extra;   ///< Walls::extra [m]
 
   FacetMesh mesh() const { return {surface, topology}; }

@@ -12,15 +12,16 @@ enum class SurfaceFlaw
 {
   folded,  ///< two neighbours lie on each other, or one is inside out
   crossed, ///< the surface runs through itself
-  left     ///< a stone has its centre on the wrong side
+  left     ///< a particle has its centre on the wrong side
 };
 
 /// Where it is, for the message.
 struct SurfaceFault
 {
   SurfaceFlaw flaw = SurfaceFlaw::folded;
-  std::int32_t first = -1;   ///< facet
-  std::int32_t second = -1;  ///< the other facet; the id of the stone that left
+  std::int32_t first = -1; ///< facet
+  std::int32_t second =
+      -1; ///< the other facet; the id of the particle that left
   Vec3 place = Vec3::Zero(); ///< there [m]
 };
 
@@ -36,13 +37,13 @@ std::optional<SurfaceFault> find_fold(const FacetMesh &mesh);
 /// vertex do not count. Looks at the facets in the cells round each edge.
 std::optional<SurfaceFault> find_crossing(const FacetMesh &mesh);
 
-/// First stone whose centre is outside by the angle-weighted normal at the
+/// First particle whose centre is outside by the angle-weighted normal at the
 /// nearest point (Baerentzen and Aanaes 2005), of those no farther from the
 /// surface than they reach (wall_bound). Next to a rim there is no outside.
 std::optional<SurfaceFault> find_left(const SurfaceContacts &facets,
-                                      const Particles &stones,
+                                      const ParticleSystem &particles,
                                       ContactGeometry geometry);
 
-/// One clause: what, which facets or stone, where.
+/// One clause: what, which facets or particle, where.
 std::string describe(const SurfaceFault &fault);
 } // namespace dem

@@ -14,14 +14,14 @@ enum class BreakageMode
   instantaneous ///< mode II: the elastic energy exceeds G_c A_i
 };
 
-/// The overlap region of one contact as one of its stones sees it.
+/// The overlap region of one contact as one of its particles sees it.
 struct Cap
 {
   double area = 0.;   ///< A_i = 2 pi delta / sqrt(K_G) [m^2], Eq. 15
   double volume = 0.; ///< V_i = A_i delta / 2 [m^3], Eq. 16
 };
 
-/// `gaussian_curvature` is the stone's own kappa_max kappa_min, both floored
+/// `gaussian_curvature` is the particle's own kappa_max kappa_min, both floored
 /// [1/m^2]; `overlap` > 0 [m].
 Cap cap_of(double overlap, double gaussian_curvature);
 
@@ -41,7 +41,7 @@ struct DamageStep
 /// as nothing), `energy` what it is now [J], `fracture_energy` > 0 is G_c A_i
 /// now [J].
 template <class Real>
-DEM_LANE_INLINE DamageStep<Real>
+DEM_SIMD_INLINE DamageStep<Real>
 damage_step(const Real &factor, const Real &rise, const Real &energy,
             const Real &fracture_energy)
 {
@@ -61,7 +61,7 @@ BreakageMode mode_of(const DamageStep<double> &step,
 /// minimum by more than h of itself, then all of the rise. Larger swings count
 /// in full; with h = 0 all do (Eq. 4).
 template <class Real>
-DEM_LANE_INLINE Real turn_of_energy(const Real &turn, const Real &energy,
+DEM_SIMD_INLINE Real turn_of_energy(const Real &turn, const Real &energy,
                                     double hysteresis)
 {
   using std::abs;
@@ -77,7 +77,7 @@ DEM_LANE_INLINE Real turn_of_energy(const Real &turn, const Real &energy,
 /// What counts of a step that moved the turn [J]; < 0: nothing. Turns may be
 /// rounded: what one step counts too much the next counts too little.
 template <class Real>
-DEM_LANE_INLINE Real counted_rise(const Real &turn_before, const Real &turn)
+DEM_SIMD_INLINE Real counted_rise(const Real &turn_before, const Real &turn)
 {
   using std::abs;
   return turn - abs(turn_before);

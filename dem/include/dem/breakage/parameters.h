@@ -2,7 +2,7 @@
 
 namespace dem
 {
-/// Which contacts may break a stone.
+/// Which contacts may break a particle.
 enum class EventContacts
 {
   /// Where the overlap follows the surface, so that an event lowers the force.
@@ -21,11 +21,11 @@ enum class CriterionEnergy
 /// The curvatures of the cap.
 enum class CapCurvature
 {
-  own,     ///< of the stone that breaks (the article)
+  own,     ///< of the particle that breaks (the article)
   relative ///< of the gap between both: the true lens
 };
 
-/// What each of two stones gets of overlap and energy.
+/// What each of two particles gets of overlap and energy.
 enum class EnergyShare
 {
   full,      ///< all of both (the article)
@@ -39,7 +39,7 @@ enum class ModePrecedence
   cumulative     ///< I, one is taken off the factor
 };
 
-/// Which stones break when both sides of a contact ask for it.
+/// Which particles break when both sides of a contact ask for it.
 enum class BrokenSides
 {
   larger, ///< the one with the larger E_e / E_b; the other is asked again
@@ -57,7 +57,7 @@ enum class DepthClosure
 enum class FactorMemory
 {
   contact, ///< nothing: it is lost (the article)
-  patch    ///< the patch of the stone: the next contact there goes on with it
+  patch ///< the patch of the particle: the next contact there goes on with it
 };
 
 /// The sphere whose radius r_ins tells corners (Eq. 14) and floors curvatures.
@@ -70,18 +70,18 @@ enum class InscribedSphereAt
 /// Parameters of the energy criterion (article, Table 2) and its choices.
 struct BreakageParameters
 {
-  bool is_active = true; ///< stones may break at all
+  bool is_active = true; ///< particles may break at all
   /// A rise of the energy above what it has been since this was set counts so
   /// many times, as if the load came back as often; one that makes up for a
   /// fall counts once. 0: factors stay as they are and nothing breaks [-]
   double repetitions = 1.;
-  double fracture_energy = 1e4;      ///< G_c, breakage energy per area [J/m^2]
-  double min_ball_radius = 2e-3;     ///< no further breakage below this [m]
-  double min_diameter = 7.1e-3;      ///< breakable from this initial size [m]
-  double curvature_floor_ratio = 10; ///< beta in kappa_f = 1/(beta r_ins) [-]
-  double kernel_floor = 2.5;         ///< c_lambda in lambda >= c / N_s [-]
-  double kernel_scale = 1.;          ///< s in lambda = s sqrt(delta R) / r [-]
-  /// Rings of the rule that measures a stone anew after an event (volume,
+  double fracture_energy = 1e4; ///< G_c, breakage energy per area [J/m^2]
+  double min_equivalent_radius = 2e-3; ///< no further breakage below this [m]
+  double min_diameter = 7.1e-3;        ///< breakable from this initial size [m]
+  double curvature_floor_ratio = 10;   ///< beta in kappa_f = 1/(beta r_ins) [-]
+  double kernel_floor = 2.5;           ///< c_lambda in lambda >= c / N_s [-]
+  double kernel_scale = 1.; ///< s in lambda = s sqrt(delta R) / r [-]
+  /// Rings of the rule that measures a particle anew after an event (volume,
   /// inscribed radius, depth of the chip): 2 n^2 nodes.
   int quadrature_rings = 40;
   /// Swings of the energy below this share of it do not count [-]

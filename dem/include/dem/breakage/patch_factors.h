@@ -7,8 +7,9 @@
 
 namespace dem
 {
-/// Cumulative factors that contacts have left on the surfaces of their stones:
-/// one for each patch of about 11 degrees. The next contact there takes it.
+/// Cumulative factors that contacts have left on the surfaces of their
+/// particles: one for each patch of about 11 degrees. The next contact there
+/// takes it.
 class PatchFactors
 {
 public:
@@ -17,13 +18,13 @@ public:
   /// Contacts that ended leave their factors, those that began take what is
   /// there, one after the other: of the batch those that its loop has marked
   /// (ContactBatch::event, bit 2).
-  void exchange(const Particles &particles, ContactBatch &batch);
+  void exchange(const ParticleSystem &particles, ContactBatch &batch);
 
-  /// By id of the stone, then patch; grows with use [-].
+  /// By id of the particle, then patch; grows with use [-].
   std::vector<double> factors;
 
 private:
-  void exchange_side(std::int64_t stone, const Triple<double> &on_body,
+  void exchange_side(std::int64_t particle, const Triple<double> &on_body,
                      bool begins, double &factor);
 };
 } // namespace dem

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/breakage/criterion.h>
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 #include <dem/shape/quadrature.h>
 
 namespace dem
@@ -12,13 +12,14 @@ struct Spall
   Vec3 direction = Vec3::UnitZ(); ///< u_i, unit, body frame [-]
   double volume = 0.;             ///< V_i to remove [m^3]
   double overlap = 0.;            ///< delta [m]
-  double gaussian_curvature = 0.; ///< K_G of the stone there, floored [1/m^2]
+  double gaussian_curvature =
+      0.; ///< K_G of the particle there, floored [1/m^2]
 };
 
-/// The stone after the event, with what was done.
+/// The particle after the event, with what was done.
 struct SpallResult
 {
-  Body body;
+  ParticleShape body;
   double width = 0.;          ///< lambda [rad]
   double depth = 0.;          ///< theta [m]
   double removed_volume = 0.; ///< before minus after, by quadrature [m^3]
@@ -48,8 +49,8 @@ std::vector<double> kernel_spectrum(double width, int order);
 /// V_i, theta by Newton on the nodes of the rule. Closure article:
 /// theta = V_i / (r_0^2 int K), the mean taken out of the kernel, and the mean
 /// radius r_0 lowered by Eqs. 17, 18; the volume that leaves is then another
-/// one, as `removed_volume` says. The series becomes the stone's own.
-SpallResult apply_spall(const Body &body, const Spall &spall,
+/// one, as `removed_volume` says. The series becomes the particle's own.
+SpallResult apply_spall(const ParticleShape &body, const Spall &spall,
                         const KernelRule &shape,
                         const SphereQuadrature &rule = standard_quadrature());
 } // namespace dem

@@ -3,7 +3,7 @@
 #include <dem/contact/law.h>
 #include <dem/contact/narrow.h>
 #include <dem/contact/side.h>
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 #include <dem/vector.h>
 
 #include <array>
@@ -39,18 +39,18 @@ struct TripleColumn
 /// Which optional columns a batch has: only what its scene needs.
 struct BatchLayout
 {
-  bool is_hertz = false;        ///< the normal spring; else it is linear
-  double normal_stiffness = 0.; ///< of a linear one [N/m]
-  bool has_rolling = false;     ///< a rolling spring
-  bool has_sides = false;       ///< the surface of the stone(s)
-  bool has_partners = false;    ///< B is a stone
-  bool has_damage = false;      ///< cumulative factors and events
-  bool has_turn = false;        ///< where the counted energy turned last
-  bool has_peak = false;        ///< the highest counted energy
-  bool has_spots = false;       ///< contacts follow their surfaces
+  bool is_hertz = false;           ///< the normal spring; else it is linear
+  double normal_stiffness = 0.;    ///< of a linear one [N/m]
+  bool has_rolling = false;        ///< a rolling spring
+  bool has_sides = false;          ///< the surface of the particle(s)
+  bool has_partners = false;       ///< B is a particle
+  bool has_damage = false;         ///< cumulative factors and events
+  bool has_turn = false;           ///< where the counted energy turned last
+  bool has_peak = false;           ///< the highest counted energy
+  bool has_contact_points = false; ///< contacts follow their surfaces
 };
 
-/// What contacts remember of the surface of the stone on one side: the
+/// What contacts remember of the surface of the particle on one side: the
 /// second-order expansion of r about one body direction and the curvatures
 /// there. The direction is zero where nothing is known. Empty
 /// where the contacts do not read the shape.
@@ -70,11 +70,11 @@ struct SideColumns
     return !radius.empty() && radius[k] > 0.;
   }
   /// Where contact k is on the surface, unit [-].
-  Vec3 spot(std::size_t k) const;
+  Vec3 contact_point(std::size_t k) const;
   /// r at a unit direction near the one of contact k, from the expansion [m].
   double local_radius(std::size_t k, const Triple<double> &on_body) const;
   /// What is known about the place of contact k: the expansion moved there.
-  RadialExpansion expansion_at_spot(std::size_t k) const;
+  RadialExpansion expansion_at_contact_point(std::size_t k) const;
 
   template <class Visit, class... Selves>
   static void visit(const Visit &call, const BatchLayout &has, bool is_there,
@@ -86,7 +86,7 @@ struct SideColumns
     for (std::size_t c = 0; c < 6; ++c)
       call(is_there, selves.hessian[c]...);
     call(is_there, selves.curvature...);
-    TripleColumn<Narrow>::visit(call, is_there && has.has_spots,
+    TripleColumn<Narrow>::visit(call, is_there && has.has_contact_points,
                                 selves.offset...);
   }
 };
@@ -100,18 +100,19 @@ struct ContactBatch
   static constexpr std::size_t block = 8;
 
   BatchLayout layout;
-  std::vector<std::int32_t> a;         ///< stone
-  std::vector<std::int32_t> b;         ///< stone, or row of the wall
+  std::vector<std::int32_t> a;         ///< particle
+  std::vector<std::int32_t> b;         ///< particle, or row of the wall
   TripleColumn<double> shear, rolling; ///< springs, on A [N], [N m]
   /// Dashpots, force on A, last step [N]: read for the losses alone.
   TripleColumn<Narrow> dashpot;
-  std::vector<StoneLoad> load; ///< against walls: on the stone; 0 if open
-  /// Stone against stone: where the load on B is added, see PairLoads.
+  std::vector<ParticleLoad> load; ///< against walls: on the particle; 0 if open
+  /// Particle against particle: where the load on B is added, see PairLoads.
   std::vector<std::int32_t> target;
   std::vector<double> overlap; ///< last; 0: open [m]
-  /// Stone against stone: an open contact cannot touch before its stones have
-  /// travelled this far (both together), and sleeps till then [m].
-  std::vector<double> wake;
+  /// Particle against particle: an open contact cannot touch before its
+  /// particles have travelled this far (both together), and sleeps till then
+  /// [m].
+  std::vector<double> reactivation;
   /// Elastic, last; where a linear contact has just ended < 0 [N]
   std::vector<double> normal_force;
   std::vector<double> shear_compliance;   ///< 1 / k_s, last [m/N]
@@ -119,10 +120,11 @@ struct ContactBatch
   SideColumns side_a, side_b;
   /// Hertz with sides: C_H, k_s / sqrt(delta) [N/m^(3/2)]
   std::vector<double> normal_prefactor, shear_prefactor;
-  std::vector<Narrow> twist; ///< turned about the normal since mixed [rad]
+  std::vector<Narrow>
+      torsion_angle; ///< turned about the normal since mixed [rad]
   /// Overlap that the contact had when it was found: it does not count [m]
   std::vector<double> slack;
-  std::vector<std::uint8_t> strayed;      ///< has come to another place
+  std::vector<std::uint8_t> escaped;      ///< has come to another place
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<Narrow> corner_a, corner_b;
@@ -164,7 +166,7 @@ private:
 };
 
 /// Calls call(contacts) with the numbers of all contacts of each pair of
-/// stones.
+/// particles.
 template <class Call>
 void for_each_pair(const ContactBatch &pairs, const Call &call)
 {
@@ -196,7 +198,7 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(!has.has_partners, batches.load...);
   call(has.has_partners, batches.target...);
   call(true, batches.overlap...);
-  call(has.has_partners, batches.wake...);
+  call(has.has_partners, batches.reactivation...);
   call(true, batches.normal_force...);
   call(true, batches.shear_compliance...);
   call(has.has_rolling, batches.rolling_compliance...);
@@ -204,9 +206,9 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   SideColumns::visit(call, has, has_two_sides, batches.side_b...);
   call(has_prefactors, batches.normal_prefactor...);
   call(has_prefactors, batches.shear_prefactor...);
-  call(has_two_sides, batches.twist...);
-  call(has.has_spots, batches.slack...);
-  call(has.has_spots, batches.strayed...);
+  call(has_two_sides, batches.torsion_angle...);
+  call(has.has_contact_points, batches.slack...);
+  call(has.has_contact_points, batches.escaped...);
   call(has.has_damage, batches.factor_a...);
   call(has.has_damage && has.has_partners, batches.factor_b...);
   call(has.has_damage, batches.corner_a...);

@@ -1,22 +1,22 @@
 #pragma once
 
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 #include <dem/shape/spherical_harmonics.h>
 #include <dem/triple.h>
 
 namespace dem
 {
-/// A point of the surface x = r(s) s of a stone with the normal and the shape
-/// operator there.
+/// A point of the surface x = r(s) s of a particle with the normal and the
+/// shape operator there.
 struct SurfacePoint
 {
-  Vec3 position = Vec3::Zero(); ///< from the centre of the stone [m]
+  Vec3 position = Vec3::Zero(); ///< from the centre of the particle [m]
   Vec3 normal = Vec3::UnitZ();  ///< outward [-]
   Mat3 bend = Mat3::Zero();     ///< dn = bend dx; positive if convex [1/m]
 };
 
 /// The surface at a unit direction of the body frame, exact.
-SurfacePoint surface_point(const Body &body, const Vec3 &direction);
+SurfacePoint surface_point(const ParticleShape &body, const Vec3 &direction);
 
 /// The surface where it was expanded (scale applied), in the body frame.
 SurfacePoint surface_point(const RadialExpansion &at);
@@ -32,24 +32,24 @@ struct RelativePose
 };
 
 /// A place where two surfaces have a common normal, or nearly so.
-struct Spot
+struct ContactPoint
 {
   Vec3 on_a = Vec3::UnitZ(); ///< unit direction in the body frame of A [-]
   Vec3 on_b = Vec3::UnitZ(); ///< of B [-]
-  /// delta: along the normal, > 0 where the stones overlap [m]
+  /// delta: along the normal, > 0 where the particles overlap [m]
   double overlap = 0.;
   bool is_found = false; ///< the search has converged to a lens of contact
 };
 
-/// Follows the common normal of two stones (x_A - x_B = delta n, n_A = -n_B =
-/// n) from a start by Newton steps with both shape operators, as
-/// long as a lens T(y) = delta - y.(K_A + K_B) y / 2 needs it; once more by
-/// shorter steps if they lead nowhere. Not found if there is no lens of
-/// positive curvature near the start.
-Spot polish(const Body &a, const Body &b, const RelativePose &pose,
-            const Spot &start);
+/// Follows the common normal of two particles (x_A - x_B = delta n, n_A = -n_B
+/// = n) from a start by Newton steps with both shape operators, as long as a
+/// lens T(y) = delta - y.(K_A + K_B) y / 2 needs it; once more by shorter steps
+/// if they lead nowhere. Not found if there is no lens of positive curvature
+/// near the start.
+ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
+                    const RelativePose &pose, const ContactPoint &start);
 
-/// A point of a stone that is farthest along a normal among its neighbours.
+/// A point of a particle that is farthest along a normal among its neighbours.
 struct Support
 {
   Vec3 direction = Vec3::UnitZ(); ///< unit, body frame [-]
@@ -59,5 +59,6 @@ struct Support
 
 /// Climbs to the support point along a unit vector of the body frame; once more
 /// by steps for a flat one if it is not reached.
-Support find_support(const Body &body, const Vec3 &normal, const Vec3 &start);
+Support find_support(const ParticleShape &body, const Vec3 &normal,
+                     const Vec3 &start);
 } // namespace dem

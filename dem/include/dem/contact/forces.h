@@ -8,36 +8,36 @@
 #include <dem/contact/pair_loads.h>
 #include <dem/contact/range_sum.h>
 #include <dem/parameters.h>
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 
 #include <functional>
 #include <span>
 
 namespace dem
 {
-/// No wall farther than this from the centre can touch the stone [m].
-inline double wall_bound(const Particles &particles, std::size_t stone,
+/// No wall farther than this from the centre can touch the particle [m].
+inline double wall_bound(const ParticleSystem &particles, std::size_t particle,
                          ContactGeometry geometry)
 {
-  return geometry == ContactGeometry::ball
-             ? particles.radius(stone)
-             : particles.body[stone].circumscribed_radius;
+  return geometry == ContactGeometry::sphere
+             ? particles.radius(particle)
+             : particles.shape[particle].circumscribed_radius;
 }
 
-/// What every force loop reads, and the stones whose force and moment it adds
-/// to.
+/// What every force loop reads, and the particles whose force and moment it
+/// adds to.
 struct ForceContext
 {
   const EngineParameters &parameters;
   const ElasticityTable &elasticity;
-  Particles &particles;
+  ParticleSystem &particles;
   double time_step = 0.; ///< [s]
-  /// Sum over all steps of how far the fastest stone and boundary could have
+  /// Sum over all steps of how far the fastest particle and boundary could have
   /// closed a gap [m].
   double travelled = 0.;
   double stride = 0.; ///< of it, in the last step [m]
   /// Travel::gaps: of any two spheres. Where there are shapes
-  /// Particles::travelled says it by stone.
+  /// Particles::travelled says it by particle.
   double gaps_travelled = 0.;
   /// Forces stay as the last step left them, only loads are added: after some
   /// contacts were reset.
@@ -48,9 +48,10 @@ struct ForceContext
 
 /// Which columns the contacts of a scene need.
 BatchLayout pair_layout(const EngineParameters &parameters,
-                        const Particles &particles);
+                        const ParticleSystem &particles);
 BatchLayout wall_layout(const EngineParameters &parameters,
-                        const WallMaterial &wall, const Particles &particles);
+                        const WallMaterial &wall,
+                        const ParticleSystem &particles);
 
 /// What the loops have lost and whether some side asks for breakage
 /// (ContactBatch::event).
@@ -59,7 +60,7 @@ struct ForceSum
   Dissipation lost;
   bool wants_breakage = false;
   bool has_switched = false; ///< as RangeSum
-  bool has_strayed = false;  ///< as RangeSum
+  bool has_escaped = false;  ///< as RangeSum
   int n_jumps = 0;
   int n_ended = 0;
   double overlap_ratio = 0.; ///< as RangeSum [-]
@@ -67,19 +68,20 @@ struct ForceSum
   ForceSum &operator+=(const ForceSum &part);
 };
 
-/// A boundary as one stone meets it at one contact: the plane through `point`.
+/// A boundary as one particle meets it at one contact: the plane through
+/// `point`.
 struct WallRow
 {
   Vec3 point = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();         ///< from the stone to the wall [-]
+  Vec3 normal = Vec3::UnitZ();         ///< from the particle to the wall [-]
   Vec3 velocity = Vec3::Zero();        ///< of the wall at the contact [m/s]
   Vec3 velocity_before = Vec3::Zero(); ///< where the contact was [m/s]
   Vec3 normal_before = Vec3::UnitZ();  ///< there [-]
   double inverse_mass = 0.;            ///< effective, of the wall [1/kg]
 };
 
-/// Stone against stone: rolling-resistant elliptic Hertz. Loads are added to
-/// the stones by way of `loads`. `ranges` is space to work in.
+/// Particle against particle: rolling-resistant elliptic Hertz. Loads are added
+/// to the particles by way of `loads`. `ranges` is space to work in.
 ForceSum pair_forces(const ForceContext &context, ContactBatch &batch,
                      PairLoads &loads, std::vector<RangeSum> &ranges);
 
@@ -88,7 +90,7 @@ struct Walls
 {
   const WallMaterial &material;     ///< of all of them
   const std::vector<WallRow> &rows; ///< as they stand in this step
-  /// Overlaps by row, where the places of stones that follow their surfaces
+  /// Overlaps by row, where the places of particles that follow their surfaces
   /// were found before the forces (place_on_drum(), place_on_facets()) [m].
   std::span<const double> overlap = {};
   /// By row, where several facets may carry a contact: overlap beyond that with
@@ -98,49 +100,52 @@ struct Walls
   std::function<void(std::size_t)> replace = {};
 };
 
-/// Stone against wall: by the law of the wall. Loads are added to the stones.
+/// Particle against wall: by the law of the wall. Loads are added to the
+/// particles.
 ForceSum wall_forces(const ForceContext &context, const Walls &walls,
                      ContactBatch &batch, std::vector<RangeSum> &ranges);
 
 /// Planes as rows, in their order.
 void plane_rows(const std::vector<Plane> &planes, std::vector<WallRow> &rows);
 
-/// Slots per stone at the facet surface: most smooth patches it may touch.
-inline constexpr int slots_per_stone = 4;
+/// Slots per particle at the facet surface: most smooth patches it may touch.
+inline constexpr int slots_per_particle = 4;
 
 /// Where a contact with the facet surface presses.
-struct FacetSpot
+struct FacetContactPoint
 {
   std::int64_t triangle = -1;
   std::array<double, 3> weight{}; ///< barycentric [-]
-  Vec3 normal = Vec3::UnitX();    ///< from the stone to the surface [-]
+  Vec3 normal = Vec3::UnitX();    ///< from the particle to the surface [-]
   FacetShares shares = {};        ///< of vertices, if several facets carry it
 };
 
 /// Calls call(share) for every vertex that carries the contact.
 template <class Call>
-void for_shares(const FacetSurface &surface, const FacetSpot &spot,
-                const Call &call)
+void for_shares(const FacetSurface &surface,
+                const FacetContactPoint &contact_point, const Call &call)
 {
-  for (const VertexShare &share : spot.shares.of)
+  for (const VertexShare &share : contact_point.shares.of)
     call(share);
-  if (!spot.shares.of.empty())
+  if (!contact_point.shares.of.empty())
     return;
   const auto &corner =
-      surface.triangles[static_cast<std::size_t>(spot.triangle)];
+      surface.triangles[static_cast<std::size_t>(contact_point.triangle)];
   for (std::size_t c = 0; c < 3; ++c)
-    call(VertexShare{corner[c], spot.weight[c], spot.weight[c] * spot.normal});
+    call(VertexShare{corner[c], contact_point.weight[c],
+                     contact_point.weight[c] * contact_point.normal});
 }
 
 /// Calls call(vertex, part) for every vertex with its part of a force of the
 /// contact [N].
 template <class Call>
-void for_loads(const FacetSurface &surface, const FacetSpot &spot,
-               const Vec3 &force, const Call &call)
+void for_loads(const FacetSurface &surface,
+               const FacetContactPoint &contact_point, const Vec3 &force,
+               const Call &call)
 {
-  const double pressing = force.dot(spot.normal);
-  const Vec3 across = force - pressing * spot.normal;
-  for_shares(surface, spot,
+  const double pressing = force.dot(contact_point.normal);
+  const Vec3 across = force - pressing * contact_point.normal;
+  for_shares(surface, contact_point,
              [&](const VertexShare &share)
              {
                call(static_cast<std::size_t>(share.vertex),
@@ -149,10 +154,11 @@ void for_loads(const FacetSurface &surface, const FacetSpot &spot,
 }
 
 /// Where that is now [m].
-inline Vec3 point_at(const FacetSurface &surface, const FacetSpot &spot)
+inline Vec3 point_at(const FacetSurface &surface,
+                     const FacetContactPoint &contact_point)
 {
   Vec3 point = Vec3::Zero();
-  for_shares(surface, spot,
+  for_shares(surface, contact_point,
              [&](const VertexShare &share)
              {
                point +=
@@ -162,23 +168,23 @@ inline Vec3 point_at(const FacetSurface &surface, const FacetSpot &spot)
   return point;
 }
 
-/// Stones near the facet surface with the triangles each may reach, and the
-/// contact slots of each (slots_per_stone in a row, in the batch).
+/// Particles near the facet surface with the triangles each may reach, and the
+/// contact slots of each (slots_per_particle in a row, in the batch).
 struct FacetCandidates
 {
-  std::vector<std::int32_t> stone;
-  std::vector<std::int32_t> row_start; ///< size stones + 1
+  std::vector<std::int32_t> particle;
+  std::vector<std::int32_t> row_start; ///< size particles + 1
   std::vector<std::int32_t> triangle;
   /// A triangle need not be looked at before ForceContext::travelled has come
-  /// this far; empty where stones follow their surfaces [m].
-  std::vector<double> triangle_wake;
-  std::vector<FacetSpot> spot; ///< of each slot
-  /// A stone without contact need not be looked at before
-  /// ForceContext::travelled has come this far; where stones follow their
-  /// surfaces one for each contact, of the travel of stone and surface [m].
-  std::vector<double> wake;
+  /// this far; empty where particles follow their surfaces [m].
+  std::vector<double> triangle_reactivation;
+  std::vector<FacetContactPoint> contact_point; ///< of each slot
+  /// A particle without contact need not be looked at before
+  /// ForceContext::travelled has come this far; where particles follow their
+  /// surfaces one for each contact, of the travel of particle and surface [m].
+  std::vector<double> reactivation;
 
-  /// Candidates of the stone in this row.
+  /// Candidates of the particle in this row.
   std::span<const std::int32_t> triangles_of(std::size_t row) const
   {
     return std::span(triangle).subspan(
@@ -187,7 +193,7 @@ struct FacetCandidates
   }
 };
 
-/// Finds where the stones meet the facet surface, one slot per smooth patch;
+/// Finds where the particles meet the facet surface, one slot per smooth patch;
 /// history stays with the patch, matched by direction, when the facet changes.
 /// Balls share their load between the facets that they overlap
 /// (share_patches()). `rows` gets the wall of every slot, `extra` its
@@ -196,19 +202,19 @@ void find_facets(const ForceContext &context, const FacetMesh &mesh,
                  const ContactBatch &batch, FacetCandidates &candidates,
                  std::vector<WallRow> &rows, std::vector<double> &extra);
 
-/// The surface at one of its spots, as a contact meets it that was `before` in
-/// the last step.
-WallRow facet_row(const FacetSurface &surface, const FacetSpot &now,
-                  const FacetSpot &before);
+/// The surface at one of its contact_points, as a contact meets it that was
+/// `before` in the last step.
+WallRow facet_row(const FacetSurface &surface, const FacetContactPoint &now,
+                  const FacetContactPoint &before);
 
 /// Adds the loads of the contacts to the vertices of the surface.
 void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
                   FacetSurface &surface);
 
 /// Geometry and forces of contact k as they stand, no time passing: after one
-/// of its stones has changed its shape. Springs are capped anew; the energy
-/// that they give up is returned [J]. The loads of the stones are left wrong:
-/// all loops must run again.
+/// of its particles has changed its shape. Springs are capped anew; the energy
+/// that they give up is returned [J]. The loads of the particles are left
+/// wrong: all loops must run again.
 double reset_pair(const ForceContext &context, ContactBatch &batch,
                   std::size_t k);
 double reset_wall(const ForceContext &context, const Walls &walls,

@@ -56,7 +56,7 @@ inline constexpr double hertz_energy_share = 0.4;
 
 /// Energy of a linear spring, k_n delta^2 / 2 [J].
 template <class Real>
-DEM_LANE_INLINE Real linear_energy(double normal_stiffness, const Real &overlap)
+DEM_SIMD_INLINE Real linear_energy(double normal_stiffness, const Real &overlap)
 {
   return 0.5 * normal_stiffness * overlap * overlap;
 }
@@ -64,7 +64,7 @@ DEM_LANE_INLINE Real linear_energy(double normal_stiffness, const Real &overlap)
 /// F = C_H delta^(3/2), k_n = 3/2 C_H delta^(1/2), E = 2/5 F delta,
 /// k_s = C_s delta^(1/2) (docs/theory/contact.md). `overlap` >= 0 [m].
 template <class Real>
-DEM_LANE_INLINE NormalSpring<Real> hertz_spring(const Real &normal_prefactor,
+DEM_SIMD_INLINE NormalSpring<Real> hertz_spring(const Real &normal_prefactor,
                                                 const Real &shear_prefactor,
                                                 const Real &overlap)
 {
@@ -80,7 +80,7 @@ DEM_LANE_INLINE NormalSpring<Real> hertz_spring(const Real &normal_prefactor,
 
 /// F = k_n delta, E = k_n delta^2 / 2; all zero where `overlap` is (walls).
 template <class Real>
-DEM_LANE_INLINE NormalSpring<Real> linear_spring(double normal_stiffness,
+DEM_SIMD_INLINE NormalSpring<Real> linear_spring(double normal_stiffness,
                                                  double shear_stiffness,
                                                  const Real &overlap)
 {
@@ -107,7 +107,7 @@ struct Crossing
 /// Part of the first force of a contact that was not there for the whole step
 /// before it, such that an undamped impact loses no energy by it [-].
 template <class Real>
-DEM_LANE_INLINE Real part_before_begin(const Crossing<Real> &at)
+DEM_SIMD_INLINE Real part_before_begin(const Crossing<Real> &at)
 {
   using std::max;
   using std::sqrt;
@@ -124,7 +124,7 @@ DEM_LANE_INLINE Real part_before_begin(const Crossing<Real> &at)
 /// Part of the last force of a contact that was not there for the whole step
 /// after it, likewise [-].
 template <class Real>
-DEM_LANE_INLINE Real part_after_end(const Crossing<Real> &at)
+DEM_SIMD_INLINE Real part_after_end(const Crossing<Real> &at)
 {
   using std::max;
   using std::sqrt;
@@ -175,14 +175,14 @@ using Dissipation = Losses<double>;
 
 /// Stored energy of the shear spring [J].
 template <class Real>
-DEM_LANE_INLINE Real shear_energy(const ContactHistory<Real> &history)
+DEM_SIMD_INLINE Real shear_energy(const ContactHistory<Real> &history)
 {
   return 0.5 * dot(history.shear, history.shear) * history.shear_compliance;
 }
 
 /// Stored energy of the shear and rolling springs [J].
 template <class Real>
-DEM_LANE_INLINE Real tangential_energy(const ContactHistory<Real> &history)
+DEM_SIMD_INLINE Real tangential_energy(const ContactHistory<Real> &history)
 {
   return shear_energy(history) + 0.5 * dot(history.rolling, history.rolling) *
                                      history.rolling_compliance;
@@ -191,7 +191,7 @@ DEM_LANE_INLINE Real tangential_energy(const ContactHistory<Real> &history)
 /// Turns a tangential vector into the plane across `normal`, keeping its
 /// length.
 template <class Real>
-DEM_LANE_INLINE Triple<Real> turn_into_plane(const Triple<Real> &vector,
+DEM_SIMD_INLINE Triple<Real> turn_into_plane(const Triple<Real> &vector,
                                              const Triple<Real> &normal)
 {
   using std::sqrt;
@@ -242,7 +242,7 @@ struct SpringStiffness
 /// stiffness that rises acts with its mean over the step, one that falls with
 /// its value at the end: both are of second order in the step.
 template <class Real>
-DEM_LANE_INLINE SpringStep<Real>
+DEM_SIMD_INLINE SpringStep<Real>
 advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
                const Triple<Real> &displacement,
                const SpringStiffness<Real> &stiffness, const Real &limit)
@@ -284,7 +284,7 @@ advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
 /// `spring`, largest s <= 1 with |spring + s dashpot| <= limit [-]: 0 while
 /// sliding on, and continuous there. |spring| <= limit; both in the plane.
 template <class Real>
-DEM_LANE_INLINE Real share_within(const Triple<Real> &spring,
+DEM_SIMD_INLINE Real share_within(const Triple<Real> &spring,
                                   const Triple<Real> &dashpot,
                                   const Real &limit)
 {
@@ -314,7 +314,7 @@ DEM_LANE_INLINE Real share_within(const Triple<Real> &spring,
 /// with the old force, half with the new one. Returns the force on A; the
 /// rolling moment on A is history.rolling.
 template <class Real>
-DEM_LANE_INLINE Triple<Real>
+DEM_SIMD_INLINE Triple<Real>
 advance_contact(const ContactMotion<Real> &motion,
                 const NormalSpring<Real> &spring,
                 const ContactCoefficients &pair, double time_step,

@@ -4,8 +4,8 @@
 
 namespace dem
 {
-/// Stone against stone: rolling-resistant Hertz (article, Table 2).
-struct StoneMaterial
+/// Particle against particle: rolling-resistant Hertz (article, Table 2).
+struct ParticleMaterial
 {
   double density = 2750.;        ///< rho [kg/m^3]
   double shear_modulus = 5e8;    ///< G [Pa]
@@ -16,8 +16,8 @@ struct StoneMaterial
   double shear_damping = 0.27;   ///< beta_s [-]
 };
 
-/// A body among the stones that is of another material: its contacts take
-/// friction and damping of the stones.
+/// A body among the particles that is of another material: its contacts take
+/// friction and damping of the particles.
 struct SolidMaterial
 {
   double density = 7850.;      ///< rho [kg/m^3]
@@ -28,10 +28,10 @@ struct SolidMaterial
 enum class WallLaw
 {
   linear, ///< springs of this stiffness (the article)
-  hertz   ///< stone on a rigid plate, with the curvatures of the stone
+  hertz   ///< particle on a rigid plate, with the curvatures of the particle
 };
 
-/// Stone against boundary (article, Table 2).
+/// Particle against boundary (article, Table 2).
 struct WallMaterial
 {
   WallLaw law = WallLaw::linear;   ///< hertz: no stiffness is read
@@ -53,7 +53,7 @@ enum class FrictionLimit
 
 enum class ContactGeometry
 {
-  ball,   ///< overlap of the ball carriers
+  sphere, ///< overlap of the equivalent spheres
   radial, ///< overlap of the local radii along the branch (the article)
   surface ///< the true surfaces at their common normals
 };
@@ -62,17 +62,17 @@ enum class ContactGeometry
 /// only place of the skin of the lists.
 struct GeometryParameters
 {
-  ContactGeometry geometry = ContactGeometry::radial; ///< stone on stone
-  /// Stone on plane and facet surface. Radii that follow the direction to a
+  ContactGeometry geometry = ContactGeometry::radial; ///< particle on particle
+  /// Particle on plane and facet surface. Radii that follow the direction to a
   /// facet would change with every tilt of a light membrane.
-  ContactGeometry wall_geometry = ContactGeometry::ball;
+  ContactGeometry wall_geometry = ContactGeometry::sphere;
   /// The expansion of a side is renewed when the contact direction has moved
   /// this far in the body frame; 0: every step [rad].
   double refresh_tolerance = 5e-3;
   /// Skin of the lists of candidates, how far beyond contact they look [m];
-  /// 0: chosen at each rebuild by SearchMargin, around `usual_skin`.
-  double search_margin = 0.;
-  /// Skin of the right order for the sizes of the scene [m]: where SearchMargin
+  /// 0: chosen at each rebuild by SkinWidth, around `usual_skin`.
+  double skin = 0.;
+  /// Skin of the right order for the sizes of the scene [m]: where SkinWidth
   /// begins and what it stays near; servo walls may not cross it.
   double usual_skin = 1e-3;
   OverlapLimits overlap; ///< of all contacts

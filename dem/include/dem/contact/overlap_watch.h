@@ -29,13 +29,13 @@ public:
 struct OverlapScan
 {
   const ContactBatch &batch;
-  const Particles &particles;
+  const ParticleSystem &particles;
   double known = 0.;
 };
 
 /// Overlap of contact k over the radius of the smaller equivalent sphere; what
 /// a contact of true surfaces had when it was found counts too [-].
-double overlap_ratio(const ContactBatch &batch, const Particles &particles,
+double overlap_ratio(const ContactBatch &batch, const ParticleSystem &particles,
                      std::size_t k);
 
 /// Largest overlap_ratio() of the contacts [first, last) whose overlap exceeds

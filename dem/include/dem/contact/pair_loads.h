@@ -8,24 +8,24 @@
 namespace dem
 {
 /// How the loads of the pairs come together, the same for any number of
-/// threads. The contacts are cut into ranges of one length. The stones strictly
-/// between the first stone A of a range and that of the next are its own: only
-/// this range adds to them. What it does to another stone B it sums up in a
-/// halo row of its own; halo rows are added at the end, by stone, then by
-/// range.
+/// threads. The contacts are cut into ranges of one length. The particles
+/// strictly between the first particle A of a range and that of the next are
+/// its own: only this range adds to them. What it does to another particle B it
+/// sums up in a halo row of its own; halo rows are added at the end, by
+/// particle, then by range.
 class PairLoads
 {
 public:
-  /// Sets ContactBatch::target: a stone, or -1 - row of the halo.
+  /// Sets ContactBatch::target: a particle, or -1 - row of the halo.
   void prepare(ContactBatch &pairs);
 
-  StoneLoad *halo_rows() { return halo.data(); }
-  /// Adds the halo to the loads of the stones; it is zero then.
-  void add_halo(std::vector<StoneLoad> &load);
+  ParticleLoad *halo_rows() { return halo.data(); }
+  /// Adds the halo to the loads of the particles; it is zero then.
+  void add_halo(std::vector<ParticleLoad> &load);
 
 private:
-  std::vector<StoneLoad> halo;
-  std::vector<std::int32_t> stone; ///< that have halo rows, in order
+  std::vector<ParticleLoad> halo;
+  std::vector<std::int32_t> particle; ///< that have halo rows, in order
   std::vector<std::int32_t> start; ///< their first row, and the number of rows
 };
 

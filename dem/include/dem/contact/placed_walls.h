@@ -1,22 +1,22 @@
 #pragma once
 
 #include <dem/boundary/drum_contacts.h>
-#include <dem/boundary/drum_shelf.h>
-#include <dem/contact/wall_place.h>
+#include <dem/boundary/drum_lifter.h>
+#include <dem/contact/wall_contact_point.h>
 
 namespace dem
 {
-/// A drum as stones that follow their surfaces meet it: rows and overlaps by
+/// A drum as particles that follow their surfaces meet it: rows and overlaps by
 /// ContactBatch::b. Rows of contacts that touch say where they were before.
 struct PlacedDrum
 {
   const Drum &drum;
-  const DrumShelf &shelf; ///< where the drum stands now
+  const DrumLifter &lifter; ///< where the drum stands now
   std::vector<WallRow> &rows;
   std::vector<double> &overlap; ///< < 0: a gap [m]
 };
 
-/// The same for a facet surface, with the spots of the contacts.
+/// The same for a facet surface, with the contact_points of the contacts.
 struct PlacedFacets
 {
   FacetMesh mesh;
@@ -35,7 +35,7 @@ ForceSum place_on_drum(const ForceContext &context, const PlacedDrum &walls,
 ForceSum place_on_facets(const ForceContext &context, const PlacedFacets &walls,
                          ContactBatch &batch);
 
-/// Contact k alone: its stone has changed its shape.
+/// Contact k alone: its particle has changed its shape.
 void place_again(const ForceContext &context, const PlacedDrum &walls,
                  ContactBatch &batch, std::size_t k);
 void place_again(const ForceContext &context, const PlacedFacets &walls,

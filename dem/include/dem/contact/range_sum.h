@@ -9,14 +9,14 @@ namespace dem
 /// threads.
 struct RangeSum
 {
-  /// Load on the stone that is side A of the first contact of the range; the
-  /// range before may add to it too force [N], moment [N m]. Stones that come
-  /// after it in the range get theirs directly.
+  /// Load on the particle that is side A of the first contact of the range; the
+  /// range before may add to it too force [N], moment [N m]. Particles that
+  /// come after it in the range get theirs directly.
   double load[6] = {};
   Dissipation lost;
   bool wants_breakage = false;
   bool has_switched = false; ///< patches keep factors: contacts began or ended
-  bool has_strayed = false;  ///< some contact is no more where it was
+  bool has_escaped = false;  ///< some contact is no more where it was
   int n_jumps = 0;           ///< loaded contacts that are elsewhere now
   int n_ended = 0;           ///< loaded contacts that have no place any more
   double overlap_ratio = 0.; ///< largest, as largest_overlap_ratio() [-]

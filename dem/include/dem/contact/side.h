@@ -2,7 +2,7 @@
 
 #include <dem/contact/material.h>
 #include <dem/contact/narrow.h>
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 #include <dem/shape/patch.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace dem
 {
-/// Principal curvatures of a stone at a contact.
+/// Principal curvatures of a particle at a contact.
 struct SideCurvature
 {
   double first = 0.;                       ///< kappa_max, floored [1/m]
@@ -21,15 +21,15 @@ struct SideCurvature
   double gaussian() const { return first * second; }
 };
 
-/// The surface of a stone about one direction.
+/// The surface of a particle about one direction.
 struct SurfaceSide
 {
   RadialExpansion expansion; ///< scale applied
   SideCurvature curvature;
 };
 
-/// Series and curvatures of the stone at a unit direction of its body frame;
+/// Series and curvatures of the particle at a unit direction of its body frame;
 /// both curvatures are floored at 1 / (floor_ratio r_ins) (breakage.md, Cap).
-SurfaceSide evaluate_side(const Body &body, const Vec3 &direction,
+SurfaceSide evaluate_side(const ParticleShape &body, const Vec3 &direction,
                           double floor_ratio);
 } // namespace dem

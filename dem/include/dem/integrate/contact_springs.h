@@ -8,8 +8,8 @@ namespace dem
 /// The springs of the contacts as they stand, and as they may stand before
 /// `horizon` has passed [s]: every gap is closed, and every overlap grows, by
 /// the present relative speed times `horizon`; a wall that is then touched
-/// counts, and for a stone with no contact near an impact. All springs count as
-/// if none slid. With a horizon the shortest Hertz impact is noted, too: a
+/// counts, and for a particle with no contact near an impact. All springs count
+/// as if none slid. With a horizon the shortest Hertz impact is noted, too: a
 /// contact in which the energy of the closing motion exceeds that of its
 /// spring, and a millionth of the energy of all particles. Vertices of the
 /// facet surfaces are the points, one surface after the other, with their
@@ -19,8 +19,8 @@ namespace dem
 /// The only reader of the contact columns here: what follows sees springs.
 SpringNetwork contact_springs(const Engine &engine, double horizon);
 
-/// Stable step of the lightest stone where three walls meet, for what the
+/// Stable step of the lightest particle where three walls meet, for what the
 /// scene may come to [s].
 double corner_step(const EngineParameters &parameters,
-                   const Particles &particles);
+                   const ParticleSystem &particles);
 } // namespace dem

@@ -14,20 +14,20 @@ struct Turn
 
 /// First q, then p.
 template <class Real>
-DEM_LANE_INLINE Turn<Real> operator*(const Turn<Real> &p, const Turn<Real> &q)
+DEM_SIMD_INLINE Turn<Real> operator*(const Turn<Real> &p, const Turn<Real> &q)
 {
   return {p.number * q.vector + q.number * p.vector + cross(p.vector, q.vector),
           p.number * q.number - dot(p.vector, q.vector)};
 }
 
 template <class Real>
-DEM_LANE_INLINE Turn<Real> inverse(const Turn<Real> &q)
+DEM_SIMD_INLINE Turn<Real> inverse(const Turn<Real> &q)
 {
   return {-q.vector, q.number};
 }
 
 template <class Real>
-DEM_LANE_INLINE Triple<Real> operator*(const Turn<Real> &q,
+DEM_SIMD_INLINE Triple<Real> operator*(const Turn<Real> &q,
                                        const Triple<Real> &v)
 {
   const Triple<Real> twice = Real(2.) * cross(q.vector, v);
@@ -36,7 +36,7 @@ DEM_LANE_INLINE Triple<Real> operator*(const Turn<Real> &q,
 
 /// Of length one again.
 template <class Real>
-DEM_LANE_INLINE Turn<Real> normalised(const Turn<Real> &q)
+DEM_SIMD_INLINE Turn<Real> normalised(const Turn<Real> &q)
 {
   using std::sqrt;
   const Real inverse = 1. / sqrt(dot(q.vector, q.vector) + q.number * q.number);
@@ -53,7 +53,7 @@ struct HalfAngle
 /// The series from the square of the angle [rad^2] to the power `order` of the
 /// angle.
 template <int order, class Real>
-DEM_LANE_INLINE HalfAngle<Real> half_angle_series(const Real &square)
+DEM_SIMD_INLINE HalfAngle<Real> half_angle_series(const Real &square)
 {
   const Real h = 0.25 * square;
   Real cosine = Real(1.), sine = Real(1.);
@@ -66,10 +66,10 @@ DEM_LANE_INLINE HalfAngle<Real> half_angle_series(const Real &square)
 }
 
 /// From the square of the angle [rad^2]; to round-off up to 1 rad, to 1e-10 up
-/// to half a turn. What a stone turns by in a step is small: two terms are
+/// to half a turn. What a particle turns by in a step is small: two terms are
 /// exact to the last digit up to 0.01 rad.
 template <class Real>
-DEM_LANE_INLINE HalfAngle<Real> half_angle(const Real &square)
+DEM_SIMD_INLINE HalfAngle<Real> half_angle(const Real &square)
 {
   HalfAngle<Real> half = half_angle_series<4>(square);
   const auto is_large = square > 1e-4;
@@ -84,7 +84,7 @@ DEM_LANE_INLINE HalfAngle<Real> half_angle(const Real &square)
 
 /// exp(rotation vector) [rad].
 template <class Real>
-DEM_LANE_INLINE Turn<Real> exponential(const Triple<Real> &rotation)
+DEM_SIMD_INLINE Turn<Real> exponential(const Triple<Real> &rotation)
 {
   const HalfAngle<Real> half = half_angle<Real>(dot(rotation, rotation));
   return {half.factor * rotation, half.cosine};
@@ -101,7 +101,7 @@ struct Rotor
 
 /// Component d of x, y, z, counted on from z to x again.
 template <int d, class Real>
-DEM_LANE_INLINE Real &component(Triple<Real> &v)
+DEM_SIMD_INLINE Real &component(Triple<Real> &v)
 {
   if constexpr (d % 3 == 0)
     return v.x;
@@ -114,7 +114,7 @@ DEM_LANE_INLINE Real &component(Triple<Real> &v)
 /// A rotation by `angle` about principal axis d [rad]; the body sees its
 /// momentum turn back.
 template <int d, class Real>
-DEM_LANE_INLINE void turn_about(const Real &angle, Triple<Real> &momentum,
+DEM_SIMD_INLINE void turn_about(const Real &angle, Triple<Real> &momentum,
                                 Turn<Real> &to_world)
 {
   const HalfAngle<Real> half = half_angle<Real>(angle * angle);
@@ -139,7 +139,7 @@ DEM_LANE_INLINE void turn_about(const Real &angle, Triple<Real> &momentum,
 /// second order; the angular momentum is kept to round-off, the energy error
 /// does not grow (Touma & Wisdom 1994, Dullweber et al. 1997).
 template <class Real>
-DEM_LANE_INLINE void turn_freely(Rotor<Real> &rotor, double time_step)
+DEM_SIMD_INLINE void turn_freely(Rotor<Real> &rotor, double time_step)
 {
   const Triple<Real> inverse_moments{1. / rotor.moments.x, 1. / rotor.moments.y,
                                      1. / rotor.moments.z};

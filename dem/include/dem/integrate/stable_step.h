@@ -19,13 +19,13 @@ struct FarShare
 };
 
 /// Springs and dashpots of contacts between bodies, in columns: first the
-/// stones, then points without rotation (nodes of a surface). A contact joins
-/// stone `a` at `lever_a` with a stone at `lever_b` (weight 1), with the
-/// weighted mean of points, or, without a share, with a wall at rest.
+/// particles, then points without rotation (nodes of a surface). A contact
+/// joins particle `a` at `lever_a` with a particle at `lever_b` (weight 1),
+/// with the weighted mean of points, or, without a share, with a wall at rest.
 struct SpringNetwork
 {
   std::vector<double> mass;    ///< of all bodies, finite [kg]
-  std::vector<double> inertia; ///< of the stones [kg m^2]
+  std::vector<double> inertia; ///< of the particles [kg m^2]
   /// omega: springs that the points have besides, K <= omega^2 M [rad/s]
   double point_frequency = 0.;
 
@@ -40,7 +40,7 @@ struct SpringNetwork
   std::vector<double> shear_dashpot;     ///< [N s/m]
   ForeseenImpact impact;                 ///< the shortest one
 
-  std::size_t n_stones() const { return inertia.size(); }
+  std::size_t n_particles() const { return inertia.size(); }
   std::size_t n_bodies() const { return mass.size(); }
   std::size_t n_contacts() const { return a.size(); }
 };
@@ -58,8 +58,8 @@ struct NetworkStep
 ///
 /// guaranteed_step() never exceeds the largest such dt: each contact is split
 /// between its bodies, |sum w d|^2 <= sum |w d|^2 / alpha with sum alpha = 1,
-/// and the eigenvalues of single bodies bound the whole. Exact for one stone on
-/// any number of walls and for two stones. Infinite without contacts.
+/// and the eigenvalues of single bodies bound the whole. Exact for one particle
+/// on any number of walls and for two particles. Infinite without contacts.
 NetworkStep guaranteed_step(const SpringNetwork &network);
 
 /// The largest stable dt [s] by Lanczos iteration, which comes from below in

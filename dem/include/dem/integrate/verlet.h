@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 
 namespace dem
 {
@@ -13,14 +13,14 @@ struct KickParameters
   bool has_gravity() const { return !gravity.isZero(0.); }
 };
 
-/// Work done on every stone since construction [J].
+/// Work done on every particle since construction [J].
 struct WorkColumns
 {
   std::vector<double> damped; ///< taken by local damping
   std::vector<double> lifted; ///< by gravity
 };
 
-/// Fastest stones of a step.
+/// Fastest particles of a step.
 struct Speeds
 {
   double moving = 0.;  ///< |v| [m/s]
@@ -40,13 +40,13 @@ struct StartOfStep
 
 /// What is owed as kick() would give it, then
 /// v += F/m dt/2, omega += M/I dt/2 with local damping per component, then
-/// x += v dt, q <- exp(omega dt) q (where some stone is not a sphere), or a
+/// x += v dt, q <- exp(omega dt) q (where some particle is not a sphere), or a
 /// free turn of the whole inertia tensor (Particles::follows_surfaces). Loads
 /// are zero after it.
-Speeds kick_and_drift(Particles &particles, const StartOfStep &start,
+Speeds kick_and_drift(ParticleSystem &particles, const StartOfStep &start,
                       WorkColumns &work);
 
 /// The kick alone, over `time_step` [s]: half a step.
-void kick(Particles &particles, const KickParameters &parameters,
+void kick(ParticleSystem &particles, const KickParameters &parameters,
           double time_step, WorkColumns &work);
 } // namespace dem

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/boundary/drum.h>
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 
 #include <cstdint>
 #include <span>
@@ -18,7 +18,7 @@ struct ParticleColumns
   std::span<const Vec3> velocity;          ///< [m/s]
   std::span<const Vec3> spin;              ///< world frame [rad/s]
   std::span<const Quaternion> orientation; ///< body to world
-  std::span<const Body> body;
+  std::span<const ParticleShape> body;
   std::span<const double> radius; ///< of the ball [m]
   std::span<const double> mass;   ///< [kg]
   std::span<const double> loss;   ///< mass lost / initial mass [-]
@@ -26,9 +26,9 @@ struct ParticleColumns
 
 enum class ContactKind : std::int32_t
 {
-  stone_stone,
-  stone_plane,
-  stone_facet
+  particle_particle,
+  particle_plane,
+  particle_facet
 };
 
 /// One touching contact as a line.
@@ -39,7 +39,7 @@ struct ContactLine
   double normal_force = 0.; ///< [N]
   double shear_force = 0.;  ///< [N]
   double overlap = 0.;      ///< [m]
-  ContactKind kind = ContactKind::stone_stone;
+  ContactKind kind = ContactKind::particle_particle;
 };
 
 /// One file of the collection.
@@ -54,15 +54,15 @@ struct FrameEntry
 /// file cannot be written, as do the other writers.
 void write_particles(const std::string &path, const ParticleColumns &particles);
 
-/// True surfaces of the stones (vtu): each the image of one triangulated
-/// sphere (about 1300 triangles a stone), with id and loss per cell.
+/// True surfaces of the particles (vtu): each the image of one triangulated
+/// sphere (about 1300 triangles a particle), with id and loss per cell.
 void write_surfaces(const std::string &path, const ParticleColumns &particles);
 
 /// Contacts as lines with their forces (vtu).
 void write_contacts(const std::string &path,
                     std::span<const ContactLine> contacts);
 
-/// Side and shelf of a drum as it stands, open at both ends (vtu).
+/// Side and lifter of a drum as it stands, open at both ends (vtu).
 void write_drum(const std::string &path, const Drum &drum);
 
 /// ParaView collection (pvd) over all frames so far.

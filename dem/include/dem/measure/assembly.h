@@ -1,37 +1,39 @@
 #pragma once
 
 #include <dem/contact/batch.h>
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 
 namespace dem
 {
 /// Indicators of the contact network (theory/network.md); walls are left out.
 struct ContactNetwork
 {
-  std::int64_t n_contacts = 0; ///< C, touching pairs of stones
+  std::int64_t n_contacts = 0; ///< C, touching pairs of particles
   double coordination_number =
       0.;                 ///< (2 C - N_1) / (N - N_1 - N_0), Eq. 31 [-]
   double mean_force = 0.; ///< sum |F| / C, Eq. 32 [N]
 };
 
-ContactNetwork contact_network(const Particles &particles,
+ContactNetwork contact_network(const ParticleSystem &particles,
                                const ContactBatch &pairs);
 
-/// Force of contact k on stone A, the opposite on B, after a step; dashpots to
-/// seven digits [N].
-Vec3 pair_force(const Particles &particles, const ContactBatch &pairs,
+/// Force of contact k on particle A, the opposite on B, after a step; dashpots
+/// to seven digits [N].
+Vec3 pair_force(const ParticleSystem &particles, const ContactBatch &pairs,
                 std::size_t k);
 
 /// LAA = mass lost / initial mass, Eq. 29 [-].
-double abrasion(const Particles &particles);
+double abrasion(const ParticleSystem &particles);
 
-/// Mean |resultant force| on a stone / mean |contact force| [-]; 0 without
+/// Mean |resultant force| on a particle / mean |contact force| [-]; 0 without
 /// contacts.
-double unbalanced_force_ratio(const Particles &particles,
+double unbalanced_force_ratio(const ParticleSystem &particles,
                               const ContactBatch &pairs);
 
-/// Stiffness of the packing along x, y, z times its volume, if all stones moved
-/// with the mean strain: sum over contacts of (k_n n_i^2 + k_s (1 - n_i^2))
-/// n_i^2 l^2: divided by the volume it is an upper bound of the modulus [N m].
-Vec3 affine_stiffness(const Particles &particles, const ContactBatch &pairs);
+/// Stiffness of the packing along x, y, z times its volume, if all particles
+/// moved with the mean strain: sum over contacts of (k_n n_i^2 + k_s (1 -
+/// n_i^2)) n_i^2 l^2: divided by the volume it is an upper bound of the modulus
+/// [N m].
+Vec3 affine_stiffness(const ParticleSystem &particles,
+                      const ContactBatch &pairs);
 } // namespace dem

@@ -9,10 +9,10 @@ struct LayerProfile
 {
   std::vector<double> distance; ///< of the middle of each layer [m]
   std::vector<double> porosity; ///< [-]; NaN: no space
-  /// Contacts with stones of the stones in the layer that have two or more, as
-  /// Eq. 31 counts; NaN: no such stone [-].
+  /// Contacts with particles of the particles in the layer that have two or
+  /// more, as Eq. 31 counts; NaN: no such particle [-].
   std::vector<double> coordination;
-  std::vector<double> n_stones; ///< with their centre in the layer [-]
+  std::vector<double> n_particles; ///< with their centre in the layer [-]
 };
 
 struct BoundaryProfile
@@ -22,7 +22,8 @@ struct BoundaryProfile
   double porosity = 0.; ///< of all [-]
   /// Next to the lateral boundary and away from all boundaries [-].
   double porosity_skin = 0., porosity_inside = 0.;
-  /// Of the stones with their centres there, as Eq. 31 counts; NaN: none [-].
+  /// Of the particles with their centres there, as Eq. 31 counts; NaN: none
+  /// [-].
   double coordination_skin = 0., coordination_inside = 0.;
 };
 
@@ -35,8 +36,8 @@ struct ProfileWidths
 /// Porosity and coordination number over the distance from the lateral
 /// boundary, in horizontal section, and from the nearer platen. Porosity from
 /// points in cells of a grid as fine as the sections are apart: a point is in a
-/// stone if it is within its radius (overlaps count once).
-BoundaryProfile boundary_profile(const Particles &stones,
+/// particle if it is within its radius (overlaps count once).
+BoundaryProfile boundary_profile(const ParticleSystem &particles,
                                  const Network &network, const Outline &outline,
                                  const ProfileWidths &widths);
 } // namespace dem

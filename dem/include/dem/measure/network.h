@@ -9,7 +9,7 @@
 /// sources in docs/theory/network.md.
 namespace dem
 {
-/// Two stones that touch; however many places they touch at, one contact.
+/// Two particles that touch; however many places they touch at, one contact.
 struct PairContact
 {
   std::int32_t a = 0, b = 0;
@@ -19,12 +19,12 @@ struct PairContact
   bool is_sliding = false;     ///< at the Coulomb limit, all places
 };
 
-/// A stone that touches a boundary.
+/// A particle that touches a boundary.
 struct WallContact
 {
-  std::int32_t stone = 0;
+  std::int32_t particle = 0;
   Vec3 point = Vec3::Zero(); ///< [m]
-  Vec3 force = Vec3::Zero(); ///< on the stone [N]
+  Vec3 force = Vec3::Zero(); ///< on the particle [N]
   /// Sum of force (x) point of the facets that carry it, less that of the whole
   /// force at its point [N m].
   Mat3 spread = Mat3::Zero();
@@ -56,8 +56,8 @@ ContactFrame pair_contact_frame(const Engine &engine, std::size_t k);
 Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
                         std::size_t k);
 
-/// Fabric tensor (Satake 1982, Oda 1982) of the contact normals between stones,
-/// sum n (x) n / C, trace 1; zero without contacts [-].
+/// Fabric tensor (Satake 1982, Oda 1982) of the contact normals between
+/// particles, sum n (x) n / C, trace 1; zero without contacts [-].
 Mat3 fabric_tensor(std::span<const PairContact> pairs);
 
 /// Second invariant of the deviator, sqrt(3/2 a:a) with a = 15/2 (phi - I/3)
@@ -65,27 +65,30 @@ Mat3 fabric_tensor(std::span<const PairContact> pairs);
 /// normals are parallel.
 double fabric_anisotropy(const Mat3 &fabric);
 
-/// Contacts between stones at the Coulomb limit over all; 0 without [-].
+/// Contacts between particles at the Coulomb limit over all; 0 without [-].
 double sliding_fraction(std::span<const PairContact> pairs);
 
-/// Contacts between stones whose normal force is above the mean over all
+/// Contacts between particles whose normal force is above the mean over all
 /// (Radjai et al. 1998); 0 without [-].
 double strong_share(std::span<const PairContact> pairs);
 
-/// Mean stress of each stone, -1/V sum sym(F (x) (x_c - x)) over its contacts
-/// with stones and walls; compression positive [Pa].
-std::vector<Mat3> stone_stress(const Particles &stones, const Network &network);
+/// Mean stress of each particle, -1/V sum sym(F (x) (x_c - x)) over its
+/// contacts with particles and walls; compression positive [Pa].
+std::vector<Mat3> particle_stress(const ParticleSystem &particles,
+                                  const Network &network);
 
 /// Force chains (Peters et al. 2005).
 struct ForceChains
 {
-  double share = 0.; ///< stones in chains over all stones [-]
+  double share = 0.; ///< particles in chains over all particles [-]
   std::int64_t n_chains = 0;
-  double mean_length = 0.; ///< stones in a chain; 0 without chains [-]
+  double mean_length = 0.; ///< particles in a chain; 0 without chains [-]
 };
 
-/// Chains of at least three touching stones whose major principal stress is
-/// above the mean of the stones that bear, and whose contacts are within 45
-/// degrees of the major axis of both stones; branches are part of their chain.
-ForceChains force_chains(const Particles &stones, const Network &network);
+/// Chains of at least three touching particles whose major principal stress is
+/// above the mean of the particles that bear, and whose contacts are within 45
+/// degrees of the major axis of both particles; branches are part of their
+/// chain.
+ForceChains force_chains(const ParticleSystem &particles,
+                         const Network &network);
 } // namespace dem

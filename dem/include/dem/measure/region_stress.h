@@ -38,15 +38,15 @@ std::optional<std::pair<double, double>>
 part_inside(const Prism &prism, const Vec3 &from, const Vec3 &to);
 
 /// -sum F (x) d over all contacts, d from the centre of A to that of B, or to
-/// the point on a wall: volume times mean stress of all stones, compression
+/// the point on a wall: volume times mean stress of all particles, compression
 /// positive (Love 1927, Weber 1966) [J].
-Mat3 contact_virial(const Particles &stones, const Network &network);
+Mat3 contact_virial(const ParticleSystem &particles, const Network &network);
 
 /// Mean stress in the prism, -1/V sum sym(F (x) d) over the contacts, d being
 /// the part inside of the line from the centre of A to that of B, or to the
 /// point on a wall: a contact hands its force over along this line (Goldhirsch
-/// 2010), so that the volume is that of the prism and no stone is counted to
-/// be in or out. Compression positive; motion of the stones left out [Pa].
-Mat3 mean_stress(const Prism &prism, const Particles &stones,
+/// 2010), so that the volume is that of the prism and no particle is counted to
+/// be in or out. Compression positive; motion of the particles left out [Pa].
+Mat3 mean_stress(const Prism &prism, const ParticleSystem &particles,
                  const Network &network);
 } // namespace dem

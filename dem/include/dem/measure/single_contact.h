@@ -3,7 +3,7 @@
 #include <dem/boundary/facet_surface.h>
 #include <dem/boundary/plane.h>
 #include <dem/parameters.h>
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 
 #include <vector>
 
@@ -14,17 +14,17 @@ namespace dem
 /// A particle as it stands and moves.
 struct PosedParticle
 {
-  Body shape;
+  ParticleShape shape;
   Vec3 position = Vec3::Zero(); ///< of the origin of the shape [m]
   Quaternion orientation = Quaternion::Identity(); ///< body to world
   Vec3 velocity = Vec3::Zero();                    ///< [m/s]
   Vec3 spin = Vec3::Zero();                        ///< world frame [rad/s]
-  /// 0: EngineParameters::stone; 1, 2, ...: EngineParameters::other_solids.
+  /// 0: EngineParameters::particle; 1, 2, ...: EngineParameters::other_solids.
   std::uint8_t material = 0;
 };
 
 /// One point at which the two touch; A is the first particle.
-struct ContactPoint
+struct LoadedContactPoint
 {
   double overlap = 0.;         ///< [m]
   Vec3 normal = Vec3::UnitZ(); ///< from A to B, or to the boundary [-]
@@ -37,10 +37,10 @@ struct ContactPoint
 /// loads are zero.
 struct ContactState
 {
-  std::vector<ContactPoint> points;
-  StoneLoad on_a; ///< force, and moment about the position of A
+  std::vector<LoadedContactPoint> points;
+  ParticleLoad on_a; ///< force, and moment about the position of A
   /// The same on B, about its position; on a boundary about the origin.
-  StoneLoad on_b;
+  ParticleLoad on_b;
 };
 
 /// Evaluates two particles, a particle and a plane, or a particle and a facet

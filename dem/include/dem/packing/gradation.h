@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/packing/random.h>
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 
 #include <span>
 #include <vector>
@@ -25,8 +25,8 @@ struct GradingCurve
 /// `solid_volume` to one particle of that size. Each particle takes one of
 /// `shapes` at random (spheres if empty). Throws std::invalid_argument for more
 /// than ten million particles.
-std::vector<Body>
-draw_stones(const GradingCurve &curve, double solid_volume,
-            std::span<const std::shared_ptr<const Coefficients>> shapes,
-            Random &random);
+std::vector<ParticleShape>
+draw_particles(const GradingCurve &curve, double solid_volume,
+               std::span<const std::shared_ptr<const Coefficients>> shapes,
+               Random &random);
 } // namespace dem

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/packing/random.h>
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 
 #include <span>
 #include <stdexcept>
@@ -15,7 +15,7 @@ struct Placement
   Quaternion orientation = Quaternion::Identity();
 };
 
-/// Where stones may lie.
+/// Where particles may lie.
 struct InsertionBox
 {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Ones(); ///< [m]
@@ -33,9 +33,10 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Random sequential insertion of the stones, in their order, into the box
+/// Random sequential insertion of the particles, in their order, into the box
 /// without overlap along any branch line or towards any face.
-/// Throws NoPlace if a stone finds none in 20 000 tries.
-std::vector<Placement> insert_stones(std::span<const Body> stones,
-                                     const InsertionBox &box, Random &random);
+/// Throws NoPlace if a particle finds none in 20 000 tries.
+std::vector<Placement>
+insert_particles(std::span<const ParticleShape> particles,
+                 const InsertionBox &box, Random &random);
 } // namespace dem

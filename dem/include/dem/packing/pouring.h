@@ -23,32 +23,33 @@ struct Room
 
 struct PouringParameters
 {
-  /// Asked of stones under `level_pressure`: mass over volume of the room up to
-  /// the tamper; 0: the layers are not tamped [kg/m^3].
+  /// Asked of particles under `level_pressure`: mass over volume of the room up
+  /// to the tamper; 0: the layers are not tamped [kg/m^3].
   double density = 0.;
   /// Layers that the next ones will press on may stay looser: the first by this
   /// share of the density, the last by none (undercompaction, Ladd 1978) [-].
   double undercompaction = 0.;
-  double friction = 0.2; ///< stone on stone until the last layer is in
-  /// Of the cloud that falls; less where stones do not find a place [-].
+  double friction = 0.2; ///< particle on particle until the last layer is in
+  /// Of the cloud that falls; less where particles do not find a place [-].
   double solid_fraction = 0.2;
   double tamper_speed = 0.1;    ///< [m/s]
   double tamper_pressure = 2e5; ///< at which the tamper turns back [Pa]
   double level_pressure = 5e3;  ///< under which the height is taken [Pa]
   int max_strokes = 4;          ///< of the tamper on one layer
   /// Share of the friction left by each stroke that meets its pressure above
-  /// the density, when all stones are in; 1: the friction stays [-].
+  /// the density, when all particles are in; 1: the friction stays [-].
   double friction_decay = 1.;
   double tolerance = 2e-3; ///< of the density; no more strokes [-]
-  /// Of stones at rest: sum of the resultant forces over the weight; before the
-  /// tamper comes ten times as much will do [-].
+  /// Of particles at rest: sum of the resultant forces over the weight; before
+  /// the tamper comes ten times as much will do [-].
   double unbalanced_ratio = 1e-3;
   double max_time = 2.; ///< for a layer to come to rest, then it fails [s]
 };
 
-/// Stones of all sizes into `n` layers of about the same mass and gradation,
+/// Particles of all sizes into `n` layers of about the same mass and gradation,
 /// largest first in each.
-std::vector<std::vector<Body>> deal_layers(std::span<const Body> stones, int n);
+std::vector<std::vector<ParticleShape>>
+deal_layers(std::span<const ParticleShape> particles, int n);
 
 /// A layer does not come to rest in time.
 class NoRest : public std::runtime_error
@@ -57,22 +58,22 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Fills a room with stones, layer by layer: a cloud of stones falls in, comes
-/// to rest, and is tamped by a plane that comes down until it is felt and the
-/// density is reached (a stroke that springs back is followed by a deeper one)
-/// or its pressure is at the limit. Layers thinner than their largest stones
-/// may stay looser than the whole becomes; if the whole is looser than asked,
-/// strokes go on with less and less friction. Stones that slide easily may be
-/// denser than asked before the tamper comes. Layer says what was reached. At
-/// last the stones get their friction back and come to rest. Gravity, damping
-/// and steps are the caller's.
+/// Fills a room with particles, layer by layer: a cloud of particles falls in,
+/// comes to rest, and is tamped by a plane that comes down until it is felt and
+/// the density is reached (a stroke that springs back is followed by a deeper
+/// one) or its pressure is at the limit. Layers thinner than their largest
+/// particles may stay looser than the whole becomes; if the whole is looser
+/// than asked, strokes go on with less and less friction. Particles that slide
+/// easily may be denser than asked before the tamper comes. Layer says what was
+/// reached. At last the particles get their friction back and come to rest.
+/// Gravity, damping and steps are the caller's.
 class Pouring
 {
 public:
   enum class Stage : std::int32_t
   {
     waiting,  ///< for the next layer
-    settling, ///< stones fall
+    settling, ///< particles fall
     tamping,
     lifting, ///< of the tamper
     resting,
@@ -87,13 +88,13 @@ public:
     double density = 0.;  ///< mass over room [kg/m^3]
     double pressure = 0.; ///< largest of the tamper, mean of 0.2 ms [Pa]
     double time = 0.;     ///< when it was done [s]
-    double friction = 0.; ///< of the stones under the last stroke [-]
+    double friction = 0.; ///< of the particles under the last stroke [-]
     std::int64_t strokes = 0;
   };
 
-  /// `layers` must not be empty; largest stones first in each.
+  /// `layers` must not be empty; largest particles first in each.
   Pouring(const Room &room, const PouringParameters &parameters,
-          std::vector<std::vector<Body>> layers, std::uint64_t seed);
+          std::vector<std::vector<ParticleShape>> layers, std::uint64_t seed);
 
   /// Adds the tamper, a plane that is out of the way until it is needed.
   void prepare(Engine &engine);
@@ -104,7 +105,7 @@ public:
 
   /// Of the whole filling, about: a layer falls and rolls to rest in three
   /// falls through its cloud, and the tamper goes through the height of its
-  /// largest stone [s]. Time with half of the stones counts half.
+  /// largest particle [s]. Time with half of the particles counts half.
   double expected_time(const Vec3 &gravity) const;
   bool is_done() const { return now.stage == Stage::done; }
   Stage stage() const { return now.stage; }
@@ -141,27 +142,29 @@ private:
     std::int32_t strokes = 0; ///< on the present layer
     std::int64_t decays = 0;  ///< of the friction
     double since = 0.;        ///< when the stage began [s]
-    double mass = 0.;         ///< of the stones so far [kg]
+    double mass = 0.;         ///< of the particles so far [kg]
     double depth = 0.;        ///< that a stroke goes to above the floor [m]
     double pressure = 0.;     ///< of the tamper, mean of some steps [Pa]
     double peak = 0.;         ///< of the layer [Pa]
     double level = 0.;        ///< above the floor, last taken [m]
     double unbalanced_ratio = 0.;
-    double friction = 0.; ///< of the stones when all is done [-]
+    double friction = 0.; ///< of the particles when all is done [-]
   };
 
   Room room;
   PouringParameters parameters;
-  std::vector<std::vector<Body>> bodies;
+  std::vector<std::vector<ParticleShape>> bodies;
   std::uint64_t seed;
   std::size_t plane = 0;
   State now;
   std::vector<Layer> finished;
 };
 
-/// Upper bound of where stones end [m]; the floor without stones.
-double top_of(const Particles &particles, double floor);
+/// Upper bound of where particles end [m]; the floor without particles.
+double top_of(const ParticleSystem &particles, double floor);
 
-/// Sum of the resultant forces on the stones over the sum of their weights [-].
-double unbalanced_weight_ratio(const Particles &particles, const Vec3 &gravity);
+/// Sum of the resultant forces on the particles over the sum of their weights
+/// [-].
+double unbalanced_weight_ratio(const ParticleSystem &particles,
+                               const Vec3 &gravity);
 } // namespace dem

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/contact/material.h>
-#include <dem/particles.h>
+#include <dem/particle_system.h>
 
 #include <cstdint>
 #include <utility>
@@ -9,35 +9,37 @@
 
 namespace dem
 {
-/// Two stones, the one with the lower number first.
+/// Two particles, the one with the lower number first.
 using PairKey = std::pair<std::int32_t, std::int32_t>;
 
-/// Sums over all steps of how far two stones could have come nearer [m].
+/// Sums over all steps of how far two particles could have come nearer [m].
 struct Travel
 {
   double centres = 0.; ///< their centres, and so all that is round them
-  double gaps = 0.;    ///< what the contact geometry compares, at most; where
-                    ///< there are shapes Particles::travelled says it by stone
+  double gaps =
+      0.; ///< what the contact geometry compares, at most; where
+          ///< there are shapes Particles::travelled says it by particle
 };
 
-/// All pairs of stones whose circumscribed spheres come within a margin [m],
+/// All pairs of particles whose circumscribed spheres come within a margin [m],
 /// sorted.
-std::vector<PairKey> near_spheres(const Particles &particles, double margin);
+std::vector<PairKey> near_spheres(const ParticleSystem &particles,
+                                  double margin);
 
-/// Finds the pairs of stones with a gap below a margin: between the balls, or
-/// between the radii along the branch. Keeps a wider list of candidates, each
-/// with bounds of the gap that it had and how far its stones had travelled
-/// then, so that most rebuilds need neither a grid nor a shape. What it finds
-/// does not depend on what it keeps.
+/// Finds the pairs of particles with a gap below a margin: between the balls,
+/// or between the radii along the branch. Keeps a wider list of candidates,
+/// each with bounds of the gap that it had and how far its particles had
+/// travelled then, so that most rebuilds need neither a grid nor a shape. What
+/// it finds does not depend on what it keeps.
 class PairFinder
 {
 public:
   /// All pairs with a gap below `margin` [m], sorted.
-  std::vector<PairKey> find(const Particles &particles,
+  std::vector<PairKey> find(const ParticleSystem &particles,
                             ContactGeometry geometry, double margin,
                             const Travel &travel);
 
-  /// The stones have got other numbers or were added to.
+  /// The particles have got other numbers or were added to.
   void forget()
   {
     candidates.clear();
@@ -47,15 +49,15 @@ public:
 private:
   struct Candidate
   {
-    PairKey stones;
+    PairKey particles;
     /// With t how far the two have travelled, their gap is at least
     /// `least` - t and at most `most` + t [m].
     double least = 0., most = 0.;
   };
-  static Candidate between_spheres(const Particles &particles,
+  static Candidate between_spheres(const ParticleSystem &particles,
                                    const PairKey &pair, double travelled);
 
-  void search(const Particles &particles, ContactGeometry geometry,
+  void search(const ParticleSystem &particles, ContactGeometry geometry,
               double range, const Travel &travel);
 
   std::vector<Candidate> candidates; ///< sorted

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/packing/random.h>
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 
 namespace dem
 {
@@ -10,30 +10,30 @@ namespace detail
 struct LogShape;
 }
 
-/// New stones with the statistics of a sample (docs/theory/shape.md). In its
-/// principal frame log r of a stone is that of its ellipsoid of inertia and a
-/// series. Mirror images count as stones as well: so the coefficients fall into
-/// eight classes by parity in x, y, z, which are independent, and all but the
-/// even class have mean zero. Degrees 1 to 4 are normal within their class with
-/// the covariance of the sample; in the even class with them go elongation,
-/// flatness and the logarithm of the amplitude of the higher degrees, which
-/// have random phases and the mean spectrum of the sample. The values of the
-/// series get the mean quantiles of the sample.
+/// New particles with the statistics of a sample (docs/theory/shape.md). In its
+/// principal frame log r of a particle is that of its ellipsoid of inertia and
+/// a series. Mirror images count as particles as well: so the coefficients fall
+/// into eight classes by parity in x, y, z, which are independent, and all but
+/// the even class have mean zero. Degrees 1 to 4 are normal within their class
+/// with the covariance of the sample; in the even class with them go
+/// elongation, flatness and the logarithm of the amplitude of the higher
+/// degrees, which have random phases and the mean spectrum of the sample. The
+/// values of the series get the mean quantiles of the sample.
 class ShapeGenerator
 {
 public:
   /// Throws std::invalid_argument with fewer than three shapes, an order of the
-  /// stones below 5 or above max_order, or a shape of an order below 4.
+  /// particles below 5 or above max_order, or a shape of an order below 4.
   ShapeGenerator(std::span<const Coefficients> sample, int order);
 
-  /// The next stone: star-shaped, its volume that of a sphere of radius
-  /// `equivalent_radius()`, its centroid at the origin, long axis x, short
-  /// axis z (nearly). The same for the same state of the random numbers.
+  /// The next particle: star-shaped, its volume that of a sphere of radius
+  /// `volume_equivalent_radius()`, its centroid at the origin, long axis x,
+  /// short axis z (nearly). The same for the same state of the random numbers.
   Coefficients operator()(Random &random) const;
 
   /// Geometric mean over the sample of the radius of the sphere of the same
   /// volume [m].
-  double equivalent_radius() const { return radius; }
+  double volume_equivalent_radius() const { return radius; }
 
 private:
   /// Numbers that are drawn together: mean + factor * normal numbers.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <dem/shape/body.h>
 #include <dem/shape/direction_grid.h>
+#include <dem/shape/particle_shape.h>
 
 #include <memory>
 #include <vector>

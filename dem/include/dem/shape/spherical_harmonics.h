@@ -17,7 +17,7 @@ constexpr int n_coefficients(int order)
 }
 
 /// Mean radius over a_00: Y_00 = 1 / sqrt(4 pi) [-].
-inline constexpr double ball_radius_factor =
+inline constexpr double equivalent_radius_factor =
     0.5 * std::numbers::inv_sqrtpi_v<double>;
 
 /// Place of the harmonic of degree n and order m, -n <= m <= n, in a row of

@@ -33,7 +33,7 @@ bool has(const std::string &text, const std::string &part)
   return text.find(part) != std::string::npos;
 }
 
-/// Two stones, four samples a cycle, three cycles; made-up numbers.
+/// Two particles, four samples a cycle, three cycles; made-up numbers.
 std::string made_up_history()
 {
   std::ostringstream out;
@@ -55,13 +55,13 @@ std::string made_up_history()
   return out.str();
 }
 
-void write_stones(const std::string &path, double loss)
+void write_particles(const std::string &path, double loss)
 {
   const std::vector<std::int64_t> ids{0, 1};
   const std::vector<dem::Vec3> positions{{0., 0., 0.}, {0.02, 0., 0.}};
   const std::vector<dem::Quaternion> orientations(2,
                                                   dem::Quaternion::Identity());
-  const std::vector<dem::Body> bodies(2);
+  const std::vector<dem::ParticleShape> bodies(2);
   const std::vector<double> radii(2, 0.01), losses{0., loss};
   dem::write_surfaces(path, {.id = ids,
                              .position = positions,
@@ -76,7 +76,7 @@ void write_stones(const std::string &path, double loss)
 
 const char *const summary =
     R"({"kind": "dynamic_triaxial", "title": "Test <b>&</b>",
-  "lateral": "membrane", "n_stones": 2, "n_breakable": 2,
+  "lateral": "membrane", "n_particles": 2, "n_breakable": 2,
   "permanent_axial_strain_1": 0.01234, "laa_percent": 0.0567,
   "coordination_start_1": 5.0, "coordination_end_1": 5.3,
   "coordination_change_1": 0.321, "n_events": 12,
@@ -110,8 +110,8 @@ protected:
   {
     const fs::path frames = folder / "run" / "frames";
     fs::create_directories(frames);
-    write_stones((frames / "surfaces_00000.vtu").string(), 0.);
-    write_stones((frames / "surfaces_00006.vtu").string(), 0.002);
+    write_particles((frames / "surfaces_00000.vtu").string(), 0.);
+    write_particles((frames / "surfaces_00006.vtu").string(), 0.002);
   }
 
   /// The path that the command prints.

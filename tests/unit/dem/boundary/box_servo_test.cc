@@ -13,8 +13,8 @@ namespace
 {
 dem::EngineParameters packing_parameters()
 {
-  dem::EngineParameters p; // the article's stones
-  p.stone.friction = 0.1;
+  dem::EngineParameters p; // the article's particles
+  p.particle.friction = 0.1;
   p.wall.normal_stiffness = 1e7;
   p.wall.shear_stiffness = 0.85e7;
   p.surface = p.wall;
@@ -39,13 +39,13 @@ TEST(BoxServo, CompactsSpheresToTheirStress)
 {
   dem::Random random(4);
   const auto bodies =
-      dem::draw_stones({{8e-3, 14e-3}, {0., 1.}}, 5e-5, {}, random);
+      dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, 5e-5, {}, random);
   const double side = std::cbrt(5e-5 / 0.3);
-  const auto places = dem::insert_stones(
+  const auto places = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
   dem::Engine engine(packing_parameters());
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+    engine.add_particle(bodies[k], places[k].position, places[k].orientation);
   const dem::BoxPlanes box =
       dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3::Constant(side));
   dem::BoxServo servo(box, {});
@@ -117,9 +117,9 @@ TEST(BoxServo, SpeedIsTiedToTheSearchMargin)
               1e-9);
 }
 
-// Without stones the error is the target e, and a wall takes L e / (100 T |e|).
-// After t = T it has summed t / (2 T) e, so against -e it goes at half of that;
-// a wall that was as fast as it may be has summed nothing.
+// Without particles the error is the target e, and a wall takes L e / (100 T
+// |e|). After t = T it has summed t / (2 T) e, so against -e it goes at half of
+// that; a wall that was as fast as it may be has summed nothing.
 TEST(BoxServo, SaturatedWallSumsNothing)
 {
   const auto speed_back = [](double max_speed)
@@ -140,7 +140,7 @@ TEST(BoxServo, SaturatedWallSumsNothing)
   EXPECT_EQ(speed_back(7.), -7.); // 5 if it had summed
 }
 
-// No stone, no stress: the planes close at no more than their top speed, and
+// No particle, no stress: the planes close at no more than their top speed, and
 // an axis that is let go stands still.
 TEST(BoxServo, SpeedIsLimitedAndReleased)
 {
@@ -205,14 +205,14 @@ TEST(BoxServo, CompactsSpheresIntoACylinder)
 {
   dem::Random random(4);
   const auto bodies =
-      dem::draw_stones({{8e-3, 14e-3}, {0., 1.}}, 5e-5, {}, random);
+      dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, 5e-5, {}, random);
   const double diameter = std::cbrt(5e-5 / 0.25 * 2. / std::numbers::pi);
   const dem::Vec3 upper(diameter, diameter, 2. * diameter);
-  const auto places = dem::insert_stones(
+  const auto places = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), upper, false, true}, random);
   dem::Engine engine(packing_parameters());
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+    engine.add_particle(bodies[k], places[k].position, places[k].orientation);
   const dem::SpecimenWalls walls =
       dem::add_cylinder(engine, dem::Vec3::Zero(), upper);
   dem::BoxServo servo(walls, {.speed_share = {0.5, 0.5, 1.}});
@@ -261,12 +261,12 @@ struct Packing
   {
     dem::Random random(seed);
     const auto bodies =
-        dem::draw_stones({{8e-3, 14e-3}, {0., 1.}}, 8e-5, {}, random);
+        dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, 8e-5, {}, random);
     const dem::Vec3 upper = dem::Vec3::Constant(std::cbrt(8e-5 / 0.3));
     const auto places =
-        dem::insert_stones(bodies, {dem::Vec3::Zero(), upper}, random);
+        dem::insert_particles(bodies, {dem::Vec3::Zero(), upper}, random);
     for (std::size_t k = 0; k < bodies.size(); ++k)
-      engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+      engine.add_particle(bodies[k], places[k].position, places[k].orientation);
     box = dem::add_box(engine, dem::Vec3::Zero(), upper);
     servo = dem::BoxServo(box, parameters);
     for (int d = 0; d < 3; ++d)

@@ -11,7 +11,7 @@
 using dem::FacetShares;
 using dem::FacetSurface;
 using dem::FacetTopology;
-using dem::FacetTouch;
+using dem::NearestFacetPoint;
 using dem::PressedBall;
 using dem::Vec3;
 
@@ -55,17 +55,18 @@ FacetSurface groove(double slope)
 
 struct Touches
 {
-  std::vector<FacetTouch> touch;
+  std::vector<NearestFacetPoint> touch;
   std::vector<FacetShares> shares;
 };
 
 Touches touches_of(const FacetSurface &surface, const PressedBall &ball)
 {
   const FacetTopology topology(surface);
-  std::vector<FacetTouch> near;
+  std::vector<NearestFacetPoint> near;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    near.push_back(dem::nearest_touch(surface, std::int32_t(t), ball.centre));
+    near.push_back(
+        dem::nearest_on_facet(surface, std::int32_t(t), ball.centre));
     if (near.back().distance >= 1.2 * ball.radius)
       near.pop_back();
   }
@@ -262,7 +263,7 @@ TEST(FacetShares, WeightsMeetBelowTheCentre)
       if (shares.of.empty())
         continue;
       ++n_shared;
-      const FacetTouch &touch = found.touch[t];
+      const NearestFacetPoint &touch = found.touch[t];
       EXPECT_NEAR(whole, 1., 1e-13);
       EXPECT_LT((along - touch.direction).norm(), 1e-13);
       EXPECT_LT((point - touch.nearest.point).norm(), 1e-13);

@@ -9,8 +9,8 @@
 
 using dem::FacetSurface;
 using dem::FacetTopology;
-using dem::FacetTouch;
 using dem::Feature;
+using dem::NearestFacetPoint;
 using dem::Vec3;
 
 namespace
@@ -81,26 +81,26 @@ FacetSurface folded(double fold)
   return surface;
 }
 
-std::vector<FacetTouch> find_touches(const FacetSurface &surface,
-                                     const FacetTopology &topology,
-                                     const std::vector<std::int32_t> &triangles,
-                                     const Vec3 &x, double reach)
+std::vector<NearestFacetPoint>
+find_nearest_points(const FacetSurface &surface, const FacetTopology &topology,
+                    const std::vector<std::int32_t> &triangles, const Vec3 &x,
+                    double reach)
 {
-  std::vector<FacetTouch> touches;
+  std::vector<NearestFacetPoint> touches;
   for (const std::int32_t triangle : triangles)
-    touches.push_back(dem::nearest_touch(surface, triangle, x));
-  std::erase_if(touches, [reach](const FacetTouch &touch)
+    touches.push_back(dem::nearest_on_facet(surface, triangle, x));
+  std::erase_if(touches, [reach](const NearestFacetPoint &touch)
                 { return !(touch.distance < reach); });
   dem::keep_minima(surface, topology, x, touches);
   return touches;
 }
 
-std::vector<FacetTouch> touches_of(const FacetSurface &surface, const Vec3 &x,
-                                   double reach)
+std::vector<NearestFacetPoint> touches_of(const FacetSurface &surface,
+                                          const Vec3 &x, double reach)
 {
   std::vector<std::int32_t> all(surface.triangles.size());
   std::iota(all.begin(), all.end(), 0);
-  return find_touches(surface, FacetTopology(surface), all, x, reach);
+  return find_nearest_points(surface, FacetTopology(surface), all, x, reach);
 }
 
 /// One touch straight below a centre at this height. Round-off is 1e-16 of
@@ -108,7 +108,7 @@ std::vector<FacetTouch> touches_of(const FacetSurface &surface, const Vec3 &x,
 /// the centre, may be given as the point of the edge.
 void expect_one_below(const FacetSurface &plane, const Vec3 &x)
 {
-  const std::vector<FacetTouch> touches =
+  const std::vector<NearestFacetPoint> touches =
       touches_of(moved(plane), moved(x), 1.);
   ASSERT_EQ(touches.size(), 1U) << x.transpose();
   EXPECT_NEAR(touches[0].distance, x.z(), 1e-14);
@@ -118,7 +118,7 @@ void expect_one_below(const FacetSurface &plane, const Vec3 &x)
 }
 } // namespace
 
-TEST(FacetTouches, FanIsAPlane)
+TEST(NearestFacetPoints, FanIsAPlane)
 {
   for (const int n : {3, 4, 5, 6, 7, 12})
   {
@@ -141,7 +141,7 @@ TEST(FacetTouches, FanIsAPlane)
 }
 
 // Two triangles: a square with its diagonal.
-TEST(FacetTouches, SquareOfTwoIsAPlane)
+TEST(NearestFacetPoints, SquareOfTwoIsAPlane)
 {
   for (const int diagonals : {0, 1})
     for (const double t : {-0.5, 0., 0.25})
@@ -152,7 +152,7 @@ TEST(FacetTouches, SquareOfTwoIsAPlane)
 }
 
 // From face to edge to vertex to face: distance and direction never change.
-TEST(FacetTouches, RollingOverSixTriangles)
+TEST(NearestFacetPoints, RollingOverSixTriangles)
 {
   for (int k = -200; k <= 200; ++k)
   {
@@ -164,7 +164,7 @@ TEST(FacetTouches, RollingOverSixTriangles)
   }
 }
 
-TEST(FacetTouches, AnotherTriangulationIsTheSamePlane)
+TEST(NearestFacetPoints, AnotherTriangulationIsTheSamePlane)
 {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-0.9, 0.9);
@@ -180,13 +180,13 @@ TEST(FacetTouches, AnotherTriangulationIsTheSamePlane)
   }
 }
 
-TEST(FacetTouches, RidgeAndRimAreFound)
+TEST(NearestFacetPoints, RidgeAndRimAreFound)
 {
   // A ridge of 2 x 30 degrees, seen from straight above it.
   const FacetSurface ridge = moved(folded(-std::numbers::pi / 3.));
   const Vec3 up(std::sin(std::numbers::pi / 6.), 0.,
                 std::cos(std::numbers::pi / 6.));
-  const std::vector<FacetTouch> touches =
+  const std::vector<NearestFacetPoint> touches =
       touches_of(ridge, moved(Vec3(0., 0.2, 0.) + 0.3 * up), 1.);
   ASSERT_EQ(touches.size(), 1U);
   EXPECT_EQ(touches[0].nearest.feature, Feature::edge);
@@ -194,12 +194,12 @@ TEST(FacetTouches, RidgeAndRimAreFound)
   EXPECT_LE((touches[0].direction + turn * up).norm(), 1e-13);
 
   // Beside a rim, and beside a corner of the rim.
-  const std::vector<FacetTouch> rim =
+  const std::vector<NearestFacetPoint> rim =
       touches_of(moved(grid(2, 2)), moved(Vec3(1.3, 0.4, 0.4)), 1.);
   ASSERT_EQ(rim.size(), 1U);
   EXPECT_EQ(rim[0].nearest.feature, Feature::edge);
   EXPECT_NEAR(rim[0].distance, 0.5, 1e-14);
-  const std::vector<FacetTouch> corner =
+  const std::vector<NearestFacetPoint> corner =
       touches_of(moved(grid(2, 0)), moved(Vec3(1.2, 1.2, 0.1)), 1.);
   ASSERT_EQ(corner.size(), 1U);
   EXPECT_EQ(corner[0].nearest.feature, Feature::vertex);
@@ -207,7 +207,7 @@ TEST(FacetTouches, RidgeAndRimAreFound)
 }
 
 // The tip of a pyramid of n sides, from all directions of its normal cone.
-TEST(FacetTouches, TipIsFound)
+TEST(NearestFacetPoints, TipIsFound)
 {
   for (const int n : {3, 4, 6, 9})
   {
@@ -217,7 +217,7 @@ TEST(FacetTouches, TipIsFound)
     for (const Vec3 &arm :
          {Vec3(0., 0., 0.3), Vec3(0.05, 0.02, 0.3), Vec3(-0.1, 0.05, 0.25)})
     {
-      const std::vector<FacetTouch> touches =
+      const std::vector<NearestFacetPoint> touches =
           touches_of(moved(tip), moved(arm), 1.);
       ASSERT_EQ(touches.size(), 1U);
       EXPECT_EQ(touches[0].nearest.feature, Feature::vertex);
@@ -226,10 +226,10 @@ TEST(FacetTouches, TipIsFound)
   }
 }
 
-TEST(FacetTouches, ValleyGivesTwoOrOne)
+TEST(NearestFacetPoints, ValleyGivesTwoOrOne)
 {
   // 90 degrees: one touch per wall, the nearer first.
-  const std::vector<FacetTouch> two = touches_of(
+  const std::vector<NearestFacetPoint> two = touches_of(
       moved(folded(0.5 * std::numbers::pi)), moved(Vec3(-0.3, 0.1, 0.2)), 1.);
   ASSERT_EQ(two.size(), 2U);
   EXPECT_NEAR(two[0].distance, 0.2, 1e-14);
@@ -237,13 +237,13 @@ TEST(FacetTouches, ValleyGivesTwoOrOne)
   EXPECT_LE((two[0].direction + turn.col(2)).norm(), 1e-13);
   EXPECT_LE((two[1].direction - turn.col(0)).norm(), 1e-13);
   // 30 degrees: one smooth patch, its nearest point.
-  const std::vector<FacetTouch> one = touches_of(
+  const std::vector<NearestFacetPoint> one = touches_of(
       moved(folded(std::numbers::pi / 6.)), moved(Vec3(-0.05, 0.1, 0.3)), 1.);
   ASSERT_EQ(one.size(), 1U);
   EXPECT_LT(one[0].distance, 0.3);
 }
 
-TEST(FacetTouches, CornerOfABoxGivesThree)
+TEST(NearestFacetPoints, CornerOfABoxGivesThree)
 {
   FacetSurface box;
   for (int k = 0; k < 8; ++k)
@@ -252,7 +252,7 @@ TEST(FacetTouches, CornerOfABoxGivesThree)
   box.triangles = {{0, 3, 1}, {0, 2, 3}, {4, 5, 7}, {4, 7, 6},
                    {0, 1, 5}, {0, 5, 4}, {2, 7, 3}, {2, 6, 7},
                    {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  const std::vector<FacetTouch> touches =
+  const std::vector<NearestFacetPoint> touches =
       touches_of(moved(box), moved(Vec3(0.2, 0.3, 0.1)), 0.45);
   ASSERT_EQ(touches.size(), 3U);
   EXPECT_NEAR(touches[0].distance, 0.1, 1e-14);
@@ -261,7 +261,7 @@ TEST(FacetTouches, CornerOfABoxGivesThree)
   // The centre, on all diagonals' planes: six walls, six touches.
   EXPECT_EQ(touches_of(moved(box), moved(Vec3(0.5, 0.5, 0.5)), 0.6).size(), 6U);
   // Closed and outward: the normal of each wall is the direction to it.
-  for (const FacetTouch &touch : touches)
+  for (const NearestFacetPoint &touch : touches)
   {
     const auto &t =
         box.triangles[static_cast<std::size_t>(touch.nearest.triangle)];
@@ -274,7 +274,7 @@ TEST(FacetTouches, CornerOfABoxGivesThree)
 
 // The global minimum is never lost, wherever the centre is, on a rough
 // surface; every touch is a minimum among its neighbourhood by sampling.
-TEST(FacetTouches, NearestIsNeverLost)
+TEST(NearestFacetPoints, NearestIsNeverLost)
 {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1., 1.);
@@ -300,8 +300,8 @@ TEST(FacetTouches, NearestIsNeverLost)
                       .point -
                   x)
                      .norm());
-    const std::vector<FacetTouch> touches =
-        find_touches(rough, topology, all, x, 5.);
+    const std::vector<NearestFacetPoint> touches =
+        find_nearest_points(rough, topology, all, x, 5.);
     ASSERT_FALSE(touches.empty());
     EXPECT_NEAR(touches[0].distance, least, 1e-15); // round-off
     for (std::size_t i = 0; i < touches.size(); ++i)
@@ -314,31 +314,31 @@ TEST(FacetTouches, NearestIsNeverLost)
   }
 }
 
-TEST(FacetTouches, ReachCandidatesAndOrderAreKept)
+TEST(NearestFacetPoints, ReachCandidatesAndOrderAreKept)
 {
   const FacetSurface plane = fan(6);
   EXPECT_TRUE(touches_of(plane, Vec3(0.2, 0.1, 0.5), 0.5).empty());
   EXPECT_EQ(touches_of(plane, Vec3(0.2, 0.1, 0.5), 0.5001).size(), 1U);
 
   const FacetTopology topology(plane);
-  EXPECT_TRUE(find_touches(plane, topology, {3}, Vec3(0.2, 0.1, 0.5), 1.)
+  EXPECT_TRUE(find_nearest_points(plane, topology, {3}, Vec3(0.2, 0.1, 0.5), 1.)
                   .empty()); // nearer ones share its vertex
 
   // The order of the candidates does not matter.
   const Vec3 above(0., 0., 0.5);
-  const std::vector<FacetTouch> one_way =
-                                    find_touches(plane, topology,
-                                                 {0, 1, 2, 3, 4, 5}, above, 1.),
-                                other_way =
-                                    find_touches(plane, topology,
-                                                 {5, 3, 4, 1, 2, 0}, above, 1.);
+  const std::vector<NearestFacetPoint> one_way = find_nearest_points(
+                                           plane, topology, {0, 1, 2, 3, 4, 5},
+                                           above, 1.),
+                                       other_way = find_nearest_points(
+                                           plane, topology, {5, 3, 4, 1, 2, 0},
+                                           above, 1.);
   ASSERT_EQ(one_way.size(), 1U);
   ASSERT_EQ(other_way.size(), 1U);
   EXPECT_EQ(one_way[0].nearest.triangle, other_way[0].nearest.triangle);
 }
 
 // A sliver in a coplanar mesh neither hides nor doubles a touch.
-TEST(FacetTouches, SliversAreHarmless)
+TEST(NearestFacetPoints, SliversAreHarmless)
 {
   for (const double height : {1e-2, 1e-4, 1e-6, 1e-7, 4e-9})
   {
@@ -352,7 +352,7 @@ TEST(FacetTouches, SliversAreHarmless)
       for (const double y : {-0.2, -height, 0., 0.3, 0.45, -0.5 * height})
       {
         SCOPED_TRACE(testing::Message() << height << " " << x << " " << y);
-        const std::vector<FacetTouch> touches =
+        const std::vector<NearestFacetPoint> touches =
             touches_of(moved(plane), moved(Vec3(x, y, 0.3)), 1.);
         ASSERT_EQ(touches.size(), 1U);
         // A sliver thinner than 1e-6 is its sides: off by its height at most.

@@ -146,7 +146,7 @@ TEST(SurfaceGuard, CrossingAgreesWithBruteForce)
   EXPECT_LT(n_crossed, 55);
 }
 
-TEST(SurfaceGuard, StoneIsOutsideWithItsCentre)
+TEST(SurfaceGuard, ParticleIsOutsideWithItsCentre)
 {
   for (const Vec3 &inside :
        {Vec3(0.05, 0.05, 0.05), Vec3(0.05, 0.05, 0.001),
@@ -165,7 +165,7 @@ TEST(SurfaceGuard, StoneIsOutsideWithItsCentre)
 }
 
 // Beside an open floor there is no outside.
-TEST(SurfaceGuard, RimLetsStonesPass)
+TEST(SurfaceGuard, RimLetsParticlesPass)
 {
   for (const double z : {0.005, -0.003})
   {

@@ -13,10 +13,10 @@ namespace
 {
 constexpr double kernel_floor = 2.5;
 
-Body stone(unsigned seed)
+ParticleShape particle(unsigned seed)
 {
-  return make_body(std::make_shared<const Coefficients>(random_stone(20, seed)),
-                   0.01);
+  return make_shape(
+      std::make_shared<const Coefficients>(random_particle(20, seed)), 0.01);
 }
 
 /// An event as a contact of this overlap on a corner of 5 mm makes it.
@@ -84,7 +84,7 @@ TEST(ApplySpall, RemovesExactlyTheVolume)
   for (const double overlap : {5e-5, 1e-4, 1e-3})
     for (const Vec3 &u : random_directions(5, 1))
     {
-      const Body body = stone(1);
+      const ParticleShape body = particle(1);
       const Spall spall = spall_at(u, overlap);
       const SpallResult result = apply_spall(body, spall, {kernel_floor});
       ASSERT_TRUE(result.is_accepted);
@@ -97,7 +97,7 @@ TEST(ApplySpall, RemovesExactlyTheVolume)
 
 TEST(ApplySpall, TakesThetaTimesKernelFromTheSeries)
 {
-  const Body body = stone(2);
+  const ParticleShape body = particle(2);
   const Vec3 u = random_directions(1, 2)[0];
   const SpallResult result = apply_spall(body, spall_at(u), {kernel_floor});
   const std::vector<double> spectrum = kernel_spectrum(result.width, 20);
@@ -120,7 +120,7 @@ TEST(ApplySpall, TakesThetaTimesKernelFromTheSeries)
 TEST(ApplySpall, DepthOnASphereIsTheClosedForm)
 {
   const double r = 0.02;
-  const Body body = own_body(sphere_series(20, r));
+  const ParticleShape body = shape_of(sphere_series(20, r));
   Spall spall = spall_at(Vec3::UnitY(), 1e-5);
   const SpallResult result = apply_spall(body, spall, {kernel_floor});
   const double mean = kernel_spectrum(result.width, 0)[0];
@@ -136,9 +136,11 @@ TEST(ApplySpall, DepthOnASphereIsTheClosedForm)
 
 TEST(ApplySpall, CopiesTheSeriesOnFirstBreakOnly)
 {
-  const auto shared = std::make_shared<const Coefficients>(random_stone(20, 3));
+  const auto shared =
+      std::make_shared<const Coefficients>(random_particle(20, 3));
   const Coefficients kept = *shared;
-  const Body first = make_body(shared, 0.01), second = make_body(shared, 0.02);
+  const ParticleShape first = make_shape(shared, 0.01),
+                      second = make_shape(shared, 0.02);
   const SpallResult result =
       apply_spall(first, spall_at(Vec3::UnitZ()), {kernel_floor});
   ASSERT_TRUE(result.is_accepted);
@@ -155,7 +157,7 @@ TEST(ApplySpall, CopiesTheSeriesOnFirstBreakOnly)
 
 TEST(ApplySpall, BluntsTheCornerAndKeepsTheOtherSide)
 {
-  const Body body = stone(4);
+  const ParticleShape body = particle(4);
   const Vec3 u = random_directions(1, 4)[0];
   const SpallResult result = apply_spall(body, spall_at(u), {kernel_floor});
   const Coefficients before = scaled_coefficients(body);
@@ -167,9 +169,9 @@ TEST(ApplySpall, BluntsTheCornerAndKeepsTheOtherSide)
   EXPECT_LT(mean_radius(result.body), mean_radius(body));
 }
 
-TEST(ApplySpall, RefusesMoreThanTheStoneCanGive)
+TEST(ApplySpall, RefusesMoreThanTheParticleCanGive)
 {
-  const Body body = stone(5);
+  const ParticleShape body = particle(5);
   Spall spall = spall_at(Vec3::UnitX());
   spall.volume = 0.9 * body.volume;
   const SpallResult result = apply_spall(body, spall, {kernel_floor});
@@ -196,7 +198,7 @@ TEST(KernelWidth, ScalesThePatch)
 TEST(ApplySpall, ClosureOfTheArticle)
 {
   const KernelRule rule{2.5, 1., DepthClosure::article};
-  const Body ball = own_body(sphere_series(20, 0.02));
+  const ParticleShape ball = shape_of(sphere_series(20, 0.02));
   const Spall spall = spall_at(Vec3::UnitY(), 1e-5);
   const SpallResult on_ball = apply_spall(ball, spall, rule);
   ASSERT_TRUE(on_ball.is_accepted);
@@ -205,7 +207,7 @@ TEST(ApplySpall, ClosureOfTheArticle)
               std::pow(0.02, 3) - 0.75 * spall.volume / std::numbers::pi,
               1e-14 * std::pow(0.02, 3));
 
-  const Body body = stone(4);
+  const ParticleShape body = particle(4);
   const SpallResult result = apply_spall(body, spall_at(Vec3::UnitX()), rule);
   ASSERT_TRUE(result.is_accepted);
   EXPECT_DOUBLE_EQ(result.removed_volume, body.volume - result.body.volume);
@@ -225,15 +227,15 @@ double overlap_at(double force, double gauss)
 }
 } // namespace
 
-// A stone that is pressed here and there by up to 12 N, in the end 24 N, and
+// A particle that is pressed here and there by up to 12 N, in the end 24 N, and
 // breaks where that is above 3 pi R G_c (200 J/m^2), until there have been ten
 // thousand events. What is booked is what is gone (sums of 1e-16 of the
-// volume), the volume falls every time, and the stone gets rounder.
-TEST(ApplySpall, TenThousandEventsOnOneStone)
+// volume), the volume falls every time, and the particle gets rounder.
+TEST(ApplySpall, TenThousandEventsOnOneParticle)
 {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> share(0., 1.);
-  Body body = stone(6);
+  ParticleShape body = particle(6);
   const auto roundness_now = [&]
   { return roundness(scaled_coefficients(body), standard_quadrature()); };
   const double start = body.volume;

@@ -51,12 +51,12 @@ TEST(SideColumns, ExpansionMovesWithThePlaceOfTheContact)
   side.hessian = {
       {{0.003f}, {-0.002f}, {0.001f}, {0.0007f}, {0.0004f}, {-0.0006f}}};
   side.offset = {{0.05f}, {0.08f}, {-0.03f}};
-  const dem::RadialExpansion there = side.expansion_at_spot(0);
+  const dem::RadialExpansion there = side.expansion_at_contact_point(0);
   const dem::Vec3 &s = there.direction;
   const auto radius = [&side](const dem::Vec3 &at) {
     return side.local_radius(0, {at.x(), at.y(), at.z()});
   };
-  EXPECT_NEAR((s - side.spot(0)).norm(), 0., 1e-15);
+  EXPECT_NEAR((s - side.contact_point(0)).norm(), 0., 1e-15);
   EXPECT_NEAR(there.radius, radius(s), 1e-15);
   EXPECT_NEAR(there.gradient.dot(s), 0., 1e-15);
   const dem::Vec3 along = s.cross(dem::Vec3::UnitX()).normalized();

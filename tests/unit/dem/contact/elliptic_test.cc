@@ -10,7 +10,7 @@
 
 namespace
 {
-const dem::Elasticity stone{.shear_modulus = 5e8, .poisson_ratio = 0.25};
+const dem::Elasticity particle{.shear_modulus = 5e8, .poisson_ratio = 0.25};
 const dem::Elasticity steel{.shear_modulus = 7.9e10, .poisson_ratio = 0.28};
 const dem::Elasticity rigid{.is_rigid = true};
 
@@ -35,17 +35,17 @@ std::string message_of(const dem::Elasticity &a, const dem::Elasticity &b)
 
 TEST(EllipticMix, SumsOverBothBodies)
 {
-  const dem::PairElasticity pair = dem::mix(stone, steel);
+  const dem::PairElasticity pair = dem::mix(particle, steel);
   // Round-off only.
   EXPECT_NEAR(pair.modulus, 1. / (0.375 / 5e8 + 0.36 / 7.9e10), 1e-6);
   EXPECT_DOUBLE_EQ(pair.compliance, 1. / 5e8 + 1. / 7.9e10);
   EXPECT_DOUBLE_EQ(pair.cross_compliance, 0.25 / 5e8 + 0.28 / 7.9e10);
-  EXPECT_DOUBLE_EQ(dem::mix(steel, stone).modulus, pair.modulus);
+  EXPECT_DOUBLE_EQ(dem::mix(steel, particle).modulus, pair.modulus);
 }
 
 TEST(EllipticMix, RigidBodyContributesNothing)
 {
-  const dem::PairElasticity pair = dem::mix(stone, rigid);
+  const dem::PairElasticity pair = dem::mix(particle, rigid);
   EXPECT_DOUBLE_EQ(pair.modulus, 4. / 3. * 1e9);
   EXPECT_DOUBLE_EQ(pair.compliance, 2e-9);
   EXPECT_DOUBLE_EQ(pair.cross_compliance, 5e-10);
@@ -56,13 +56,14 @@ TEST(EllipticMix, BadInputIsNamed)
   EXPECT_NE(message_of(rigid, rigid).find("both bodies"), std::string::npos);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double modulus : {0., -5e8, nan})
-    EXPECT_NE(message_of(stone, {.shear_modulus = modulus})
+    EXPECT_NE(message_of(particle, {.shear_modulus = modulus})
                   .find("a positive number is needed"),
               std::string::npos);
   for (const double ratio : {-1., 0.51, nan})
-    EXPECT_NE(message_of({.shear_modulus = 1e8, .poisson_ratio = ratio}, stone)
-                  .find("at most 0.5 is allowed"),
-              std::string::npos);
+    EXPECT_NE(
+        message_of({.shear_modulus = 1e8, .poisson_ratio = ratio}, particle)
+            .find("at most 0.5 is allowed"),
+        std::string::npos);
 }
 
 TEST(EllipticGap, SpheresAndCylinders)
@@ -106,14 +107,14 @@ TEST(EllipticGap, ParallelCylindersStayFinite)
       dem::gap_coefficients({100., 0., 100., 0., 1.});
   EXPECT_GT(gap.a, 0.);
   const dem::HertzPrefactors force =
-      dem::elliptic_table()(dem::mix(stone, stone), gap);
+      dem::elliptic_table()(dem::mix(particle, particle), gap);
   EXPECT_TRUE(std::isfinite(force.normal));
   EXPECT_TRUE(std::isfinite(force.tangential));
 }
 
 TEST(EllipticSolver, IntegralsAtTheEnds)
 {
-  const dem::PairElasticity pair = dem::mix(stone, stone);
+  const dem::PairElasticity pair = dem::mix(particle, particle);
   const dem::EllipticContact circle = dem::solve_elliptic(pair, {40., 40.});
   EXPECT_DOUBLE_EQ(circle.K, 0.5 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(circle.E, 0.5 * std::numbers::pi);
@@ -129,9 +130,9 @@ TEST(EllipticSolver, IntegralsAtTheEnds)
 // The worst of 2000 ratios is 2.4e-11; 1e-9 is the promise of the header.
 TEST(EllipticTable, FollowsTheExactSolution)
 {
-  for (const dem::Elasticity &other : {stone, steel, rigid})
+  for (const dem::Elasticity &other : {particle, steel, rigid})
   {
-    const dem::PairElasticity pair = dem::mix(stone, other);
+    const dem::PairElasticity pair = dem::mix(particle, other);
     for (int k = 0; k <= 2000; ++k)
     {
       const double ratio = std::exp(k / 2000. * std::log(1e4));
@@ -148,7 +149,7 @@ TEST(EllipticTable, FollowsTheExactSolution)
 
 TEST(EllipticTable, BeyondTheRangeIsTheEndOfTheRange)
 {
-  const dem::PairElasticity pair = dem::mix(stone, stone);
+  const dem::PairElasticity pair = dem::mix(particle, particle);
   const dem::EllipticTable &table = dem::elliptic_table();
   const dem::HertzPrefactors end = table(pair, {1e-2, 100.});
   const dem::HertzPrefactors beyond = table(pair, {1e-9, 100.});
@@ -160,8 +161,10 @@ TEST(EllipticTable, BeyondTheRangeIsTheEndOfTheRange)
 TEST(EllipticTable, ScalesAsTheEquationsSay)
 {
   const dem::EllipticTable &table = dem::elliptic_table();
-  const dem::HertzPrefactors base = table(dem::mix(stone, stone), {10., 70.});
-  const dem::HertzPrefactors sharp = table(dem::mix(stone, stone), {40., 280.});
+  const dem::HertzPrefactors base =
+      table(dem::mix(particle, particle), {10., 70.});
+  const dem::HertzPrefactors sharp =
+      table(dem::mix(particle, particle), {40., 280.});
   const dem::Elasticity stiff{.shear_modulus = 1e9, .poisson_ratio = 0.25};
   const dem::HertzPrefactors hard = table(dem::mix(stiff, stiff), {10., 70.});
   // Round-off only.

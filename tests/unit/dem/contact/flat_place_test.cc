@@ -1,10 +1,10 @@
-#include <dem/contact/wall_place.h>
+#include <dem/contact/wall_contact_point.h>
 
 #include <gtest/gtest.h>
 
 #include <shape/test_shapes.h>
 
-// Places where a stone is nearly flat: r = r0 (1 + a P2(cos theta)) has the
+// Places where a particle is nearly flat: r = r0 (1 + a P2(cos theta)) has the
 // curvature (1 + 4 a) / (r0 (1 + a)^2) at its poles.
 namespace
 {
@@ -13,9 +13,9 @@ using dem::Vec3;
 constexpr double size = 0.01, flatness = -0.248; // r0 [m], a [-]
 constexpr double pole = size * (1. + flatness);
 
-dem::Body flat_stone()
+dem::ParticleShape flat_particle()
 {
-  return dem::own_body(dem::test::project(
+  return dem::shape_of(dem::test::project(
       2, [](const Vec3 &s)
       { return size * (1. + flatness * (1.5 * s.z() * s.z() - 0.5)); }));
 }
@@ -31,37 +31,38 @@ constexpr double overlap = 1e-3 * size;
 
 TEST(FlatPlace, IsReachedAlongAPlane)
 {
-  const dem::Body stone = flat_stone();
+  const dem::ParticleShape particle = flat_particle();
   const dem::Support found =
-      dem::find_support(stone, Vec3::UnitZ(), beside(1., 0.1));
+      dem::find_support(particle, Vec3::UnitZ(), beside(1., 0.1));
   EXPECT_TRUE(found.is_found);
   EXPECT_NEAR(found.height, pole, 1e-9 * size);
 }
 
 TEST(FlatPlace, IsReachedOnAnEndOfADrum)
 {
-  const dem::Body stone = flat_stone();
+  const dem::ParticleShape particle = flat_particle();
   dem::Drum drum;
   drum.axis = Vec3::UnitZ();
   drum.radius = 0.1;
   drum.length = 0.2;
   const Vec3 position(0., 0., pole - overlap - 0.5 * drum.length);
-  dem::StoneView view(stone, position, dem::Mat3::Identity(), 0.);
-  dem::WallPlace start;
-  start.on_stone = beside(-1., 0.1);
-  const dem::WallPlace found =
-      dem::climb_drum(view, drum, dem::DrumPart::lower_end, start);
+  dem::ParticleView view(particle, position, dem::Mat3::Identity(), 0.);
+  dem::WallContactPoint start;
+  start.on_particle = beside(-1., 0.1);
+  const dem::WallContactPoint found =
+      dem::refine_on_drum(view, drum, dem::DrumPart::lower_end, start);
   EXPECT_TRUE(found.is_found);
   EXPECT_NEAR(found.overlap, overlap, 1e-9 * size);
 }
 
-TEST(FlatPlace, IsReachedBetweenStones)
+TEST(FlatPlace, IsReachedBetweenParticles)
 {
-  const dem::Body stone = flat_stone();
+  const dem::ParticleShape particle = flat_particle();
   const dem::RelativePose above{{0., 0., 2. * pole - overlap},
                                 dem::Mat3::Identity()};
-  const dem::Spot found = dem::polish(
-      stone, stone, above, {beside(1., 0.1), beside(-1., -0.1), 0., false});
+  const dem::ContactPoint found =
+      dem::refine(particle, particle, above,
+                  {beside(1., 0.1), beside(-1., -0.1), 0., false});
   EXPECT_TRUE(found.is_found);
   EXPECT_NEAR(found.overlap, overlap, 1e-9 * size);
 }
@@ -71,7 +72,7 @@ TEST(FlatPlace, IsReachedBetweenStones)
 // hollow in places.
 TEST(FlatPlace, SupportOfACubeIsFoundFromAside)
 {
-  const dem::Body cube = dem::make_body(
+  const dem::ParticleShape cube = dem::make_shape(
       std::make_shared<const dem::Coefficients>(dem::test::project(
           16, [](const Vec3 &s)
           { return 0.01 * std::pow(s.array().pow(4.).sum(), -0.25); })),

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-// The loops over contacts and stones: one set of digits for all instruction
+// The loops over contacts and particles: one set of digits for all instruction
 // sets, with a look at every step or none, and loads that come together in any
 // order of ranges.
 namespace
@@ -26,14 +26,14 @@ enum class Kind
   surface
 };
 
-/// Stones of many sizes that are thrown about in a box.
+/// Particles of many sizes that are thrown about in a box.
 dem::Engine shaken_box(Kind kind, std::size_t n)
 {
   const bool is_shaped = kind != Kind::spheres;
   const bool is_surface = kind == Kind::surface;
   dem::EngineParameters p;
   p.gravity = {0., 0., -9.81};
-  p.stone.rolling_friction = 0.2;
+  p.particle.rolling_friction = 0.2;
   p.wall.rolling_friction = 0.1;
   p.geometry.wall_geometry =
       is_surface ? dem::ContactGeometry::surface : dem::ContactGeometry::radial;
@@ -41,27 +41,27 @@ dem::Engine shaken_box(Kind kind, std::size_t n)
     p.geometry.geometry = dem::ContactGeometry::surface;
   p.breakage.fracture_energy = 10.;
   p.breakage.is_active = is_shaped;
-  const auto series =
-      std::make_shared<const dem::Coefficients>(dem::test::random_stone(12, 8));
+  const auto series = std::make_shared<const dem::Coefficients>(
+      dem::test::random_particle(12, 8));
   dem::Random random(5);
-  std::vector<dem::Body> bodies;
+  std::vector<dem::ParticleShape> bodies;
   for (std::size_t k = 0; k < n; ++k)
   {
     const double radius = 2e-3 + 4e-3 * random.uniform();
-    bodies.push_back(is_shaped ? dem::make_body(series, radius)
+    bodies.push_back(is_shaped ? dem::make_shape(series, radius)
                                : dem::make_sphere(radius));
   }
   std::sort(bodies.begin(), bodies.end(),
-            [](const dem::Body &a, const dem::Body &b)
+            [](const dem::ParticleShape &a, const dem::ParticleShape &b)
             { return a.volume > b.volume; });
   const double side = 0.016 * std::cbrt(static_cast<double>(n));
-  const auto places = dem::insert_stones(
+  const auto places = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side), is_surface},
       random);
   dem::Engine engine(p);
   for (std::size_t k = 0; k < n; ++k)
   {
-    engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+    engine.add_particle(bodies[k], places[k].position, places[k].orientation);
     for (int d = 0; d < 3; ++d)
       engine.particles().velocity(k)[d] = 4. * (random.uniform() - 0.5);
   }
@@ -75,10 +75,10 @@ dem::Engine shaken_box(Kind kind, std::size_t n)
 
 bool is_same(const dem::Engine &a, const dem::Engine &b)
 {
-  const dem::Particles &one = a.particles(), &two = b.particles();
+  const dem::ParticleSystem &one = a.particles(), &two = b.particles();
   return one.id == two.id &&
          std::memcmp(one.state.data(), two.state.data(),
-                     one.size() * sizeof(dem::StoneState)) == 0;
+                     one.size() * sizeof(dem::ParticleState)) == 0;
 }
 
 using Step = void (dem::Engine::*)(double time_step);
@@ -97,8 +97,8 @@ void pass_through(dem::Engine &engine, Step step)
   engine.particles().velocity(3).x() += 1.;
   run(500);
   // Too small to meet any other in its corner.
-  engine.add_stone(dem::make_sphere(1e-4), dem::Vec3::Constant(3e-4),
-                   dem::Quaternion::Identity());
+  engine.add_particle(dem::make_sphere(1e-4), dem::Vec3::Constant(3e-4),
+                      dem::Quaternion::Identity());
   run(99);
   engine.come_to_rest();
   run(99);
@@ -119,7 +119,7 @@ void expect_same(const dem::Engine &a, const dem::Engine &b)
   EXPECT_TRUE(is_same(a, b));
 }
 
-/// The walls come nearer, so that many stones meet.
+/// The walls come nearer, so that many particles meet.
 void close_in(dem::Engine &engine)
 {
   for (dem::Plane &plane : engine.planes())
@@ -130,38 +130,39 @@ void close_in(dem::Engine &engine)
 double overlap_along_branch(const dem::Engine &engine, std::int32_t i,
                             std::int32_t j)
 {
-  const dem::Particles &stones = engine.particles();
+  const dem::ParticleSystem &particles = engine.particles();
   const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-  const dem::Vec3 branch = stones.position(b) - stones.position(a);
-  const auto reach = [&stones](std::size_t k, const dem::Vec3 &direction)
+  const dem::Vec3 branch = particles.position(b) - particles.position(a);
+  const auto reach = [&particles](std::size_t k, const dem::Vec3 &direction)
   {
-    const dem::Body &body = stones.body[k];
+    const dem::ParticleShape &body = particles.shape[k];
     return body.series
-               ? body.scale *
-                     dem::radius(*body.series,
-                                 stones.orientation(k).conjugate() * direction)
-               : stones.radius(k);
+               ? body.scale * dem::radius(*body.series,
+                                          particles.orientation(k).conjugate() *
+                                              direction)
+               : particles.radius(k);
   };
   const dem::Vec3 normal = branch.normalized();
   return reach(a, normal) + reach(b, -normal) - branch.norm();
 }
 
 /// Apart by some hundred micrometres along x, at rest.
-dem::Engine two_stones(Kind kind)
+dem::Engine two_particles(Kind kind)
 {
   dem::EngineParameters p;
   if (kind == Kind::surface)
     p.geometry.geometry = dem::ContactGeometry::surface;
   p.breakage.is_active = false;
-  const auto series =
-      std::make_shared<const dem::Coefficients>(dem::test::random_stone(12, 8));
-  const dem::Body body = kind == Kind::spheres ? dem::make_sphere(4e-3)
-                                               : dem::make_body(series, 4e-3);
+  const auto series = std::make_shared<const dem::Coefficients>(
+      dem::test::random_particle(12, 8));
+  const dem::ParticleShape body = kind == Kind::spheres
+                                      ? dem::make_sphere(4e-3)
+                                      : dem::make_shape(series, 4e-3);
   const double reach = body.circumscribed_radius;
   dem::Engine engine(p);
   for (const double side : {-1., 1.})
-    engine.add_stone(body, dem::Vec3(side * (reach + 1e-5), 0., 0.),
-                     dem::Quaternion::Identity());
+    engine.add_particle(body, dem::Vec3(side * (reach + 1e-5), 0., 0.),
+                        dem::Quaternion::Identity());
   return engine;
 }
 } // namespace
@@ -190,9 +191,9 @@ TEST(ContactLoops, EveryInstructionSetGivesTheSameDigits)
   dem::use_instruction_set(widest);
 }
 
-// Enough stones to be put in order of place: momentum and energy know nothing
-// of it, and each id keeps its body.
-TEST(ContactLoops, SortingInSpaceKeepsStonesAndEnergy)
+// Enough particles to be put in order of place: momentum and energy know
+// nothing of it, and each id keeps its body.
+TEST(ContactLoops, SortingInSpaceKeepsParticlesAndEnergy)
 {
   dem::Engine engine = shaken_box(Kind::spheres, 2200);
   std::vector<double> radius(engine.particles().size());
@@ -200,24 +201,25 @@ TEST(ContactLoops, SortingInSpaceKeepsStonesAndEnergy)
     radius[k] = engine.particles().radius(k);
   const double start = engine.energy().kinetic;
   support::advance(engine, 2e-6, 3000);
-  const dem::Particles &stones = engine.particles();
-  EXPECT_FALSE(std::is_sorted(stones.id.begin(), stones.id.end()));
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    EXPECT_EQ(stones.radius(k), radius[static_cast<std::size_t>(stones.id[k])]);
+  const dem::ParticleSystem &particles = engine.particles();
+  EXPECT_FALSE(std::is_sorted(particles.id.begin(), particles.id.end()));
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    EXPECT_EQ(particles.radius(k),
+              radius[static_cast<std::size_t>(particles.id[k])]);
   EXPECT_GT(engine.energy().damping, 1e-3 * start);
   // First order in the step: 3.5e-5, half of it with half of the step.
   EXPECT_NEAR((support::energy_residual(engine) + start) / start, 0., 1e-4);
 }
 
 // Contacts that stand in one range or in many: the sum of all forces on the
-// stones is what planes and gravity give, whatever the halo rows.
-TEST(ContactLoops, PairsPushBothStonesAlike)
+// particles is what planes and gravity give, whatever the halo rows.
+TEST(ContactLoops, PairsPushBothParticlesAlike)
 {
   dem::Engine engine = shaken_box(Kind::spheres, 1500);
   support::advance(engine, 2e-6, 3000);
   dem::Vec3 sum = dem::Vec3::Zero();
   double size = 0.;
-  for (const dem::StoneLoad &load : engine.particles().load)
+  for (const dem::ParticleLoad &load : engine.particles().load)
   {
     sum += load.force;
     size += load.force.norm();
@@ -237,7 +239,7 @@ TEST(ContactLoops, NoPairTouchesInItsSleep)
   {
     dem::Engine engine = shaken_box(kind, 150);
     close_in(engine);
-    std::int64_t n_touching = 0, n_asleep = 0;
+    std::int64_t n_touching = 0, n_inactive = 0;
     for (int round = 0; round < 100; ++round)
     {
       support::advance(engine, 2e-6, 10);
@@ -246,7 +248,7 @@ TEST(ContactLoops, NoPairTouchesInItsSleep)
       for (std::size_t k = 0; k < pairs.size(); ++k)
       {
         found[{pairs.a[k], pairs.b[k]}] = pairs.overlap[k];
-        n_asleep += pairs.wake[k] > 0.;
+        n_inactive += pairs.reactivation[k] > 0.;
       }
       const auto n = static_cast<std::int32_t>(engine.particles().size());
       for (std::int32_t i = 0; i < n; ++i)
@@ -262,31 +264,33 @@ TEST(ContactLoops, NoPairTouchesInItsSleep)
           }
     }
     EXPECT_GT(n_touching, 300);
-    EXPECT_GT(n_asleep, 1000);
+    EXPECT_GT(n_inactive, 1000);
   }
 }
 
-// Two stones that fly at each other without spin come nearer as fast as any two
-// can: a contact that slept one per cent too long would begin with an overlap
-// of many steps. Places of true surfaces sleep for a quarter of their gap.
-TEST(ContactLoops, StonesThatMeetHeadOnWakeInTime)
+// Two particles that fly at each other without spin come nearer as fast as any
+// two can: a contact that slept one per cent too long would begin with an
+// overlap of many steps. Places of true surfaces sleep for a quarter of their
+// gap.
+TEST(ContactLoops, ParticlesThatMeetHeadOnWakeInTime)
 {
   constexpr double speed = 1., step = 5e-9;
   for (const Kind kind : {Kind::spheres, Kind::radial, Kind::surface})
   {
-    dem::Engine engine = two_stones(kind);
+    dem::Engine engine = two_particles(kind);
     for (int d = 0; d < 2; ++d)
       engine.particles().velocity(d).x() = d == 0 ? speed : -speed;
     const auto closed = [&] { return 2. * speed * engine.time(); };
     const auto travelled = [&]
     {
-      const dem::Particles &stones = engine.particles();
-      return kind == Kind::spheres ? closed()
-                                   : stones.travelled[0] + stones.travelled[1];
+      const dem::ParticleSystem &particles = engine.particles();
+      return kind == Kind::spheres
+                 ? closed()
+                 : particles.travelled[0] + particles.travelled[1];
     };
     struct Sleep
     {
-      double closed, length, wake; // [m]
+      double closed, length, reactivation; // [m]
     };
     std::vector<Sleep> sleeps;
     while (engine.pairs().size() == 0 || !engine.pairs().is_touching(0))
@@ -295,9 +299,9 @@ TEST(ContactLoops, StonesThatMeetHeadOnWakeInTime)
       engine.advance(step);
       if (engine.pairs().size() == 0)
         continue;
-      const double wake = engine.pairs().wake[0];
-      if (sleeps.empty() || wake != sleeps.back().wake)
-        sleeps.push_back({closed(), wake - travelled(), wake});
+      const double reactivation = engine.pairs().reactivation[0];
+      if (sleeps.empty() || reactivation != sleeps.back().reactivation)
+        sleeps.push_back({closed(), reactivation - travelled(), reactivation});
     }
     EXPECT_LT(engine.pairs().overlap[0], 2.01 * speed * step);
     double longest = 0.; // share of the gap
@@ -308,9 +312,9 @@ TEST(ContactLoops, StonesThatMeetHeadOnWakeInTime)
   }
 }
 
-// A step far beyond what contacts bear throws the stones out: that is said
+// A step far beyond what contacts bear throws the particles out: that is said
 // before their places are no numbers.
-TEST(MotionLoops, StonesThatLeapStopTheRun)
+TEST(MotionLoops, ParticlesThatLeapStopTheRun)
 {
   dem::Engine engine = shaken_box(Kind::spheres, 60);
   try
@@ -337,7 +341,7 @@ TEST(MotionLoops, ParticleWithoutFinitePositionStopsTheRun)
       {
         dem::Engine engine = shaken_box(kind, 60);
         engine.advance(1e-6);
-        dem::Particles &particles = engine.particles();
+        dem::ParticleSystem &particles = engine.particles();
         const double none = std::numeric_limits<double>::quiet_NaN();
         (what == 0   ? particles.position(which)
          : what == 1 ? particles.velocity(which)
@@ -361,10 +365,10 @@ TEST(MotionLoops, ParticleWithoutFinitePositionStopsTheRun)
 TEST(MotionLoops, ParticlesAreAddedAtFinitePlacesOnly)
 {
   dem::Engine engine = shaken_box(Kind::spheres, 8);
-  const dem::Body body = engine.particles().body[0];
+  const dem::ParticleShape body = engine.particles().shape[0];
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(engine.add_stone(body, dem::Vec3(0., none, 0.),
-                                dem::Quaternion::Identity()),
+  EXPECT_THROW(engine.add_particle(body, dem::Vec3(0., none, 0.),
+                                   dem::Quaternion::Identity()),
                std::invalid_argument);
 }
 
@@ -375,17 +379,17 @@ TEST(MotionLoops, UnseenStepsGiveTheSameDigits)
   {
     dem::Engine seen = shaken_box(kind, 60), unseen = shaken_box(kind, 60);
     pass_through(seen, &dem::Engine::advance);
-    pass_through(unseen, &dem::Engine::advance_unseen);
+    pass_through(unseen, &dem::Engine::advance_deferred);
     expect_same(seen, unseen);
     EXPECT_GT(seen.energy().kinetic, 0.);
     EXPECT_EQ(seen.n_events() > 0, kind != Kind::spheres);
 
     seen.advance(2e-6);
-    unseen.advance_unseen(2e-6);
+    unseen.advance_deferred(2e-6);
     std::ostringstream out(std::ios::binary);
     unseen.save(out, {});
     dem::Engine other = shaken_box(kind, 60);
-    other.advance_unseen(2e-6); // owed by stones that are no more
+    other.advance_deferred(2e-6); // owed by particles that are no more
     std::istringstream in(out.str(), std::ios::binary);
     other.restore(in, {});
     expect_same(seen, other);

@@ -138,6 +138,6 @@ TEST(OverlapWatch, NoStopWhereParticlesMayEscape)
 {
   dem::Engine engine = make_engine(0.99 * overlap / small);
   add_pair(engine);
-  engine.let_strays_go();
+  engine.allow_escape();
   EXPECT_NO_THROW(engine.advance(still));
 }

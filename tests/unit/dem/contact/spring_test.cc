@@ -7,7 +7,7 @@
 
 namespace
 {
-const dem::Elasticity stone{.shear_modulus = 5e8, .poisson_ratio = 0.25};
+const dem::Elasticity particle{.shear_modulus = 5e8, .poisson_ratio = 0.25};
 const dem::Elasticity rigid{.is_rigid = true};
 
 void expect_relative(double value, double exact, double tolerance)
@@ -27,7 +27,7 @@ dem::NormalSpring<double> spring_of(const dem::HertzPrefactors &prefactors,
 TEST(HertzSpring, ForceAndTangentAreDerivatives)
 {
   const dem::HertzPrefactors prefactors =
-      dem::elliptic_table()(dem::mix(stone, rigid), {20., 130.});
+      dem::elliptic_table()(dem::mix(particle, rigid), {20., 130.});
   for (const double overlap : {1e-7, 1e-5, 1e-3})
   {
     const double h = 1e-4 * overlap;
@@ -47,7 +47,7 @@ TEST(HertzSpring, ForceAndTangentAreDerivatives)
 TEST(HertzSpring, NoOverlapNoForce)
 {
   const dem::HertzPrefactors prefactors =
-      dem::elliptic_table()(dem::mix(stone, rigid), {20., 130.});
+      dem::elliptic_table()(dem::mix(particle, rigid), {20., 130.});
   const dem::NormalSpring<double> spring = spring_of(prefactors, 0.);
   EXPECT_EQ(spring.force, 0.);
   EXPECT_EQ(spring.stiffness, 0.);

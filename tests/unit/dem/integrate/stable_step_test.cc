@@ -57,7 +57,7 @@ Rows rows_of(const SpringNetwork &network, std::size_t k, const Vec3 &e)
   {
     // e . (u + theta x l) = e . u + (l x e) . theta
     rows.motion.segment<3>(6 * body) += weight * e.transpose();
-    if (static_cast<std::size_t>(body) >= network.n_stones())
+    if (static_cast<std::size_t>(body) >= network.n_particles())
       return;
     rows.motion.segment<3>(6 * body + 3) += weight * lever.cross(e).transpose();
     rows.turning.segment<3>(6 * body + 3) += weight * e.transpose();
@@ -97,7 +97,7 @@ double dense_eigenvalue(const SpringNetwork &network, double dt)
   {
     const auto at = static_cast<Eigen::Index>(6 * i);
     root.segment<3>(at).setConstant(1. / std::sqrt(network.mass[i]));
-    if (i < network.n_stones())
+    if (i < network.n_particles())
       root.segment<3>(at + 3).setConstant(1. / std::sqrt(network.inertia[i]));
     else
       matrix.diagonal().segment<3>(at) +=
@@ -110,7 +110,8 @@ double dense_eigenvalue(const SpringNetwork &network, double dt)
       .maxCoeff();
 }
 
-/// Stones and points at random, each stone with some walls, stones and points.
+/// Particles and points at random, each particle with some walls, particles and
+/// points.
 SpringNetwork random_network(unsigned int seed)
 {
   std::mt19937 generator(seed);
@@ -129,18 +130,19 @@ SpringNetwork random_network(unsigned int seed)
     return s;
   };
   SpringNetwork network;
-  const std::int32_t n_stones = 12, n_points = 6;
-  for (int i = 0; i < n_stones; ++i)
+  const std::int32_t n_particles = 12, n_points = 6;
+  for (int i = 0; i < n_particles; ++i)
     add_body(network, between(1e-3, 1e-1), between(5e-3, 2e-2));
   for (int i = 0; i < n_points; ++i)
     network.mass.push_back(between(1e-4, 1e-2));
   network.point_frequency = between(0., 2e4);
-  for (std::int32_t i = 0; i < n_stones; ++i)
+  for (std::int32_t i = 0; i < n_particles; ++i)
   {
     const auto lever = [&] { return Vec3(between(5e-3, 2e-2) * direction()); };
     add(network, i, {}, lever(), Vec3::Zero(), springs());
     for (int n = 0; n < 3; ++n)
-      if (const auto other = static_cast<std::int32_t>(between(0., n_stones));
+      if (const auto other =
+              static_cast<std::int32_t>(between(0., n_particles));
           other != i)
       {
         const Vec3 l = lever();
@@ -148,7 +150,7 @@ SpringNetwork random_network(unsigned int seed)
             springs());
       }
     const auto point =
-        static_cast<std::int32_t>(n_stones + between(0., n_points - 1.));
+        static_cast<std::int32_t>(n_particles + between(0., n_points - 1.));
     add(network, i, {FarShare{point, 0.3}, FarShare{point + 1, 0.7}}, lever(),
         Vec3::Zero(), springs());
   }
@@ -173,7 +175,7 @@ TEST(StableStep, AgreesWithDenseMatrices)
 }
 
 // 1/m + l^2/I = 3.5/m; the rolling spring k_s l^2 makes it 3 + sqrt(6.5).
-TEST(StableStep, OneStoneOnOneWallIsExact)
+TEST(StableStep, OneParticleOnOneWallIsExact)
 {
   const double mass = 0.01, radius = 0.02, k = 1e6;
   for (const double rolling : {0., 1.})
@@ -202,8 +204,8 @@ TEST(StableStep, NormalDashpotTakesItsShare)
   EXPECT_NEAR(dem::sharp_step(network), exact, 1e-8 * exact);
 }
 
-// Two stones of different mass: 3.5 k_s / m*.
-TEST(StableStep, TwoStonesAreExact)
+// Two particles of different mass: 3.5 k_s / m*.
+TEST(StableStep, TwoParticlesAreExact)
 {
   const double m = 0.01, r = 0.02, k = 1e6;
   SpringNetwork network;
@@ -216,8 +218,8 @@ TEST(StableStep, TwoStonesAreExact)
   EXPECT_NEAR(dem::sharp_step(network), exact, 1e-8 * exact);
 }
 
-// Several stones on one node add up, which the gain of one contact misses.
-TEST(StableStep, StonesOnOnePointAddUp)
+// Several particles on one node add up, which the gain of one contact misses.
+TEST(StableStep, ParticlesOnOnePointAddUp)
 {
   const double node = 1e-5, k = 1e5;
   SpringNetwork network;
@@ -227,12 +229,12 @@ TEST(StableStep, StonesOnOnePointAddUp)
   for (std::int32_t i = 0; i < 4; ++i)
     add(network, i, {FarShare{4, 1.}}, 0.02 * Vec3::UnitX(), Vec3::Zero(), {k});
   const double exact = 2. / std::sqrt(4. * k / node);
-  // The stones are heavy, not fixed: 1e-8 of the mass.
+  // The particles are heavy, not fixed: 1e-8 of the mass.
   EXPECT_NEAR(dem::guaranteed_step(network).step, exact, 1e-6 * exact);
   EXPECT_NEAR(dem::sharp_step(network), exact, 1e-6 * exact);
   EXPECT_EQ(dem::guaranteed_step(network).body, 4);
   EXPECT_EQ(dem::describe_body(network, 4), "membrane node 0 of 0.01 g on 4 "
-                                            "stones");
+                                            "particles");
 }
 
 TEST(StableStep, NothingTouchesNothingLimits)

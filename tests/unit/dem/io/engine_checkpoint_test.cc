@@ -10,7 +10,7 @@
 #include <shape/test_shapes.h>
 #include <sstream>
 
-// A box of breakable stones between a piston and a lid of facets,
+// A box of breakable particles between a piston and a lid of facets,
 // servo-controlled: saved half way, it goes on to the last bit as if it had not
 // been.
 namespace
@@ -22,10 +22,10 @@ using Library = std::vector<std::shared_ptr<const dem::Coefficients>>;
 
 Library library()
 {
-  static const Library shapes = {
-      std::make_shared<const dem::Coefficients>(dem::test::random_stone(20, 3)),
-      std::make_shared<const dem::Coefficients>(
-          dem::test::random_stone(20, 4))};
+  static const Library shapes = {std::make_shared<const dem::Coefficients>(
+                                     dem::test::random_particle(20, 3)),
+                                 std::make_shared<const dem::Coefficients>(
+                                     dem::test::random_particle(20, 4))};
   return shapes;
 }
 
@@ -59,7 +59,7 @@ struct Scene
     engine.deactivate_plane(box[2][1]);
   }
 
-  /// Stones and lid; a scene to be restored has none yet.
+  /// Particles and lid; a scene to be restored has none yet.
   void fill()
   {
     std::vector<dem::Body> bodies;
@@ -68,11 +68,11 @@ struct Scene
                                   : dem::make_body(library()[k % 2],
                                                    0.004 + 2e-5 * double(k)));
     dem::Random random(2);
-    const auto places = dem::insert_stones(
+    const auto places = dem::insert_particles(
         bodies, {dem::Vec3::Zero(), dem::Vec3(side, side, side)}, random);
     for (std::size_t k = 0; k < bodies.size(); ++k)
     {
-      engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+      engine.add_particle(bodies[k], places[k].position, places[k].orientation);
       engine.particles().velocity(k) =
           2. * (dem::Vec3::Constant(0.5 * side) - places[k].position) / 0.01;
     }
@@ -136,10 +136,11 @@ void expect_same(const dem::ContactBatch &a, const dem::ContactBatch &b)
 
 void expect_same(const Scene &one, const Scene &two)
 {
-  const dem::Particles &a = one.engine.particles(), &b = two.engine.particles();
+  const dem::ParticleSystem &a = one.engine.particles(),
+                            &b = two.engine.particles();
   EXPECT_EQ(a.id, b.id);
   EXPECT_EQ(std::memcmp(a.state.data(), b.state.data(),
-                        a.size() * sizeof(dem::StoneState)),
+                        a.size() * sizeof(dem::ParticleState)),
             0);
   for (std::size_t i = 0; i < a.size(); ++i)
   {
@@ -203,7 +204,7 @@ TEST_P(EngineCheckpointOf, ContinuesBitForBit)
   // Breakage has made shapes of their own before and makes more after.
   EXPECT_GT(n_before, 0);
   for (const dem::SurfaceContacts &facets : unbroken.engine.surfaces())
-    EXPECT_FALSE(facets.candidates.stone.empty()) << facets.name;
+    EXPECT_FALSE(facets.candidates.particle.empty()) << facets.name;
 
   Scene resumed(GetParam());
   std::istringstream in(state, std::ios::binary);
@@ -226,7 +227,7 @@ TEST(EngineCheckpoint, SettingsComeBack)
   Scene resumed;
   std::istringstream in(scene.saved(), std::ios::binary);
   resumed.engine.restore(in, library());
-  EXPECT_EQ(resumed.engine.parameters().stone.friction, 0.123);
+  EXPECT_EQ(resumed.engine.parameters().particle.friction, 0.123);
   EXPECT_EQ(resumed.engine.parameters().local_damping, 0.67);
 }
 

@@ -35,12 +35,12 @@ vtkNew<vtkXMLUnstructuredGridReader> read(const std::string &path)
   return reader;
 }
 
-/// A sphere and a stone r = a_00 Y_00 + a_1,1 Y_1,1, turned by 90 degrees
+/// A sphere and a particle r = a_00 Y_00 + a_1,1 Y_1,1, turned by 90 degrees
 /// about z: its longest radius points to +y.
-class TwoStones : public testing::Test
+class TwoParticles : public testing::Test
 {
 protected:
-  TwoStones()
+  TwoParticles()
   {
     bodies[0].scale = 0.01;
     bodies[1].series =
@@ -72,11 +72,11 @@ protected:
   std::vector<dem::Quaternion> orientations{
       dem::Quaternion::Identity(),
       dem::Quaternion(Eigen::AngleAxisd(std::numbers::pi / 2., Vec3::UnitZ()))};
-  std::vector<dem::Body> bodies{2};
+  std::vector<dem::ParticleShape> bodies{2};
   std::vector<double> radii{0.01, 0.02}, masses{0.011, 0.09}, losses{0., 0.003};
 };
 
-TEST_F(TwoStones, ParticlesComeBackWithEveryField)
+TEST_F(TwoParticles, ParticlesComeBackWithEveryField)
 {
   const std::string path = scratch("particles.vtu");
   dem::write_particles(path, columns());
@@ -103,7 +103,7 @@ TEST_F(TwoStones, ParticlesComeBackWithEveryField)
   EXPECT_NEAR(value("orientation_wxyz", 3), std::sqrt(0.5), rounding);
 }
 
-TEST_F(TwoStones, SurfacesAreTheSeriesRotatedAndPlaced)
+TEST_F(TwoParticles, SurfacesAreTheSeriesRotatedAndPlaced)
 {
   const std::string path = scratch("surfaces.vtu");
   dem::write_surfaces(path, columns());
@@ -122,7 +122,7 @@ TEST_F(TwoStones, SurfacesAreTheSeriesRotatedAndPlaced)
   }
 }
 
-TEST_F(TwoStones, SurfacesCarryIdAndLossPerTriangleAndFaceOutward)
+TEST_F(TwoParticles, SurfacesCarryIdAndLossPerTriangleAndFaceOutward)
 {
   const std::string path = scratch("surfaces_data.vtu");
   dem::write_surfaces(path, columns());
@@ -134,11 +134,11 @@ TEST_F(TwoStones, SurfacesCarryIdAndLossPerTriangleAndFaceOutward)
   double volume = 0.;
   for (vtkIdType k = 0; k < grid->GetNumberOfCells(); ++k)
   {
-    const std::size_t stone = k < 1280 ? 0 : 1;
-    EXPECT_EQ(ids_read->GetTuple1(k), static_cast<double>(ids[stone]));
-    EXPECT_NEAR(losses_read->GetTuple1(k), losses[stone], rounding);
+    const std::size_t particle = k < 1280 ? 0 : 1;
+    EXPECT_EQ(ids_read->GetTuple1(k), static_cast<double>(ids[particle]));
+    EXPECT_NEAR(losses_read->GetTuple1(k), losses[particle], rounding);
     vtkPoints *corners = grid->GetCell(k)->GetPoints();
-    if (stone == 0)
+    if (particle == 0)
       volume += Vec3(corners->GetPoint(0))
                     .dot(Vec3(corners->GetPoint(1))
                              .cross(Vec3(corners->GetPoint(2)))) /
@@ -158,7 +158,7 @@ TEST(VtkOutput, ContactsAreLinesWithForces)
        .normal_force = 12.,
        .shear_force = 3.,
        .overlap = 1e-5,
-       .kind = dem::ContactKind::stone_facet}};
+       .kind = dem::ContactKind::particle_facet}};
   const std::string path = scratch("contacts.vtu");
   dem::write_contacts(path, contacts);
   const auto reader = read(path);
@@ -175,15 +175,15 @@ TEST(VtkOutput, ContactsAreLinesWithForces)
   EXPECT_EQ(at_ends->GetTuple1(2), 12.);
 }
 
-// A quarter turn after it pointed up the shelf of a drum about y points to +x.
-TEST(VtkOutput, DrumTurnsWithItsShelf)
+// A quarter turn after it pointed up the lifter of a drum about y points to +x.
+TEST(VtkOutput, DrumTurnsWithItsLifter)
 {
   dem::Drum drum;
   drum.centre = {0.1, 0.2, 0.3};
   drum.radius = 0.5;
   drum.length = 0.4;
-  drum.shelf_height = 0.1;
-  drum.shelf_thickness = 0.02;
+  drum.lifter_height = 0.1;
+  drum.lifter_thickness = 0.02;
   drum.angle = 0.5 * std::numbers::pi;
   const std::string path = scratch("drum.vtu");
   dem::write_drum(path, drum);
@@ -196,10 +196,10 @@ TEST(VtkOutput, DrumTurnsWithItsShelf)
     const Vec3 arm = Vec3(grid->GetPoint(k)) - drum.centre;
     EXPECT_NEAR(std::abs(arm.y()), 0.2, rounding);
     const double distance = std::hypot(arm.x(), arm.z());
-    const bool is_of_shelf = std::abs(distance - 0.5) > rounding;
-    n_tip += is_of_shelf && std::abs(arm.x() - 0.4) < rounding &&
+    const bool is_of_lifter = std::abs(distance - 0.5) > rounding;
+    n_tip += is_of_lifter && std::abs(arm.x() - 0.4) < rounding &&
              std::abs(std::abs(arm.z()) - 0.01) < rounding;
-    EXPECT_TRUE(!is_of_shelf || arm.x() > 0.39) << arm.transpose();
+    EXPECT_TRUE(!is_of_lifter || arm.x() > 0.39) << arm.transpose();
   }
   EXPECT_EQ(n_tip, 4);
 }

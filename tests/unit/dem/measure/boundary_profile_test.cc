@@ -136,7 +136,7 @@ TEST(BoundaryProfile, OfASimpleCubicPacking)
   const auto packing = packings::touching(packings::simple_cubic(n), same);
   const dem::Outline box = dem::outline_of(
       dem::prism_of(dem::Vec3::Zero(), dem::Vec3::Constant(side)), 20 * n);
-  const auto profile = dem::boundary_profile(packing.stones, packing.network,
+  const auto profile = dem::boundary_profile(packing.particles, packing.network,
                                              box, {0.4 * radius, 2. * radius});
   const std::vector<double> thrown = thrown_porosities(n, 15, 0.4 * radius);
   ASSERT_EQ(profile.platens.porosity.size(), 15u);
@@ -152,8 +152,8 @@ TEST(BoundaryProfile, OfASimpleCubicPacking)
     // Some 1e5 random points in a layer: three times 0.5 / sqrt(1e5).
     EXPECT_NEAR(profile.lateral.porosity[k], thrown[k], 5e-3);
   }
-  // Stones at the wall have five neighbours (one fewer each at an edge of two
-  // walls), those inside six.
+  // Particles at the wall have five neighbours (one fewer each at an edge of
+  // two walls), those inside six.
   for (const dem::LayerProfile &layers : {profile.lateral, profile.platens})
   {
     EXPECT_NEAR(layers.coordination[7], 6., 1e-12);
@@ -166,7 +166,7 @@ TEST(BoundaryProfile, OfASimpleCubicPacking)
   EXPECT_NEAR(profile.porosity, porosity, 1e-3);
   EXPECT_NEAR(profile.porosity_inside, porosity, 2e-3);
   EXPECT_NEAR(profile.porosity_skin, porosity, 2e-3);
-  // The skin at the side without those at the platens: one stone deep.
+  // The skin at the side without those at the platens: one particle deep.
   EXPECT_NEAR(profile.coordination_skin, (16. * 5. + 4. * 4.) / 20., 1e-12);
   EXPECT_NEAR(profile.coordination_inside, 6., 1e-12);
 }
@@ -178,8 +178,8 @@ TEST(BoundaryProfile, OfAFaceCentredPackingIsItsPorosity)
   const dem::Outline box = dem::outline_of(
       dem::prism_of(dem::Vec3::Constant(cell), dem::Vec3::Constant(3. * cell)),
       120);
-  const auto profile =
-      dem::boundary_profile(packing.stones, packing.network, box, {cell, 0.});
+  const auto profile = dem::boundary_profile(packing.particles, packing.network,
+                                             box, {cell, 0.});
   EXPECT_NEAR(profile.porosity, 1. - std::numbers::pi / (3. * std::sqrt(2.)),
               1e-3);
   EXPECT_NEAR(profile.lateral.coordination[0], 12., 1e-12);
@@ -190,12 +190,12 @@ TEST(BoundaryProfile, OfATubeIsThatOfTheBox)
   const double side = 6. * radius;
   const auto packing = packings::touching(packings::simple_cubic(3), same);
   const auto in_box = dem::boundary_profile(
-      packing.stones, packing.network,
+      packing.particles, packing.network,
       dem::outline_of(
           dem::prism_of(dem::Vec3::Zero(), dem::Vec3::Constant(side)), 60),
       {0.4 * radius, 0.});
   const auto in_tube = dem::boundary_profile(
-      packing.stones, packing.network,
+      packing.particles, packing.network,
       dem::outline_of(square_tube(side, side), 0., side, 60),
       {0.4 * radius, 0.});
   for (std::size_t k = 0; k < in_box.lateral.porosity.size(); ++k)

@@ -38,7 +38,7 @@ dem::Vec3 tilted(double degrees)
 
 dem::ForceChains chains_of(const packings::Packing &packing)
 {
-  return dem::force_chains(packing.stones, packing.network);
+  return dem::force_chains(packing.particles, packing.network);
 }
 } // namespace
 
@@ -92,11 +92,11 @@ TEST(StrongContacts, AreAboveTheMean)
 }
 
 // A sphere between two forces F at its poles: sigma_zz = F 2 r / V.
-TEST(StoneStress, OfASphereBetweenTwoForces)
+TEST(ParticleStress, OfASphereBetweenTwoForces)
 {
   const auto packing = packings::touching(path({tilted(0.), tilted(0.)}), same);
   const dem::Mat3 stress =
-      dem::stone_stress(packing.stones, packing.network)[1];
+      dem::particle_stress(packing.particles, packing.network)[1];
   const double expected =
       3. * 2. * radius / (4. / 3. * std::numbers::pi * std::pow(radius, 3));
   EXPECT_NEAR(stress(2, 2), expected, 1e-12 * expected);
@@ -111,7 +111,7 @@ TEST(ForceChains, ALoadedColumnIsOne)
   for (dem::PairContact &contact : packing.network.pairs)
   {
     const auto &at =
-        packing.stones.position(static_cast<std::size_t>(contact.a));
+        packing.particles.position(static_cast<std::size_t>(contact.a));
     const bool is_middle = std::abs(at.x() - 3. * radius) < 1e-9 &&
                            std::abs(at.y() - 3. * radius) < 1e-9;
     if (std::abs(contact.normal.z()) < 0.5)
@@ -130,9 +130,10 @@ TEST(ForceChains, ALoadedColumnIsOne)
   EXPECT_DOUBLE_EQ(chains.share, 3. / 27.);
 }
 
-TEST(ForceChains, NeedThreeStonesAboveTheMean)
+TEST(ForceChains, NeedThreeParticlesAboveTheMean)
 {
-  // Two columns of two and of four stones, and idle ones that lower the mean.
+  // Two columns of two and of four particles, and idle ones that lower the
+  // mean.
   auto one = path({tilted(0.), tilted(0.), tilted(0.)});
   one.emplace_back(0.1, 0., 0.);
   one.emplace_back(0.1, 0., 2. * radius);
@@ -150,7 +151,7 @@ TEST(ForceChains, NeedThreeStonesAboveTheMean)
   EXPECT_DOUBLE_EQ(chains.share, 4. / 8.);
 }
 
-// Every stone is pressed along z; the contact in the middle leans.
+// Every particle is pressed along z; the contact in the middle leans.
 TEST(ForceChains, EndWhereTheContactLeansMoreThan45Degrees)
 {
   for (const double lean : {44., 46.})
@@ -163,11 +164,11 @@ TEST(ForceChains, EndWhereTheContactLeansMoreThan45Degrees)
       for (const double side : {-1., 1.})
         packing.network.walls.push_back(
             {k,
-             packing.stones.position(static_cast<std::size_t>(k)) +
+             packing.particles.position(static_cast<std::size_t>(k)) +
                  side * dem::Vec3(0., 0., radius),
              dem::Vec3(0., 0., -side * 1e3)});
     packing.network.walls.push_back(
-        {6, packing.stones.position(6) + dem::Vec3(0., 0., radius),
+        {6, packing.particles.position(6) + dem::Vec3(0., 0., radius),
          dem::Vec3(0., 0., -1.)});
     // The four in the middle differ little from the two at the ends: lower the
     // mean with the idle one.
@@ -181,13 +182,13 @@ TEST(ForceChains, EndWhereTheContactLeansMoreThan45Degrees)
 TEST(NetworkContacts, AreThoseOfTheEngine)
 {
   dem::EngineParameters parameters = support::bare_parameters();
-  parameters.stone.friction = 0.3;
+  parameters.particle.friction = 0.3;
   dem::Engine engine(parameters);
   const double overlap = 1e-5;
   for (int k = 0; k < 3; ++k)
-    engine.add_stone(dem::make_sphere(radius),
-                     {0., 0., radius + k * (2. * radius - overlap)},
-                     dem::Quaternion::Identity());
+    engine.add_particle(dem::make_sphere(radius),
+                        {0., 0., radius + k * (2. * radius - overlap)},
+                        dem::Quaternion::Identity());
   engine.add_plane(dem::Vec3(0., 0., overlap), dem::Vec3::UnitZ());
   engine.add_plane(dem::Vec3(0., 0., 6. * radius - 3. * overlap),
                    -dem::Vec3::UnitZ());
@@ -206,10 +207,10 @@ TEST(NetworkContacts, AreThoseOfTheEngine)
   EXPECT_TRUE(later.pairs[1].is_sliding);
   EXPECT_DOUBLE_EQ(dem::sliding_fraction(later.pairs),
                    later.pairs[0].is_sliding ? 1. : 0.5);
-  // What the stones feel is what the network has.
+  // What the particles feel is what the network has.
   dem::Vec3 sum = -later.pairs[1].force;
   for (const dem::WallContact &wall : later.walls)
-    if (wall.stone == 2)
+    if (wall.particle == 2)
       sum += wall.force;
   EXPECT_LT((sum - engine.particles().load[2].force).norm(), 1e-6 * sum.norm());
 }

@@ -12,7 +12,7 @@ namespace
 {
 const dem::Vec3 target(30e3, 35e3, 45e3); // Pa
 
-/// Stones of all sizes, without friction on the walls, and six servo planes.
+/// Particles of all sizes, without friction on the walls, and six servo planes.
 struct Packing
 {
   dem::Engine engine;
@@ -22,7 +22,7 @@ struct Packing
 Packing loose_packing()
 {
   dem::EngineParameters p;
-  p.stone.friction = 0.1;
+  p.particle.friction = 0.1;
   p.wall.normal_stiffness = 1e7;
   p.wall.shear_stiffness = 0.85e7;
   p.wall.friction = 0.;
@@ -32,13 +32,13 @@ Packing loose_packing()
   dem::Random random(5);
   const double volume = 3e-5, side = std::cbrt(volume / 0.35);
   const auto bodies =
-      dem::draw_stones({{8e-3, 14e-3}, {0., 1.}}, volume, {}, random);
-  const auto places = dem::insert_stones(
+      dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, volume, {}, random);
+  const auto places = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
   Packing packing{dem::Engine(p), {}};
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    packing.engine.add_stone(bodies[k], places[k].position,
-                             places[k].orientation);
+    packing.engine.add_particle(bodies[k], places[k].position,
+                                places[k].orientation);
   packing.box = dem::add_box(packing.engine, dem::Vec3::Zero(),
                              dem::Vec3::Constant(side));
   return packing;
@@ -72,7 +72,7 @@ void compact(Packing &packing)
 } // namespace
 
 // In equilibrium the stress of all that is between frictionless walls is that
-// on the walls, whatever the stones among themselves do.
+// on the walls, whatever the particles among themselves do.
 TEST(MeanStress, OfAPackingIsThatOnItsWalls)
 {
   Packing packing = loose_packing();
@@ -89,15 +89,15 @@ TEST(MeanStress, OfAPackingIsThatOnItsWalls)
   const dem::Prism all = dem::prism_of(lower, upper);
   const dem::Mat3 stress = dem::mean_stress(all, engine.particles(), network);
   const dem::Vec3 walls = dem::box_stress(engine, packing.box);
-  // Forces out of balance: 3e-4 of a contact force on every stone.
+  // Forces out of balance: 3e-4 of a contact force on every particle.
   for (int d = 0; d < 3; ++d)
     EXPECT_NEAR(stress(d, d), walls[d], 3e-3 * walls[d]);
-  // The stones hold all of it, each its part by its volume.
+  // The particles hold all of it, each its part by its volume.
   dem::Mat3 sum = dem::Mat3::Zero();
-  const std::vector<dem::Mat3> stones =
-      dem::stone_stress(engine.particles(), network);
-  for (std::size_t i = 0; i < stones.size(); ++i)
-    sum += engine.particles().body[i].volume / all.volume() * stones[i];
+  const std::vector<dem::Mat3> particles =
+      dem::particle_stress(engine.particles(), network);
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    sum += engine.particles().shape[i].volume / all.volume() * particles[i];
   EXPECT_LT((sum - stress).norm(), 1e-9 * stress.norm());
   // Any horizontal layer carries the same force along z.
   dem::Prism layer = all;

@@ -14,7 +14,7 @@ inline constexpr double radius = 0.01; ///< [m]
 /// Spheres at these places; every pair that is a diameter apart touches.
 struct Packing
 {
-  dem::Particles stones;
+  dem::ParticleSystem particles;
   dem::Network network;
 };
 
@@ -24,8 +24,8 @@ Packing touching(const std::vector<dem::Vec3> &centres, const Force &force)
 {
   Packing packing;
   for (const dem::Vec3 &centre : centres)
-    packing.stones.add(dem::make_sphere(radius), centre,
-                       dem::Quaternion::Identity(), 2700.);
+    packing.particles.add(dem::make_sphere(radius), centre,
+                          dem::Quaternion::Identity(), 2700.);
   for (std::size_t i = 0; i < centres.size(); ++i)
     for (std::size_t j = i + 1; j < centres.size(); ++j)
     {

@@ -84,12 +84,12 @@ TEST(MeanStress, OfASimpleCubicPacking)
   prism.low += 0.3 * radius;
   prism.high -= 0.9 * radius;
   const dem::Mat3 stress =
-      dem::mean_stress(prism, packing.stones, packing.network);
+      dem::mean_stress(prism, packing.particles, packing.network);
   const double area = 4. * radius * radius;
   EXPECT_NEAR(stress(2, 2), 7. / area, 1e-12 * 7. / area);
   // Across, columns lie in layers: whole ones alone have the mean.
   const dem::Mat3 whole = dem::mean_stress(cube(2. * radius, 8. * radius),
-                                           packing.stones, packing.network);
+                                           packing.particles, packing.network);
   EXPECT_NEAR(whole(0, 0), 2. / area, 1e-12 * 7. / area);
   EXPECT_NEAR(whole(0, 1), 0., 1e-12 / area);
 }
@@ -101,8 +101,9 @@ TEST(MeanStress, OfAFaceCentredPacking)
   const auto packing = packings::touching(packings::face_centred(4),
                                           [](const dem::Vec3 &) { return 5.; });
   const double cell = packings::fcc_cell, shift = 0.37 * cell;
-  const dem::Mat3 stress = dem::mean_stress(
-      cube(cell + shift, 3. * cell + shift), packing.stones, packing.network);
+  const dem::Mat3 stress =
+      dem::mean_stress(cube(cell + shift, 3. * cell + shift), packing.particles,
+                       packing.network);
   const double pressure = 5. / (std::numbers::sqrt2 * radius * radius);
   EXPECT_LT((stress - pressure * dem::Mat3::Identity()).norm(),
             1e-12 * pressure);
@@ -116,7 +117,7 @@ TEST(MeanStress, TakesInWalls)
   for (const double z : {0., 2. * radius})
     packing.network.walls.push_back(
         {0, {radius, radius, z}, {0., 0., z == 0. ? 4. : -4.}});
-  const dem::Mat3 stress =
-      dem::mean_stress(cube(0., 2. * radius), packing.stones, packing.network);
+  const dem::Mat3 stress = dem::mean_stress(cube(0., 2. * radius),
+                                            packing.particles, packing.network);
   EXPECT_NEAR(stress(2, 2), 4. / (4. * radius * radius), 1e-9);
 }

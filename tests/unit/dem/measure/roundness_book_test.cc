@@ -19,27 +19,27 @@ Coefficients bumpy(double share)
   return series;
 }
 
-double roundness_of(const dem::Body &body)
+double roundness_of(const dem::ParticleShape &body)
 {
   return dem::roundness(*body.series, dem::standard_quadrature());
 }
 } // namespace
 
-// Two stones of one shape, one of another, a sphere: Eq. 30 of each, weighed by
-// volume; after one has broken as if the book knew nothing.
-TEST(RoundnessBook, FollowsStonesThatBreak)
+// Two particles of one shape, one of another, a sphere: Eq. 30 of each, weighed
+// by volume; after one has broken as if the book knew nothing.
+TEST(RoundnessBook, FollowsParticlesThatBreak)
 {
   const auto shape = std::make_shared<const Coefficients>(bumpy(0.02)),
              other = std::make_shared<const Coefficients>(bumpy(0.03));
-  dem::Particles stones;
-  for (const dem::Body &body :
-       {dem::make_body(shape, 0.01), dem::make_body(shape, 0.012),
-        dem::make_body(other, 0.009), dem::make_sphere(0.01)})
-    stones.add(body, Vec3::Zero(), dem::Quaternion::Identity(), 2700.);
-  const auto expected = [&stones]
+  dem::ParticleSystem particles;
+  for (const dem::ParticleShape &body :
+       {dem::make_shape(shape, 0.01), dem::make_shape(shape, 0.012),
+        dem::make_shape(other, 0.009), dem::make_sphere(0.01)})
+    particles.add(body, Vec3::Zero(), dem::Quaternion::Identity(), 2700.);
+  const auto expected = [&particles]
   {
     double sum = 0., weight = 0.;
-    for (const dem::Body &body : stones.body)
+    for (const dem::ParticleShape &body : particles.shape)
       if (body.series)
       {
         sum += body.volume * roundness_of(body);
@@ -48,17 +48,17 @@ TEST(RoundnessBook, FollowsStonesThatBreak)
     return sum / weight;
   };
   dem::RoundnessBook book;
-  const double before = book.mean(stones);
+  const double before = book.mean(particles);
   EXPECT_EQ(before, expected());
-  EXPECT_EQ(book.of(stones.body[3]), 1.);
-  Coefficients worn = dem::scaled_coefficients(stones.body[1]);
+  EXPECT_EQ(book.of(particles.shape[3]), 1.);
+  Coefficients worn = dem::scaled_coefficients(particles.shape[1]);
   worn[30] *= 0.9;
-  stones.body[1] = dem::own_body(worn);
-  EXPECT_EQ(book.mean(stones), expected());
-  EXPECT_GT(book.mean(stones), before);
-  EXPECT_EQ(shape.use_count(), 3); // here, one stone, the book
-  stones.body[0] = dem::make_sphere(0.01);
-  EXPECT_EQ(book.mean(stones), expected());
+  particles.shape[1] = dem::shape_of(worn);
+  EXPECT_EQ(book.mean(particles), expected());
+  EXPECT_GT(book.mean(particles), before);
+  EXPECT_EQ(shape.use_count(), 3); // here, one particle, the book
+  particles.shape[0] = dem::make_sphere(0.01);
+  EXPECT_EQ(book.mean(particles), expected());
   EXPECT_EQ(shape.use_count(), 2);
 }
 

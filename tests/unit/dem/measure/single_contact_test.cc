@@ -15,7 +15,7 @@ namespace
 {
 constexpr double radius_a = 0.01, radius_b = 0.015, overlap = 2e-5;
 constexpr std::array<ContactGeometry, 3> geometries{
-    ContactGeometry::ball, ContactGeometry::radial, ContactGeometry::surface};
+    ContactGeometry::sphere, ContactGeometry::radial, ContactGeometry::surface};
 
 dem::EngineParameters in(ContactGeometry geometry)
 {
@@ -25,16 +25,16 @@ dem::EngineParameters in(ContactGeometry geometry)
 }
 
 /// A sphere given as a series, so that it is met as a shape.
-dem::Body series_sphere(double radius)
+dem::ParticleShape series_sphere(double radius)
 {
-  return dem::make_body(
+  return dem::make_shape(
       std::make_shared<const dem::Coefficients>(
           dem::test::project(4, [](const Vec3 &) { return 1.; })),
       radius);
 }
 
 /// B is above A along this direction, with the overlap of above.
-PosedParticle above(const Vec3 &direction, const dem::Body &shape)
+PosedParticle above(const Vec3 &direction, const dem::ParticleShape &shape)
 {
   PosedParticle b{shape};
   b.position = (radius_a + radius_b - overlap) * direction;
@@ -42,13 +42,13 @@ PosedParticle above(const Vec3 &direction, const dem::Body &shape)
 }
 
 /// Hertz, 4/3 E* sqrt(R*) delta^(3/2), E* = G / (1 - nu) of equal solids [N].
-double hertz_force(const dem::StoneMaterial &m, double reduced_radius)
+double hertz_force(const dem::ParticleMaterial &m, double reduced_radius)
 {
   return 4. / 3. * m.shear_modulus / (1. - m.poisson_ratio) *
          std::sqrt(reduced_radius) * std::pow(overlap, 1.5);
 }
 
-double sphere_mass(const dem::StoneMaterial &m, double radius)
+double sphere_mass(const dem::ParticleMaterial &m, double radius)
 {
   return m.density * 4. / 3. * std::numbers::pi * std::pow(radius, 3);
 }
@@ -57,7 +57,7 @@ double sphere_mass(const dem::StoneMaterial &m, double radius)
 Vec3 moment_of(const ContactState &state, const Vec3 &centre)
 {
   Vec3 sum = Vec3::Zero();
-  for (const dem::ContactPoint &at : state.points)
+  for (const dem::LoadedContactPoint &at : state.points)
     sum += (at.point - centre).cross(at.force);
   return sum;
 }
@@ -76,8 +76,8 @@ TEST(SingleContact, SpheresPressByHertz)
       const ContactState state =
           evaluate_contact(p, a, above(up, dem::make_sphere(radius_b)));
       ASSERT_EQ(state.points.size(), 1U);
-      const dem::ContactPoint &at = state.points[0];
-      const double force = hertz_force(p.stone, reduced);
+      const dem::LoadedContactPoint &at = state.points[0];
+      const double force = hertz_force(p.particle, reduced);
       // Series keep directions and curvatures to seven digits; the overlap is a
       // small difference of distances, good to 1e-12.
       const double tolerance = is_series ? 1e-5 : 1e-10;
@@ -96,18 +96,18 @@ TEST(SingleContact, SpheresPressByHertz)
 // 2 beta sqrt(m* k) v with the tangent stiffness k = 2 E* sqrt(R* delta).
 TEST(SingleContact, DashpotActsAtTheVelocityGiven)
 {
-  const dem::EngineParameters p = in(ContactGeometry::ball);
+  const dem::EngineParameters p = in(ContactGeometry::sphere);
   const double reduced = radius_a * radius_b / (radius_a + radius_b);
-  const double m_a = sphere_mass(p.stone, radius_a),
-               m_b = sphere_mass(p.stone, radius_b);
-  const double elastic = hertz_force(p.stone, reduced),
+  const double m_a = sphere_mass(p.particle, radius_a),
+               m_b = sphere_mass(p.particle, radius_b);
+  const double elastic = hertz_force(p.particle, reduced),
                stiffness = 1.5 * elastic / overlap, speed = 0.01;
   const PosedParticle a{dem::make_sphere(radius_a)};
   PosedParticle b = above(Vec3::UnitZ(), dem::make_sphere(radius_b));
   b.velocity.z() = -speed;
   const ContactState state = evaluate_contact(p, a, b);
   const double expected =
-      elastic + 2. * p.stone.normal_damping *
+      elastic + 2. * p.particle.normal_damping *
                     std::sqrt(m_a * m_b / (m_a + m_b) * stiffness) * speed;
   EXPECT_NEAR(-state.on_a.force.z(), expected, 1e-10 * expected);
 }
@@ -115,8 +115,8 @@ TEST(SingleContact, DashpotActsAtTheVelocityGiven)
 // Tangential motion loads both with force and moment about their own centres.
 TEST(SingleContact, TangentialForceTurnsBoth)
 {
-  dem::EngineParameters p = in(ContactGeometry::ball);
-  p.stone.rolling_friction = 0.;
+  dem::EngineParameters p = in(ContactGeometry::sphere);
+  p.particle.rolling_friction = 0.;
   const PosedParticle a{dem::make_sphere(radius_a)};
   PosedParticle b = above(Vec3::UnitZ(), dem::make_sphere(radius_b));
   b.velocity.x() = 1e-4;
@@ -136,7 +136,7 @@ TEST(SingleContact, NothingActsAcrossAGap)
   b.position *= 1.01;
   b.velocity.x() = -1.;
   const ContactState state = evaluate_contact(
-      in(ContactGeometry::ball), {dem::make_sphere(radius_a)}, b, 1e-6);
+      in(ContactGeometry::sphere), {dem::make_sphere(radius_a)}, b, 1e-6);
   EXPECT_TRUE(state.points.empty());
   EXPECT_EQ(state.on_a.force, Vec3::Zero());
 }
@@ -152,7 +152,7 @@ TEST(SingleContact, WallsPressByTheirLaw)
       PosedParticle a{dem::make_sphere(radius_a)};
       a.position.z() = radius_a - overlap;
       // A rigid plate: E* is twice that of two solids.
-      const double force = is_hertz ? 2. * hertz_force(p.stone, radius_a)
+      const double force = is_hertz ? 2. * hertz_force(p.particle, radius_a)
                                     : p.wall.normal_stiffness * overlap;
       const ContactState on_plane = evaluate_contact(p, a, dem::Plane{});
       dem::FacetSurface floor = support::coplanar_fan(6, 0.05, 0.3);
@@ -186,9 +186,9 @@ TEST(SingleContact, SaysWhatTheEngineDoes)
       for (unsigned k = 0; k < 2; ++k)
       {
         of[k].shape =
-            dem::make_body(std::make_shared<const dem::Coefficients>(
-                               dem::test::random_stone(8, seed + 10 * k)),
-                           0.01);
+            dem::make_shape(std::make_shared<const dem::Coefficients>(
+                                dem::test::random_particle(8, seed + 10 * k)),
+                            0.01);
         of[k].orientation = dem::Quaternion(
             Eigen::AngleAxisd(0.3 + k, Vec3(1., seed, 2.).normalized()));
         of[k].velocity = Vec3(0.02, -0.01 * seed, 0.1) * (k == 0 ? 1. : -1.);
@@ -197,14 +197,14 @@ TEST(SingleContact, SaysWhatTheEngineDoes)
       dem::Engine engine(p);
       for (const PosedParticle &one : of)
       {
-        engine.add_stone(one.shape, one.position - dt * one.velocity,
-                         one.orientation);
+        engine.add_particle(one.shape, one.position - dt * one.velocity,
+                            one.orientation);
         engine.particles().velocity(engine.particles().size() - 1) =
             one.velocity;
       }
       engine.advance(dt);
       const ContactState state = evaluate_contact(p, of[0], of[1], dt);
-      const dem::StoneLoad &load = engine.particles().load[0];
+      const dem::ParticleLoad &load = engine.particles().load[0];
       const double size = load.force.norm();
       ASSERT_GT(size, 0.) << static_cast<int>(geometry) << ' ' << seed;
       EXPECT_LT((state.on_a.force - load.force).norm(), 1e-9 * size);

@@ -19,26 +19,27 @@ Shapes two_shapes()
   Shapes shapes;
   for (const unsigned seed : {1u, 2u})
     shapes.push_back(std::make_shared<const dem::Coefficients>(
-        dem::test::random_stone(20, seed)));
+        dem::test::random_particle(20, seed)));
   return shapes;
 }
 
-double volume_of(const std::vector<dem::Body> &stones)
+double volume_of(const std::vector<dem::ParticleShape> &particles)
 {
   double sum = 0.;
-  for (const dem::Body &stone : stones)
-    sum += stone.volume;
+  for (const dem::ParticleShape &particle : particles)
+    sum += particle.volume;
   return sum;
 }
 
-/// Share of the volume in stones finer than this diameter [-].
-double passing(const std::vector<dem::Body> &stones, double diameter)
+/// Share of the volume in particles finer than this diameter [-].
+double passing(const std::vector<dem::ParticleShape> &particles,
+               double diameter)
 {
   double sum = 0.;
-  for (const dem::Body &stone : stones)
-    if (2. * dem::mean_radius(stone) < diameter)
-      sum += stone.volume;
-  return sum / volume_of(stones);
+  for (const dem::ParticleShape &particle : particles)
+    if (2. * dem::mean_radius(particle) < diameter)
+      sum += particle.volume;
+  return sum / volume_of(particles);
 }
 } // namespace
 
@@ -49,16 +50,17 @@ double volume_factor(const Shapes &shapes)
 {
   double factor = shapes.empty() ? 1. : 0.;
   for (const auto &shape : shapes)
-    factor = std::max(factor, dem::make_body(shape, 0.5).volume /
+    factor = std::max(factor, dem::make_shape(shape, 0.5).volume /
                                   (std::numbers::pi / 6.));
   return factor;
 }
 
 /// Volume of the particles that are at most this large [m^3].
-double finer_volume(const std::vector<dem::Body> &particles, double diameter)
+double finer_volume(const std::vector<dem::ParticleShape> &particles,
+                    double diameter)
 {
   double sum = 0.;
-  for (const dem::Body &particle : particles)
+  for (const dem::ParticleShape &particle : particles)
     if (2. * dem::mean_radius(particle) <= diameter * (1. + 1e-12))
       sum += particle.volume;
   return sum;
@@ -71,8 +73,8 @@ void expect_table(const dem::GradingCurve &table, double solid_volume,
                   const Shapes &shapes)
 {
   dem::Random random(5);
-  const std::vector<dem::Body> particles =
-      dem::draw_stones(table, solid_volume, shapes, random);
+  const std::vector<dem::ParticleShape> particles =
+      dem::draw_particles(table, solid_volume, shapes, random);
   const double factor = volume_factor(shapes);
   for (std::size_t k = 0; k < table.diameter.size(); ++k)
   {
@@ -82,7 +84,7 @@ void expect_table(const dem::GradingCurve &table, double solid_volume,
         << "sieve " << d << " m, " << shapes.size() << " shapes";
     if (k == 0 || table.passing[k] > table.passing[k - 1])
       continue;
-    for (const dem::Body &particle : particles)
+    for (const dem::ParticleShape &particle : particles)
     {
       const double size = 2. * dem::mean_radius(particle);
       EXPECT_FALSE(size > table.diameter[k - 1] * (1. + 1e-12) &&
@@ -125,7 +127,8 @@ TEST(Gradation, RowsOutsideTheContentHaveNoEffect)
   {
     dem::Random random(2);
     std::vector<double> volumes;
-    for (const dem::Body &body : dem::draw_stones(table, 1e-3, {}, random))
+    for (const dem::ParticleShape &body :
+         dem::draw_particles(table, 1e-3, {}, random))
       volumes.push_back(body.volume);
     return volumes;
   };
@@ -134,25 +137,25 @@ TEST(Gradation, RowsOutsideTheContentHaveNoEffect)
   EXPECT_EQ(draw(long_table), draw(content));
 }
 
-// A class of the curve is filled to half a stone: the largest are 5.9e-6 m^3,
-// 0.6 % of the volume.
-TEST(Gradation, StonesFollowTheCurve)
+// A class of the curve is filled to half a particle: the largest are 5.9e-6
+// m^3, 0.6 % of the volume.
+TEST(Gradation, ParticlesFollowTheCurve)
 {
   const double solid_volume = 1e-3;
   for (const Shapes &shapes : {Shapes{}, two_shapes()})
   {
     dem::Random random(3);
-    const std::vector<dem::Body> stones =
-        dem::draw_stones(curve, solid_volume, shapes, random);
-    // Half a smallest stone is 1e-7 m^3.
-    EXPECT_NEAR(volume_of(stones), solid_volume, 1.5e-7);
+    const std::vector<dem::ParticleShape> particles =
+        dem::draw_particles(curve, solid_volume, shapes, random);
+    // Half a smallest particle is 1e-7 m^3.
+    EXPECT_NEAR(volume_of(particles), solid_volume, 1.5e-7);
     for (std::size_t k = 0; k < curve.diameter.size(); ++k)
-      EXPECT_NEAR(passing(stones, curve.diameter[k] * (1. + 1e-12)),
+      EXPECT_NEAR(passing(particles, curve.diameter[k] * (1. + 1e-12)),
                   curve.passing[k], 0.01);
     // Straight in ln d between the points; a class is 3 % wide.
-    EXPECT_NEAR(passing(stones, std::sqrt(10e-3 * 16e-3)), 0.45, 0.03);
-    for (std::size_t k = 1; k < stones.size(); ++k)
-      EXPECT_LE(stones[k].volume, stones[k - 1].volume);
+    EXPECT_NEAR(passing(particles, std::sqrt(10e-3 * 16e-3)), 0.45, 0.03);
+    for (std::size_t k = 1; k < particles.size(); ++k)
+      EXPECT_LE(particles[k].volume, particles[k - 1].volume);
   }
 }
 
@@ -161,27 +164,28 @@ TEST(Gradation, EveryShapeIsUsed)
   const Shapes shapes = two_shapes();
   dem::Random random(3);
   int n_first = 0;
-  const auto stones = dem::draw_stones(curve, 1e-3, shapes, random);
-  for (const dem::Body &stone : stones)
-    n_first += stone.series == shapes[0];
+  const auto particles = dem::draw_particles(curve, 1e-3, shapes, random);
+  for (const dem::ParticleShape &particle : particles)
+    n_first += particle.series == shapes[0];
   // Four standard deviations of a fair coin.
-  const double n = double(stones.size());
+  const double n = double(particles.size());
   EXPECT_NEAR(n_first, 0.5 * n, 2. * std::sqrt(n));
 }
 
 TEST(Gradation, RefusesMoreThanMemoryHolds)
 {
   dem::Random random(1);
-  EXPECT_THROW(dem::draw_stones(curve, 1e6, {}, random), std::invalid_argument);
+  EXPECT_THROW(dem::draw_particles(curve, 1e6, {}, random),
+               std::invalid_argument);
 }
 
-TEST(Gradation, SeedSettlesTheStones)
+TEST(Gradation, SeedSettlesTheParticles)
 {
   const Shapes shapes = two_shapes();
   const auto draw = [&](std::uint64_t seed)
   {
     dem::Random random(seed);
-    return dem::draw_stones(curve, 1e-4, shapes, random);
+    return dem::draw_particles(curve, 1e-4, shapes, random);
   };
   const auto first = draw(7), again = draw(7), other = draw(8);
   ASSERT_EQ(first.size(), again.size());

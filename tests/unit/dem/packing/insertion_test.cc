@@ -7,17 +7,17 @@
 
 namespace
 {
-std::vector<dem::Body> stones(bool is_shaped)
+std::vector<dem::ParticleShape> particles(bool is_shaped)
 {
   std::vector<std::shared_ptr<const dem::Coefficients>> shapes;
   if (is_shaped)
     shapes.push_back(std::make_shared<const dem::Coefficients>(
-        dem::test::random_stone(20, 4)));
+        dem::test::random_particle(20, 4)));
   dem::Random random(1);
-  return dem::draw_stones({{7e-3, 12e-3}, {0., 1.}}, 4e-5, shapes, random);
+  return dem::draw_particles({{7e-3, 12e-3}, {0., 1.}}, 4e-5, shapes, random);
 }
 
-double reach(const dem::Body &body, const dem::Placement &place,
+double reach(const dem::ParticleShape &body, const dem::Placement &place,
              const dem::Vec3 &direction)
 {
   return body.series ? body.scale * dem::radius(*body.series,
@@ -34,10 +34,10 @@ TEST(Insertion, NothingOverlaps)
 {
   for (const bool is_shaped : {false, true})
   {
-    const std::vector<dem::Body> bodies = stones(is_shaped);
+    const std::vector<dem::ParticleShape> bodies = particles(is_shaped);
     dem::Random random(5);
     const std::vector<dem::Placement> places =
-        dem::insert_stones(bodies, {lower, upper}, random);
+        dem::insert_particles(bodies, {lower, upper}, random);
     ASSERT_EQ(places.size(), bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
@@ -62,11 +62,11 @@ TEST(Insertion, NothingOverlaps)
 
 TEST(Insertion, SeedSettlesThePlaces)
 {
-  const std::vector<dem::Body> bodies = stones(true);
+  const std::vector<dem::ParticleShape> bodies = particles(true);
   const auto insert = [&](std::uint64_t seed)
   {
     dem::Random random(seed);
-    return dem::insert_stones(bodies, {lower, upper}, random);
+    return dem::insert_particles(bodies, {lower, upper}, random);
   };
   const auto first = insert(5), again = insert(5), other = insert(6);
   for (std::size_t k = 0; k < first.size(); ++k)
@@ -79,8 +79,8 @@ TEST(Insertion, SeedSettlesThePlaces)
 
 TEST(Insertion, FullBoxIsRefused)
 {
-  const std::vector<dem::Body> bodies(30, dem::make_sphere(0.01));
+  const std::vector<dem::ParticleShape> bodies(30, dem::make_sphere(0.01));
   dem::Random random(1);
-  EXPECT_THROW(dem::insert_stones(bodies, {lower, upper}, random),
+  EXPECT_THROW(dem::insert_particles(bodies, {lower, upper}, random),
                std::runtime_error);
 }

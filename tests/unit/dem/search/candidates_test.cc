@@ -7,8 +7,8 @@
 #include <set>
 #include <shape/test_shapes.h>
 
-// A gas of stones in a box: at every look, all that touch by brute force must
-// be in the lists of the engine.
+// A gas of particles in a box: at every look, all that touch by brute force
+// must be in the lists of the engine.
 namespace
 {
 constexpr double side = 0.08;
@@ -20,17 +20,17 @@ struct Gas
   Gas(bool is_shaped, std::size_t n, dem::EngineParameters parameters)
       : engine(parameters)
   {
-    std::vector<dem::Body> bodies;
+    std::vector<dem::ParticleShape> bodies;
     dem::Random random(11);
     const auto series = std::make_shared<const dem::Coefficients>(
-        dem::test::random_stone(20, 8));
+        dem::test::random_particle(20, 8));
     for (std::size_t k = 0; k < n; ++k)
     {
       const double radius = 0.003 + 0.003 * random.uniform();
-      bodies.push_back(is_shaped ? dem::make_body(series, radius)
+      bodies.push_back(is_shaped ? dem::make_shape(series, radius)
                                  : dem::make_sphere(radius));
     }
-    const auto places = dem::insert_stones(
+    const auto places = dem::insert_particles(
         bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
     const auto some = [&]
     {
@@ -39,7 +39,7 @@ struct Gas
     };
     for (std::size_t k = 0; k < n; ++k)
     {
-      engine.add_stone(bodies[k], places[k].position, places[k].orientation);
+      engine.add_particle(bodies[k], places[k].position, places[k].orientation);
       engine.particles().velocity(k) = 4. * some();
       engine.particles().spin(k) = 400. * some();
     }
@@ -78,12 +78,12 @@ struct Gas
 
   double reach(std::size_t i, const dem::Vec3 &direction) const
   {
-    const auto &stones = engine.particles();
-    const dem::Body &body = stones.body[i];
+    const auto &particles = engine.particles();
+    const dem::ParticleShape &body = particles.shape[i];
     return body.series
                ? body.scale *
                      dem::radius(*body.series,
-                                 stones.rotation(i).transpose() * direction)
+                                 particles.rotation(i).transpose() * direction)
                : body.scale;
   }
 };
@@ -102,11 +102,11 @@ Pairs listed(const dem::ContactBatch &batch)
 int check_lists(const Gas &gas)
 {
   const dem::Engine &engine = gas.engine;
-  const auto x = engine.particles().column(&dem::StoneState::position);
+  const auto x = engine.particles().column(&dem::ParticleState::position);
   const Pairs pairs = listed(engine.pairs());
   const Pairs on_planes = listed(engine.on_planes());
-  const std::set<std::int32_t> at_facets(engine.facets().stone.begin(),
-                                         engine.facets().stone.end());
+  const std::set<std::int32_t> at_facets(engine.facets().particle.begin(),
+                                         engine.facets().particle.end());
   int n = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
   {
@@ -170,11 +170,11 @@ namespace
 Gas rough_gas(double usual_margin, double given_margin)
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.stone.friction = 0.5;
-  p.stone.rolling_friction = 0.2;
+  p.particle.friction = 0.5;
+  p.particle.rolling_friction = 0.2;
   p.wall.normal_stiffness = p.surface.normal_stiffness = 1e6;
   p.geometry.usual_skin = usual_margin;
-  p.geometry.search_margin = given_margin;
+  p.geometry.skin = given_margin;
   Gas gas(false, 120, p);
   gas.advance(4e-6, 1500);
   return gas;
@@ -200,7 +200,7 @@ TEST(Candidates, MarginDoesNotChangeTheMotion)
   expect_same_motion(narrow, wide);
 }
 
-// The stones travel some 0.02 m: lists that see a tenth of a millimetre are
+// The particles travel some 0.02 m: lists that see a tenth of a millimetre are
 // used up every few steps, and no search finds better ones.
 TEST(Candidates, GivenMarginIsKept)
 {

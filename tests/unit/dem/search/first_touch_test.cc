@@ -2,8 +2,8 @@
 #include "wall_meshes.h"
 
 #include <dem/packing/random.h>
-#include <dem/search/spots.h>
-#include <dem/search/wall_places.h>
+#include <dem/search/contact_points.h>
+#include <dem/search/wall_contact_points.h>
 #include <dem/shape/radius_bounds.h>
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 // The geometry is that of the series, also where it is a poor ellipsoid.
 namespace
 {
-using dem::Body;
+using dem::ParticleShape;
 using dem::Vec3;
 
 struct Form
@@ -51,7 +51,7 @@ std::vector<double> series_of(const Form &form)
 class DensePoints
 {
 public:
-  DensePoints(const Body &of, int n_rings)
+  DensePoints(const ParticleShape &of, int n_rings)
       : body(of), rule(dem::sphere_rule(n_rings)),
         radii(dem::node_radii(*of.series, rule))
   {
@@ -108,32 +108,33 @@ private:
     return false;
   }
 
-  const Body &body;
+  const ParticleShape &body;
   const dem::SphereQuadrature &rule;
   std::vector<double> radii;
 };
 
 struct Particle
 {
-  Body body;
+  ParticleShape body;
   dem::RadiusMap map;
   DensePoints dense;
   double mean;
 
   explicit Particle(const Form &form)
-      : body(dem::own_body(series_of(form))), map(body.series),
+      : body(dem::shape_of(series_of(form))), map(body.series),
         dense(body, 100), mean(dem::mean_radius(body))
   {
   }
   Particle(const Particle &) = delete;
 
-  dem::MappedStone mapped() const { return {body, map}; }
+  dem::MappedParticle mapped() const { return {body, map}; }
   double height(const Vec3 &direction) const
   {
     return -dense.least([&](const Vec3 &x) { return -x.dot(direction); });
   }
-  dem::PosedStone at(const Vec3 &position,
-                     const dem::Mat3 &rotation = dem::Mat3::Identity()) const
+  dem::MappedParticlePose
+  at(const Vec3 &position,
+     const dem::Mat3 &rotation = dem::Mat3::Identity()) const
   {
     return {mapped(), position, rotation};
   }
@@ -309,9 +310,10 @@ void expect_pairs(const Particle &a, const Particle &b, int n_poses)
     const dem::MappedPair pair{a.mapped(), b.mapped(), pose};
     const dem::Separation slab = dem::separate(pair, along, 0.02 * size);
     EXPECT_LE(slab.gap, 1e-4 * size) << k;
-    const dem::SpotSearch found = dem::find_spots(pair, slab, 0.02 * size);
-    ASSERT_FALSE(found.spots.empty()) << k;
-    EXPECT_NEAR(found.spots[0].overlap / size, 0., 1e-3) << k;
+    const dem::ContactPointSearch found =
+        dem::find_contact_points(pair, slab, 0.02 * size);
+    ASSERT_FALSE(found.contact_points.empty()) << k;
+    EXPECT_NEAR(found.contact_points[0].overlap / size, 0., 1e-3) << k;
   }
 }
 
@@ -360,11 +362,11 @@ void expect_first_force(const Particle &particle)
     };
     dem::Engine on_plane(surface_parameters(particle.mean));
     on_plane.add_plane(Vec3::Zero(), Vec3::UnitZ());
-    on_plane.add_stone(particle.body, centre, turned);
+    on_plane.add_particle(particle.body, centre, turned);
     expect_way(on_plane, "plane ");
     dem::Engine on_facets(surface_parameters(particle.mean));
     on_facets.attach_surface(support::flat_floor(2. * particle.mean, 16, 0.));
-    on_facets.add_stone(particle.body, centre, turned);
+    on_facets.add_particle(particle.body, centre, turned);
     expect_way(on_facets, "facets ");
     dem::Engine in_drum(surface_parameters(particle.mean));
     dem::Drum drum;
@@ -373,7 +375,7 @@ void expect_first_force(const Particle &particle)
     drum.length = 2.;
     drum.centre = Vec3::UnitZ();
     in_drum.set_drum(drum);
-    in_drum.add_stone(particle.body, centre, turned);
+    in_drum.add_particle(particle.body, centre, turned);
     expect_way(in_drum, "drum ");
   }
 }
@@ -392,7 +394,7 @@ void expect_platens(const Particle &particle)
   p.wall.normal_stiffness = stiffness;
   p.local_damping = 0.7;
   dem::Engine engine(p);
-  engine.add_stone(particle.body, Vec3::Zero(), turned);
+  engine.add_particle(particle.body, Vec3::Zero(), turned);
   engine.add_plane(-particle.height(-tip) * Vec3::UnitZ(), Vec3::UnitZ());
   engine.add_plane(particle.height(tip) * Vec3::UnitZ(), -Vec3::UnitZ());
   engine.planes()[1].velocity = -speed * Vec3::UnitZ();
@@ -401,7 +403,7 @@ void expect_platens(const Particle &particle)
   const double expected = 0.5 * stiffness * speed * engine.time();
   EXPECT_NEAR(-engine.planes()[0].force.z(), expected, 0.05 * expected);
   EXPECT_NEAR(engine.planes()[1].force.z(), expected, 0.05 * expected);
-  EXPECT_EQ(engine.spot_events().n_late, 0);
+  EXPECT_EQ(engine.contact_point_events().n_late, 0);
 }
 
 void expect_all(const Form &form)

@@ -7,18 +7,18 @@
 #include <search/node_minima.h>
 #include <shape/test_shapes.h>
 
-// What the search for places reads off the map of a stone: against the series,
-// and with the same digits for every instruction set.
+// What the search for places reads off the map of a particle: against the
+// series, and with the same digits for every instruction set.
 namespace
 {
 using dem::Vec3;
 
-struct Stone
+struct Particle
 {
-  dem::Body body = dem::own_body(dem::test::random_stone(12, 5));
+  dem::ParticleShape body = dem::shape_of(dem::test::random_particle(12, 5));
   dem::RadiusMap map{body.series};
 
-  dem::MappedStone mapped() const { return {body, map}; }
+  dem::MappedParticle mapped() const { return {body, map}; }
 };
 
 dem::RelativePose turned_pose()
@@ -46,7 +46,8 @@ struct Points
   dem::kernel::PointRows rows() { return {x.data(), y.data(), z.data()}; }
 };
 
-/// Around the stone, from deep inside to beyond, poles of its frame among them.
+/// Around the particle, from deep inside to beyond, poles of its frame among
+/// them.
 std::vector<Vec3> points_around(const dem::RelativePose &pose)
 {
   std::vector<Vec3> at;
@@ -61,9 +62,9 @@ std::vector<Vec3> points_around(const dem::RelativePose &pose)
 std::vector<float> gaps_of(const std::vector<Vec3> &at,
                            const dem::RelativePose &pose)
 {
-  const Stone stone;
+  const Particle particle;
   Points points(at);
-  dem::find_gaps(stone.mapped(), pose, 2e-3, points.rows(),
+  dem::find_gaps(particle.mapped(), pose, 2e-3, points.rows(),
                  static_cast<int>(at.size()), points.gap.data());
   points.gap.resize(at.size());
   return points.gap;
@@ -72,14 +73,15 @@ std::vector<float> gaps_of(const std::vector<Vec3> &at,
 
 TEST(NodeList, HoldsTheNodesThatAreHighEnough)
 {
-  const Stone stone;
+  const Particle particle;
   const Vec3 up = Vec3(0.3, -0.8, 0.5).normalized();
   const double lowest = 7e-3;
-  const dem::NodeList list(stone.mapped(), up, lowest);
+  const dem::NodeList list(particle.mapped(), up, lowest);
   int n = 0;
   for (int node = 0; node < dem::RadiusMap::nodes.size(); ++node)
   {
-    const Vec3 point = stone.body.scale * stone.map.point(node).cast<double>();
+    const Vec3 point =
+        particle.body.scale * particle.map.point(node).cast<double>();
     // Nodes at the limit may go either way.
     if (point.dot(up) < lowest + 1e-9)
       continue;
@@ -94,7 +96,7 @@ TEST(NodeList, HoldsTheNodesThatAreHighEnough)
 
 TEST(NodeList, GapsAreThoseOfTheSeriesAlongTheRay)
 {
-  const Stone stone;
+  const Particle particle;
   const dem::RelativePose pose = turned_pose();
   const std::vector<Vec3> at = points_around(pose);
   const std::vector<float> gap = gaps_of(at, pose);
@@ -102,7 +104,7 @@ TEST(NodeList, GapsAreThoseOfTheSeriesAlongTheRay)
   {
     const Vec3 branch = pose.rotation.transpose() * (at[k] - pose.position);
     const dem::SurfacePoint below =
-        dem::surface_point(stone.body, branch.normalized());
+        dem::surface_point(particle.body, branch.normalized());
     const double cosine = below.normal.dot(branch.normalized());
     const double ray = branch.norm() - below.position.norm();
     // Bilinear between nodes 0.065 rad apart; 1 % of the radius would show.
@@ -119,13 +121,13 @@ TEST(NodeList, FarPointsAreInfinitelyFar)
 
 TEST(NodeList, HasOneSetOfDigitsForAllInstructionSets)
 {
-  const Stone stone;
+  const Particle particle;
   const dem::RelativePose pose = turned_pose();
   const std::vector<Vec3> at = points_around(pose);
   const dem::InstructionSet widest = dem::widest_instruction_set();
   dem::use_instruction_set(dem::InstructionSet::baseline);
   const std::vector<float> gap = gaps_of(at, pose);
-  const dem::NodeList list(stone.mapped(), Vec3::UnitX(), 6e-3);
+  const dem::NodeList list(particle.mapped(), Vec3::UnitX(), 6e-3);
   for (const dem::InstructionSet set :
        {dem::InstructionSet::avx2, dem::InstructionSet::avx512})
   {
@@ -136,7 +138,7 @@ TEST(NodeList, HasOneSetOfDigitsForAllInstructionSets)
     EXPECT_EQ(std::memcmp(same.data(), gap.data(), sizeof(float) * at.size()),
               0)
         << name_of(set);
-    const dem::NodeList again(stone.mapped(), Vec3::UnitX(), 6e-3);
+    const dem::NodeList again(particle.mapped(), Vec3::UnitX(), 6e-3);
     ASSERT_EQ(again.size(), list.size()) << name_of(set);
     for (int k = 0; k < list.size(); ++k)
     {

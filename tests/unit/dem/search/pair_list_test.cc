@@ -7,23 +7,23 @@
 
 namespace
 {
-constexpr int n_stones = 200;
+constexpr int n_particles = 200;
 
-dem::Particles row_of_spheres()
+dem::ParticleSystem row_of_spheres()
 {
-  dem::Particles stones;
-  for (int k = 0; k < n_stones; ++k)
-    stones.add(dem::make_sphere(1e-3), {2e-3 * k, 0., 0.},
-               dem::Quaternion::Identity(), 2700.);
-  return stones;
+  dem::ParticleSystem particles;
+  for (int k = 0; k < n_particles; ++k)
+    particles.add(dem::make_sphere(1e-3), {2e-3 * k, 0., 0.},
+                  dem::Quaternion::Identity(), 2700.);
+  return particles;
 }
 
 /// Neighbours up to `reach` places away.
 std::vector<dem::PairKey> neighbours(int reach)
 {
   std::vector<dem::PairKey> pairs;
-  for (int i = 0; i < n_stones; ++i)
-    for (int j = i + 1; j < std::min(i + 1 + reach, n_stones); ++j)
+  for (int i = 0; i < n_particles; ++i)
+    for (int j = i + 1; j < std::min(i + 1 + reach, n_particles); ++j)
       pairs.emplace_back(i, j);
   return pairs;
 }
@@ -38,19 +38,19 @@ double force_of(int a, int b)
 // Found again in a batch that is not sorted, and kept apart range by range.
 TEST(PairList, ContactsThatTouchComeFirstAndKeepWhatTheyCarry)
 {
-  const dem::Particles stones = row_of_spheres();
+  const dem::ParticleSystem particles = row_of_spheres();
   dem::ContactBatch batch;
   dem::BatchLayout layout;
   layout.is_hertz = layout.has_partners = true;
   dem::Dissipation retired;
-  dem::rebuild_pairs(stones, layout, neighbours(5), batch, retired);
+  dem::rebuild_pairs(particles, layout, neighbours(5), batch, retired);
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     batch.normal_force[k] = force_of(batch.a[k], batch.b[k]);
     batch.overlap[k] = batch.normal_force[k] > 0. ? 1e-6 : 0.;
   }
   for (int round = 0; round < 2; ++round)
-    dem::rebuild_pairs(stones, layout, neighbours(5), batch, retired);
+    dem::rebuild_pairs(particles, layout, neighbours(5), batch, retired);
   EXPECT_EQ(retired.non_conservative_work, 0.);
 
   const auto size = static_cast<std::size_t>(
@@ -77,7 +77,7 @@ TEST(PairList, ContactsThatTouchComeFirstAndKeepWhatTheyCarry)
   EXPECT_EQ(all, neighbours(5));
 
   // What is dropped gives up its springs.
-  dem::rebuild_pairs(stones, layout, neighbours(3), batch, retired);
+  dem::rebuild_pairs(particles, layout, neighbours(3), batch, retired);
   EXPECT_EQ(batch.size(), neighbours(3).size());
   EXPECT_GT(retired.non_conservative_work, 0.);
 }

@@ -5,7 +5,7 @@
 namespace
 {
 /// Places all round the equator, `gap` from touching [m].
-dem::Spot place(int number, double gap)
+dem::ContactPoint place(int number, double gap)
 {
   const double angle = 0.5 * number;
   return {
@@ -17,27 +17,27 @@ dem::PairList full_list()
 {
   dem::PairList list;
   list.clear = 1e-3;
-  for (int k = 0; k < static_cast<int>(dem::most_spots); ++k)
+  for (int k = 0; k < static_cast<int>(dem::most_contact_points); ++k)
     list.keep({k, place(k, 1e-5 * (k + 1)), {}});
   return list;
 }
 } // namespace
 
-// A place where two stones overlap is never left out for one where they are
+// A place where two particles overlap is never left out for one where they are
 // apart.
 TEST(PlaceLists, OfTooManyThePlacesFarthestFromTouchingGo)
 {
   dem::PairList list = full_list();
   list.add({place(9, -1e-6), place(10, 1.)}, false);
-  ASSERT_EQ(list.rows.size(), dem::most_spots);
-  EXPECT_EQ(list.rows.back().spot.overlap, 1e-6);
+  ASSERT_EQ(list.rows.size(), dem::most_contact_points);
+  EXPECT_EQ(list.rows.back().contact_point.overlap, 1e-6);
   EXPECT_EQ(list.rows.back().source, -1);
-  for (int k = 0; k + 1 < static_cast<int>(dem::most_spots); ++k)
+  for (int k = 0; k + 1 < static_cast<int>(dem::most_contact_points); ++k)
     EXPECT_EQ(list.rows[static_cast<std::size_t>(k)].source, k);
   EXPECT_EQ(list.events.n_unlisted, 2);
   EXPECT_EQ(list.events.n_late, 1);
   // Until the nearest of those that went could touch.
-  EXPECT_EQ(list.clear, 1e-5 * static_cast<double>(dem::most_spots));
+  EXPECT_EQ(list.clear, 1e-5 * static_cast<double>(dem::most_contact_points));
 }
 
 TEST(PlaceLists, AtOnePlaceThereIsOneContact)

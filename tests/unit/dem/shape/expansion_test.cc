@@ -13,8 +13,8 @@ using namespace dem::test;
 
 namespace
 {
-/// Amplitudes that fall as n^-2: rougher than any stone of data/.
-std::vector<double> rough_stone(int order, unsigned seed)
+/// Amplitudes that fall as n^-2: rougher than any particle of data/.
+std::vector<double> rough_particle(int order, unsigned seed)
 {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
@@ -59,8 +59,8 @@ TEST(Expansion, IsThatOfSolidHarmonicsInLongDouble)
 {
   for (const int order : {0, 1, 2, 3, 7, 8, 9, 15, 16, 20, 30})
   {
-    const std::vector<double> a = rough_stone(order, unsigned(order));
-    const double mean = a[0] * ball_radius_factor;
+    const std::vector<double> a = rough_particle(order, unsigned(order));
+    const double mean = a[0] * equivalent_radius_factor;
     const std::vector<Vec3> ways = directions_with_poles(40);
     const std::vector<RadialExpansion> many = expand_all(a, ways);
     for (std::size_t k = 0; k < ways.size(); ++k)
@@ -84,8 +84,8 @@ TEST(Expansion, CurvaturesAreThoseOfLongDouble)
 {
   for (const int order : {8, 20, 30})
   {
-    const std::vector<double> a = rough_stone(order, 5);
-    const double mean = a[0] * ball_radius_factor;
+    const std::vector<double> a = rough_particle(order, 5);
+    const double mean = a[0] * equivalent_radius_factor;
     for (const Vec3 &s : directions_with_poles(40))
     {
       const PrincipalCurvatures at = principal_curvatures(expand(a, s));
@@ -102,7 +102,7 @@ TEST(Expansion, HasOneSetOfDigitsForAllInstructionSets)
   const InstructionSet widest = widest_instruction_set();
   for (const int order : {1, 2, 8, 12, 20, 30})
   {
-    const std::vector<double> a = rough_stone(order, 3);
+    const std::vector<double> a = rough_particle(order, 3);
     use_instruction_set(InstructionSet::baseline);
     const std::vector<RadialExpansion> baseline = expand_all(a, ways);
     std::vector<RadialExpansion> single;
@@ -128,7 +128,7 @@ TEST(Expansion, HasOneSetOfDigitsForAllInstructionSets)
 
 TEST(Expansion, OfManyDoesNotKnowItsNeighbours)
 {
-  const std::vector<double> a = rough_stone(20, 4);
+  const std::vector<double> a = rough_particle(20, 4);
   const std::vector<Vec3> ways = random_directions(150, 6);
   const std::vector<RadialExpansion> many = expand_all(a, ways);
   for (const std::size_t first : {0u, 1u, 70u, 149u})

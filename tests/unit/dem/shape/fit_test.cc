@@ -184,7 +184,7 @@ TEST(Fit, SaysHowManyEdgesAreOpen)
   EXPECT_NE(message_of({}).find("no triangles"), std::string::npos);
 }
 
-TEST(Fit, RefusesWhatIsNoSingleStone)
+TEST(Fit, RefusesWhatIsNoSingleParticle)
 {
   const TriangleMesh two = together(cube(), moved(cube(), Vec3(3, 0, 0)));
   EXPECT_NE(message_of(two).find("centroid"), std::string::npos)

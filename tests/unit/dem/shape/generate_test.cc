@@ -62,10 +62,10 @@ std::vector<Coefficients> generated(const ShapeGenerator &generator, int n,
                                     std::uint64_t seed)
 {
   Random random(seed);
-  std::vector<Coefficients> stones;
+  std::vector<Coefficients> particles;
   for (int i = 0; i < n; ++i)
-    stones.push_back(generator(random));
-  return stones;
+    particles.push_back(generator(random));
+  return particles;
 }
 
 std::string message_of(std::span<const Coefficients> sample, int order)
@@ -102,9 +102,9 @@ TEST(LogShape, ParityIsThatOfTheHarmonics)
   }
 }
 
-// A stone with its own numbers comes back, turned into its principal frame. The
-// quantiles hold 64 steps of it, the order cuts exp(log r).
-TEST(LogShape, ComesBackAsTheStone)
+// A particle with its own numbers comes back, turned into its principal frame.
+// The quantiles hold 64 steps of it, the order cuts exp(log r).
+TEST(LogShape, ComesBackAsTheParticle)
 {
   for (const Coefficients &shape : rough_ellipsoids(3))
   {
@@ -132,12 +132,12 @@ TEST(LogShape, OfAnEllipsoidIsItsAxes)
                         20);
   EXPECT_NEAR(log.log_elongation, std::log(10. / 12.), 1e-6);
   EXPECT_NEAR(log.log_flatness, std::log(9. / 10.), 1e-6);
-  EXPECT_NEAR(log.equivalent_radius, std::cbrt(axes.prod()), 1e-10);
+  EXPECT_NEAR(log.volume_equivalent_radius, std::cbrt(axes.prod()), 1e-10);
   for (const double b : log.coefficients)
     EXPECT_NEAR(b, 0., 1e-6);
 }
 
-TEST(ShapeGenerator, SameSeedSameStones)
+TEST(ShapeGenerator, SameSeedSameParticles)
 {
   const ShapeGenerator generator(rough_ellipsoids(4), 12);
   const auto few = generated(generator, 2, 5),
@@ -148,38 +148,38 @@ TEST(ShapeGenerator, SameSeedSameStones)
   EXPECT_NE(few[0], generated(generator, 1, 6)[0]);
 }
 
-TEST(ShapeGenerator, StonesAreStarsAboutTheirCentroid)
+TEST(ShapeGenerator, ParticlesAreStarsAboutTheirCentroid)
 {
   const std::vector<Coefficients> sample = rough_ellipsoids(5);
   const ShapeGenerator generator(sample, 20);
   const SphereQuadrature fine = make_quadrature(100, 200);
-  const double r = generator.equivalent_radius();
+  const double r = generator.volume_equivalent_radius();
   double logs = 0.;
   for (const Coefficients &shape : sample)
     logs += std::log(measure_shape(shape, standard_quadrature()).volume) / 15.;
   EXPECT_NEAR(r, std::cbrt(0.75 / std::numbers::pi) * std::exp(logs), 1e-12);
-  for (const Coefficients &stone : generated(generator, 20, 1))
+  for (const Coefficients &particle : generated(generator, 20, 1))
   {
-    const ShapeMeasures of = measure_shape(stone, standard_quadrature());
+    const ShapeMeasures of = measure_shape(particle, standard_quadrature());
     EXPECT_NEAR(of.volume, 4. / 3. * std::numbers::pi * r * r * r,
                 1e-12 * of.volume);
     EXPECT_LT(of.centroid.norm(), 1e-10 * r);
-    const std::vector<double> radii = node_radii(stone, fine);
+    const std::vector<double> radii = node_radii(particle, fine);
     EXPECT_GT(*std::min_element(radii.begin(), radii.end()), 0.05 * r);
   }
 }
 
-// Means within three standard errors of 150 stones; the deviation, from 20
-// stones of the sample, is drawn as it is and comes back within its own error
-// of 1 / sqrt(2 * 150) = 6 %, three times.
+// Means within three standard errors of 150 particles; the deviation, from 20
+// particles of the sample, is drawn as it is and comes back within its own
+// error of 1 / sqrt(2 * 150) = 6 %, three times.
 TEST(ShapeGenerator, ReproducesTheFormsOfTheSample)
 {
   const std::vector<Coefficients> sample = rough_ellipsoids(20);
-  const auto stones = generated(ShapeGenerator(sample, 14), 150, 2);
+  const auto particles = generated(ShapeGenerator(sample, 14), 150, 2);
   for (const auto number :
        {&detail::LogShape::log_elongation, &detail::LogShape::log_flatness})
   {
-    const Spread was = spread(sample, number), is = spread(stones, number);
+    const Spread was = spread(sample, number), is = spread(particles, number);
     EXPECT_NEAR(is.mean, was.mean, 3. * was.deviation / std::sqrt(150.));
     EXPECT_NEAR(is.deviation, was.deviation, 0.2 * was.deviation);
   }
@@ -191,15 +191,16 @@ TEST(ShapeGenerator, ReproducesTheFormsOfTheSample)
              double(shapes.size());
     return sum;
   };
-  EXPECT_NEAR(energy(stones), energy(sample), 0.1 * energy(sample));
+  EXPECT_NEAR(energy(particles), energy(sample), 0.1 * energy(sample));
 }
 
 TEST(ShapeGenerator, OfEqualSpheresMakesSpheres)
 {
   const std::vector<Coefficients> sample(3, sphere_series(8, 0.01));
-  for (const Coefficients &stone : generated(ShapeGenerator(sample, 8), 2, 1))
+  for (const Coefficients &particle :
+       generated(ShapeGenerator(sample, 8), 2, 1))
     for (const Vec3 &s : random_directions(20, 1))
-      EXPECT_NEAR(radius(stone, s), 0.01, 1e-7);
+      EXPECT_NEAR(radius(particle, s), 0.01, 1e-7);
 }
 
 TEST(ShapeGenerator, SaysWhatItNeeds)

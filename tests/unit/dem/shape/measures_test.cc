@@ -103,7 +103,7 @@ TEST(Measures, DoNotDependOnTheOriginOfTheSeries)
 // The nodes turn with nothing: the rule is exact for r^3 of order 20.
 TEST(Measures, VolumeDoesNotChangeUnderRotation)
 {
-  const std::vector<double> a = random_stone(20, 10);
+  const std::vector<double> a = random_particle(20, 10);
   const Quaternion rotation(0.3, -0.5, 0.2, 0.7);
   const Mat3 turn = rotation.normalized().toRotationMatrix();
   const std::vector<double> turned =

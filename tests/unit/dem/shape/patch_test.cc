@@ -68,7 +68,7 @@ TEST(PrincipalCurvatures, OfAnEllipsoidAreTheClosedForm)
 // along the direction and see the normal turn by kappa_max.
 TEST(PrincipalCurvatures, DirectionIsWhereTheNormalTurnsFastest)
 {
-  const std::vector<double> a = random_stone(12, 7);
+  const std::vector<double> a = random_particle(12, 7);
   const double step = 1e-5;
   for (const Vec3 &s : random_directions(20, 8))
   {
@@ -90,7 +90,7 @@ TEST(PrincipalCurvatures, DirectionIsWhereTheNormalTurnsFastest)
 
 TEST(PrincipalCurvatures, SumUpToGaussBonnet)
 {
-  const std::vector<double> a = random_stone(10, 9);
+  const std::vector<double> a = random_particle(10, 9);
   const SphereQuadrature &rule = standard_quadrature();
   double total = 0.;
   for (std::size_t k = 0; k < rule.weight.size(); ++k)

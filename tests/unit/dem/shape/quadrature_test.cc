@@ -42,7 +42,7 @@ TEST(NodeRadii, AreTheSeriesAtEveryNode)
 {
   for (const int order : {0, 1, 8, 20, 30})
   {
-    const std::vector<double> a = random_stone(order, 4);
+    const std::vector<double> a = random_particle(order, 4);
     const SphereQuadrature rule = make_quadrature(7, 13);
     const std::vector<double> radii = node_radii(a, rule);
     ASSERT_EQ(radii.size(), rule.direction.size());

@@ -1,6 +1,6 @@
 #include "test_shapes.h"
 
-#include <dem/shape/body.h>
+#include <dem/shape/particle_shape.h>
 #include <dem/shape/radius_bounds.h>
 
 #include <gtest/gtest.h>
@@ -38,18 +38,18 @@ TEST(DerivativeBounds, OfALinearFunctionAreOne)
 }
 
 // After small changes the bounds still hold, and are not much wider.
-TEST(Body, BoundsOfAChangedShapeHold)
+TEST(ParticleShape, BoundsOfAChangedShapeHold)
 {
-  Body body = own_body(test::random_stone(20, 5));
+  ParticleShape body = shape_of(test::random_particle(20, 5));
   const std::vector<Vec3> directions = test::random_directions(3000, 5);
   for (int change = 1; change <= 40; ++change)
   {
     Coefficients a = scaled_coefficients(body);
     const std::vector<double> other =
-        test::random_stone(20, 100 + unsigned(change));
+        test::random_particle(20, 100 + unsigned(change));
     for (std::size_t j = 1; j < a.size(); ++j)
       a[j] += 0.02 * other[j];
-    body = changed_body(body, a);
+    body = changed_shape(body, a);
     double largest = 0., smallest = 1., steepest = 0.;
     for (const Vec3 &s : directions)
     {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-// The hull of the map of a stone against a search of all its nodes.
+// The hull of the map of a particle against a search of all its nodes.
 namespace
 {
 using dem::RadiusMap;
@@ -26,16 +26,17 @@ double farthest(const RadiusMap &map)
   return far;
 }
 
-/// Of a stone, or (0) of a needle, whose sides see most of its nodes.
+/// Of a particle, or (0) of a needle, whose sides see most of its nodes.
 std::vector<double> series_of(int seed)
 {
   constexpr int order = 12;
-  return seed > 0 ? dem::test::random_stone(order, static_cast<unsigned>(seed))
-                  : dem::test::project(order,
-                                       [](const Vec3 &s) {
-                                         return dem::test::ellipsoid_radius(
-                                             {0.02, 0.008, 0.005}, s);
-                                       });
+  return seed > 0
+             ? dem::test::random_particle(order, static_cast<unsigned>(seed))
+             : dem::test::project(order,
+                                  [](const Vec3 &s) {
+                                    return dem::test::ellipsoid_radius(
+                                        {0.02, 0.008, 0.005}, s);
+                                  });
 }
 
 class Hull : public testing::TestWithParam<int>
@@ -69,5 +70,5 @@ TEST_P(Hull, NoNodeIsHigher)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Stones, Hull, testing::Values(0, 5, 6, 7));
+INSTANTIATE_TEST_SUITE_P(ParticleSystem, Hull, testing::Values(0, 5, 6, 7));
 } // namespace

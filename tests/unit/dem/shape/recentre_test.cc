@@ -27,7 +27,7 @@ TEST(Recentre, FindsTheCentreOfAnEllipsoid)
 {
   const Vec3 axes(0.012, 0.010, 0.008), off(5e-4, -3e-4, 6e-4);
   const std::vector<double> series = off_centre(axes, off);
-  const double mean = series[0] * ball_radius_factor;
+  const double mean = series[0] * equivalent_radius_factor;
   // What order 20 leaves of it is 1e-5 of the radius.
   EXPECT_NEAR(relative_centroid(series).norm(), off.norm() / mean, 1e-4);
   const Recentred moved = recentre(series);

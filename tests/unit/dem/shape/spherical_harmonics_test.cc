@@ -90,7 +90,7 @@ TEST(SphericalHarmonics, OrderOfACountOfCoefficients)
 
 TEST(RadialExpansion, ValueIsTheSumOfTheSeries)
 {
-  const std::vector<double> a = random_stone(20, 2);
+  const std::vector<double> a = random_particle(20, 2);
   std::vector<double> y(a.size());
   for (const Vec3 &s : directions_with_poles())
   {
@@ -107,10 +107,10 @@ TEST(RadialExpansion, ValueIsTheSumOfTheSeries)
 // Along the great circle s cos t + v sin t the first and second derivatives of
 // r are g.v and v.H.v (a geodesic has no curvature of its own). Five-point
 // differences with t = 3e-3 leave (20 t)^4 / 30 ~ 4e-7 of the derivatives of
-// degree 20, and those are a small part of a stone.
+// degree 20, and those are a small part of a particle.
 TEST(RadialExpansion, DerivativesAreThoseAlongGreatCircles)
 {
-  const std::vector<double> a = random_stone(20, 3);
+  const std::vector<double> a = random_particle(20, 3);
   const double t = 3e-3, mean = 0.01;
   for (const Vec3 &s : directions_with_poles())
   {

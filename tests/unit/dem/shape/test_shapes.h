@@ -25,8 +25,8 @@ inline std::vector<Vec3> random_directions(int n, unsigned seed)
   return directions;
 }
 
-/// Mean radius 0.01 m, decaying as a stone does.
-inline std::vector<double> random_stone(int order, unsigned seed)
+/// Mean radius 0.01 m, decaying as a particle does.
+inline std::vector<double> random_particle(int order, unsigned seed)
 {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;

@@ -1,0 +1,46 @@
+#include "case/gravity.h"
+#include "run/rough_packing.h"
+#include "subgrade/subgrade.h"
+
+namespace spall
+{
+double Subgrade::preparation_time() const
+{
+  return pouring.expected_time(engine().parameters().gravity);
+}
+
+double Subgrade::fast_preparation()
+{
+  double preparing = 0.;
+  if (now.stage == Stage::pouring)
+  {
+    pack();
+    check_contacts();
+    preparing = time_step();
+    set_plate_down();
+  }
+  if (now.stage == Stage::placing)
+    start_loading();
+  check_contacts();
+  return preparing;
+}
+
+/// What the pouring would come to, about, as far as the plate presses on it.
+void Subgrade::pack()
+{
+  const LayerParameters &l = parameters.subgrade.layer;
+  const LoadPlateParameters &p = parameters.subgrade.plate;
+  const std::vector<dem::ParticleShape> &bodies = scene.all.shape;
+  const double height =
+      solid_volume(scene.all) / (scene.room.section() * l.solid_fraction);
+  const auto places =
+      dense_packing(bodies, scene.room, height, l.initial_solid_fraction);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    engine().add_particle(bodies[i], places[i].position, places[i].orientation);
+  relax(engine(), time_step());
+  press(engine(), pouring.tamper(), p.mass * gravity + p.static_load,
+        time_step());
+  engine().deactivate_plane(pouring.tamper());
+  engine().set_friction(parameters.particle.friction);
+}
+} // namespace spall

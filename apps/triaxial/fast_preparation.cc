@@ -1,0 +1,105 @@
+#include "run/forecast.h"
+#include "run/rough_packing.h"
+#include "triaxial/triaxial.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace spall
+{
+namespace
+{
+/// Of true surfaces: pulls that draw the cloud together, rounds of rest after
+/// each, and the unbalanced force ratio that is rest enough [-].
+constexpr int n_pulls = 40, n_rounds = 4;
+constexpr double unrest = 0.02;
+constexpr double patience = 40.; // for pulls [s]
+/// What particles take to come to rest over the cube root of the volume of the
+/// specimen: of limestone at 30 kPa 0.8 to 1.05 [s/m]
+/// (docs/theory/preparation.md).
+constexpr double rest_per_metre = 0.95;
+
+/// About the origin, particles and walls.
+void draw_together(dem::Engine &engine, double factor)
+{
+  for (dem::ParticleState &particle : engine.particles().state)
+    particle.position *= factor;
+  for (dem::Plane &plane : engine.planes())
+    plane.point *= factor;
+  if (dem::Drum side = engine.drum(); side.is_there())
+  {
+    side.centre *= factor;
+    side.radius *= factor;
+    engine.set_drum(side);
+  }
+}
+
+/// In small pulls, until particles and walls press. Surfaces that lie deep in
+/// each other do not see each other any more.
+void draw_gently(dem::Engine &engine, double factor, double longest_step,
+                 const std::function<bool()> &is_pressing)
+{
+  const Stopwatch spent;
+  for (int pull = 0;
+       pull < n_pulls && !is_pressing() && spent.seconds() < patience; ++pull)
+  {
+    draw_together(engine, std::pow(factor, 1. / n_pulls));
+    relax(engine, longest_step, n_rounds);
+  }
+}
+} // namespace
+
+double Triaxial::preparation_time() const
+{
+  const SpecimenParameters &s = parameters.specimen;
+  const bool is_box = s.form == SpecimenForm::box;
+  const double length = is_box ? s.side
+                               : std::cbrt(0.25 * std::numbers::pi *
+                                           s.diameter * s.diameter * s.height);
+  const double grown = std::cbrt(s.solid_fraction / s.initial_solid_fraction);
+  // Walls on both sides.
+  const double closing =
+      0.5 * (grown - 1.) * length / parameters.preparation.wall_speed;
+  return closing + rest_per_metre * length;
+}
+
+/// The cloud is drawn together to the solid fraction that is expected, and let
+/// come near to the pressure; true surfaces no further than until they press,
+/// and the walls do the rest.
+FastPreparation Triaxial::fast_preparation()
+{
+  if (now != Stage::preparation)
+    return {.was_prepared = true};
+  const SpecimenParameters &s = parameters.specimen;
+  const double shrink = std::cbrt(s.initial_solid_fraction / s.solid_fraction);
+  const bool has_surfaces = engine().particles().follows_surfaces;
+  const double target = parameters.preparation.pressure;
+  const auto stress = [this]
+  { return dem::box_stress(engine(), specimen.walls).mean(); };
+  if (has_surfaces)
+    draw_gently(engine(), shrink, time_step(),
+                [&] { return stress() >= target; });
+  else
+  {
+    draw_together(engine(), shrink);
+    relax(engine(), time_step());
+  }
+  FastPreparation result;
+  result.is_packed = run_roughly(
+      engine(), time_step(),
+      [this](double step) { servo.update(engine(), step); },
+      [&]
+      {
+        const double share = stress() / target;
+        return share > 0.8 && share < 1.25 &&
+               (!has_surfaces ||
+                dem::unbalanced_force_ratio(engine().particles(),
+                                            engine().pairs()) < unrest);
+      });
+  is_rough = true;
+  watch.look(engine(), {}, time_step());
+  result.step = time_particles(engine(), time_step());
+  hand_over();
+  return result;
+}
+} // namespace spall

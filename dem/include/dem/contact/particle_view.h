@@ -1,0 +1,45 @@
+#pragma once
+
+#include <dem/contact/common_normal.h>
+
+namespace dem
+{
+/// The surface of a particle in the world where it is looked at: an expansion
+/// of second order, made anew where it does not reach.
+class ParticleView
+{
+public:
+  /// `tolerance`: how far an expansion holds [rad]; 0: always the series. The
+  /// body must outlive the view.
+  ParticleView(const ParticleShape &body, const Vec3 &position,
+               const Mat3 &rotation, double tolerance);
+
+  /// An expansion that is known already, scale applied.
+  void start_from(const RadialExpansion &known);
+
+  /// The surface at a unit direction of the body frame; position, normal and
+  /// bend in the world.
+  const SurfacePoint &at(const Vec3 &direction);
+
+  /// Direction of the body frame towards a point of the world.
+  Vec3 towards(const Vec3 &point) const;
+  /// A point of the body frame in the world.
+  Vec3 in_world(const Vec3 &point) const { return position + rotation * point; }
+  const Mat3 &orientation() const { return rotation; } ///< body to world
+  const ParticleShape &shape() const { return body; }
+  /// Mean radius of the particle [m].
+  double size() const { return mean_size; }
+  /// The series was asked since the last start_from().
+  bool is_renewed() const { return has_renewed; }
+
+private:
+  const ParticleShape &body;
+  Vec3 position;
+  Mat3 rotation;
+  double tolerance, mean_size;
+  RadialExpansion known; ///< radius 0: none yet
+  bool has_renewed = false;
+  Vec3 last_direction = Vec3::Zero(); ///< that `last` is at
+  SurfacePoint last;
+};
+} // namespace dem

@@ -1,0 +1,239 @@
+#pragma once
+
+#include "force_kernels.h"
+#include "simd_rows.h"
+
+#include <dem/breakage/criterion.h>
+
+/// What contacts with particles and with walls have in common, in lanes.
+/// Internal to the units that are compiled once per instruction set.
+namespace dem::kernel
+{
+namespace
+{
+using ParticleSimd = SimdRows<particle_row>;
+
+/// Simd that are contacts; the others only fill the set.
+SimdMask valid_lanes(int n_valid)
+{
+  const Simd place([](auto lane) { return static_cast<double>(lane); });
+  return place < static_cast<double>(n_valid);
+}
+
+/// Direction of one side of a block of contacts in the frame of its particle.
+SimdVector side_direction(const ParticleSimd &particle, const SimdVector &world)
+{
+  return to_body(particle.quad(at_orientation), world);
+}
+
+/// Renews the sides that no longer hold for `direction`.
+void refresh_side(const Task &task, const Side &side, std::int64_t k, int which,
+                  const SimdVector &direction, const SimdMask &is_looked_at)
+{
+  const SimdVector away = direction - load_vector(side.direction, k);
+  const SimdMask is_stale =
+      is_looked_at &&
+      dot(away, away) > task.refresh_tolerance * task.refresh_tolerance;
+  if (!any(is_stale))
+    return;
+  SimdTable<4> table;
+  table.set(0, {direction});
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (is_stale[static_cast<std::size_t>(lane)])
+      task.surfaces.renew(task.surfaces.owner, k + lane, which,
+                          table.value[lane]);
+}
+
+/// r at `direction` from the expansions: r + g.w + w.H.w / 2.
+Simd expanded_radius(const Side &side, std::int64_t k,
+                     const SimdVector &direction)
+{
+  const SimdVector w = direction - load_vector(side.direction, k);
+  const SimdVector gradient = load_vector(side.gradient, k);
+  const Simd diagonal = load(side.hessian[0] + k) * w.x * w.x +
+                        load(side.hessian[1] + k) * w.y * w.y +
+                        load(side.hessian[2] + k) * w.z * w.z;
+  const Simd mixed = load(side.hessian[3] + k) * w.x * w.y +
+                     load(side.hessian[4] + k) * w.x * w.z +
+                     load(side.hessian[5] + k) * w.y * w.z;
+  return load(side.radius + k) + dot(gradient, w) + 0.5 * diagonal + mixed;
+}
+
+/// The normal energy is that of a Hertz spring.
+ContactHistory<Simd> load_history(const Contacts &contacts, std::int64_t k,
+                                  const Simd &overlap_before)
+{
+  ContactHistory<Simd> history;
+  history.shear = load_vector(contacts.shear, k);
+  if (contacts.rolling.x)
+  {
+    history.rolling = load_vector(contacts.rolling, k);
+    history.rolling_compliance = load(contacts.rolling_compliance + k);
+  }
+  history.dashpot = load_vector(contacts.dashpot, k);
+  history.shear_compliance = load(contacts.shear_compliance + k);
+  history.normal_force = load(contacts.normal_force + k);
+  history.normal_energy =
+      hertz_energy_share * history.normal_force * overlap_before;
+  return history;
+}
+
+/// Force on A as the last step left it.
+SimdVector kept_force(const ContactHistory<Simd> &history,
+                      const SimdVector &normal)
+{
+  return history.shear + history.dashpot - history.normal_force * normal;
+}
+
+void store_history(const ContactHistory<Simd> &history,
+                   const Contacts &contacts, std::int64_t k)
+{
+  store_vector(history.shear, contacts.shear, k);
+  if (contacts.rolling.x)
+  {
+    store_vector(history.rolling, contacts.rolling, k);
+    store(history.rolling_compliance, contacts.rolling_compliance + k);
+  }
+  store_vector(history.dashpot, contacts.dashpot, k);
+  store(history.shear_compliance, contacts.shear_compliance + k);
+  store(history.normal_force, contacts.normal_force + k);
+}
+
+/// Where the load of a contact on its side A goes: to the particle, or to the
+/// sum of the range for the first particle of it.
+struct Target
+{
+  std::int32_t first;
+  RangeSum &sum;
+
+  double *row(const Task &task, std::int32_t particle) const
+  {
+    return particle == first
+               ? sum.load
+               : task.particles.load +
+                     load_row * static_cast<std::int64_t>(particle);
+  }
+};
+
+/// Where the load on side B goes: to the particle, or to a row of the halo.
+double *partner_load(const Task &task, std::int32_t target)
+{
+  const std::int64_t row = target;
+  return row >= 0 ? task.particles.load + load_row * row
+                  : task.particles.halo + load_row * (-1 - row);
+}
+
+/// Adds force and moment to a row: the first four numbers and the other two.
+void add_load(const double *four, const double *two, double *row)
+{
+  store_pack(load_pack<4>(row) + load_pack<4>(four), row);
+  store_pack(load_pack<2>(row + 4) + load_pack<2>(two), row + 4);
+}
+
+/// Overlap and elastic energy of a set of lanes, now and in the last step.
+struct Loading
+{
+  Simd overlap, energy_before, energy;
+};
+
+/// What the criterion compares.
+struct Damage
+{
+  Simd overlap, rise, energy;
+  SimdMask ends; ///< contacts that open and lose their factors
+};
+
+/// Eqs. 4 and 5 for one side of the contacts. Most are no corner or are not
+/// loaded further: their factors are not even read. `bit` names the side in
+/// the events.
+void damage_side(const Task &task, std::int64_t k, const Damage &damage,
+                 const Narrow *corner, double *factor, unsigned bit,
+                 RangeSum &sum)
+{
+  const Simd fracture_energy =
+      task.fracture_energy * load(corner + k) * damage.overlap;
+  const SimdMask is_loaded =
+      fracture_energy > 0. &&
+      (damage.rise > 0. || damage.energy > fracture_energy);
+  if (!any(is_loaded || damage.ends))
+    return;
+  const Simd old = load(factor + k);
+  const DamageStep<Simd> step =
+      damage_step(old, damage.rise, damage.energy,
+                  select(is_loaded, fracture_energy, Simd(1.)));
+  const SimdMask grows = is_loaded && SimdMask(task.repetitions > 0.);
+  store(select(grows, step.factor, select(damage.ends, Simd(0.), old)),
+        factor + k);
+  const SimdMask breaks = grows && (step.factor > 1. || step.energy_ratio > 1.);
+  if (!any(breaks))
+    return;
+  sum.wants_breakage = true;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (breaks[static_cast<std::size_t>(lane)])
+    {
+      std::uint8_t &event = task.contacts.event[k + lane];
+      event = static_cast<std::uint8_t>(event | bit);
+    }
+}
+
+/// With the energy of the shear spring, and swings that do not count let pass.
+void count_turns(const Task &task, std::int64_t k, Damage &damage)
+{
+  const Contacts &contacts = task.contacts;
+  if (task.counts_shear)
+  {
+    const SimdVector shear = load_vector(contacts.shear, k);
+    damage.energy +=
+        0.5 * dot(shear, shear) * load(contacts.shear_compliance + k);
+  }
+  const Simd before = load(contacts.turn + k);
+  store(turn_of_energy(before, damage.energy, task.hysteresis),
+        contacts.turn + k);
+  damage.rise = counted_rise(before, load(contacts.turn + k));
+}
+
+/// Rises beyond the peak count many times.
+void repeat_peaks(const Task &task, std::int64_t k, Damage &damage)
+{
+  const Simd peak = load(task.contacts.peak + k);
+  const Simd fresh = damage.energy - max(peak, damage.energy - damage.rise);
+  damage.rise += (task.repetitions - 1.) * max(Simd(0.), fresh);
+  store(max(peak, damage.energy), task.contacts.peak + k);
+}
+
+/// Marks the contacts that begin or end.
+void mark_switched(const Task &task, std::int64_t k, const Loading &last,
+                   RangeSum &sum)
+{
+  const SimdMask has_switched =
+      (last.overlap > 0.) != (last.energy_before > 0.);
+  if (!any(has_switched))
+    return;
+  sum.has_switched = true;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (has_switched[static_cast<std::size_t>(lane)])
+    {
+      std::uint8_t &event = task.contacts.event[k + lane];
+      event = static_cast<std::uint8_t>(event | 4u);
+    }
+}
+
+void find_damage(const Task &task, std::int64_t k, const Loading &last,
+                 RangeSum &sum)
+{
+  const Contacts &contacts = task.contacts;
+  if (task.keeps_factors)
+    mark_switched(task, k, last, sum);
+  Damage damage{last.overlap, last.energy - last.energy_before, last.energy,
+                SimdMask(!task.keeps_factors) && last.overlap <= 0. &&
+                    last.energy_before > 0.};
+  if (contacts.turn)
+    count_turns(task, k, damage);
+  if (contacts.peak)
+    repeat_peaks(task, k, damage);
+  damage_side(task, k, damage, contacts.corner_a, contacts.factor_a, 1u, sum);
+  if (contacts.corner_b)
+    damage_side(task, k, damage, contacts.corner_b, contacts.factor_b, 2u, sum);
+}
+} // namespace
+} // namespace dem::kernel

@@ -1,0 +1,225 @@
+#pragma once
+
+#include "contact_simd.h"
+
+/// Particle against particle, in lanes.
+namespace dem::kernel
+{
+namespace
+{
+/// How far the particles of each pair have travelled, both together.
+Simd travel_of_pairs(const Task &task, std::int64_t k)
+{
+  const double *travelled = task.particles.travelled;
+  if (!travelled)
+    return Simd(task.particles.gaps_travelled);
+  const std::int32_t *a = task.contacts.a + k, *b = task.contacts.b + k;
+  return Simd([=](auto lane)
+              { return travelled[a[lane]] + travelled[b[lane]]; });
+}
+
+/// Contacts that cannot touch yet. Nothing of them changes, whatever the lanes
+/// beside them do.
+SimdMask inactive(const Task &task, std::int64_t k)
+{
+  const Simd reactivation = load(task.contacts.reactivation + k);
+  const SimdMask sleeps = reactivation > 0.;
+  return any(sleeps) ? sleeps && travel_of_pairs(task, k) < reactivation
+                     : sleeps;
+}
+
+/// Lets those that are awake, and apart by more than 0, sleep until their
+/// particles have travelled so far.
+void deactivate(const Task &task, std::int64_t k, const SimdMask &is_awake,
+                const Simd &apart)
+{
+  const Simd reactivation = load(task.contacts.reactivation + k);
+  const SimdMask is_open = is_awake && apart > 0.;
+  if (any(is_open || (is_awake && reactivation > 0.)))
+    store(select(is_awake,
+                 select(is_open, travel_of_pairs(task, k) + apart, Simd(0.)),
+                 reactivation),
+          task.contacts.reactivation + k);
+}
+
+/// Contacts of one set of lanes as they lie.
+struct PairGeometry
+{
+  SimdVector normal;
+  Simd inverse_distance;   ///< of the centres; 0 where they coincide
+  Simd radius_a, radius_b; ///< towards each other
+  Simd gap;                ///< < 0: an overlap
+  Simd overlap;            ///< 0 where open
+
+  /// From the centres to the middle of the overlap.
+  Simd arm_a() const { return radius_a - 0.5 * overlap; }
+  Simd arm_b() const { return radius_b - 0.5 * overlap; }
+};
+
+PairGeometry locate_pairs(const Task &task, std::int64_t k,
+                          const ParticleSimd &a, const ParticleSimd &b,
+                          const SimdMask &is_awake)
+{
+  const SimdQuad ball_a = a.quad(at_position), ball_b = b.quad(at_position);
+  const SimdVector branch = ball_b.vector - ball_a.vector;
+  const Simd square = dot(branch, branch);
+  // Entries that only fill the last block lie on themselves.
+  const SimdMask is_apart = square > 0.;
+  const Simd distance = stdx::sqrt(square);
+  PairGeometry pair;
+  pair.inverse_distance =
+      select(is_apart, 1. / select(is_apart, distance, Simd(1.)), Simd(0.));
+  pair.normal = pair.inverse_distance * branch;
+  if (task.reads_surface)
+  {
+    const SimdVector on_a = side_direction(a, pair.normal);
+    const SimdVector on_b = side_direction(b, -pair.normal);
+    const SimdMask is_looked_at = is_apart && is_awake;
+    refresh_side(task, task.contacts.side_a, k, 0, on_a, is_looked_at);
+    refresh_side(task, task.contacts.side_b, k, 1, on_b, is_looked_at);
+    if (task.is_radial)
+    {
+      pair.radius_a = expanded_radius(task.contacts.side_a, k, on_a);
+      pair.radius_b = expanded_radius(task.contacts.side_b, k, on_b);
+    }
+  }
+  if (!task.is_radial)
+  {
+    pair.radius_a = ball_a.number;
+    pair.radius_b = ball_b.number;
+  }
+  const Simd depth = pair.radius_a + pair.radius_b - distance;
+  pair.gap = -depth;
+  pair.overlap =
+      select(is_apart && is_awake, stdx::max(depth, Simd(0.)), Simd(0.));
+  return pair;
+}
+
+/// Mixes the prefactors anew where the particles have turned about the normal.
+void refresh_prefactors(const Task &task, std::int64_t k,
+                        const PairGeometry &pair, const Simd &spin)
+{
+  const Contacts &contacts = task.contacts;
+  const SimdMask is_touching = pair.overlap > 0.;
+  const Simd torsion_angle =
+      load(contacts.torsion_angle + k) +
+      select(is_touching, stdx::abs(spin) * task.time_step, Simd(0.));
+  store(torsion_angle, contacts.torsion_angle + k);
+  const SimdMask is_old = is_touching && torsion_angle > task.refresh_tolerance;
+  if (!any(is_old))
+    return;
+  SimdTable<4> table;
+  table.set(0, {pair.normal});
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (is_old[static_cast<std::size_t>(lane)])
+      task.surfaces.mix(task.surfaces.owner, k + lane, table.value[lane]);
+}
+
+/// Loads on particles A and B: forces, then moments.
+struct PairLoad
+{
+  SimdVector force_a, moment_a, force_b, moment_b;
+};
+
+void scatter_pairs(const Task &task, std::int64_t k, int n_valid,
+                   const PairLoad &load, const Target &target)
+{
+  // What is read in one piece was written in one: it need not wait for memory.
+  SimdTable<12> table;
+  table.set(0, {load.force_a, load.moment_a.x});
+  table.set(4, {load.force_b, load.moment_b.x});
+  table.set(8, {{load.moment_a.y, load.moment_a.z, load.moment_b.y},
+                load.moment_b.z});
+  for (int lane = 0; lane < n_valid; ++lane)
+  {
+    const double *of = table.value[lane];
+    add_load(of, of + 8, target.row(task, task.contacts.a[k + lane]));
+    add_load(of + 4, of + 10,
+             partner_load(task, task.contacts.target[k + lane]));
+  }
+}
+
+/// Motion of side B against side A of one set of lanes.
+ContactMotion<Simd> pair_motion(const Task &task, const ParticleSimd &a,
+                                const ParticleSimd &b, const PairGeometry &pair)
+{
+  const SimdVector spin_a = a.vector(at_spin), spin_b = b.vector(at_spin);
+  const SimdQuad moving_a = a.quad(at_velocity), moving_b = b.quad(at_velocity);
+  const SimdVector parting = moving_b.vector - moving_a.vector;
+  ContactMotion<Simd> motion;
+  motion.normal = pair.normal;
+  // The centres have parted along straight lines in this step.
+  motion.normal_before =
+      pair.normal - pair.inverse_distance * Simd(task.time_step) *
+                        (parting - dot(parting, pair.normal) * pair.normal);
+  motion.velocity = motion.velocity_before =
+      parting -
+      cross(pair.arm_a() * spin_a + pair.arm_b() * spin_b, pair.normal);
+  motion.spin = spin_b - spin_a;
+  motion.reduced_mass =
+      moving_a.number * moving_b.number / (moving_a.number + moving_b.number);
+  // In contact the sum of both arms is the distance of the centres.
+  motion.rolling_radius = pair.arm_a() * pair.arm_b() * pair.inverse_distance;
+  return motion;
+}
+
+/// The normal spring: prefactors of the surfaces, or of two balls.
+NormalSpring<Simd> pair_spring(const Task &task, std::int64_t k,
+                               const PairGeometry &pair,
+                               const ContactMotion<Simd> &motion)
+{
+  if (task.reads_surface)
+  {
+    refresh_prefactors(task, k, pair, dot(motion.spin, pair.normal));
+    return hertz_spring(load(task.contacts.normal_prefactor + k),
+                        load(task.contacts.shear_prefactor + k), pair.overlap);
+  }
+  // Entries that only fill the last block know no radius.
+  const Simd radius =
+      pair.radius_a * pair.radius_b /
+      select(pair.overlap > 0., pair.radius_a + pair.radius_b, Simd(1.));
+  const Simd root = stdx::sqrt(radius);
+  return hertz_spring(Simd(task.normal_factor * root),
+                      Simd(task.shear_factor * root), pair.overlap);
+}
+
+/// One step of `n_valid` contacts from k.
+[[gnu::flatten]] void advance_pairs(const Task &task, std::int64_t k,
+                                    int n_valid, Losses<Simd> &lost,
+                                    const Target &target)
+{
+  const Contacts &contacts = task.contacts;
+  const SimdMask is_awake = !inactive(task, k);
+  if (!any(is_awake))
+    return;
+  const ParticleSimd a(task.particles.state, contacts.a + k),
+      b(task.particles.state, contacts.b + k);
+  const PairGeometry pair = locate_pairs(task, k, a, b, is_awake);
+  deactivate(task, k, is_awake, pair.gap);
+  const Simd overlap_before = load(contacts.overlap + k);
+  if (!any(pair.overlap > 0. || overlap_before > 0.))
+    return; // all is zero and stays so
+  ContactHistory<Simd> history = load_history(contacts, k, overlap_before);
+  const Simd energy_before = history.normal_energy;
+  SimdVector force;
+  if (task.adds_loads_only)
+    force = kept_force(history, pair.normal);
+  else
+  {
+    const ContactMotion<Simd> motion = pair_motion(task, a, b, pair);
+    force = advance_contact(motion, pair_spring(task, k, pair, motion),
+                            task.coefficients, task.time_step, history, lost);
+    store_history(history, contacts, k);
+    store(pair.overlap, contacts.overlap + k);
+  }
+  const SimdVector turning = cross(pair.normal, force);
+  scatter_pairs(task, k, n_valid,
+                {force, pair.arm_a() * turning + history.rolling, -force,
+                 pair.arm_b() * turning - history.rolling},
+                target);
+  if (task.has_damage)
+    find_damage(task, k, {pair.overlap, energy_before, history.normal_energy},
+                target.sum);
+}
+} // namespace
+} // namespace dem::kernel

@@ -1,0 +1,384 @@
+#pragma once
+
+#include "pair_simd.h"
+#include "simd_surface.h"
+#include "wall_simd.h"
+
+/// Particles that meet with their true surfaces: every contact follows its
+/// common normal by one Newton step per time step, in lanes.
+namespace dem::kernel
+{
+namespace
+{
+/// Notes where the contact is now: the point x of the surface in the body frame
+/// as an offset from the direction u of the expansion, x / (x.u) - u.
+void follow_side(const Task &task, const Side &side, std::int64_t k, int which,
+                 const SimdVector &point, const SimdMask &is_followed)
+{
+  const SimdVector u = load_vector(side.direction, k);
+  const Simd along = dot(point, u);
+  const SimdMask is_valid = is_followed && along > 0.;
+  const SimdVector offset = 1. / select(is_valid, along, Simd(1.)) * point - u;
+  const SimdVector before = load_vector(side.offset, k);
+  const SimdVector kept{select(is_valid, offset.x, before.x),
+                        select(is_valid, offset.y, before.y),
+                        select(is_valid, offset.z, before.z)};
+  store_vector(kept, side.offset, k);
+  const SimdMask is_stale =
+      is_valid &&
+      dot(kept, kept) > task.refresh_tolerance * task.refresh_tolerance;
+  if (!any(is_stale))
+    return;
+  SimdTable<4> table;
+  table.set(0, {u + kept});
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (is_stale[static_cast<std::size_t>(lane)])
+      task.surfaces.renew(task.surfaces.owner, k + lane, which,
+                          table.value[lane]);
+}
+
+SimdVector planar_in_body(const SimdShapeOperator &bend, const SimdPlanar &v)
+{
+  return v.x * bend.first.vector + v.y * bend.second.vector;
+}
+
+SimdVector planar_in_world(const SimdFrame &frame, const SimdPlanar &v)
+{
+  return v.x * frame.first + v.y * frame.second;
+}
+
+/// Has the contacts of some lanes looked for anew, one by one.
+void relocate(const Task &task, std::int64_t k, const SimdMask &is_lost,
+              RangeSum &sum)
+{
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (is_lost[static_cast<std::size_t>(lane)])
+      task.surfaces.relocate(task.surfaces.owner, k + lane, &sum);
+}
+
+/// Overlap that counts: `slack` was there when the contact was found, and is
+/// given back as the contact opens.
+Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap)
+{
+  const Simd depth = stdx::max(overlap, Simd(0.));
+  const Simd slack = load(task.contacts.slack + k);
+  const SimdMask is_given_back = slack > depth && slack < closed_slack;
+  store(select(is_given_back, depth, slack), task.contacts.slack + k);
+  return stdx::max(depth - slack, Simd(0.));
+}
+
+/// Contacts of one set of lanes as they lie, at their common normals.
+struct SurfaceGeometry
+{
+  SimdVector normal, normal_before;
+  SimdVector arm_a, arm_b; ///< from the centres to the contact
+  Simd apart;   ///< the surfaces, where the place is open and known; else 0
+  Simd overlap; ///< counted; 0 where open
+};
+
+/// Two surfaces before the Newton step.
+struct SurfacePair
+{
+  SimdSurface on_a, on_b;
+  SimdFrame frame;
+  SimdShapeOperator shape_operator_a, shape_operator_b;
+  LaneStep step;
+};
+
+SurfacePair approach_pair(const Task &task, std::int64_t k,
+                          const ParticleSimd &a, const ParticleSimd &b)
+{
+  const Contacts &contacts = task.contacts;
+  SurfacePair pair;
+  pair.on_a = locate_surface(contacts.side_a, k, a);
+  pair.on_b = locate_surface(contacts.side_b, k, b);
+  pair.frame = across(pair.on_a.normal);
+  const SimdVector apart = a.vector(at_position) + pair.on_a.arm -
+                           b.vector(at_position) - pair.on_b.arm;
+  pair.shape_operator_a =
+      shape_operator_of(contacts.side_a, k, pair.on_a, pair.frame);
+  pair.shape_operator_b =
+      shape_operator_of(contacts.side_b, k, pair.on_b, pair.frame);
+  pair.step = step_to_normal(
+      pair.shape_operator_a, pair.shape_operator_b, in_frame(pair.frame, apart),
+      in_frame(pair.frame, pair.on_b.normal), dot(apart, pair.on_a.normal));
+  pair.step.is_sound = pair.step.is_sound &&
+                       is_short(pair.step.on_a, pair.on_a.radius) &&
+                       is_short(pair.step.on_b, pair.on_b.radius) &&
+                       load(contacts.side_a.radius + k) > 0. &&
+                       load(contacts.side_b.radius + k) > 0.;
+  return pair;
+}
+
+SimdVector normalised(const SimdVector &v)
+{
+  return 1. / stdx::sqrt(dot(v, v)) * v;
+}
+
+/// Follows the pairs to their common normals.
+SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
+                                     const ParticleSimd &a,
+                                     const ParticleSimd &b,
+                                     const SimdMask &is_valid, RangeSum &sum)
+{
+  const Contacts &contacts = task.contacts;
+  const SimdMask is_open = load(contacts.slack + k) >= closed_slack;
+  SurfacePair pair = approach_pair(task, k, a, b);
+  const SimdMask is_lost = is_valid && !is_open && !pair.step.is_sound;
+  if (any(is_lost))
+  {
+    relocate(task, k, is_lost, sum);
+    pair = approach_pair(task, k, a, b);
+  }
+  // A contact that ends here gets no step: its old force works where it was.
+  const SimdMask is_there = is_valid && pair.step.is_sound;
+  const LaneStep step{only(is_there, pair.step.on_a),
+                      only(is_there, pair.step.on_b),
+                      select(is_there, pair.step.overlap, Simd(0.)), is_there};
+  SurfaceGeometry geometry;
+  geometry.apart = stdx::max(-step.overlap, Simd(0.));
+  geometry.overlap = counted_overlap(task, k, step.overlap);
+  const SimdPlanar turn = pair.shape_operator_a.matrix * step.on_a;
+  geometry.normal =
+      normalised(pair.on_a.normal + planar_in_world(pair.frame, turn));
+  geometry.normal_before =
+      pair.on_a.normal -
+      cross(Simd(task.time_step) * a.vector(at_spin), pair.on_a.normal);
+  geometry.arm_a = pair.on_a.arm + planar_in_world(pair.frame, step.on_a) -
+                   0.5 * step.overlap * geometry.normal;
+  geometry.arm_b =
+      geometry.arm_a + a.vector(at_position) - b.vector(at_position);
+  if (!task.adds_loads_only)
+  {
+    follow_side(task, contacts.side_a, k, 0,
+                pair.on_a.radius * pair.on_a.direction +
+                    planar_in_body(pair.shape_operator_a, step.on_a),
+                is_there);
+    follow_side(task, contacts.side_b, k, 1,
+                pair.on_b.radius * pair.on_b.direction +
+                    planar_in_body(pair.shape_operator_b, step.on_b),
+                is_there);
+  }
+  return geometry;
+}
+
+/// Motion of side B against side A of one set of lanes.
+ContactMotion<Simd> surface_motion(const ParticleSimd &a, const ParticleSimd &b,
+                                   const SurfaceGeometry &geometry)
+{
+  const SimdVector spin_a = a.vector(at_spin), spin_b = b.vector(at_spin);
+  const SimdQuad moving_a = a.quad(at_velocity), moving_b = b.quad(at_velocity);
+  ContactMotion<Simd> motion;
+  motion.normal = geometry.normal;
+  motion.normal_before = geometry.normal_before;
+  motion.velocity = motion.velocity_before =
+      moving_b.vector + cross(spin_b, geometry.arm_b) - moving_a.vector -
+      cross(spin_a, geometry.arm_a);
+  motion.spin = spin_b - spin_a;
+  motion.reduced_mass =
+      moving_a.number * moving_b.number / (moving_a.number + moving_b.number);
+  const Simd r_a = stdx::sqrt(dot(geometry.arm_a, geometry.arm_a));
+  const Simd r_b = stdx::sqrt(dot(geometry.arm_b, geometry.arm_b));
+  motion.rolling_radius =
+      r_a * r_b / select(geometry.overlap > 0., r_a + r_b, Simd(1.));
+  return motion;
+}
+
+/// How far particles may travel before an open place is followed again: so
+/// little that it is found from where it was.
+Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
+                     const ParticleSimd &b)
+{
+  const Simd radius =
+      stdx::min(a.quad(at_position).number, b.quad(at_position).number);
+  return stdx::min(0.25 * pair.apart, 0.25 * longest_follow * radius);
+}
+
+/// One step of `n_valid` contacts from k.
+[[gnu::flatten]] void advance_surface_pairs(const Task &task, std::int64_t k,
+                                            int n_valid, Losses<Simd> &lost,
+                                            const Target &target)
+{
+  const Contacts &contacts = task.contacts;
+  const SimdMask is_awake = valid_lanes(n_valid) && !inactive(task, k);
+  if (!any(is_awake))
+    return;
+  const ParticleSimd a(task.particles.state, contacts.a + k),
+      b(task.particles.state, contacts.b + k);
+  const SurfaceGeometry pair =
+      locate_surface_pairs(task, k, a, b, is_awake, target.sum);
+  deactivate(task, k, is_awake, until_looked_at(pair, a, b));
+  const Simd overlap_before = load(contacts.overlap + k);
+  if (!any(pair.overlap > 0. || overlap_before > 0.))
+    return; // all is zero and stays so
+  ContactHistory<Simd> history = load_history(contacts, k, overlap_before);
+  const Simd energy_before = history.normal_energy;
+  SimdVector force;
+  if (task.adds_loads_only)
+    force = kept_force(history, pair.normal);
+  else
+  {
+    const ContactMotion<Simd> motion = surface_motion(a, b, pair);
+    refresh_prefactors(task, k, {pair.normal, {}, {}, {}, {}, pair.overlap},
+                       dot(motion.spin, pair.normal));
+    force = advance_contact(motion,
+                            hertz_spring(load(contacts.normal_prefactor + k),
+                                         load(contacts.shear_prefactor + k),
+                                         pair.overlap),
+                            task.coefficients, task.time_step, history, lost);
+    store_history(history, contacts, k);
+    store(pair.overlap, contacts.overlap + k);
+  }
+  scatter_pairs(task, k, n_valid,
+                {force, cross(pair.arm_a, force) + history.rolling, -force,
+                 -cross(pair.arm_b, force) - history.rolling},
+                target);
+  if (task.has_damage)
+    find_damage(task, k, {pair.overlap, energy_before, history.normal_energy},
+                target.sum);
+}
+
+/// A surface before a wall, before the Newton step.
+struct SurfaceAtWall
+{
+  SimdSurface on_a;
+  SimdFrame frame;
+  SimdShapeOperator bend;
+  SimdPlanar step;
+  Simd overlap; ///< where the step leads; < 0: a gap
+  SimdMask is_sound;
+};
+
+/// The support point: K_A a = -m with m the part of n_A across the wall's
+/// normal n.
+SurfaceAtWall approach_wall(const Task &task, std::int64_t k,
+                            const ParticleSimd &a, const WallSimd &wall)
+{
+  const Side &side = task.contacts.side_a;
+  const SimdVector normal = wall.vector(at_normal);
+  SurfaceAtWall at;
+  at.on_a = locate_surface(side, k, a);
+  at.frame = across(normal);
+  at.bend = shape_operator_of(side, k, at.on_a, at.frame);
+  const SimdPlanar m = in_frame(at.frame, at.on_a.normal);
+  const SimdMatrix &bend = at.bend.matrix;
+  const Simd determinant = bend.determinant();
+  at.is_sound = bend.xx > 0. && determinant > 0. &&
+                load(side.radius + k) > 0. && dot(at.on_a.normal, normal) > 0.;
+  const Simd inverse = 1. / select(at.is_sound, determinant, Simd(1.));
+  at.step = {inverse * (bend.xy * m.y - bend.yy * m.x),
+             inverse * (bend.xy * m.x - bend.xx * m.y)};
+  at.is_sound = at.is_sound && is_short(at.step, at.on_a.radius);
+  at.overlap =
+      dot(a.vector(at_position) + at.on_a.arm - wall.vector(at_point), normal) -
+      0.5 * dot(m, at.step);
+  return at;
+}
+
+/// Contacts of one set of lanes with walls, at their support points.
+struct SupportGeometry
+{
+  SimdVector arm; ///< from the centre to the contact
+  Simd overlap;   ///< counted; 0 where open
+};
+
+SupportGeometry locate_support(const Task &task, std::int64_t k,
+                               const ParticleSimd &a, const WallSimd &wall,
+                               const SimdMask &is_valid, RangeSum &sum)
+{
+  const SimdVector normal = wall.vector(at_normal);
+  const SimdMask is_open = load(task.contacts.slack + k) >= closed_slack;
+  SurfaceAtWall at = approach_wall(task, k, a, wall);
+  const SimdQuad ball = a.quad(at_position);
+  const Simd distance = dot(wall.vector(at_point) - ball.vector, normal);
+  const SimdMask is_near =
+      is_valid && !is_open && distance < far_wall * ball.number;
+  const SimdMask is_lost = is_near && !at.is_sound;
+  if (any(is_lost))
+  {
+    relocate(task, k, is_lost, sum);
+    at = approach_wall(task, k, a, wall);
+  }
+  const SimdMask is_there = is_near && at.is_sound;
+  at.step = only(is_there, at.step);
+  at.overlap = select(is_there, at.overlap, Simd(0.));
+  SupportGeometry geometry;
+  geometry.overlap = counted_overlap(task, k, at.overlap);
+  const SimdVector aside = at.on_a.arm + planar_in_world(at.frame, at.step);
+  // On the normal the contact is half way into the wall.
+  geometry.arm =
+      aside + (distance + 0.5 * at.overlap - dot(aside, normal)) * normal;
+  if (!task.adds_loads_only)
+    follow_side(task, task.contacts.side_a, k, 0,
+                at.on_a.radius * at.on_a.direction +
+                    planar_in_body(at.bend, at.step),
+                is_there);
+  return geometry;
+}
+
+/// Motion of the walls against the particles of one set of lanes.
+ContactMotion<Simd> support_motion(const ParticleSimd &a, const WallSimd &wall,
+                                   const SupportGeometry &geometry)
+{
+  const SimdVector spin = a.vector(at_spin);
+  const SimdQuad moving = a.quad(at_velocity);
+  const SimdVector own = moving.vector + cross(spin, geometry.arm);
+  ContactMotion<Simd> motion;
+  motion.normal = wall.vector(at_normal);
+  const SimdQuad before = wall.quad(at_normal_before);
+  motion.normal_before = before.vector;
+  motion.velocity = wall.vector(at_wall_velocity) - own;
+  motion.velocity_before = wall.vector(at_velocity_before) - own;
+  motion.spin = -spin;
+  motion.reduced_mass = moving.number / (1. + moving.number * before.number);
+  motion.rolling_radius = stdx::sqrt(dot(geometry.arm, geometry.arm));
+  return motion;
+}
+
+/// Forces and loads of contacts with walls whose places are known.
+void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
+                     const ParticleSimd &a, const WallSimd &wall,
+                     const SupportGeometry &geometry, Losses<Simd> &lost,
+                     const Target &target)
+{
+  const Contacts &contacts = task.contacts;
+  if (!any_loaded(task, k, geometry.overlap))
+    return;
+  WallHistory history = load_wall_history(task, k);
+  const ContactHistory<Simd> &springs = history.springs;
+  const Simd energy_before = springs.normal_energy;
+  SimdVector force;
+  if (task.adds_loads_only)
+    force = kept_force(springs, wall.vector(at_normal));
+  else
+  {
+    const ContactMotion<Simd> motion = support_motion(a, wall, geometry);
+    force = advance_wall_contact(
+        task, motion, geometry.overlap,
+        wall_spring(
+            task, k,
+            {motion.normal, Simd(0.), motion.rolling_radius, geometry.overlap}),
+        history, lost);
+    store_history(springs, contacts, k);
+    store(geometry.overlap, contacts.overlap + k);
+  }
+  scatter_walls(task, k, n_valid, force,
+                cross(geometry.arm, force) + springs.rolling, target);
+  if (task.has_damage)
+    find_damage(task, k,
+                {geometry.overlap, energy_before, springs.normal_energy},
+                target.sum);
+}
+[[gnu::flatten]] void advance_surface_walls(const Task &task, std::int64_t k,
+                                            int n_valid, Losses<Simd> &lost,
+                                            const Target &target)
+{
+  const ParticleSimd a(task.particles.state, task.contacts.a + k);
+  const WallSimd wall(task.walls, task.contacts.b + k);
+  advance_at_wall(
+      task, k, n_valid, a, wall,
+      locate_support(task, k, a, wall, valid_lanes(n_valid), target.sum), lost,
+      target);
+}
+} // namespace
+} // namespace dem::kernel
