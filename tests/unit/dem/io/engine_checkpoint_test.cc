@@ -62,11 +62,11 @@ struct Scene
   /// Particles and lid; a scene to be restored has none yet.
   void fill()
   {
-    std::vector<dem::Body> bodies;
+    std::vector<dem::ParticleShape> bodies;
     for (std::size_t k = 0; k < 40; ++k)
       bodies.push_back(k % 3 == 2 ? dem::make_sphere(0.004)
-                                  : dem::make_body(library()[k % 2],
-                                                   0.004 + 2e-5 * double(k)));
+                                  : dem::make_shape(library()[k % 2],
+                                                    0.004 + 2e-5 * double(k)));
     dem::Random random(2);
     const auto places = dem::insert_particles(
         bodies, {dem::Vec3::Zero(), dem::Vec3(side, side, side)}, random);
@@ -126,9 +126,12 @@ void expect_same(const dem::ContactBatch &a, const dem::ContactBatch &b)
       [&column](bool, const auto &one, const auto &two)
       {
         ASSERT_EQ(one.size(), two.size()) << "column " << column;
-        EXPECT_EQ(
-            std::memcmp(one.data(), two.data(), one.size() * sizeof(one[0])), 0)
-            << "column " << column;
+        const std::size_t n_bytes = one.size() * sizeof(one[0]);
+        if (n_bytes > 0) // memcmp takes no null pointer
+        {
+          EXPECT_EQ(std::memcmp(one.data(), two.data(), n_bytes), 0)
+              << "column " << column;
+        }
         ++column;
       },
       a, b);
@@ -148,8 +151,8 @@ void expect_same(const Scene &one, const Scene &two)
     EXPECT_EQ(a.load[i].moment, b.load[i].moment);
   }
   for (std::size_t i = 0; i < a.size(); ++i)
-    EXPECT_EQ(dem::scaled_coefficients(a.body[i]),
-              dem::scaled_coefficients(b.body[i]));
+    EXPECT_EQ(dem::scaled_coefficients(a.shape[i]),
+              dem::scaled_coefficients(b.shape[i]));
   expect_same(one.engine.pairs(), two.engine.pairs());
   expect_same(one.engine.on_planes(), two.engine.on_planes());
   ASSERT_EQ(one.engine.surfaces().size(), two.engine.surfaces().size());
