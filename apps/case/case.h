@@ -216,7 +216,7 @@ struct SingleParticleParameters
 {
   /// a shape file
   std::string shape = "shapes/limestone_blocky/MA111-7-coarse-00104.json";
-  double diameter = 0.03; ///< twice the ball radius [m]
+  double diameter = 0.03; ///< twice the equivalent radius [m]
   int order = 20;         ///< N_s: at most this many degrees of the file
   /// Body direction that points up, of any length.
   double axis_x = 0., axis_y = 0., axis_z = 1.;

@@ -100,16 +100,17 @@ void check_breakage(const Case &c, const Place &place)
                        number_text(b.min_diameter)});
 }
 
-/// Where particles meet each other, they turn with one inertia: that of balls,
-/// or their own.
+/// Where particles meet each other, they turn with one inertia: that of
+/// spheres, or their own.
 void check_geometry(const Case &c, const Place &place)
 {
   using enum dem::ContactGeometry;
   if (c.kind != CaseKind::single_particle &&
       c.contact.wall_geometry == surface && c.contact.geometry != surface)
-    refuse(place, {"Contact", "wall_geometry", "surface",
-                   "must be ball or radial, unless Contact/geometry = surface "
-                   "too (particles turn with their inertia tensors then)"});
+    refuse(place,
+           {"Contact", "wall_geometry", "surface",
+            "must be sphere or radial, unless Contact/geometry = surface "
+            "too (particles turn with their inertia tensors then)"});
 }
 
 void check_overlap(const Case &c, const Place &place)

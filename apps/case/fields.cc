@@ -78,7 +78,7 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
            b.hysteresis, below(0., 1.));
   list.add({"contacts", "-",
             "seen: only contacts whose overlap follows the surface break "
-            "particles; all: also where balls overlap."},
+            "particles; all: also where equivalent spheres overlap."},
            b.contacts, {"seen", "all"});
   list.add({"energy", "-",
             "Energy of the criterion: the normal spring's, or with the shear "

@@ -12,7 +12,7 @@ void add_single_particle(List &list, SingleParticleParameters &p)
   list.add_path(
       {"shape", "-", "Shape file; empty: a sphere, which never breaks."},
       p.shape);
-  list.add({"diameter", "m", "Twice the ball radius, d."}, p.diameter,
+  list.add({"diameter", "m", "Twice the equivalent radius, d."}, p.diameter,
            above(0., 10.));
   list.add({"order", "-", "N_s: what the file has beyond is cut off."}, p.order,
            between(1, dem::max_order));

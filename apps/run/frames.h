@@ -19,7 +19,7 @@ struct FrameBody
   std::function<void(const std::string &path)> write;
 };
 
-/// What a frame shows besides balls and contacts.
+/// What a frame shows besides equivalent spheres and contacts.
 struct FrameParts
 {
   const fem::Membrane *membrane = nullptr; ///< null: none

@@ -21,7 +21,7 @@ double order(double coarse, double fine)
 
 /// A ball pressed against a floor by a weight, so that it never leaves; the
 /// springs are undamped and nothing slides.
-dem::Engine pressed_ball()
+dem::Engine pressed_sphere()
 {
   dem::EngineParameters p = bare_parameters();
   p.wall.normal_stiffness = 1e6;
@@ -47,7 +47,7 @@ double normal_frequency(const dem::Engine &engine)
 /// Error of the height after three and a third periods [m].
 double bounce_error(int n_steps)
 {
-  dem::Engine engine = pressed_ball();
+  dem::Engine engine = pressed_sphere();
   const double rest = engine.particles().position(0).z(), speed = 1e-3;
   engine.particles().velocity(0).z() = speed;
   const double omega = normal_frequency(engine);
@@ -65,7 +65,7 @@ struct Rocking
 
 Rocking rock(int n_steps)
 {
-  dem::Engine engine = pressed_ball();
+  dem::Engine engine = pressed_sphere();
   const double lambda = 3. - std::sqrt(6.5), speed = 1e-2;
   engine.particles().velocity(0).x() = speed;
   engine.particles().spin(0).y() = (1. - lambda) * speed / sphere_radius;
@@ -94,7 +94,7 @@ std::vector<Row> orders()
 /// phase: its axis moves. Orientation at the end.
 dem::Quaternion tumbling(int n_steps)
 {
-  dem::Engine engine = pressed_ball();
+  dem::Engine engine = pressed_sphere();
   const double speed = 0.02;
   engine.particles().velocity(0) = {speed, 0.4 * speed, 0.};
   engine.particles().spin(0) = {0.3 * speed / sphere_radius,

@@ -238,7 +238,7 @@ void Engine::count_places(const ForceSum &sum)
   contact_points.events.n_jumps += sum.n_jumps;
   contact_points.events.n_ended += sum.n_ended;
   // Two contacts may be one now, and what is gone may be found elsewhere.
-  places_are_stale |= sum.has_escaped;
+  places_are_stale |= sum.has_displaced;
 }
 
 void Engine::exchange_factors()
@@ -290,7 +290,7 @@ void Engine::break_corners()
   load_boundaries(0.);
   // A chip may have led contacts of the particle elsewhere.
   visit_batches(*this, [this](const ContactBatch &batch)
-                { places_are_stale |= have_escaped(batch); });
+                { places_are_stale |= have_displaced(batch); });
 }
 
 EngineEnergy Engine::energy() const

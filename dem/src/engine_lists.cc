@@ -182,7 +182,7 @@ void Engine::keep_lists(const Speeds &fastest, double time_step)
       (is_checked && margin.is_too_wide(list_counts())))
     rebuild_lists();
   else if (places_are_stale)
-    check_escaped();
+    check_displaced();
   else if (follows_walls() && !facet_surfaces.empty() &&
            (facets_are_stale || facets_left < 0.))
     check_facets();
@@ -208,9 +208,9 @@ void Engine::rebuild_lists()
   lists_are_stale = false;
 }
 
-/// What is left of the margin stays: but for pairs whose places have escaped,
+/// What is left of the margin stays: but for pairs whose places have displaced,
 /// lists are as good as they were.
-void Engine::check_escaped()
+void Engine::check_displaced()
 {
   const PhaseTimer timer(spent.search);
   renew_lists();

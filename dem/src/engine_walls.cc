@@ -120,7 +120,7 @@ void Engine::meet_walls(double time_step)
     {
       ForceSum sum =
           place_on_facets(moved, placed_facets(facets), facets.batch);
-      facets_are_stale |= std::exchange(sum.has_escaped, false);
+      facets_are_stale |= std::exchange(sum.has_displaced, false);
       count_places(sum);
     }
     else

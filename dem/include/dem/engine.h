@@ -177,7 +177,7 @@ private:
   void keep_lists(const Speeds &fastest, double time_step);
   SkinWidth::Lists list_counts() const;
   void rebuild_lists();
-  void check_escaped();
+  void check_displaced();
   void renew_lists();
   void update_maps();
   void rebuild_pair_list();
@@ -244,7 +244,7 @@ private:
 
   bool keeps_inside = true; ///< allow_escape() has not been called
   bool lists_are_stale = true;
-  bool places_are_stale = false; ///< contacts have escaped
+  bool places_are_stale = false; ///< contacts have displaced
   bool facets_are_stale = false; ///< those alone, where particles follow them
   SkinWidth margin;
   PairFinder pair_finder;

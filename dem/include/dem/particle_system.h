@@ -10,12 +10,12 @@ namespace dem
 /// What the force loops read of a particle: two cache lines.
 struct alignas(64) ParticleState
 {
-  Vec3 position = Vec3::Zero(); ///< of the ball [m]
-  double radius = 0.;           ///< of the ball [m]
+  Vec3 position = Vec3::Zero(); ///< of the equivalent sphere [m]
+  double radius = 0.;           ///< of the equivalent sphere [m]
   Vec3 velocity = Vec3::Zero(); ///< [m/s]
   double mass = 0.;             ///< rho V [kg]
   Vec3 spin = Vec3::Zero();     ///< world frame [rad/s]
-  double inertia = 0.;          ///< of the ball, 2/5 m r^2 [kg m^2]
+  double inertia = 0.; ///< of the equivalent sphere, 2/5 m r^2 [kg m^2]
   /// Body to world. Spheres keep theirs in a scene without shapes.
   Quaternion orientation = Quaternion::Identity();
 };
@@ -59,14 +59,14 @@ struct ParticleSystem
   bool has_shapes = false;         ///< some particle is not a sphere
   bool has_materials = false;      ///< some particle is not of material 0
   /// Particles meet with their true surfaces: they turn with the inertia
-  /// tensors of their bodies, not of balls.
+  /// tensors of their bodies, not of spheres.
   bool follows_surfaces = false;
   /// How far any point of the particle, or its radius towards another particle,
   /// may have come since construction; kept in scenes with shapes [m].
   std::vector<double> travelled;
 
   std::size_t size() const { return id.size(); }
-  /// Not as a ball does; spheres among spheres turn as balls.
+  /// Not as a sphere does; spheres among spheres turn as spheres.
   bool turns_as_tensor() const { return follows_surfaces && has_shapes; }
 
   ParticleState &last() { return state.back(); }
@@ -108,14 +108,15 @@ struct ParticleSystem
   double kinetic_energy(std::size_t k) const;                 ///< [J]
   double smallest_moment(std::size_t k) const;                ///< [kg m^2]
   double smallest_mass() const;                               ///< [kg]
-  double smallest_radius() const; ///< of the balls [m]
-  double largest_radius() const;  ///< of the balls [m]
+  double smallest_radius() const; ///< of the spheres [m]
+  double largest_radius() const;  ///< of the spheres [m]
 
   /// Appends a particle at rest; its id is its place.
   void add(const ParticleShape &particle, const Vec3 &at,
            const Quaternion &turned, double density);
 
-  /// Mass, inertia, ball radius and frame from the body [density in kg/m^3].
+  /// Mass, inertia, equivalent radius and frame from the body [density in
+  /// kg/m^3].
   void update_mass(std::size_t k, double density);
   /// The frames of all particles from their bodies.
   void renew_frames();

@@ -11,7 +11,7 @@ namespace
 /// A weight below this counts as none: the point lies on an edge [-].
 constexpr double on_edge = 1e-12;
 
-/// A facet, an edge or a vertex that the ball overlaps, by its nearest point.
+/// A facet, an edge or a vertex that the sphere overlaps, by its nearest point.
 struct Piece
 {
   std::int32_t count = 1; ///< facets add, edges that two share are taken off
@@ -119,20 +119,20 @@ Piece &piece_at(const FacetMesh &mesh, const Piece &proposed, Workspace &work)
   return work.pieces.back();
 }
 
-/// Adds the piece with these weights, if the ball overlaps it.
-void add_piece(const FacetMesh &mesh, const PressedBall &ball, Piece proposed,
-               Workspace &work)
+/// Adds the piece with these weights, if the sphere overlaps it.
+void add_piece(const FacetMesh &mesh, const PressedSphere &sphere,
+               Piece proposed, Workspace &work)
 {
   const auto corner = corners_of(mesh.surface, proposed.triangle);
   const auto &w = proposed.weight;
   const Vec3 arm =
-      w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2] - ball.centre;
+      w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2] - sphere.centre;
   proposed.distance = arm.norm();
-  const double overlap = ball.radius - proposed.distance;
+  const double overlap = sphere.radius - proposed.distance;
   if (!(overlap > 0.) || proposed.distance == 0.)
     return;
   proposed.direction = arm / proposed.distance;
-  proposed.pressing = std::pow(overlap, ball.power);
+  proposed.pressing = std::pow(overlap, sphere.power);
   piece_at(mesh, proposed, work).count += proposed.count;
 }
 
@@ -152,32 +152,33 @@ std::array<double, 3> nearest_on_edge(const FacetSurface &surface,
   return weight;
 }
 
-/// What the ball overlaps. Every edge and vertex of it belongs to triangles
+/// What the sphere overlaps. Every edge and vertex of it belongs to triangles
 /// that it overlaps too and is taken once; what cancels is left out.
-void find_pieces(const FacetMesh &mesh, const PressedBall &ball,
+void find_pieces(const FacetMesh &mesh, const PressedSphere &sphere,
                  const std::vector<NearestFacetPoint> &near, Workspace &work)
 {
   const FacetTopology &topology = mesh.topology;
   work.start(mesh.surface);
   for (const NearestFacetPoint &touch : near)
   {
-    if (touch.distance >= ball.radius)
+    if (touch.distance >= sphere.radius)
       continue;
     const std::int32_t own = touch.nearest.triangle;
     const auto t = static_cast<std::size_t>(own);
-    add_piece(mesh, ball, {1, own, touch.nearest.weight}, work);
+    add_piece(mesh, sphere, {1, own, touch.nearest.weight}, work);
     for (std::size_t c = 0; c < 3; ++c)
     {
       if (topology.neighbour[t][c] > own)
-        add_piece(mesh, ball,
-                  {-1, own, nearest_on_edge(mesh.surface, own, c, ball.centre)},
-                  work);
+        add_piece(
+            mesh, sphere,
+            {-1, own, nearest_on_edge(mesh.surface, own, c, sphere.centre)},
+            work);
       const auto v = static_cast<std::size_t>(mesh.surface.triangles[t][c]);
       const auto first = static_cast<std::size_t>(topology.row_start[v]);
       std::array<double, 3> at_corner{};
       at_corner[c] = 1.;
       if (topology.row_triangle[first] == own)
-        add_piece(mesh, ball, {topology.count[v], own, at_corner}, work);
+        add_piece(mesh, sphere, {topology.count[v], own, at_corner}, work);
     }
   }
   work.of_edge.clear();
@@ -188,14 +189,14 @@ void find_pieces(const FacetMesh &mesh, const PressedBall &ball,
     piece.pressing *= piece.count;
 }
 
-/// Of the facets, those that the ball overlaps.
-std::size_t n_overlapped(const PressedBall &ball,
+/// Of the facets, those that the sphere overlaps.
+std::size_t n_overlapped(const PressedSphere &sphere,
                          const std::vector<NearestFacetPoint> &facets)
 {
   return static_cast<std::size_t>(
       std::count_if(facets.begin(), facets.end(),
-                    [&ball](const NearestFacetPoint &facet)
-                    { return facet.distance < ball.radius; }));
+                    [&sphere](const NearestFacetPoint &facet)
+                    { return facet.distance < sphere.radius; }));
 }
 
 /// The touch that a piece belongs to: of the first `n` the one whose direction
@@ -251,7 +252,7 @@ PatchSum sum_of(const std::vector<Piece> &pieces, std::size_t patch)
 /// pressing over distance: then their point lies below the centre along the
 /// normal, and particle and surface feel the same moment. Where these weights
 /// have no sum, forces across the normal stay on the nearest facet.
-void share(const FacetSurface &surface, const PressedBall &ball,
+void share(const FacetSurface &surface, const PressedSphere &sphere,
            Workspace &work, std::size_t patch, NearestFacetPoint &touch,
            FacetShares &result)
 {
@@ -288,14 +289,14 @@ void share(const FacetSurface &surface, const PressedBall &ball,
   if (has_weights)
   {
     touch.distance = pressing / sum.over_distance;
-    touch.nearest.point = ball.centre + touch.distance * touch.direction;
+    touch.nearest.point = sphere.centre + touch.distance * touch.direction;
   }
   result.extra =
-      std::pow(pressing, 1. / ball.power) - (ball.radius - touch.distance);
+      std::pow(pressing, 1. / sphere.power) - (sphere.radius - touch.distance);
 }
 } // namespace
 
-void share_patches(const FacetMesh &mesh, const PressedBall &ball,
+void share_patches(const FacetMesh &mesh, const PressedSphere &sphere,
                    const std::vector<NearestFacetPoint> &near,
                    std::vector<NearestFacetPoint> &touches,
                    std::vector<FacetShares> &shares)
@@ -304,17 +305,17 @@ void share_patches(const FacetMesh &mesh, const PressedBall &ball,
     shares.resize(touches.size());
   for (std::size_t t = 0; t < touches.size(); ++t)
     shares[t].clear();
-  const std::size_t n = n_overlapped(ball, touches);
-  if (n == 0 || n_overlapped(ball, near) < 2)
+  const std::size_t n = n_overlapped(sphere, touches);
+  if (n == 0 || n_overlapped(sphere, near) < 2)
     return;
   // Kept by each thread: a step takes no memory.
   static thread_local Workspace work;
-  find_pieces(mesh, ball, near, work);
+  find_pieces(mesh, sphere, near, work);
   for (Piece &piece : work.pieces)
     piece.patch = patch_of(piece, touches, n);
   for (std::size_t t = 0; t < n; ++t)
     if (std::count_if(work.pieces.begin(), work.pieces.end(),
                       [t](const Piece &piece) { return piece.patch == t; }) > 1)
-      share(mesh.surface, ball, work, t, touches[t], shares[t]);
+      share(mesh.surface, sphere, work, t, touches[t], shares[t]);
 }
 } // namespace dem

@@ -94,7 +94,7 @@ double article_depth(const Coefficients &coefficients,
   return volume / (mean * mean * kernel[0] / equivalent_radius_factor);
 }
 
-/// a_00 after Eqs. 17, 18; negative if the ball has less than this volume.
+/// a_00 after Eqs. 17, 18; negative if the sphere has less than this volume.
 double article_mean(double a_00, double volume)
 {
   const double mean = a_00 * equivalent_radius_factor;

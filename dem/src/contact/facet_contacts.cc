@@ -124,7 +124,7 @@ void find_nearest_points(const ForceContext &context, const FacetMesh &mesh,
   const Vec3 &centre = particles.position(particle);
   found.touches = found.near;
   keep_minima(mesh.surface, mesh.topology, centre, found.touches);
-  // The radius of a particle that is no ball turns with its direction.
+  // The radius of a particle that is no sphere turns with its direction.
   const bool is_ball =
       !particles.has_shapes ||
       context.parameters.geometry.wall_geometry == ContactGeometry::sphere;

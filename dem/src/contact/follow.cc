@@ -26,7 +26,7 @@ void renew_slack(ContactBatch &batch, std::size_t k, double overlap)
 void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
 {
   sum.n_ended += batch.is_touching(k);
-  sum.has_escaped = true;
+  sum.has_displaced = true;
   batch.slack[k] = kernel::closed_slack;
 }
 
@@ -80,8 +80,8 @@ void relocate_pair(const ForceContext &context, ContactBatch &batch,
   if (is_jump)
   {
     sum.n_jumps += batch.is_touching(k);
-    sum.has_escaped = true;
-    batch.escaped[k] = 1;
+    sum.has_displaced = true;
+    batch.displaced[k] = 1;
     renew_slack(batch, k, found.overlap);
   }
   place_pair(context, batch, k, found);
@@ -103,8 +103,8 @@ void relocate_wall(const ForceContext &context, ContactBatch &batch,
   if (batch.side_a.is_known(k) && (found.direction - start).norm() > jump)
   {
     sum.n_jumps += batch.is_touching(k);
-    sum.has_escaped = true;
-    batch.escaped[k] = 1;
+    sum.has_displaced = true;
+    batch.displaced[k] = 1;
     renew_slack(batch, k,
                 found.height -
                     wall.normal.dot(wall.point - particles.position(i)));

@@ -94,7 +94,7 @@ inline constexpr std::int64_t lane_block = 8;
 /// WallRow in numbers.
 inline constexpr int wall_row = 16;
 
-/// A wall farther than this many ball radii is none: the surface of the
+/// A wall farther than this many equivalent radii is none: the surface of the
 /// particle towards it is not looked at.
 inline constexpr double far_wall = 1e3;
 
@@ -112,12 +112,12 @@ struct Task
   ContactCoefficients coefficients;
   double time_step;
   bool is_hertz; ///< the law of walls
-  /// Hertz, balls: C_H = normal_factor sqrt(R), k_s / sqrt(delta) =
+  /// Hertz, spheres: C_H = normal_factor sqrt(R), k_s / sqrt(delta) =
   /// shear_factor sqrt(R). Linear walls: k_n, k_s.
   double normal_factor, shear_factor;
   double refresh_tolerance; ///< of the sides [rad]
   bool reads_surface;       ///< sides are kept up to date
-  bool is_radial;           ///< overlap from the sides, not from the balls
+  bool is_radial;           ///< overlap from the sides, not from the spheres
   bool has_damage;
   double fracture_energy; ///< G_c [J/m^2]
   double repetitions;     ///< BreakageParameters::repetitions [-]

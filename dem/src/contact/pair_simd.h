@@ -163,7 +163,7 @@ ContactMotion<Simd> pair_motion(const Task &task, const ParticleSimd &a,
   return motion;
 }
 
-/// The normal spring: prefactors of the surfaces, or of two balls.
+/// The normal spring: prefactors of the surfaces, or of two spheres.
 NormalSpring<Simd> pair_spring(const Task &task, std::int64_t k,
                                const PairGeometry &pair,
                                const ContactMotion<Simd> &motion)

@@ -44,13 +44,13 @@ void note_place(const ForceContext &context, ContactBatch &batch, std::size_t k,
 struct Events
 {
   int n_jumps = 0, n_ended = 0;
-  bool has_escaped = false;
+  bool has_displaced = false;
 
   void add_to(ForceSum &sum) const
   {
     sum.n_jumps += n_jumps;
     sum.n_ended += n_ended;
-    sum.has_escaped |= has_escaped;
+    sum.has_displaced |= has_displaced;
   }
 };
 
@@ -64,22 +64,22 @@ struct Followed
   bool can_wait = false;
 };
 
-/// ContactBatch::escaped of an open contact that may have come to the place of
-/// another one: that matters when it closes.
-constexpr std::uint8_t escaped_open = 2;
+/// ContactBatch::displaced of an open contact that may have come to the place
+/// of another one: that matters when it closes.
+constexpr std::uint8_t displaced_open = 2;
 
 /// Takes note of a contact that has come to another place.
-void note_escaped(const Followed &all, std::size_t k,
-                  const WallContactPoint &place, bool is_elsewhere)
+void note_displaced(const Followed &all, std::size_t k,
+                    const WallContactPoint &place, bool is_elsewhere)
 {
   ContactBatch &batch = all.batch;
   const bool matters =
       !all.can_wait || batch.is_touching(k) || place.overlap > 0.;
   if (is_elsewhere || place.has_switched)
-    batch.escaped[k] = std::max<std::uint8_t>(
-        batch.escaped[k], is_elsewhere && !matters ? escaped_open : 1);
-  all.events.has_escaped |=
-      matters && (is_elsewhere || batch.escaped[k] == escaped_open);
+    batch.displaced[k] = std::max<std::uint8_t>(
+        batch.displaced[k], is_elsewhere && !matters ? displaced_open : 1);
+  all.events.has_displaced |=
+      matters && (is_elsewhere || batch.displaced[k] == displaced_open);
 }
 
 /// Brings contact k to its place by `climb(particle, start)`; not found if it
@@ -103,7 +103,7 @@ WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
   if (!place.is_found || place.overlap > 0.3 * particle.size())
   {
     all.events.n_ended += batch.is_touching(k);
-    all.events.has_escaped |= !all.can_wait || batch.is_touching(k);
+    all.events.has_displaced |= !all.can_wait || batch.is_touching(k);
     batch.slack[k] = kernel::closed_slack;
     return {};
   }
@@ -114,7 +114,7 @@ WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
     all.events.n_jumps += batch.is_touching(k);
     batch.slack[k] = std::max(0., place.overlap - batch.overlap[k]);
   }
-  note_escaped(all, k, place, is_elsewhere);
+  note_displaced(all, k, place, is_elsewhere);
   note_place(context, batch, k, place.on_particle,
              particle.is_renewed() || !batch.side_a.is_known(k));
   return place;

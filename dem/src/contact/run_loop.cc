@@ -168,7 +168,7 @@ ForceSum &ForceSum::operator+=(const ForceSum &part)
 {
   lost += part.lost;
   wants_breakage |= part.wants_breakage;
-  has_escaped |= part.has_escaped;
+  has_displaced |= part.has_displaced;
   has_switched |= part.has_switched;
   n_jumps += part.n_jumps;
   n_ended += part.n_ended;
@@ -207,7 +207,7 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
     sum.lost += range.lost;
     sum.wants_breakage |= range.wants_breakage;
     sum.has_switched |= range.has_switched;
-    sum.has_escaped |= range.has_escaped;
+    sum.has_displaced |= range.has_displaced;
     sum.n_jumps += range.n_jumps;
     sum.n_ended += range.n_ended;
     sum.overlap_ratio = std::max(sum.overlap_ratio, range.overlap_ratio);

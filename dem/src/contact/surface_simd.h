@@ -289,10 +289,10 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
   const SimdVector normal = wall.vector(at_normal);
   const SimdMask is_open = load(task.contacts.slack + k) >= closed_slack;
   SurfaceAtWall at = approach_wall(task, k, a, wall);
-  const SimdQuad ball = a.quad(at_position);
-  const Simd distance = dot(wall.vector(at_point) - ball.vector, normal);
+  const SimdQuad sphere = a.quad(at_position);
+  const Simd distance = dot(wall.vector(at_point) - sphere.vector, normal);
   const SimdMask is_near =
-      is_valid && !is_open && distance < far_wall * ball.number;
+      is_valid && !is_open && distance < far_wall * sphere.number;
   const SimdMask is_lost = is_near && !at.is_sound;
   if (any(is_lost))
   {

@@ -41,7 +41,7 @@ void mix_prefactors(const ForceContext &context, ContactBatch &batch,
 void set_wall_prefactors(const ForceContext &context, ContactBatch &batch,
                          std::size_t k);
 
-/// Prefactors of two balls, or of a ball on a plate, for R = 1 m: C_H =
+/// Prefactors of two spheres, or of a sphere on a plate, for R = 1 m: C_H =
 /// 4/3 E* sqrt(R), k_s / sqrt(delta) = 8 G* sqrt(R) with 1/G* =
 /// sum (2 - nu_i) / G_i, from the elliptic solution of a circle, A = B =
 /// 1 / (2 R).

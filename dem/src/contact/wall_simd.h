@@ -28,9 +28,10 @@ WallGeometry locate_walls(const Task &task, std::int64_t k,
 {
   WallGeometry geometry;
   geometry.normal = wall.vector(at_normal);
-  const SimdQuad ball = a.quad(at_position);
-  geometry.distance = dot(wall.vector(at_point) - ball.vector, geometry.normal);
-  geometry.reach = ball.number;
+  const SimdQuad sphere = a.quad(at_position);
+  geometry.distance =
+      dot(wall.vector(at_point) - sphere.vector, geometry.normal);
+  geometry.reach = sphere.number;
   if (task.reads_surface)
   {
     const SimdMask is_near =
@@ -90,7 +91,7 @@ void scatter_walls(const Task &task, std::int64_t k, int n_valid,
   }
 }
 
-/// The normal spring: of the surface or the ball on a rigid plate, or linear.
+/// The normal spring: of the surface or the sphere on a rigid plate, or linear.
 NormalSpring<Simd> wall_spring(const Task &task, std::int64_t k,
                                const WallGeometry &geometry)
 {

@@ -82,7 +82,7 @@ Stand true_stand(const ParticleSystem &particles, const ContactBatch &batch,
           shortened(b.position, 0.5, depth, -a.normal), depth - batch.slack[k]};
 }
 
-/// Along the branch, by balls or local radii; no overlap if centres coincide.
+/// Along the branch, by spheres or local radii; no overlap if centres coincide.
 Stand branch_stand(const ParticleSystem &particles, const ContactBatch &batch,
                    std::size_t k, bool is_radial)
 {

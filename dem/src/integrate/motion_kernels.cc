@@ -173,10 +173,10 @@ Fastest note_speeds(const Motion &motion, const Places &places,
 /// Adds zero times what is stored to `check`: NaN if it is not finite.
 void store_places(const Motion &motion, const Movers &particles, Simd &check)
 {
-  const SimdQuad ball = particles.state.quad(at_position);
+  const SimdQuad sphere = particles.state.quad(at_position);
   const SimdVector moved =
-      ball.vector + Simd(motion.drift) * particles.velocity;
-  particles.state.set(at_position, {moved, ball.number});
+      sphere.vector + Simd(motion.drift) * particles.velocity;
+  particles.state.set(at_position, {moved, sphere.number});
   if (motion.frame)
     particles.state.set(at_orientation, {particles.orientation.vector,
                                          particles.orientation.number});

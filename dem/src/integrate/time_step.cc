@@ -16,12 +16,12 @@ double lagged_step(double stiffness, double mass, double damping_ratio)
          (std::sqrt(1. + damping_ratio * damping_ratio) - damping_ratio);
 }
 
-/// Step of a ball on the wall that slides and turns. With t = dt sqrt(k_s / m),
-/// p = t^2 + 4 beta_s t for the spring with its lagged dashpot on x - r theta
-/// and q = t^2 for the rolling spring k_s r^2 on theta (0 without), the motion
-/// that changes its sign at every step is the limit:
-/// 16 - 14 p - 10 q + 5/2 p q = 0. Without the rolling spring this is
-/// lagged_step() with 1/m + r^2/I = 3.5/m.
+/// Step of a sphere on the wall that slides and turns. With t = dt sqrt(k_s /
+/// m), p = t^2 + 4 beta_s t for the spring with its lagged dashpot on x - r
+/// theta and q = t^2 for the rolling spring k_s r^2 on theta (0 without), the
+/// motion that changes its sign at every step is the limit: 16 - 14 p - 10 q +
+/// 5/2 p q = 0. Without the rolling spring this is lagged_step() with 1/m +
+/// r^2/I = 3.5/m.
 double shear_step(const WallMaterial &wall, double mass)
 {
   const double rolling = wall.rolling_friction > 0. ? 1. : 0.;
@@ -74,7 +74,7 @@ StepLimit rayleigh_step(const EngineParameters &parameters,
                         std::sqrt(solid.density / solid.shear_modulus) /
                         (0.1631 * solid.poisson_ratio + 0.8766);
     if (step < limit.step)
-      limit = {step, m > 0 ? "Rayleigh wave in the smallest ball that is no "
+      limit = {step, m > 0 ? "Rayleigh wave in the smallest sphere that is no "
                              "particle"
                            : "Rayleigh wave in the smallest particle"};
   }

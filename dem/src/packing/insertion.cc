@@ -12,15 +12,16 @@ namespace dem
 {
 namespace
 {
-/// Reach of a placed particle towards a world direction, its ball included [m].
+/// Reach of a placed particle towards a world direction, its sphere included
+/// [m].
 double reach(const ParticleShape &body, const Placement &place,
              const Vec3 &direction)
 {
-  const double ball = mean_radius(body);
+  const double sphere = mean_radius(body);
   if (!body.series)
-    return ball;
+    return sphere;
   const Vec3 u = place.orientation.conjugate() * direction;
-  return std::max(ball, body.scale * radius(*body.series, u.normalized()));
+  return std::max(sphere, body.scale * radius(*body.series, u.normalized()));
 }
 
 /// Particles placed so far, filed by cell.

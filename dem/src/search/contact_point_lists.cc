@@ -108,10 +108,10 @@ bool by_key(const CandidatePair &one, const CandidatePair &other)
 }
 } // namespace
 
-bool have_escaped(const ContactBatch &batch)
+bool have_displaced(const ContactBatch &batch)
 {
-  for (std::size_t k = 0; k < batch.escaped.size(); ++k)
-    if (has_escaped(batch, k))
+  for (std::size_t k = 0; k < batch.displaced.size(); ++k)
+    if (has_displaced(batch, k))
       return true;
   return false;
 }

@@ -50,7 +50,7 @@ std::vector<int> classify(const std::vector<double> &reach)
   return number;
 }
 
-/// Gap between the balls, or between the radii along the branch [m].
+/// Gap between the spheres, or between the radii along the branch [m].
 double gap_between(const ParticleSystem &particles, ContactGeometry geometry,
                    const PairKey &pair)
 {
@@ -58,9 +58,9 @@ double gap_between(const ParticleSystem &particles, ContactGeometry geometry,
              j = static_cast<std::size_t>(pair.second);
   const Vec3 branch = particles.position(j) - particles.position(i);
   const double distance = branch.norm();
-  const double balls = distance - particles.radius(i) - particles.radius(j);
+  const double spheres = distance - particles.radius(i) - particles.radius(j);
   if (geometry == ContactGeometry::sphere || distance == 0.)
-    return balls;
+    return spheres;
   const Vec3 normal = branch / distance;
   return distance - local_radius(particles, i, normal) -
          local_radius(particles, j, -normal);

@@ -123,9 +123,9 @@ struct PairList
 };
 
 /// A contact that has come to another place, or lost its own.
-inline bool has_escaped(const ContactBatch &batch, std::size_t k)
+inline bool has_displaced(const ContactBatch &batch, std::size_t k)
 {
-  return batch.escaped[k] != 0 || batch.slack[k] >= kernel::closed_slack;
+  return batch.displaced[k] != 0 || batch.slack[k] >= kernel::closed_slack;
 }
 
 /// Touching contacts come first: of two at one place the other one goes.
@@ -168,10 +168,10 @@ std::vector<PairList> make_lists(const std::vector<CandidatePair> &pairs,
   return lists;
 }
 
-inline bool have_escaped(const ContactBatch &batch, const OldRows &old)
+inline bool have_displaced(const ContactBatch &batch, const OldRows &old)
 {
   for (const std::int32_t k : old)
-    if (has_escaped(batch, row_of(k)))
+    if (has_displaced(batch, row_of(k)))
       return true;
   return false;
 }
@@ -250,7 +250,7 @@ inline void arrange(const ContactPointSearchInput &input, const Arrangement &to,
     const auto k = static_cast<std::size_t>(entry);
     batch.a[k] = to.key[k].first;
     batch.b[k] = to.key[k].second;
-    batch.escaped[k] = 0;
+    batch.displaced[k] = 0;
     if (to.source[k] >= 0)
       continue;
     const ContactPoint &contact_point = to.row[k]->contact_point;
@@ -340,7 +340,7 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
       {
         const bool is_due =
             pair.due < watch.travelled(pair.key) + input.notice ||
-            have_escaped(batch, old) ||
+            have_displaced(batch, old) ||
             (pair.margin > 2. * input.margin && has_open_places(batch, old));
         return is_due ? make(pair, old) : unchanged(old);
       });
@@ -358,7 +358,7 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
   Arrangement to(pairs, lists);
   if (!to.changes(old_order) && is_same_layout(input.layout, batch.layout))
   {
-    std::fill(batch.escaped.begin(), batch.escaped.end(), std::uint8_t{0});
+    std::fill(batch.displaced.begin(), batch.displaced.end(), std::uint8_t{0});
     return events;
   }
   if (input.layout.has_partners)

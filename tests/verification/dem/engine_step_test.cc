@@ -23,7 +23,7 @@ dem::EngineParameters wall_parameters()
 }
 
 /// A ball that the weight presses onto the plane z = 0.
-dem::Engine pressed_ball(const dem::EngineParameters &parameters)
+dem::Engine pressed_sphere(const dem::EngineParameters &parameters)
 {
   dem::Engine engine(parameters);
   engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
@@ -37,7 +37,7 @@ dem::Engine pressed_ball(const dem::EngineParameters &parameters)
 /// what they were soon after the disturbance.
 double growth(const dem::EngineParameters &parameters, double share)
 {
-  dem::Engine engine = pressed_ball(parameters);
+  dem::Engine engine = pressed_sphere(parameters);
   const dem::StepLimit limit =
       dem::critical_step(parameters, engine.particles());
   EXPECT_NE(limit.reason.find("wall"), std::string::npos);
@@ -137,7 +137,7 @@ TEST(EngineStep, SurfaceCountsToo)
 {
   dem::EngineParameters p = wall_parameters();
   p.surface = p.wall;
-  dem::Engine engine = pressed_ball(p);
+  dem::Engine engine = pressed_sphere(p);
   const double wall = dem::critical_step(p, engine.particles()).step;
   p.surface.normal_stiffness = 4. * p.wall.normal_stiffness;
   const dem::StepLimit limit = dem::critical_step(p, engine.particles());

@@ -128,22 +128,22 @@ struct FacetShares
   }
 };
 
-/// A ball, and the exponent of its force in the overlap with the surface.
-struct PressedBall
+/// A sphere, and the exponent of its force in the overlap with the surface.
+struct PressedSphere
 {
   Vec3 centre = Vec3::Zero();
   double radius = 0.; ///< [m]
   double power = 1.;  ///< linear 1, Hertz 3/2 [-]
 };
 
-/// Lets all facets that the ball overlaps carry it, where these are several:
+/// Lets all facets that the sphere overlaps carry it, where these are several:
 /// its force on a patch is that of the energy of all of them, what they share
 /// counted once (docs/theory/facets.md). `near` has the nearest points of all
 /// triangles that it overlaps, `touches` what keep_minima leaves of these; of a
 /// touch that several carry, direction, point and distance of that along the
 /// direction are set anew, `shares` gets one row per touch, or keeps more. The
 /// number of facets and vertices is not limited.
-void share_patches(const FacetMesh &mesh, const PressedBall &ball,
+void share_patches(const FacetMesh &mesh, const PressedSphere &sphere,
                    const std::vector<NearestFacetPoint> &near,
                    std::vector<NearestFacetPoint> &touches,
                    std::vector<FacetShares> &shares);

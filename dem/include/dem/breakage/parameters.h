@@ -7,7 +7,7 @@ enum class EventContacts
 {
   /// Where the overlap follows the surface, so that an event lowers the force.
   seen,
-  /// Also where balls overlap: their force does not know of the event.
+  /// Also where spheres overlap: their force does not know of the event.
   all
 };
 

@@ -124,7 +124,7 @@ struct ContactBatch
       torsion_angle; ///< turned about the normal since mixed [rad]
   /// Overlap that the contact had when it was found: it does not count [m]
   std::vector<double> slack;
-  std::vector<std::uint8_t> escaped;      ///< has come to another place
+  std::vector<std::uint8_t> displaced;    ///< has come to another place
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<Narrow> corner_a, corner_b;
@@ -208,7 +208,7 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has_prefactors, batches.shear_prefactor...);
   call(has_two_sides, batches.torsion_angle...);
   call(has.has_contact_points, batches.slack...);
-  call(has.has_contact_points, batches.escaped...);
+  call(has.has_contact_points, batches.displaced...);
   call(has.has_damage, batches.factor_a...);
   call(has.has_damage && has.has_partners, batches.factor_b...);
   call(has.has_damage, batches.corner_a...);

@@ -59,8 +59,8 @@ struct ForceSum
 {
   Dissipation lost;
   bool wants_breakage = false;
-  bool has_switched = false; ///< as RangeSum
-  bool has_escaped = false;  ///< as RangeSum
+  bool has_switched = false;  ///< as RangeSum
+  bool has_displaced = false; ///< as RangeSum
   int n_jumps = 0;
   int n_ended = 0;
   double overlap_ratio = 0.; ///< as RangeSum [-]

@@ -15,10 +15,10 @@ struct RangeSum
   double load[6] = {};
   Dissipation lost;
   bool wants_breakage = false;
-  bool has_switched = false; ///< patches keep factors: contacts began or ended
-  bool has_escaped = false;  ///< some contact is no more where it was
-  int n_jumps = 0;           ///< loaded contacts that are elsewhere now
-  int n_ended = 0;           ///< loaded contacts that have no place any more
-  double overlap_ratio = 0.; ///< largest, as largest_overlap_ratio() [-]
+  bool has_switched = false;  ///< patches keep factors: contacts began or ended
+  bool has_displaced = false; ///< some contact is no more where it was
+  int n_jumps = 0;            ///< loaded contacts that are elsewhere now
+  int n_ended = 0;            ///< loaded contacts that have no place any more
+  double overlap_ratio = 0.;  ///< largest, as largest_overlap_ratio() [-]
 };
 } // namespace dem

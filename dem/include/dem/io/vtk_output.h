@@ -19,7 +19,7 @@ struct ParticleColumns
   std::span<const Vec3> spin;              ///< world frame [rad/s]
   std::span<const Quaternion> orientation; ///< body to world
   std::span<const ParticleShape> body;
-  std::span<const double> radius; ///< of the ball [m]
+  std::span<const double> radius; ///< of the equivalent sphere [m]
   std::span<const double> mass;   ///< [kg]
   std::span<const double> loss;   ///< mass lost / initial mass [-]
 };

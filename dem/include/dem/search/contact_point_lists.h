@@ -30,7 +30,7 @@ inline constexpr std::size_t most_contact_points = 8;
 inline constexpr std::size_t most_wall_places = 24;
 
 /// Whether a contact has come to another place, or lost its own.
-bool have_escaped(const ContactBatch &batch);
+bool have_displaced(const ContactBatch &batch);
 
 /// What the lists of places are made from.
 struct ContactPointSearchInput

@@ -26,7 +26,7 @@ struct Travel
 std::vector<PairKey> near_spheres(const ParticleSystem &particles,
                                   double margin);
 
-/// Finds the pairs of particles with a gap below a margin: between the balls,
+/// Finds the pairs of particles with a gap below a margin: between the spheres,
 /// or between the radii along the branch. Keeps a wider list of candidates,
 /// each with bounds of the gap that it had and how far its particles had
 /// travelled then, so that most rebuilds need neither a grid nor a shape. What

@@ -34,15 +34,15 @@ struct ParticleShape
 /// A sphere of this radius [m].
 ParticleShape make_sphere(double radius);
 
-/// A particle of this shape whose ball radius a_00 / sqrt(4 pi) is `radius`
-/// [m]. The series is shared, not copied. Integrates over the nodes once (about
-/// 0.1 ms): for many particles of one shape use resized().
+/// A particle of this shape whose equivalent radius a_00 / sqrt(4 pi) is
+/// `radius` [m]. The series is shared, not copied. Integrates over the nodes
+/// once (about 0.1 ms): for many particles of one shape use resized().
 ParticleShape make_shape(std::shared_ptr<const Coefficients> series,
                          double radius,
                          const SphereQuadrature &rule = standard_quadrature());
 
-/// The same shape with another ball radius [m]; costs nothing, the integrals
-/// are scaled.
+/// The same shape with another equivalent radius [m]; costs nothing, the
+/// integrals are scaled.
 ParticleShape resized(const ParticleShape &body, double radius);
 
 /// A particle of this shape with exactly these coefficients.

@@ -12,7 +12,7 @@ using dem::FacetShares;
 using dem::FacetSurface;
 using dem::FacetTopology;
 using dem::NearestFacetPoint;
-using dem::PressedBall;
+using dem::PressedSphere;
 using dem::Vec3;
 
 namespace
@@ -59,7 +59,7 @@ struct Touches
   std::vector<FacetShares> shares;
 };
 
-Touches touches_of(const FacetSurface &surface, const PressedBall &ball)
+Touches touches_of(const FacetSurface &surface, const PressedSphere &ball)
 {
   const FacetTopology topology(surface);
   std::vector<NearestFacetPoint> near;
@@ -77,13 +77,13 @@ Touches touches_of(const FacetSurface &surface, const PressedBall &ball)
   return found;
 }
 
-double overlap(const PressedBall &ball, const Touches &found, std::size_t t)
+double overlap(const PressedSphere &ball, const Touches &found, std::size_t t)
 {
   return ball.radius - found.touch[t].distance + found.shares[t].extra;
 }
 
 /// Forces of stiffness one on the vertices, by the shares.
-std::vector<Vec3> loads(const FacetSurface &surface, const PressedBall &ball)
+std::vector<Vec3> loads(const FacetSurface &surface, const PressedSphere &ball)
 {
   const Touches found = touches_of(surface, ball);
   std::vector<Vec3> load(surface.position.size(), Vec3::Zero());
@@ -119,7 +119,7 @@ double well(double depth, double power)
 
 /// Energy of all triangles, less that of the edges that two of them share, and
 /// of the vertices that lie inside: by sets, without any nearest feature.
-double energy(const FacetSurface &surface, const PressedBall &ball)
+double energy(const FacetSurface &surface, const PressedSphere &ball)
 {
   const auto point = [&surface](std::int32_t v)
   { return surface.position[std::size_t(v)]; };
@@ -166,9 +166,9 @@ TEST(FacetShares, ForcesAreTheGradientOfOneEnergy)
   for (int k = 0; k < 600; ++k)
   {
     FacetSurface surface = rough_square(4, 0.08, unsigned(k));
-    PressedBall ball{{0.9 * some(generator), 0.9 * some(generator), 0.},
-                     0.5,
-                     k % 2 == 0 ? 1. : 1.5};
+    PressedSphere ball{{0.9 * some(generator), 0.9 * some(generator), 0.},
+                       0.5,
+                       k % 2 == 0 ? 1. : 1.5};
     ball.centre.z() = ball.radius - 0.04 + 0.06 * some(generator);
     const Touches found = touches_of(surface, ball);
     for (std::size_t t = 0; t < found.touch.size(); ++t)
@@ -182,7 +182,7 @@ TEST(FacetShares, ForcesAreTheGradientOfOneEnergy)
     Vec3 slope;
     for (int c = 0; c < 3; ++c)
     {
-      PressedBall up = ball, down = ball;
+      PressedSphere up = ball, down = ball;
       up.centre[c] += h;
       down.centre[c] -= h;
       slope[c] = (energy(surface, up) - energy(surface, down)) / (2. * h);
@@ -212,7 +212,7 @@ TEST(FacetShares, DozensOfFacetsShareOneEnergy)
   for (const double power : {1., 1.5})
   {
     FacetSurface bowl = rough_square(40, 1e-4, 5);
-    const PressedBall ball{{0.013, 0.021, 0.5 - 0.008}, 0.5, power};
+    const PressedSphere ball{{0.013, 0.021, 0.5 - 0.008}, 0.5, power};
     for (Vec3 &x : bowl.position)
       x.z() += x.head<2>().squaredNorm() * 0.9;
     const Touches found = touches_of(bowl, ball);
@@ -247,7 +247,7 @@ TEST(FacetShares, WeightsMeetBelowTheCentre)
   for (unsigned k = 0; k < 100; ++k)
   {
     const FacetSurface surface = rough_square(4, 0.08, k);
-    const PressedBall ball{{0.1, -0.2, 0.45}, 0.5, 1.};
+    const PressedSphere ball{{0.1, -0.2, 0.45}, 0.5, 1.};
     const Touches found = touches_of(surface, ball);
     for (std::size_t t = 0; t < found.touch.size(); ++t)
     {
@@ -282,9 +282,9 @@ TEST(FacetShares, APlaneIsOnePlane)
   std::uniform_real_distribution<double> some(-1., 1.);
   for (int k = 0; k < 200; ++k)
   {
-    PressedBall ball{{0.5 * some(generator), 0.5 * some(generator), 0.25},
-                     0.3 + 0.3 * std::abs(some(generator)),
-                     1.};
+    PressedSphere ball{{0.5 * some(generator), 0.5 * some(generator), 0.25},
+                       0.3 + 0.3 * std::abs(some(generator)),
+                       1.};
     if (k % 4 == 0)
       ball.centre = {0.5 * (k % 3 - 1), 0.5 * (k % 2), 0.25};
     const Touches found = touches_of(plane, ball);
@@ -299,7 +299,7 @@ TEST(FacetShares, ValleyIsCarriedByBothSides)
 {
   const double half = 0.3, radius = 0.2, sunk = 1e-4;
   const FacetSurface valley = groove(std::tan(half));
-  const PressedBall ball{
+  const PressedSphere ball{
       {0., 0.1, (radius - sunk) / std::cos(half)}, radius, 1.};
   const Touches found = touches_of(valley, ball);
   ASSERT_EQ(found.touch.size(), 1U);
@@ -318,11 +318,12 @@ TEST(FacetShares, NothingJumpsAcrossAValley)
     std::vector<Vec3> before;
     for (double x = -0.15; x < 0.15; x += step)
     {
-      const PressedBall ball{{x, 0.1,
-                              (radius - sunk) * std::sqrt(1. + slope * slope) +
-                                  slope * std::abs(x)},
-                             radius,
-                             1.};
+      const PressedSphere ball{
+          {x, 0.1,
+           (radius - sunk) * std::sqrt(1. + slope * slope) +
+               slope * std::abs(x)},
+          radius,
+          1.};
       const std::vector<Vec3> now = loads(valley, ball);
       for (std::size_t v = 0; v < before.size(); ++v)
         ASSERT_LT((now[v] - before[v]).norm(), 3. * step) << slope << ' ' << x;
