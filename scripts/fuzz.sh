@@ -17,10 +17,11 @@ build_targets() {
     echo "fuzz: no clang++, install clang-14 and libclang-rt-14-dev" >&2
     exit 1
   }
+  mkdir -p "$fuzz"
   cmake -S "$root/tests/fuzz/targets" -B "$fuzz" -G Ninja \
     -DCMAKE_CXX_COMPILER="$clang" -DCMAKE_C_COMPILER="${clang/++/}" \
-    -DCMAKE_BUILD_TYPE=None -DSPALL_BUILD="$build" >"$fuzz.log" 2>&1 || {
-    cat "$fuzz.log" >&2
+    -DCMAKE_BUILD_TYPE=None -DSPALL_BUILD="$build" >"$fuzz/configure.log" 2>&1 || {
+    cat "$fuzz/configure.log" >&2
     exit 2
   }
   cmake --build "$fuzz" --parallel "$(nproc)"

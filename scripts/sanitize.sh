@@ -24,10 +24,11 @@ clang_c=${CLANG_C:-clang-14}
 configure() # folder, flags
 {
   local folder=$1 flags=$2
+  mkdir -p "$root/$folder"
   cmake -S "$root" -B "$root/$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER="$clang" -DCMAKE_C_COMPILER="$clang_c" \
     -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g1" \
-    > "$root/$folder.log"
+    > "$root/$folder/configure.log"
 }
 
 # Runs the programs of a folder and prints a summary line; logs lie beside them.
