@@ -105,12 +105,16 @@ struct Values
   std::vector<std::string> deprecated;
 };
 
-void take(Values &values, Assignment a, const std::vector<Parameter> &list)
+/// Returns the present name, Section/key.
+std::string take(Values &values, Assignment a,
+                 const std::vector<Parameter> &list)
 {
   use_present_names(a, list, values.deprecated);
   check_known(a, list);
-  values.places[a.section + "/" + a.key] = a.place;
+  std::string name = a.section + "/" + a.key;
+  values.places[name] = a.place;
   set(values.handler, a);
+  return name;
 }
 
 /// Checks the names of a file, remembers its places, takes its values.
@@ -118,8 +122,13 @@ void take(Values &values, Assignment a, const std::vector<Parameter> &list)
 void take_file(Values &values, const std::string &file,
                const std::vector<Parameter> &list)
 {
+  std::set<std::string> names;
   for (const Assignment &a : read_assignments(file))
-    take(values, a, list);
+    if (const std::string name = take(values, a, list);
+        !names.insert(name).second)
+      throw InputError(a.place + ": " + a.section + "/" + a.key + " = " +
+                       a.value + ": " + name +
+                       " is set twice, by its deprecated and its present name");
 }
 
 std::vector<fs::path> search_folders(const Case &parameters)

@@ -75,6 +75,17 @@ TEST_F(StudyFile, KeysOfOneKindInASharedSectionAreRefusedInOthers)
       << refusal_of(file);
 }
 
+TEST_F(StudyFile, OldAndPresentNameOfOneKeyAreRefused)
+{
+  const std::string file =
+      write("bad.prm", "subsection Stone\n  set density = 2600\nend\n"
+                       "subsection Particle\n  set density = 2500\nend\n");
+  EXPECT_NE(refusal_of(file).find("bad.prm:5: Particle/density = 2500: "
+                                  "Particle/density is set twice"),
+            std::string::npos)
+      << refusal_of(file);
+}
+
 TEST_F(StudyFile, OldNamesOfSweepsAndExpectationsAreReplaced)
 {
   const Study s = read_study(write(
