@@ -76,8 +76,9 @@ std::map<std::string, std::string> cases_in(const fs::path &folder)
         entry.path().filename().string().starts_with("run_"))
       names.push_back(entry.path().filename().string());
   std::ranges::sort(names);
-  std::ranges::stable_partition(names, [&](const std::string &name)
-                                { return holds_complete_run(folder / name); });
+  std::stable_partition(names.begin(), names.end(),
+                        [&](const std::string &name)
+                        { return holds_complete_run(folder / name); });
   std::map<std::string, std::string> cases;
   for (const std::string &name : names)
     cases.emplace(case_of(folder / name), name);

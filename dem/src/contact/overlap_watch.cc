@@ -44,11 +44,11 @@ double largest_overlap_ratio(const OverlapScan &scan, std::size_t first,
   {
     // Nearly always the whole range is passed over.
     const double *overlap = batch.overlap.data();
-    double deepest = 0.;
-#pragma omp simd reduction(max : deepest)
+    std::int64_t n_deeper = 0;
+#pragma omp simd reduction(+ : n_deeper)
     for (std::size_t k = first; k < last; ++k)
-      deepest = std::max(deepest, overlap[k]);
-    if (deepest <= scan.known)
+      n_deeper += overlap[k] > scan.known ? 1 : 0;
+    if (n_deeper == 0)
       return 0.;
   }
   for (std::size_t k = first; k < last; ++k)
