@@ -3,6 +3,9 @@
 #include "bench/state.h"
 #include "specimen/specimen.h"
 
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,8 +57,8 @@ void drive_evenly(dem::Engine &engine, const dem::BoxPlanes &box,
   for (int d = 0; d < 3; ++d)
   {
     const auto &[lower, upper] = box[static_cast<std::size_t>(d)];
-    engine.planes()[lower].velocity = closing_speed * dem::Vec3::Unit(d);
-    engine.planes()[upper].velocity = -closing_speed * dem::Vec3::Unit(d);
+    dem::planes(engine)[lower].velocity = closing_speed * dem::Vec3::Unit(d);
+    dem::planes(engine)[upper].velocity = -closing_speed * dem::Vec3::Unit(d);
   }
 }
 
@@ -97,7 +100,8 @@ void take_closed(const dem::Engine &engine, const dem::BoxPlanes &box,
   take_places(engine, packing);
   dem::Vec3 lower;
   for (int d = 0; d < 3; ++d)
-    lower[d] = engine.planes()[box[static_cast<std::size_t>(d)][0]].point[d];
+    lower[d] =
+        dem::planes(engine)[box[static_cast<std::size_t>(d)][0]].point[d];
   for (dem::Vec3 &x : packing.position)
     x -= lower;
   packing.box = dem::box_size(engine, box);

@@ -34,8 +34,8 @@ BenchSample measure(dem::Engine &engine, int n_steps, double time_step)
 
 double energy_residual(const dem::EngineEnergy &e)
 {
-  return e.plane_work + e.surface_work + e.gravity_work - e.kinetic -
-         e.elastic - e.friction - e.rolling - e.damping - e.breakage -
-         e.non_conservative_work;
+  return e.work_of("planes") + e.work_of("facets") + e.gravity_work -
+         e.kinetic - e.elastic - e.friction - e.rolling - e.damping -
+         e.breakage - e.non_conservative_work;
 }
 } // namespace spall

@@ -118,7 +118,7 @@ Json energy_json(const dem::EngineEnergy &e)
           {"damping_J", e.damping},
           {"breakage_J", e.breakage},
           {"non_conservative_work_J", e.non_conservative_work},
-          {"plane_work_J", e.plane_work},
+          {"plane_work_J", e.work_of("planes")},
           {"gravity_work_J", e.gravity_work},
           {"residual_J", energy_residual(e)}};
 }

@@ -6,7 +6,7 @@
 #include "errors.h"
 #include "shape/file.h"
 
-#include <dem/packing/random.h>
+#include <dem/random.h>
 
 #include <algorithm>
 

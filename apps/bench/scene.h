@@ -2,7 +2,7 @@
 
 #include "specimen/packing_file.h"
 
-#include <dem/boundary/box_servo.h>
+#include <dem/control/box_servo.h>
 #include <dem/engine.h>
 
 #include <memory>

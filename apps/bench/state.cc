@@ -2,6 +2,8 @@
 
 #include "run/digest.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <algorithm>
 #include <span>
 
@@ -20,7 +22,8 @@ std::int64_t count_touching(const dem::ContactBatch &batch)
 
 ContactCount count_contacts(const dem::Engine &engine)
 {
-  return {count_touching(engine.pairs()), count_touching(engine.on_planes()),
+  return {count_touching(engine.pairs()),
+          count_touching(dem::on_planes(engine)),
           static_cast<std::int64_t>(engine.pairs().size())};
 }
 

@@ -6,7 +6,8 @@
 
 #include <coupling/exchange.h>
 #include <dem/breakage/criterion.h>
-#include <dem/contact/material.h>
+#include <dem/contact/law_table.h>
+#include <dem/parameters/material.h>
 #include <fem/membrane.h>
 
 #include <array>
@@ -290,6 +291,10 @@ struct Case
                                      .rolling_friction = 0.,
                                      .normal_damping = 0.62,
                                      .shear_damping = 0.62};
+  /// Parameters of every contact law, by its number: of particles on each other
+  /// and on walls.
+  std::vector<dem::LawValues> pair_laws = dem::default_law_values();
+  std::vector<dem::LawValues> wall_laws = dem::default_law_values();
   dem::GeometryParameters contact;
   dem::FrictionLimit friction_limit = dem::FrictionLimit::elastic;
   dem::BreakageParameters breakage;

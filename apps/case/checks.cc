@@ -102,6 +102,17 @@ void check_breakage(const Case &c, const Place &place)
 
 /// Where particles meet each other, they turn with one inertia: that of
 /// spheres, or their own.
+/// True surfaces follow their contacts from touch on: nothing pulls before.
+void check_attraction(const Place &place, const std::string &key,
+                      const std::string &law, dem::ContactGeometry geometry)
+{
+  if (geometry == dem::ContactGeometry::surface &&
+      dem::LawChoice{dem::contact_law_number(law), {}}.entry().attracts)
+    refuse(place, {"Contact", key, "surface",
+                   "must be sphere or radial with the law " + law +
+                       ", which attracts across a gap"});
+}
+
 void check_geometry(const Case &c, const Place &place)
 {
   using enum dem::ContactGeometry;
@@ -111,6 +122,8 @@ void check_geometry(const Case &c, const Place &place)
            {"Contact", "wall_geometry", "surface",
             "must be sphere or radial, unless Contact/geometry = surface "
             "too (particles turn with their inertia tensors then)"});
+  check_attraction(place, "geometry", c.particle.law, c.contact.geometry);
+  check_attraction(place, "wall_geometry", c.wall.law, c.contact.wall_geometry);
 }
 
 void check_overlap(const Case &c, const Place &place)

@@ -28,47 +28,6 @@ void add_particle(List &list, dem::ParticleMaterial &s)
            s.shear_damping, between(0., 5.));
 }
 
-void add_contact(List &list, Case &of)
-{
-  dem::GeometryParameters &c = of.contact;
-  list.in("Contact");
-  list.add(
-      {"geometry", "-",
-       "sphere: overlap of the equivalent spheres; radial: of the local radii "
-       "along the branch; surface: of the true surfaces, at every place "
-       "where they meet, with the inertia tensors of the particles."},
-      c.geometry, {"sphere", "radial", "surface"}, {{"ball", "sphere"}});
-  list.add({"wall_geometry", "-",
-            "The same for particles on platens, rigid sides, the membrane and "
-            "the drum; surface needs geometry = surface where particles meet."},
-           c.wall_geometry, {"sphere", "radial", "surface"},
-           {{"ball", "sphere"}});
-  list.add(
-      {"refresh_tolerance", "rad",
-       "The expansion of a shape is renewed when the contact direction has "
-       "moved this far in the body; 0: every step."},
-      c.refresh_tolerance, between(0., 0.1));
-  list.add({"skin",
-            "m",
-            "How far beyond contact the lists of candidates look; 0: set at "
-            "each rebuild to what costs least at the motion since the last.",
-            "",
-            {"search_margin"}},
-           c.skin, between(0., 1.));
-  list.add({"overlap_warning", "-",
-            "Overlap over the radius of the smaller equivalent sphere: a "
-            "warning above it, since Hertz theory no longer holds."},
-           c.overlap.warning, above(0., 1.));
-  list.add({"overlap_stop", "-",
-            "The run fails above this overlap over radius. At 1 a wall reaches "
-            "the centre of a particle."},
-           c.overlap.stop, above(0., 1.));
-  list.add({"friction_limit", "-",
-            "Normal force in the limits of friction and rolling: elastic, of "
-            "the spring alone; total, with its dashpot."},
-           of.friction_limit, {"elastic", "total"});
-}
-
 /// What the model leaves open; the first name is the article's or the default.
 void add_breakage_choices(List &list, dem::BreakageParameters &b)
 {
@@ -403,11 +362,14 @@ std::vector<Parameter> parameters_of(Case &of)
       of.material);
   add_particle(list, of.particle);
   list.in("Wall");
-  list.add({"law", "-",
-            "linear: the springs below; hertz: particle on a rigid plate, with "
-            "the curvatures of the particle."},
-           of.wall.law, {"linear", "hertz"});
+  add_law(list,
+          {"law", "-",
+           "Law of particles on walls: linear, the springs of this section; "
+           "hertz, particle on a rigid plate, with the curvatures of the "
+           "particle; dmt, Hertz with attraction."},
+          of.wall.law);
   add_wall(list, of.wall, between(0., 10.), "");
+  add_law_values(list, of.wall_laws);
   list.in("MembraneContact");
   add_wall(list, of.membrane_contact, between(0., 0.),
            "the membrane has no rotational unknowns to take the moment");
@@ -460,7 +422,7 @@ Case default_case(CaseKind kind)
   {
     c.title = "vibratory compaction test";
     // As in the drum below: particles that are poured spin.
-    c.wall.law = dem::WallLaw::hertz;
+    c.wall.law = "hertz";
     c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::sphere;
     c.breakage.contacts = dem::EventContacts::all;
     c.time.step = StepRule::stable;
@@ -469,7 +431,7 @@ Case default_case(CaseKind kind)
     c.membrane.thickness = 3e-3;
     return c;
   }
-  c.wall.law = dem::WallLaw::hertz;
+  c.wall.law = "hertz";
   c.contact.wall_geometry = dem::ContactGeometry::radial;
   if (kind == CaseKind::single_particle)
     c.title = "single particle between platens";

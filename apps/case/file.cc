@@ -324,6 +324,14 @@ void note_contents(Case &of)
           of.contents[parameter.section + "/" + parameter.key] =
               digest_of(*path);
 }
+/// The materials take the parameters of their laws.
+void choose_laws(Case &c)
+{
+  const auto number = [](const std::string &law)
+  { return static_cast<std::size_t>(dem::contact_law_number(law)); };
+  c.particle.law_values = c.pair_laws.at(number(c.particle.law));
+  c.wall.law_values = c.wall_laws.at(number(c.wall.law));
+}
 } // namespace
 
 Case read_case(const std::string &file, std::span<const Override> overrides)
@@ -350,6 +358,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
     take_overrides(values, result, overrides, list);
   }
   assign_all(values, list);
+  choose_laws(result);
   result.deprecated = values.deprecated;
   note_contents(result);
 

@@ -3,6 +3,8 @@
 #include "case/case.h"
 #include "case/parameter.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace spall
@@ -50,6 +52,29 @@ public:
     put(text, std::move(choice), {});
   }
 
+  /// One of these names.
+  void add_name(const Text &text, std::string &field,
+                const std::vector<std::string> &names)
+  {
+    Choice choice{names,
+                  {},
+                  [&field, names]
+                  {
+                    return static_cast<std::size_t>(
+                        std::find(names.begin(), names.end(), field) -
+                        names.begin());
+                  },
+                  [&field, names](std::size_t k) { field = names.at(k); }};
+    put(text, std::move(choice), {});
+  }
+  /// Whether the section the list is in has this key.
+  bool has(std::string_view key) const
+  {
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&](const Parameter &p)
+                       { return p.section == section && p.key == key; });
+  }
+
   std::vector<Parameter> parameters;
 
 private:
@@ -69,6 +94,11 @@ void add_specimen(List &list, SpecimenParameters &s);
 void add_preparation(List &list, PreparationParameters &p);
 void add_membrane(List &list, fem::MembraneParameters &m);
 void add_coupling(List &list, CouplingParameters &c);
+void add_contact(List &list, Case &of);
+/// The choice of a contact law by its name.
+void add_law(List &list, const Text &text, std::string &name);
+/// The parameters of all contact laws that the section has no key for yet.
+void add_law_values(List &list, std::vector<dem::LawValues> &values);
 /// Of the section the list is in; `rolling` is the range of rolling_friction.
 void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
               const std::string &reason);

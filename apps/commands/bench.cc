@@ -4,6 +4,8 @@
 #include "run/whole_file.h"
 #include "specimen/specimen.h"
 
+#include <dem/measure/assembly.h>
+
 #include <charconv>
 #include <filesystem>
 #include <iostream>

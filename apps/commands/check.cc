@@ -11,7 +11,7 @@
 #include "triaxial/preparation.h"
 #include "triaxial/recorder.h"
 
-#include <dem/integrate/contact_springs.h>
+#include <dem/measure/contact_springs.h>
 
 #include <cstdio>
 #include <filesystem>

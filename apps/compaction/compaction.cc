@@ -7,7 +7,8 @@
 #include "run/rest_hint.h"
 
 #include <coupling/membrane_body.h>
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
 
 const dem::Plane &Compaction::plate_plane() const
 {
-  return engine().planes()[pouring.tamper()];
+  return dem::planes(engine())[pouring.tamper()];
 }
 
 bool Compaction::has_windows() const
@@ -148,7 +149,8 @@ void Compaction::hand_over(double plate_height)
   now.stage = Stage::seating;
   if (parameters.plate.form != PlateKind::rigid)
     return join(plate_height);
-  engine().place_plane(pouring.tamper(), plate_height * dem::Vec3::UnitZ());
+  dem::place_plane(engine(), pouring.tamper(),
+                   plate_height * dem::Vec3::UnitZ());
 }
 
 /// Until the particles carry it. The last of its speed is too small to shake
@@ -162,7 +164,7 @@ void Compaction::lower_plate(double time_step)
     join(plate_plane().point.z());
     return release(engine().time());
   }
-  engine().planes()[pouring.tamper()].velocity =
+  dem::planes(engine())[pouring.tamper()].velocity =
       -parameters.plate.seating_speed * std::clamp(1. - carried, slowest, 1.) *
       dem::Vec3::UnitZ();
   engine().advance_deferred(time_step);
@@ -190,9 +192,9 @@ void Compaction::release(double time)
   if (parameters.lateral() == Lateral::rigid)
     return;
   // The mould is taken away.
-  dem::Drum mould = engine().drum();
+  dem::Drum mould = dem::drum(engine());
   mould.radius *= 100.;
-  engine().set_drum(mould);
+  dem::set_drum(engine(), mould);
   build_tube();
 }
 

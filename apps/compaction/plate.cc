@@ -4,6 +4,7 @@
 #include "case/parameter.h"
 #include "errors.h"
 
+#include <dem/engine_boundaries.h>
 #include <fem/disc_mesh.h>
 #include <fem/drive.h>
 
@@ -125,7 +126,7 @@ CompactionPlate::CompactionPlate(const Case &c, double height,
     add_rigid({0., 0., height}, plane, joined, engine);
     return;
   }
-  boundary = engine.surfaces().size();
+  boundary = dem::surfaces(engine).size();
   const fem::SurfaceMesh face =
       fem::boundary_surface(plate_mesh(c, height), fem::z_lower).mesh;
   shares = fem::area_shares(face);
@@ -284,9 +285,10 @@ double CompactionPlate::bending() const
 double CompactionPlate::load(const dem::Engine &engine) const
 {
   if (!is_disc())
-    return engine.planes()[boundary].force.z();
+    return dem::planes(engine)[boundary].force.z();
   double sum = 0.;
-  for (const dem::Vec3 &load : engine.surfaces()[boundary].surface.load)
+  for (const dem::Vec3 &load :
+       dem::facet_boundary(engine, boundary).surface.load)
     sum += load.z();
   return sum;
 }
@@ -294,9 +296,9 @@ double CompactionPlate::load(const dem::Engine &engine) const
 double CompactionPlate::impulse(const dem::Engine &engine) const
 {
   if (!is_disc())
-    return engine.planes()[boundary].impulse.z();
+    return dem::planes(engine)[boundary].impulse.z();
   double sum = 0.;
-  for (const dem::Vec3 &impulse : engine.surfaces()[boundary].impulse)
+  for (const dem::Vec3 &impulse : dem::facet_boundary(engine, boundary).impulse)
     sum += impulse.z();
   return sum;
 }

@@ -3,6 +3,8 @@
 #include "compaction/compaction.h"
 #include "laboratory/roundness_table.h"
 
+#include <dem/measure/assembly.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>

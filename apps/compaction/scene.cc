@@ -8,6 +8,7 @@
 #include "specimen/obtained_gradation.h"
 
 #include <coupling/triaxial_cell.h>
+#include <dem/engine_boundaries.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,12 +66,12 @@ std::unique_ptr<dem::Engine> empty_container(dem::EngineParameters settings,
 {
   settings.geometry.usual_skin = 0.25 * all.smallest_radius();
   auto engine = std::make_unique<dem::Engine>(settings);
-  engine->add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(*engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   dem::Drum wall;
   wall.axis = dem::Vec3::UnitZ();
   wall.radius = radius;
   wall.length = 1e3 * radius;
-  engine->set_drum(wall);
+  dem::set_drum(*engine, wall);
   engine->set_breaking(false);
   return engine;
 }

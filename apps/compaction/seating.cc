@@ -3,6 +3,8 @@
 #include "compaction/compaction.h"
 #include "errors.h"
 
+#include <dem/measure/assembly.h>
+
 #include <algorithm>
 #include <cmath>
 

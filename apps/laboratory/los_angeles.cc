@@ -7,7 +7,9 @@
 #include "run/checkpoint.h"
 #include "specimen/obtained_gradation.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 #include <dem/packing/insertion.h>
 #include <dem/packing/pouring.h>
 
@@ -123,7 +125,7 @@ struct LosAngeles::Scene
     drum.length = d.length;
     drum.lifter_height = d.lifter_height;
     drum.lifter_thickness = d.lifter_thickness;
-    engine->set_drum(drum);
+    dem::set_drum(*engine, drum);
     engine->set_breaking(false);
   }
 };
@@ -174,7 +176,7 @@ void LosAngeles::begin_turning()
 {
   is_turning = true;
   start_time = engine().time();
-  engine().drum().spin = spin_of(parameters.drum);
+  dem::drum(engine()).spin = spin_of(parameters.drum);
   engine().set_breaking(parameters.breakage.is_active);
   keep_roundness();
   report_step();
@@ -215,12 +217,13 @@ std::string LosAngeles::outcome() const
     if (all.material[i] == 0)
       lost += all.initial_mass[i] - all.mass(i);
   char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "LAA %.5f %%, mass lost %.4g g, roundness %.4f, drum work "
-      "%.4g J, %lld events",
-      abrasion_percent(), 1e3 * lost, roundness.mean(engine().particles()),
-      engine().energy().drum_work, static_cast<long long>(engine().n_events()));
+  std::snprintf(text, sizeof text,
+                "LAA %.5f %%, mass lost %.4g g, roundness %.4f, drum work "
+                "%.4g J, %lld events",
+                abrasion_percent(), 1e3 * lost,
+                roundness.mean(engine().particles()),
+                engine().energy().work_of("drum"),
+                static_cast<long long>(engine().n_events()));
   return text;
 }
 
@@ -237,7 +240,7 @@ std::vector<NamedText> LosAngeles::take_files()
 
 double LosAngeles::turns() const
 {
-  return engine().drum().angle / (2. * std::numbers::pi);
+  return dem::drum(engine()).angle / (2. * std::numbers::pi);
 }
 
 double LosAngeles::progress_at(double time) const
@@ -283,7 +286,7 @@ FrameParts LosAngeles::frame_parts() const
 {
   FrameParts parts{nullptr, true};
   parts.bodies.push_back({"drum", [this](const std::string &path)
-                          { dem::write_drum(path, engine().drum()); }});
+                          { dem::write_drum(path, dem::drum(engine())); }});
   return parts;
 }
 
@@ -308,8 +311,8 @@ std::vector<Quantity> LosAngeles::measured() const
   const dem::ContactNetwork network =
       dem::contact_network(engine().particles(), engine().pairs());
   return {{"turn_1", turns()},
-          {"torque_Nm", engine().drum().torque},
-          {"drum_work_J", engine().energy().drum_work},
+          {"torque_Nm", dem::drum(engine()).torque},
+          {"drum_work_J", engine().energy().work_of("drum")},
           {"n_contacts_1", static_cast<double>(network.n_contacts)},
           {"mean_contact_force_N", network.mean_force},
           {"roundness_1", roundness.mean(engine().particles())}};

@@ -3,9 +3,10 @@
 #include "case/file.h"
 #include "shape/loaded.h"
 
-#include <dem/io/binary.h>
-#include <dem/packing/random.h>
-#include <dem/search/contact_points.h>
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
+#include <dem/neighbor/contact_points.h>
+#include <dem/random.h>
 
 #include <nlohmann/json.hpp>
 
@@ -82,9 +83,9 @@ std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
   const dem::Vec3 up = turned.conjugate() * dem::Vec3::UnitZ();
   const dem::ContactGeometry geometry = parameters.contact.wall_geometry;
   const dem::Vec3 z = dem::Vec3::UnitZ();
-  engine->add_plane(-reach(particle, geometry, -up) * z, z);
-  engine->add_plane(reach(particle, geometry, up) * z, -z);
-  engine->planes()[upper_platen].velocity = -parameters.press.speed * z;
+  dem::add_plane(*engine, -reach(particle, geometry, -up) * z, z);
+  dem::add_plane(*engine, reach(particle, geometry, up) * z, -z);
+  dem::planes(*engine)[upper_platen].velocity = -parameters.press.speed * z;
   return engine;
 }
 } // namespace
@@ -109,7 +110,7 @@ void SingleParticle::move(double time_step)
 
 double SingleParticle::force() const
 {
-  return engine().planes()[upper_platen].force.z();
+  return dem::planes(engine())[upper_platen].force.z();
 }
 
 double SingleParticle::progress_at(double time) const
@@ -163,7 +164,7 @@ std::vector<Quantity> SingleParticle::measured() const
 {
   return {{"displacement_m", progress_at(engine().time())},
           {"force_N", force()},
-          {"lower_force_N", -engine().planes()[lower_platen].force.z()}};
+          {"lower_force_N", -dem::planes(engine())[lower_platen].force.z()}};
 }
 
 void SingleParticle::summarise(nlohmann::ordered_json &summary) const

@@ -9,7 +9,7 @@
 #include "run/warnings.h"
 #include "subgrade/subgrade.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <nlohmann/json.hpp>
 
@@ -126,8 +126,8 @@ double LabTest::abrasion_percent() const
 double LabTest::external_work() const
 {
   const dem::EngineEnergy energy = engine().energy();
-  return energy.plane_work + energy.drum_work + energy.gravity_work +
-         body_energy().external;
+  return energy.work_of("planes") + energy.work_of("drum") +
+         energy.gravity_work + body_energy().external;
 }
 
 EnergyBalance LabTest::energy_balance() const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <string>
 #include <vector>

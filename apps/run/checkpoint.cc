@@ -8,7 +8,7 @@
 #include "run/digested.h"
 #include "run/whole_file.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <fstream>
 #include <sstream>

@@ -2,7 +2,7 @@
 
 #include "run/digest.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <algorithm>
 #include <array>

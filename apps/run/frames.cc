@@ -3,6 +3,8 @@
 #include "case/data_folders.h"
 #include "run/whole_file.h"
 
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 #include <dem/measure/network.h>
 
 #include <cstdio>
@@ -40,9 +42,9 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
     }
   };
   add(engine.pairs(), dem::ContactKind::particle_particle);
-  add(engine.on_planes(), dem::ContactKind::particle_plane);
-  add(engine.on_drum(), dem::ContactKind::particle_plane);
-  for (const dem::SurfaceContacts &facets : engine.surfaces())
+  add(dem::on_planes(engine), dem::ContactKind::particle_plane);
+  add(dem::on_drum(engine), dem::ContactKind::particle_plane);
+  for (const dem::FacetBoundary &facets : dem::surfaces(engine))
     add(facets.batch, dem::ContactKind::particle_facet);
   return lines;
 }

@@ -7,7 +7,7 @@
 #include "run/digested.h"
 #include "run/whole_file.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <utility>
 

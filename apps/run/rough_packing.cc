@@ -2,7 +2,8 @@
 
 #include "run/forecast.h"
 
-#include <dem/integrate/contact_springs.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/contact_springs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,13 +101,13 @@ void press(dem::Engine &engine, std::size_t plane, double load,
            double longest_step)
 {
   constexpr double speed = 0.1; // [m/s]
-  engine.place_plane(plane,
-                     dem::top_of(engine.particles(), 0.) * dem::Vec3::UnitZ());
-  engine.planes()[plane].velocity = -speed * dem::Vec3::UnitZ();
+  dem::place_plane(engine, plane,
+                   dem::top_of(engine.particles(), 0.) * dem::Vec3::UnitZ());
+  dem::planes(engine)[plane].velocity = -speed * dem::Vec3::UnitZ();
   run_roughly(
       engine, longest_step, [](double) {},
-      [&] { return engine.planes()[plane].force.z() >= load; });
-  engine.planes()[plane].velocity = dem::Vec3::Zero();
+      [&] { return dem::planes(engine)[plane].force.z() >= load; });
+  dem::planes(engine)[plane].velocity = dem::Vec3::Zero();
   engine.come_to_rest();
 }
 } // namespace spall

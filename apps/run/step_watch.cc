@@ -2,7 +2,7 @@
 
 #include "errors.h"
 
-#include <dem/integrate/contact_springs.h>
+#include <dem/measure/contact_springs.h>
 
 #include <algorithm>
 #include <chrono>

@@ -3,7 +3,7 @@
 #include "specimen/gradation.h"
 #include "specimen/specimen.h"
 
-#include <dem/packing/random.h>
+#include <dem/random.h>
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 #include "case/case.h"
 
 #include <coupling/gain.h>
-#include <dem/boundary/box_servo.h>
+#include <dem/control/box_servo.h>
 #include <dem/engine.h>
 #include <fem/surface_mesh.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/contact/material.h>
+#include <dem/parameters/material.h>
 #include <dem/shape/spherical_harmonics.h>
 
 #include <cstdint>

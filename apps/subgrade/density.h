@@ -2,7 +2,7 @@
 
 #include "subgrade/case.h"
 
-#include <dem/particle_system.h>
+#include <dem/particles/particle_system.h>
 
 namespace spall
 {

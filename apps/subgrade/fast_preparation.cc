@@ -1,6 +1,6 @@
 #include "case/gravity.h"
 #include "run/rough_packing.h"
-#include "subgrade/subgrade.h"
+#include "subgrade/subgrade.h" #include < dem / engine_boundaries.h>
 
 namespace spall
 {
@@ -40,7 +40,7 @@ void Subgrade::pack()
   relax(engine(), time_step());
   press(engine(), pouring.tamper(), p.mass * gravity + p.static_load,
         time_step());
-  engine().deactivate_plane(pouring.tamper());
+  dem::deactivate_plane(engine(), pouring.tamper());
   engine().set_friction(parameters.particle.friction);
 }
 } // namespace spall

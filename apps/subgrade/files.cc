@@ -5,7 +5,8 @@
 #include "subgrade/quad_file.h"
 #include "subgrade/subgrade.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/measure/assembly.h>
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "run/csv_file.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 #include <fem/transfer_function.h>
 
 #include <algorithm>

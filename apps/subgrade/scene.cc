@@ -6,6 +6,8 @@
 #include "errors.h"
 #include "specimen/obtained_gradation.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -79,7 +81,7 @@ ParticleBox make_particle_box(const Case &c)
     {
       dem::Vec3 inward = dem::Vec3::Zero();
       inward[d] = -sign;
-      scene.engine->add_plane(sign * half, inward);
+      dem::add_plane(*scene.engine, sign * half, inward);
     }
   scene.engine->set_breaking(false);
   scene.limit =

@@ -5,7 +5,9 @@
 #include "errors.h"
 #include "subgrade/ground.h"
 
-#include <dem/integrate/contact_springs.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
+#include <dem/measure/contact_springs.h>
 #include <fem/disc_mesh.h>
 
 #include <algorithm>
@@ -379,13 +381,13 @@ double Subgrade::settlement_at(std::int32_t node) const
 /// Down [N].
 double Subgrade::force_on_ground() const
 {
-  return sum_down(engine().surface(0).load);
+  return sum_down(dem::surface(engine(), 0).load);
 }
 
 /// Up [N].
 double Subgrade::force_on_plate() const
 {
-  return plate ? -sum_down(engine().surface(1).load) : 0.;
+  return plate ? -sum_down(dem::surface(engine(), 1).load) : 0.;
 }
 
 /// At the depths, more than the dead load does [Pa].

@@ -4,6 +4,9 @@
 #include "errors.h"
 #include "triaxial/triaxial.h"
 
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -119,21 +122,21 @@ void Triaxial::open_sides(double share)
       servo.release(engine(), d);
   if (share < 1.)
     return;
-  if (specimen.walls.is_round)
+  if (specimen.walls.is_round())
     return put_side_away();
   for (std::size_t d = 0; d < 2; ++d)
     for (const std::size_t plane : specimen.walls.planes[d])
-      if (engine().planes()[plane].is_active)
-        engine().deactivate_plane(plane);
+      if (dem::planes(engine())[plane].is_active)
+        dem::deactivate_plane(engine(), plane);
 }
 
 void Triaxial::put_side_away()
 {
-  dem::Drum side = engine().drum();
+  dem::Drum side = dem::drum(engine());
   if (side.radius > upper.x() - lower.x())
     return; // it is
   side.radius *= 100.;
-  engine().set_drum(side);
+  dem::set_drum(engine(), side);
 }
 
 /// A plate that is driven starts from rest.

@@ -1,6 +1,6 @@
 #include "triaxial/cycles.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <nlohmann/json.hpp>
 

@@ -2,6 +2,9 @@
 #include "run/rough_packing.h"
 #include "triaxial/triaxial.h"
 
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -24,13 +27,14 @@ void draw_together(dem::Engine &engine, double factor)
 {
   for (dem::ParticleState &particle : engine.particles().state)
     particle.position *= factor;
-  for (dem::Plane &plane : engine.planes())
+  for (dem::Plane &plane : dem::planes(engine))
     plane.point *= factor;
-  if (dem::Drum side = engine.drum(); side.is_there())
+  if (dem::find_boundary<dem::DrumBoundary>(engine))
   {
+    dem::Drum side = dem::drum(engine);
     side.centre *= factor;
     side.radius *= factor;
-    engine.set_drum(side);
+    dem::set_drum(engine, side);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "triaxial/triaxial.h"
 
+#include <dem/measure/assembly.h>
+
 #include <cmath>
 #include <sstream>
 

@@ -1,6 +1,7 @@
 #include "triaxial/mean_cyclic_motion.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
 
 namespace spall
 {
@@ -85,9 +86,10 @@ void extrapolate_particles(const MeanCyclicMotion &mean_motion, double rate,
 void set_planes(const MeanCyclicMotion &mean_motion, double rate,
                 dem::Engine &engine)
 {
-  for (std::size_t k = 0; k < engine.planes().size(); ++k)
-    engine.planes()[k].velocity = rate * mean_motion.planes[k];
-  engine.drum().widening = rate * mean_motion.widening;
+  for (std::size_t k = 0; k < dem::planes(engine).size(); ++k)
+    dem::planes(engine)[k].velocity = rate * mean_motion.planes[k];
+  if (auto *side = dem::find_boundary<dem::DrumBoundary>(engine))
+    side->drum.widening = rate * mean_motion.widening;
 }
 
 void stop_all(const MeanCyclicMotion &mean_motion, dem::Engine &engine)
@@ -110,11 +112,11 @@ Pose pose_of(const dem::Engine &engine, const coupling::TriaxialCell &cell)
     pose.position[id] = particles.position(k);
     pose.orientation[id] = particles.orientation(k);
   }
-  for (const dem::Plane &plane : engine.planes())
+  for (const dem::Plane &plane : dem::planes(engine))
     pose.planes.push_back(plane.point);
   const coupling::FieldView nodes = cell.motion().position;
   pose.nodes.assign(nodes.begin(), nodes.end());
-  pose.radius = engine.drum().radius;
+  pose.radius = dem::drum(engine).radius;
   return pose;
 }
 

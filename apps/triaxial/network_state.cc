@@ -3,6 +3,7 @@
 #include "run/csv_file.h"
 #include "run/whole_file.h"
 
+#include <dem/engine_boundaries.h>
 #include <dem/measure/region_stress.h>
 
 #include <algorithm>
@@ -49,8 +50,8 @@ double layer_of(const dem::ParticleSystem &particles)
 dem::Outline outline_of(const Triaxial &test, int n)
 {
   const dem::Prism space = space_of(test);
-  return test.membrane() ? dem::outline_of(test.engine().surface(), space.low,
-                                           space.high, n)
+  return test.membrane() ? dem::outline_of(dem::surface(test.engine()),
+                                           space.low, space.high, n)
                          : dem::outline_of(space, n);
 }
 
@@ -68,7 +69,7 @@ int sections_for_layers(const Triaxial &test)
 dem::Prism space_of(const Triaxial &test)
 {
   const auto [lower, upper] = dem::box_corners(test.engine(), test.walls());
-  if (test.walls().is_round && !test.membrane())
+  if (test.walls().is_round() && !test.membrane())
     return dem::prism_of_cylinder(0.5 * (lower + upper).head<2>(),
                                   0.5 * (upper.x() - lower.x()), lower.z(),
                                   upper.z());

@@ -3,7 +3,8 @@
 #include "triaxial/pressed_quads.h"
 #include "triaxial/triaxial.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/measure/assembly.h>
 
 #include <cmath>
 #include <sstream>
@@ -175,7 +176,7 @@ void Triaxial::place_boundaries()
                        parameters.contact.skin);
   plane_work_gone = top_plane().work;
   build_cell();
-  if (specimen.walls.is_round && membrane())
+  if (specimen.walls.is_round() && membrane())
     area = volume() / (upper.z() - lower.z()); // many flat sides
   cell->set_plate({upper.z(), 0., -parameters.preparation.pressure * area,
                    top_plane().force.z(), 0.});

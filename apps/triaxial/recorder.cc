@@ -214,7 +214,7 @@ void Recorder::write_ledger(Triaxial &test, const Sample &sample)
   worst_gain = std::max(worst_gain, test.exchange_gain());
   std::vector<double> row =
       ledger_row(*test.exchange(), test.engine(), test.window());
-  for (const double more : {test.engine().energy().surface_work,
+  for (const double more : {test.engine().energy().work_of("facets"),
                             test.plate_work(), sample.energy_residual})
     row.push_back(more);
   ledger.write_row(row);

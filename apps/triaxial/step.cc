@@ -1,5 +1,7 @@
 #include "triaxial/triaxial.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <chrono>
 #include <sstream>
 #include <stdexcept>
@@ -175,14 +177,14 @@ void Triaxial::gather(Window &window) const
   const dem::Engine &particles = engine();
   window.axial += top_plane().force.z() + cell->rim_reaction();
   if (membrane())
-    for (const dem::Vec3 &load : particles.surface().load)
+    for (const dem::Vec3 &load : dem::surface(particles).load)
       window.lateral += load.norm();
-  else if (specimen.walls.is_round)
-    window.lateral += particles.drum().thrust;
+  else if (specimen.walls.is_round())
+    window.lateral += dem::drum(particles).thrust;
   else
     for (std::size_t d = 0; d < 2; ++d)
       for (const std::size_t plane : specimen.walls.planes[d])
-        window.lateral += particles.planes()[plane].force.norm();
+        window.lateral += dem::planes(particles)[plane].force.norm();
 }
 
 void Triaxial::close_window(Window &window) const

@@ -5,6 +5,8 @@
 #include "run/digest.h"
 #include "run/ledger_rows.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -66,7 +68,7 @@ void add_jumps(const JumpAccount &jumps, nlohmann::ordered_json &out)
 /// the middle of each, after the nodes, has a share of every load on it [-].
 double pressed_share(const Triaxial &test)
 {
-  const auto loads = std::span(test.engine().surface().load)
+  const auto loads = std::span(dem::surface(test.engine()).load)
                          .subspan(test.membrane()->n_nodes());
   return static_cast<double>(std::ranges::count_if(
              loads, [](const dem::Vec3 &load) { return !load.isZero(0.); })) /

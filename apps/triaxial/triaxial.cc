@@ -5,7 +5,9 @@
 #include "run/warnings.h"
 #include "triaxial/preparation.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 
 #include <cmath>
 #include <numbers>
@@ -232,7 +234,7 @@ void Triaxial::exchange_window(double window)
 
 const dem::Plane &Triaxial::top_plane() const
 {
-  return engine().planes()[specimen.walls.planes[2][1]];
+  return dem::planes(engine())[specimen.walls.planes[2][1]];
 }
 
 double Triaxial::lateral_stress() const
@@ -303,7 +305,8 @@ std::vector<std::string> Triaxial::warnings(const EnergyBalance &loading) const
 void Triaxial::add_energies(Sample &s) const
 {
   const dem::EngineEnergy energy = engine().energy();
-  s.external_work = energy.plane_work + energy.drum_work + energy.gravity_work;
+  s.external_work =
+      energy.work_of("planes") + energy.work_of("drum") + energy.gravity_work;
   s.kinetic_energy = energy.kinetic;
   s.elastic_energy = energy.elastic;
   s.friction = energy.friction;

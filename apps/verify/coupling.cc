@@ -3,6 +3,7 @@
 #include <coupling/exchange.h>
 #include <coupling/rigid_body.h>
 #include <coupling/solid_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <cmath>
 
@@ -126,8 +127,8 @@ std::vector<Row> block_on_balls()
   for (int window = 0; window < 1000; ++window)
     exchange.advance(alone(engine), 5e-4);
   double overlap = 0.;
-  for (std::size_t c = 0; c < engine.on_facets().size(); ++c)
-    overlap += 0.25 * engine.on_facets().overlap[c];
+  for (std::size_t c = 0; c < dem::on_facets(engine).size(); ++c)
+    overlap += 0.25 * dem::on_facets(engine).overlap[c];
   const double sunk = density * std::pow(side, 3) * gravity / (4. * k);
   // What is left of the swing after half a second.
   return {{"overlap of a ball at rest", "m", sunk, overlap, 1e-3},

@@ -4,6 +4,8 @@
 #include "scenes.h"
 #include "strike.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -150,7 +152,7 @@ WallImpact strike_wall(double stiffness, double damping)
   p.wall.normal_stiffness = stiffness;
   p.wall.normal_damping = damping;
   dem::Engine engine(p);
-  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   add_sphere(engine, 0.01, {0., 0., 0.01});
   constexpr double speed = 0.1;
   engine.particles().velocity(0).z() = -speed;

@@ -1,6 +1,8 @@
 #include "families.h"
 #include "scenes.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -29,7 +31,7 @@ dem::Engine pressed_sphere()
   p.wall.friction = p.wall.rolling_friction = 1e3;
   p.gravity = {0., 0., -100.};
   dem::Engine engine(p);
-  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   // A series: balls without one keep their orientation.
   engine.add_particle(body_of(sphere_series(2, sphere_radius)),
                       {0., 0., sphere_radius}, dem::Quaternion::Identity());
@@ -129,8 +131,8 @@ dem::Engine gas(double box, double wall_stiffness)
   dem::Engine engine(p);
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1., 1.})
-      engine.add_plane(side * 0.5 * box * dem::Vec3::Unit(axis),
-                       -side * dem::Vec3::Unit(axis));
+      dem::add_plane(engine, side * 0.5 * box * dem::Vec3::Unit(axis),
+                     -side * dem::Vec3::Unit(axis));
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> some(-1., 1.);
   for (int k = 0; k < 27; ++k)
@@ -161,7 +163,7 @@ Drift run_gas(double wall_stiffness, double time_step)
     engine.advance(time_step);
     std::size_t now = 0;
     for (const dem::ContactBatch *batch :
-         {&engine.pairs(), &engine.on_planes()})
+         {&engine.pairs(), &dem::on_planes(engine)})
       for (std::size_t k = 0; k < batch->size(); ++k)
         now += batch->is_touching(k);
     drift.n_impacts += now > touching ? static_cast<int>(now - touching) : 0;
@@ -213,7 +215,7 @@ double energy_kept(const CornerImpact &impact)
   p.wall.normal_stiffness = 1e8;
   dem::Engine engine(p);
   for (int axis = 0; axis < 2; ++axis)
-    engine.add_plane(dem::Vec3::Zero(), dem::Vec3::Unit(axis));
+    dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::Unit(axis));
   add_sphere(engine, sphere_radius, dem::Vec3::Constant(sphere_radius));
   const double dt =
       impact.time_step * std::sqrt(engine.particles().mass(0) / 1e8);

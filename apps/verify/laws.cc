@@ -58,8 +58,9 @@ WorstErrors worst_errors(const ReferenceTable &table)
         dem::gap_coefficients(curvatures_of(table, k));
     const double overlap = exact("overlap_m"), root = std::sqrt(overlap);
     const dem::EllipticContact contact = dem::solve_elliptic(pair, gap);
-    const dem::NormalSpring<double> spring = dem::hertz_spring(
-        contact.prefactors.normal, contact.prefactors.tangential, overlap);
+    const dem::NormalSpring<double> spring = dem::Hertz::spring<double>(
+        {}, {contact.prefactors.normal, contact.prefactors.tangential},
+        overlap);
     raise(worst.gap, gap.a, exact("gap_a_1_m"));
     raise(worst.gap, gap.b, exact("gap_b_1_m"));
     raise(worst.axes, contact.major_axis * root, exact("major_axis_m"));
@@ -179,7 +180,8 @@ std::vector<Row> limits()
   const dem::EllipticContact slit = dem::solve_elliptic(pair, {1e-2, 100.});
   const dem::HertzPrefactors end = dem::elliptic_table()(pair, {1e-2, 100.});
   const dem::HertzPrefactors beyond = dem::elliptic_table()(pair, {1e-4, 100.});
-  const dem::NormalSpring<double> open = dem::hertz_spring(normal, shear, 0.);
+  const dem::NormalSpring<double> open =
+      dem::Hertz::spring<double>({}, {normal, shear}, 0.);
   return {
       {"circle: C_H, exact algorithm", "N/m^1.5", normal, exact.normal, 1e-13},
       {"circle: C_H, production fit", "N/m^1.5", normal, fit.normal, 1e-9},

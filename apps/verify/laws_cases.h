@@ -3,7 +3,7 @@
 #include "case.h"
 
 #include <dem/contact/elliptic.h>
-#include <dem/contact/law.h>
+#include <dem/contact/laws/hertz.h>
 
 namespace spall::verify
 {

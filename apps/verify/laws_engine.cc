@@ -1,6 +1,8 @@
 #include "laws_cases.h"
 #include "scenes.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -182,7 +184,7 @@ std::vector<Row> springs()
   dem::EngineParameters wall = bare_parameters();
   wall.wall.normal_stiffness = 3e6;
   dem::Engine pressed(wall);
-  pressed.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(pressed, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   add_sphere(pressed, radius, {0., 0., radius - sunk});
   pressed.advance(1e-12);
   return {{"shear spring k_s s", "N", shear_stiffness * speed * moved,

@@ -2,6 +2,8 @@
 #include "reference_impacts.h"
 #include "scenes.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +31,7 @@ dem::EngineParameters floor_parameters()
 dem::Engine resting_ball(const dem::EngineParameters &parameters, double radius)
 {
   dem::Engine engine(parameters);
-  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   add_sphere(engine, radius, {0., 0., radius});
   engine.particles().position(0).z() += engine.particles().mass(0) *
                                         parameters.gravity.z() /
@@ -180,7 +182,7 @@ std::vector<Row> gross_sliding()
   dem::EngineParameters p = bare_parameters();
   p.wall.friction = 0.1;
   dem::Engine engine(p);
-  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   add_sphere(engine, sphere_radius, {0., 0., sphere_radius});
   const reference::GrossSliding exact{0.1, 1., 0.01, sphere_radius};
   const double tangential = 2. * exact.least_tangential_speed();

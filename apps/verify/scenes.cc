@@ -35,9 +35,9 @@ void advance(dem::Engine &engine, double time_step, int n_steps)
 double energy_residual(const dem::Engine &engine)
 {
   const dem::EngineEnergy e = engine.energy();
-  return e.plane_work + e.surface_work + e.gravity_work - e.kinetic -
-         e.elastic - e.friction - e.rolling - e.damping - e.breakage -
-         e.non_conservative_work;
+  return e.work_of("planes") + e.work_of("facets") + e.gravity_work -
+         e.kinetic - e.elastic - e.friction - e.rolling - e.damping -
+         e.breakage - e.non_conservative_work;
 }
 
 std::vector<double> sphere_series(int order, double radius)

@@ -1,5 +1,6 @@
 #include <coupling/exchange.h>
 #include <dem/boundary/surface_guard.h>
+#include <dem/engine_boundaries.h>
 
 #include <algorithm>
 #include <chrono>
@@ -123,7 +124,7 @@ DeformableBody &Exchange::add(std::unique_ptr<DeformableBody> body,
   dem::FacetSurface surface =
       map.make_surface(body->motion(), body->nodal_mass());
   const std::size_t number =
-      engine.add_surface(name, contact, std::move(surface));
+      dem::add_surface(engine, name, contact, std::move(surface));
   return add(std::move(body),
              std::make_unique<FacetAdapter>(std::move(map), number), engine);
 }
@@ -439,7 +440,7 @@ void Exchange::check_surfaces(const dem::Engine &engine)
     return;
   surfaces_seen_at = engine.n_rebuilds();
   constexpr std::int64_t crossing_interval = 8; // rebuilds
-  const auto look = [&](const dem::SurfaceContacts &facets)
+  const auto look = [&](const dem::FacetBoundary &facets)
   {
     auto fault = dem::find_fold(facets.mesh());
     if (!fault)
@@ -450,7 +451,7 @@ void Exchange::check_surfaces(const dem::Engine &engine)
     if (!fault)
       return;
     const std::string what = "coupling: at " + text_of(engine.time()) +
-                             " s in the surface '" + facets.name + "' " +
+                             " s in the surface '" + facets.label + "' " +
                              dem::describe(*fault);
     if (fault->flaw == dem::SurfaceFlaw::left)
       throw GuardStop(what);
@@ -459,7 +460,7 @@ void Exchange::check_surfaces(const dem::Engine &engine)
   timed(spent.guards,
         [&]
         {
-          for (const dem::SurfaceContacts &facets : engine.surfaces())
+          for (const dem::FacetBoundary &facets : dem::surfaces(engine))
             look(facets);
         });
 }

@@ -1,5 +1,5 @@
 #include <coupling/exchange.h>
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 // The state of an exchange in a checkpoint and before a window.
 namespace coupling

@@ -1,5 +1,5 @@
 #include <coupling/exchange.h>
-#include <dem/integrate/contact_springs.h>
+#include <dem/measure/contact_springs.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,5 @@
 #include <coupling/interface_adapter.h>
+#include <dem/engine_boundaries.h>
 
 #include <cmath>
 
@@ -8,25 +9,18 @@ namespace
 {
 using Vector = Eigen::Vector3d;
 
-/// d F / d delta of a contact that touches: the springs are k or ~ delta^(3/2).
-double tangent(const dem::ContactBatch &batch, std::size_t k,
-               const dem::WallMaterial &material)
-{
-  return batch.layout.is_hertz ? 1.5 * batch.normal_force[k] / batch.overlap[k]
-                               : material.normal_stiffness;
-}
-
-/// The same at facets: at most that of all that carry the contact.
-double tangent(const dem::SurfaceContacts &facets, std::size_t k)
+/// d F / d delta of a contact that touches, at most that of all facets that
+/// carry it.
+double tangent(const dem::FacetBoundary &facets, std::size_t k)
 {
   return static_cast<double>(facets.candidates.contact_point[k].shares.walls) *
-         tangent(facets.batch, k, facets.material);
+         facets.batch.normal_stiffness(k);
 }
 
 /// Every node that carries contact k, with its share of the load; what facets
 /// share counts upwards, so that no node comes out softer than it is.
 template <class Visit>
-void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
+void for_each_share(const dem::FacetBoundary &facets, std::size_t k,
                     const InterfaceMap &map, const Visit &visit)
 {
   dem::for_shares(facets.surface, facets.candidates.contact_point[k],
@@ -42,7 +36,7 @@ void for_each_share(const dem::SurfaceContacts &facets, std::size_t k,
 
 /// A dashpot may hold the spring back, never pull: then the contact gives
 /// nothing, and nothing changes with its motion.
-bool presses(const dem::SurfaceContacts &facets, std::size_t k)
+bool presses(const dem::FacetBoundary &facets, std::size_t k)
 {
   return facets.batch.load[k].force.dot(
              facets.candidates.contact_point[k].normal) < 0.;
@@ -56,7 +50,7 @@ struct ContactSprings
   Eigen::Matrix3d spring, dashpot; ///< [N/m], [N s/m]
 };
 
-ContactSprings springs_of(const dem::SurfaceContacts &facets, std::size_t k,
+ContactSprings springs_of(const dem::FacetBoundary &facets, std::size_t k,
                           const dem::ParticleSystem &particles)
 {
   const dem::ContactBatch &batch = facets.batch;
@@ -89,28 +83,28 @@ ContactSprings springs_of(const dem::SurfaceContacts &facets, std::size_t k,
 
 void FacetAdapter::place(const NodeMotion &motion, dem::Engine &engine) const
 {
-  map.send_motion(motion, engine.surface(number));
+  map.send_motion(motion, dem::surface(engine, number));
 }
 
 void FacetAdapter::collect(const dem::Engine &engine, Collected what,
                            std::span<Vector> nodal) const
 {
-  const dem::SurfaceContacts &facets = engine.surfaces()[number];
+  const dem::FacetBoundary &facets = dem::facet_boundary(engine, number);
   map.collect(what == Collected::load ? facets.surface.load : facets.impulse,
               nodal);
 }
 
 void FacetAdapter::forget_impulse(dem::Engine &engine) const
 {
-  for (Vector &impulse : engine.surfaces()[number].impulse)
+  for (Vector &impulse : dem::facet_boundary(engine, number).impulse)
     impulse = Vector::Zero();
 }
 
 InterfaceSums FacetAdapter::sums(const dem::Engine &engine) const
 {
-  const dem::SurfaceContacts &facets = engine.surfaces()[number];
+  const dem::FacetBoundary &facets = dem::facet_boundary(engine, number);
   InterfaceSums sums;
-  sums.work = -facets.work;
+  sums.work = -facets.work();
   for (const Vector &impulse : facets.impulse)
     sums.impulse += impulse;
   return sums;
@@ -119,7 +113,7 @@ InterfaceSums FacetAdapter::sums(const dem::Engine &engine) const
 void FacetAdapter::add_stiffness(const dem::Engine &engine,
                                  std::span<double> nodal) const
 {
-  const dem::SurfaceContacts &facets = engine.surfaces()[number];
+  const dem::FacetBoundary &facets = dem::facet_boundary(engine, number);
   for (std::size_t k = 0; k < facets.batch.size(); ++k)
   {
     if (!facets.batch.is_touching(k))
@@ -134,7 +128,7 @@ void FacetAdapter::add_stiffness(const dem::Engine &engine,
 void FacetAdapter::add_tangent(const dem::Engine &engine,
                                ContactTangent &nodal) const
 {
-  const dem::SurfaceContacts &facets = engine.surfaces()[number];
+  const dem::FacetBoundary &facets = dem::facet_boundary(engine, number);
   for (std::size_t k = 0; k < facets.batch.size(); ++k)
   {
     if (!facets.batch.is_touching(k) || !presses(facets, k))
@@ -151,34 +145,34 @@ void FacetAdapter::add_tangent(const dem::Engine &engine,
 
 void PlaneAdapter::place(const NodeMotion &motion, dem::Engine &engine) const
 {
-  engine.planes()[number].velocity = motion.velocity[0];
+  dem::planes(engine)[number].velocity = motion.velocity[0];
 }
 
 void PlaneAdapter::collect(const dem::Engine &engine, Collected what,
                            std::span<Vector> nodal) const
 {
-  const dem::Plane &plane = engine.planes()[number];
+  const dem::Plane &plane = dem::planes(engine)[number];
   nodal[0] = what == Collected::load ? plane.force : plane.impulse;
 }
 
 void PlaneAdapter::forget_impulse(dem::Engine &engine) const
 {
-  engine.planes()[number].impulse = Vector::Zero();
+  dem::planes(engine)[number].impulse = Vector::Zero();
 }
 
 InterfaceSums PlaneAdapter::sums(const dem::Engine &engine) const
 {
-  const dem::Plane &plane = engine.planes()[number];
+  const dem::Plane &plane = dem::planes(engine)[number];
   return {-plane.work, plane.impulse};
 }
 
 void PlaneAdapter::add_stiffness(const dem::Engine &engine,
                                  std::span<double> nodal) const
 {
-  const dem::ContactBatch &batch = engine.on_planes();
+  const dem::ContactBatch &batch = dem::on_planes(engine);
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.is_touching(k) && batch.b[k] == static_cast<std::int32_t>(number))
-      nodal[0] += tangent(batch, k, engine.parameters().wall);
+      nodal[0] += batch.normal_stiffness(k);
 }
 
 void SplitAdapter::place(const NodeMotion &motion, dem::Engine &engine) const

@@ -1,5 +1,5 @@
 #include <coupling/rigid_body.h>
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <limits>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 #include <coupling/solid_body.h>
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <cmath>
 #include <limits>

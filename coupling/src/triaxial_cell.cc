@@ -1,5 +1,6 @@
 #include <coupling/triaxial_cell.h>
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +41,8 @@ std::unique_ptr<InterfaceAdapter> adapter_of(const TriaxialCell &cell,
     return top;
   const fem::Membrane &membrane = cell.membrane();
   InterfaceMap map(membrane.mesh());
-  const std::size_t number = engine.add_surface(
-      "membrane", contact,
+  const std::size_t number = dem::add_surface(
+      engine, "membrane", contact,
       map.make_surface({membrane.positions(), membrane.velocities()},
                        movable_mass(membrane)));
   return std::make_unique<SplitAdapter>(

@@ -1,9 +1,10 @@
+#include "engine_state.h"
 #include "phase_timer.h"
 
-#include <dem/engine.h>
 #include <dem/integrate/verlet.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,21 +17,29 @@ double elastic_energy(const ContactBatch &batch)
 {
   double energy = 0.;
   for (std::size_t k = 0; k < batch.size(); ++k)
-    if (batch.is_touching(k))
+    if (batch.has_force(k))
       energy += batch.stored_energy(k);
   return energy;
 }
 
+/// Place of the kind of a boundary among the others.
+int rank_of(const Boundary &boundary)
+{
+  constexpr std::array order = {1, 3, 2}; // planes, drum, facet surfaces
+  return static_cast<int>(std::ranges::find(order, boundary.event_kind()) -
+                          order.begin());
+}
 } // namespace
 
-Engine::Engine(const EngineParameters &parameters)
+EngineState::EngineState(const EngineParameters &parameters)
     : settings(parameters), elasticity(parameters)
 {
-  margin.given = settings.geometry.skin;
+  schedule.skin.given = settings.geometry.skin;
 }
 
-void Engine::add_particle(const ParticleShape &body, const Vec3 &position,
-                          const Quaternion &orientation, std::uint8_t material)
+void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
+                               const Quaternion &orientation,
+                               std::uint8_t material)
 {
   if (!position.allFinite() || !orientation.coeffs().allFinite())
     throw std::invalid_argument(
@@ -55,74 +64,49 @@ void Engine::add_particle(const ParticleShape &body, const Vec3 &position,
       diameter >= settings.breakage.min_diameter * (1. - 1e-9);
   work.damped.push_back(0.);
   work.lifted.push_back(0.);
-  lists_are_stale = true;
+  schedule.invalidate();
 }
 
-std::size_t Engine::add_plane(const Vec3 &point, const Vec3 &normal)
+Boundary &EngineState::add_boundary(std::unique_ptr<Boundary> boundary)
 {
-  walls.push_back({point, normal.normalized()});
-  lists_are_stale = true;
-  return walls.size() - 1;
+  // Sums over boundaries are in one order, in whatever order a scene is built.
+  const auto after = std::ranges::upper_bound(
+      walls, rank_of(*boundary), {},
+      [](const std::unique_ptr<Boundary> &one) { return rank_of(*one); });
+  schedule.invalidate();
+  return **walls.insert(after, std::move(boundary));
 }
 
-void Engine::deactivate_plane(std::size_t plane)
+void EngineState::set_periodic_cell(const Vec3 &centre, const Vec3 &length)
 {
-  walls[plane].is_active = false;
-  walls[plane].force = Vec3::Zero();
-  lists_are_stale = true;
+  if (length.minCoeff() < 0. || !length.allFinite())
+    throw std::invalid_argument("periodic cell: lengths must not be negative");
+  if (settings.geometry.follows_surfaces())
+    throw std::invalid_argument("periodic cell: contacts of true surfaces do "
+                                "not reach across its faces");
+  system.cell.centre = centre;
+  system.cell.length = length;
+  schedule.invalidate();
 }
 
-void Engine::place_plane(std::size_t plane, const Vec3 &point)
-{
-  walls[plane].point = point;
-  walls[plane].velocity = Vec3::Zero();
-  walls[plane].is_active = true;
-  lists_are_stale = true;
-}
-
-void Engine::set_drum(const Drum &drum)
-{
-  barrel = drum;
-  lifter = DrumLifter(drum);
-  lists_are_stale = true;
-}
-
-std::size_t Engine::add_surface(const std::string &name,
-                                const WallMaterial &material,
-                                FacetSurface surface)
-{
-  for (const SurfaceContacts &other : facet_surfaces)
-    if (other.name == name)
-      throw std::invalid_argument("facet surface: there are two of the name " +
-                                  name);
-  facet_surfaces.emplace_back(name, material, std::move(surface));
-  lists_are_stale = true;
-  return facet_surfaces.size() - 1;
-}
-
-void Engine::attach_surface(FacetSurface surface)
-{
-  add_surface("surface", settings.surface, std::move(surface));
-}
-
-void Engine::set_friction(double friction)
+void EngineState::set_friction(double friction)
 {
   settings.particle.friction = friction;
 }
 
-void Engine::set_local_damping(double damping)
+void EngineState::set_local_damping(double damping)
 {
   finish_kick(); // with the damping of its step
   settings.local_damping = damping;
 }
 
-void Engine::set_renewal(double refresh_tolerance, double skin)
+void EngineState::set_renewal(double refresh_tolerance, double skin)
 {
   settings.geometry.refresh_tolerance = refresh_tolerance;
-  settings.geometry.skin = margin.given = skin;
+  settings.geometry.skin = schedule.skin.given = skin;
 }
 
-void Engine::come_to_rest()
+void EngineState::come_to_rest()
 {
   finish_kick();
   for (std::size_t i = 0; i < system.size(); ++i)
@@ -132,9 +116,10 @@ void Engine::come_to_rest()
   }
 }
 
-void Engine::set_breaking(bool is_on)
+void EngineState::set_breaking(bool is_on)
 {
-  lists_are_stale |= is_on != settings.breakage.is_active;
+  if (is_on != settings.breakage.is_active)
+    schedule.invalidate();
   // Caps of relative curvature are made where prefactors are mixed.
   if (settings.breakage.curvature == CapCurvature::relative)
     std::fill(pair_batch.torsion_angle.begin(), pair_batch.torsion_angle.end(),
@@ -142,23 +127,25 @@ void Engine::set_breaking(bool is_on)
   settings.breakage.is_active = is_on;
 }
 
-void Engine::set_repetitions(double repetitions)
+void EngineState::set_repetitions(double repetitions)
 {
-  lists_are_stale |= (repetitions > 1.) != (settings.breakage.repetitions > 1.);
+  if ((repetitions > 1.) != (settings.breakage.repetitions > 1.))
+    schedule.invalidate();
   settings.breakage.repetitions = repetitions;
   visit_batches(*this, [](ContactBatch &batch)
                 { std::fill(batch.peak.begin(), batch.peak.end(), 0.); });
 }
 
-void Engine::advance(double time_step)
+void EngineState::advance(double time_step)
 {
   advance_deferred(time_step);
   finish_kick();
 }
 
-void Engine::advance_deferred(double time_step)
+void EngineState::advance_deferred(double time_step)
 {
-  move_planes(time_step);
+  move_boundaries(time_step);
+  move_cell(time_step);
   const Speeds fastest = move_particles(time_step);
   now += time_step;
   ++step_count;
@@ -170,9 +157,9 @@ void Engine::advance_deferred(double time_step)
     break_corners();
 }
 
-void Engine::evaluate(double time_step)
+void EngineState::evaluate(double time_step)
 {
-  if (rebuild_count > 0)
+  if (schedule.n_made > 0)
     throw std::logic_error("engine: contacts are evaluated as placed before "
                            "the first step only");
   rebuild_lists();
@@ -181,7 +168,7 @@ void Engine::evaluate(double time_step)
   load_boundaries(0.);
 }
 
-Speeds Engine::move_particles(double time_step)
+Speeds EngineState::move_particles(double time_step)
 {
   const PhaseTimer timer(spent.motion);
   return kick_and_drift(system,
@@ -192,7 +179,7 @@ Speeds Engine::move_particles(double time_step)
                         work);
 }
 
-void Engine::finish_kick() const
+void EngineState::finish_kick() const
 {
   if (pending_half_kick == 0.)
     return;
@@ -201,14 +188,19 @@ void Engine::finish_kick() const
        std::exchange(pending_half_kick, 0.), work);
 }
 
-ForceContext Engine::context(double time_step)
+ForceContext EngineState::context(double time_step)
 {
-  return {settings,    elasticity, system,
-          time_step,   travelled,  stride,
-          travel.gaps, false,      overlap.recent * least_radius};
+  ForceContext context{settings, elasticity, system, time_step};
+  context.travelled = schedule.travelled;
+  context.stride = schedule.stride;
+  context.gaps_travelled = schedule.travel.gaps;
+  context.cell_travelled = schedule.travel.cell;
+  context.sheets_travelled = schedule.sheets_travelled;
+  context.known_overlap = overlap.recent * least_radius;
+  return context;
 }
 
-bool Engine::evaluate_contacts(double time_step)
+bool EngineState::evaluate_contacts(double time_step)
 {
   const PhaseTimer timer(spent.contacts);
   meet_walls(time_step);
@@ -217,31 +209,30 @@ bool Engine::evaluate_contacts(double time_step)
 
 /// Forces of all contacts and the loads on all particles, zero before; true if
 /// some side asks for breakage.
-bool Engine::run_contacts(const ForceContext &all)
+bool EngineState::run_contacts(const ForceContext &all)
 {
   ForceSum sum = pair_forces(all, pair_batch, pair_loads, ranges);
-  sum += wall_forces(all, walls_of_planes(), plane_batch, ranges);
-  if (barrel.is_there())
-    sum += wall_forces(all, walls_of_drum(), drum_batch, ranges);
-  for (SurfaceContacts &facets : facet_surfaces)
-    sum += wall_forces(all, walls_of_facets(facets), facets.batch, ranges);
+  for (const auto &boundary : walls)
+    sum += wall_forces(all, boundary->walls(all), boundary->batch, ranges);
   if (sum.has_switched)
     exchange_factors();
+  system.cell.force = sum.cell_force;
   lost += sum.lost;
   count_places(sum);
   note_overlap(sum.overlap_ratio);
   return sum.wants_breakage;
 }
 
-void Engine::count_places(const ForceSum &sum)
+void EngineState::count_places(const ForceSum &sum)
 {
   contact_points.events.n_jumps += sum.n_jumps;
   contact_points.events.n_ended += sum.n_ended;
   // Two contacts may be one now, and what is gone may be found elsewhere.
-  places_are_stale |= sum.has_displaced;
+  if (sum.has_displaced)
+    schedule.note_displaced();
 }
 
-void Engine::exchange_factors()
+void EngineState::exchange_factors()
 {
   visit_batches(*this,
                 [this](ContactBatch &batch)
@@ -253,16 +244,11 @@ void Engine::exchange_factors()
 
 /// Work is booked by the trapezoidal rule: this half of the step with the
 /// forces of before, the next with those of after the events.
-void Engine::break_corners()
+void EngineState::break_corners()
 {
   finish_kick();
   const PhaseTimer timer(spent.breakage);
-  std::vector<Walls> of_surfaces;
-  for (SurfaceContacts &facets : facet_surfaces)
-    of_surfaces.push_back(walls_of_facets(facets));
-  ContactSet contacts{pair_batch,        plane_batch,     drum_batch,
-                      walls_of_planes(), walls_of_drum(), facet_surfaces,
-                      of_surfaces};
+  ContactSet contacts{pair_batch, walls};
   const std::size_t before = events.size();
   const BreakingSum done =
       break_particles(context(0.), system, contacts, now, events);
@@ -275,10 +261,7 @@ void Engine::break_corners()
     released += events[e].released_energy + events[e].kinetic_energy;
     fractured += events[e].fracture_energy;
     // No kernel is larger than one: nowhere has the particle grown by more.
-    margin.left -= events[e].depth;
-    facets_left -= events[e].depth;
-    travel.centres += events[e].depth;
-    travel.gaps += events[e].depth;
+    schedule.grow(events[e].depth);
   }
   steepest = branch_steepness();
   least_radius = system.smallest_radius();
@@ -289,11 +272,15 @@ void Engine::break_corners()
   run_contacts(still);
   load_boundaries(0.);
   // A chip may have led contacts of the particle elsewhere.
-  visit_batches(*this, [this](const ContactBatch &batch)
-                { places_are_stale |= have_displaced(batch); });
+  visit_batches(*this,
+                [this](const ContactBatch &batch)
+                {
+                  if (have_displaced(batch))
+                    schedule.note_displaced();
+                });
 }
 
-EngineEnergy Engine::energy() const
+EngineEnergy EngineState::energy() const
 {
   finish_kick();
   EngineEnergy energy;
@@ -303,8 +290,6 @@ EngineEnergy Engine::energy() const
   energy.non_conservative_work = lost.non_conservative_work;
   visit_batches(*this, [&energy](const ContactBatch &batch)
                 { energy.elastic += elastic_energy(batch); });
-  for (const SurfaceContacts &facets : facet_surfaces)
-    energy.surface_work += facets.work;
   for (std::size_t i = 0; i < system.size(); ++i)
   {
     energy.kinetic += system.kinetic_energy(i);
@@ -313,13 +298,13 @@ EngineEnergy Engine::energy() const
   }
   energy.breakage = released;
   energy.fracture = fractured;
-  for (const Plane &plane : walls)
-    energy.plane_work += plane.work;
-  energy.drum_work = barrel.work;
+  for (const auto &boundary : walls)
+    energy.boundary_work[boundary->kind()] += boundary->work();
+  energy.cell_work = system.cell.work;
   return energy;
 }
 
-std::vector<BreakageEvent> Engine::take_events()
+std::vector<BreakageEvent> EngineState::take_events()
 {
   return std::exchange(events, {});
 }

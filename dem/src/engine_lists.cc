@@ -1,8 +1,9 @@
+#include "engine_state.h"
 #include "phase_timer.h"
 
-#include <dem/engine.h>
 #include <dem/integrate/verlet.h>
-#include <dem/search/space_order.h>
+#include <dem/neighbor/candidates.h>
+#include <dem/neighbor/space_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,32 +25,15 @@ std::int64_t count_touching(const ContactBatch &batch)
   return n;
 }
 
-/// The fastest point of planes and drum towards a particle [m/s].
-double fastest_wall(const std::vector<Plane> &planes, const Drum &drum)
+/// The fastest point of the boundaries that deform, or of the others [m/s].
+double fastest_point(const std::vector<std::unique_ptr<Boundary>> &boundaries,
+                     bool deforms)
 {
-  double square = 0.;
-  for (const Plane &plane : planes)
-    if (plane.is_active)
-      square = std::max(square, plane.velocity.squaredNorm());
-  // Of a drum that turns the lifter alone comes nearer to a particle.
-  const double rim = drum.lifter_height > 0. ? drum.spin * drum.radius : 0.;
-  return std::sqrt(std::max(square, rim * rim + drum.widening * drum.widening));
-}
-
-double fastest_vertex(const std::vector<SurfaceContacts> &surfaces) // [m/s]
-{
-  double square = 0., check = 0.; // a maximum passes over NaN, a sum does not
-  for (const SurfaceContacts &facets : surfaces)
-    for (const Vec3 &velocity : facets.surface.velocity)
-    {
-      square = std::max(square, velocity.squaredNorm());
-      check += 0. * velocity.squaredNorm();
-    }
-  if (!std::isfinite(check))
-    throw std::runtime_error("a vertex of a boundary surface has a velocity "
-                             "that is no finite number: the step of the "
-                             "boundary is too long");
-  return std::sqrt(square);
+  double fastest = 0.;
+  for (const auto &boundary : boundaries)
+    if (boundary->deforms() == deforms)
+      fastest = std::max(fastest, boundary->speed());
+  return fastest;
 }
 
 /// From here on particles are put in order of place: neighbours lie near each
@@ -118,30 +102,31 @@ void require_sane(double fastest, double time_step,
   throw std::runtime_error(text);
 }
 
-/// How far the point is beyond the walls [m]; below 0: inside.
-double beyond_walls(const std::vector<Plane> &planes, const Drum &drum,
-                    const Vec3 &point)
+bool deforms(const std::vector<std::unique_ptr<Boundary>> &boundaries)
+{
+  return std::ranges::any_of(boundaries, [](const auto &boundary)
+                             { return boundary->deforms(); });
+}
+
+/// How far the point is beyond the boundaries [m]; below 0: inside.
+double beyond(const std::vector<std::unique_ptr<Boundary>> &boundaries,
+              const Vec3 &point)
 {
   double most = -std::numeric_limits<double>::infinity();
-  for (const Plane &plane : planes)
-    if (plane.is_active)
-      most = std::max(most, (plane.point - point).dot(plane.normal));
-  if (drum.is_there())
-    for (const DrumPart part :
-         {DrumPart::cylinder, DrumPart::lower_end, DrumPart::upper_end})
-      most = std::max(most, -nearest_on_drum(drum, part, point).distance);
+  for (const auto &boundary : boundaries)
+    most = std::max(most, boundary->beyond(point));
   return most;
 }
 
 /// Throws std::runtime_error where all of a particle is beyond a wall: nothing
 /// would bring it back.
-void require_inside(const std::vector<Plane> &planes, const Drum &drum,
+void require_inside(const std::vector<std::unique_ptr<Boundary>> &boundaries,
                     const ParticleSystem &system)
 {
   for (std::size_t i = 0; i < system.size(); ++i)
   {
     const Vec3 &at = system.position(i);
-    if (beyond_walls(planes, drum, at) <= system.shape[i].circumscribed_radius)
+    if (beyond(boundaries, at) <= system.shape[i].circumscribed_radius)
       continue;
     char text[224];
     std::snprintf(
@@ -154,170 +139,165 @@ void require_inside(const std::vector<Plane> &planes, const Drum &drum,
     throw std::runtime_error(text);
   }
 }
+
+/// Upper bound of the lengths of the periodic cell between two particles, by
+/// axis, while lists hold [-].
+Vec3 span_in_lengths(const ParticleSystem &system)
+{
+  Vec3 span = Vec3::Zero();
+  if (!system.cell.is_there() || system.size() == 0)
+    return span;
+  Vec3 lower = system.position(0), upper = lower;
+  for (std::size_t i = 1; i < system.size(); ++i)
+  {
+    lower = lower.cwiseMin(system.position(i));
+    upper = upper.cwiseMax(system.position(i));
+  }
+  for (int d = 0; d < 3; ++d)
+    if (system.cell.is_periodic(d))
+      span[d] = 1. + (upper[d] - lower[d]) / system.cell.length[d];
+  return span;
+}
 } // namespace
 
-void Engine::keep_lists(const Speeds &fastest, double time_step)
+void EngineState::keep_lists(const Speeds &fastest, double time_step)
 {
   if (!fastest.is_finite)
     report_not_finite(system, now);
   require_sane(fastest.moving, time_step, system);
-  const double rigid = fastest_wall(walls, barrel),
-               sheet = fastest_vertex(facet_surfaces),
-               boundary = std::max(rigid, sheet);
-  walls_travelled += rigid * time_step;
-  sheets_travelled += sheet * time_step;
-  stride = (fastest.moving + boundary) * time_step;
-  travelled += stride;
-  // Particles that follow facets have lists of their own for them.
-  const double surrounding = follows_walls() ? rigid : boundary;
-  margin.left -=
-      (fastest.closing + std::max(fastest.closing, surrounding)) * time_step;
-  facets_left -= (fastest.closing + sheet) * time_step;
-  travel.centres += 2. * fastest.moving * time_step;
-  travel.gaps += 2. * fastest.closing * time_step;
+  const bool has_lists_of_sheets = follows_walls() && deforms(walls);
+  schedule.advance({fastest.moving, fastest.closing,
+                    fastest_point(walls, false), fastest_point(walls, true),
+                    cell_speed()},
+                   time_step, follows_walls());
   // Seldom, since it counts the contacts.
   constexpr std::int64_t check_interval = 256;
-  const bool is_checked = (step_count - margin.built_at) % check_interval == 0;
-  if (lists_are_stale || margin.left < 0. ||
-      (is_checked && margin.is_too_wide(list_counts())))
-    rebuild_lists();
-  else if (places_are_stale)
-    check_displaced();
-  else if (follows_walls() && !facet_surfaces.empty() &&
-           (facets_are_stale || facets_left < 0.))
-    check_facets();
+  const bool is_checked =
+      (step_count - schedule.skin.built_at) % check_interval == 0;
+  const auto is_too_wide = [&]
+  { return is_checked && schedule.skin.is_too_wide(list_counts()); };
+  switch (schedule.due(has_lists_of_sheets, is_too_wide))
+  {
+  case NeighborSchedule::Due::all:
+    return rebuild_lists();
+  case NeighborSchedule::Due::displaced:
+    return renew_lists();
+  case NeighborSchedule::Due::sheets:
+    return check_sheets();
+  case NeighborSchedule::Due::nothing:
+    return;
+  }
 }
 
-SkinWidth::Lists Engine::list_counts() const
+SkinWidth::Lists EngineState::list_counts() const
 {
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
           count_touching(pair_batch), cost_of_list(pair_geometry())};
 }
 
-void Engine::rebuild_lists()
+void EngineState::rebuild_lists()
 {
-  const PhaseTimer timer(spent.search);
   if (keeps_inside)
-    require_inside(walls, barrel, system);
-  margin.renew(settings.geometry.usual_skin, list_counts());
+    require_inside(walls, system);
+  schedule.skin.renew(settings.geometry.usual_skin, list_counts());
   if (system.size() >= sorted_from)
     sort_in_space();
   renew_lists();
+  image_span = span_in_lengths(system);
   steepest = branch_steepness();
   least_radius = system.size() > 0 ? system.smallest_radius() : 0.;
-  lists_are_stale = false;
+  schedule.skin_renewed();
 }
 
-/// What is left of the margin stays: but for pairs whose places have displaced,
+/// What is left of the skin stays: but for pairs whose places have displaced,
 /// lists are as good as they were.
-void Engine::check_displaced()
+void EngineState::renew_lists()
 {
   const PhaseTimer timer(spent.search);
-  renew_lists();
-}
-
-void Engine::renew_lists()
-{
   update_maps();
   rebuild_pair_list();
-  rebuild_plane_list();
-  if (barrel.is_there())
-    rebuild_drum_list();
-  for (SurfaceContacts &facets : facet_surfaces)
-    rebuild_facet_list(facets);
-  places_are_stale = facets_are_stale = false;
+  find_boundary_candidates(false);
   std::fill(pair_batch.reactivation.begin(), pair_batch.reactivation.end(), 0.);
   pair_loads.prepare(pair_batch);
-  ++rebuild_count;
+  schedule.lists_made();
 }
 
-/// The lists of places on facets alone.
-void Engine::check_facets()
+/// The lists of places on boundaries that deform alone.
+void EngineState::check_sheets()
 {
   const PhaseTimer timer(spent.search);
   update_maps();
-  for (SurfaceContacts &facets : facet_surfaces)
-    rebuild_facet_list(facets);
-  facets_are_stale = false;
-  ++rebuild_count;
+  find_boundary_candidates(true);
+  schedule.lists_of_sheets_made();
 }
 
 /// Of particles that broke since the last look, or of all after a restart.
-void Engine::update_maps()
+void EngineState::update_maps()
 {
-  if (pair_layout(settings, system).has_contact_points ||
-      wall_layout(settings, settings.wall, system).has_contact_points)
+  if (pair_layout(settings, system).has_contact_points || follows_walls())
     maps.update(system);
 }
 
-ContactGeometry Engine::pair_geometry() const
+ContactGeometry EngineState::pair_geometry() const
 {
   return system.has_shapes ? settings.geometry.geometry
                            : ContactGeometry::sphere;
 }
 
 ContactPointSearchInput
-Engine::contact_point_search(const ForceContext &still,
-                             const BatchLayout &layout) const
+EngineState::contact_point_search(const ForceContext &still,
+                                  const BatchLayout &layout) const
 {
   // Searched farther than the next look at the lists needs, so that only
   // particles that move are searched again then. Three times as far: places
   // that are born between two searches are found too late.
   constexpr double reserve = 2.;
-  return {still,       maps,
-          layout,      reserve * margin.width,
-          margin.left, rebuild_count == 0};
+  return {still,
+          maps,
+          layout,
+          reserve * schedule.skin.width,
+          schedule.skin.left,
+          schedule.n_made == 0};
 }
 
-void Engine::rebuild_pair_list()
+void EngineState::rebuild_pair_list()
 {
   const BatchLayout layout = pair_layout(settings, system);
   if (layout.has_contact_points)
   {
     const ForceContext still = context(0.);
-    contact_points.renew_pairs(contact_point_search(still, layout), travel,
-                               pair_batch, lost);
+    contact_points.renew_pairs(contact_point_search(still, layout),
+                               schedule.travel, pair_batch, lost);
     return;
   }
   rebuild_pairs(system, layout,
-                pair_finder.find(system, pair_geometry(), margin.width, travel),
+                pair_finder.find(system, pair_geometry(),
+                                 schedule.skin.width + layout.law.range(),
+                                 schedule.travel),
                 pair_batch, lost);
 }
 
-void Engine::sort_in_space()
+void EngineState::sort_in_space()
 {
   // Anew when particles may have changed places with their neighbours.
   const double diameter = 2. * system.largest_radius();
-  if (rebuild_count > 0 && travelled - travelled_sorted < diameter)
+  if (schedule.n_made > 0 && schedule.travelled - travelled_sorted < diameter)
     return;
-  travelled_sorted = travelled;
+  travelled_sorted = schedule.travelled;
   const std::vector<std::int32_t> order =
       space_order(system.column(&ParticleState::position));
   system.reorder(order);
   pair_finder.forget();
-  contact_points.renumber(places(order));
   reorder_column(work.damped, order);
   reorder_column(work.lifted, order);
   const std::vector<std::int32_t> place = places(order);
+  contact_points.renumber(place);
   renumber_pairs(place, pair_batch);
-  renumber_planes(place, plane_batch);
-  if (follows_walls())
-  {
-    renumber_drum_places(place, drum_batch, drum_walls);
-    for (SurfaceContacts &facets : facet_surfaces)
-    {
-      renumber_facet_places(place, facets.candidates, facets.batch);
-      renumber_candidates(place, facets.near_particles);
-      facets.watch = {}; // rows take other numbers
-    }
-    return;
-  }
-  renumber_planes(place, drum_batch);
-  for (SurfaceContacts &facets : facet_surfaces)
-    renumber_facets(place, facets.candidates, facets.batch);
+  for (const auto &boundary : walls)
+    boundary->renumber(place, follows_walls());
 }
 
-double Engine::branch_steepness() const
+double EngineState::branch_steepness() const
 {
   return settings.geometry.geometry == ContactGeometry::radial
              ? steepness(system)

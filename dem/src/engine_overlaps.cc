@@ -1,5 +1,6 @@
 // How deep the contacts of the engine are, and when that is too deep.
-#include <dem/engine.h>
+
+#include "engine_state.h"
 
 #include <cstdio>
 #include <string>
@@ -26,14 +27,6 @@ DeepContact deepest_of(const ContactBatch &batch,
         batch.is_touching(k) && ratio > deepest.ratio)
       deepest = {&batch, k, ratio, {}};
   return deepest;
-}
-
-std::string plane_name(const Plane &plane)
-{
-  char text[80];
-  std::snprintf(text, sizeof text, "the plane of the normal (%.3g, %.3g, %.3g)",
-                plane.normal.x(), plane.normal.y(), plane.normal.z());
-  return text;
 }
 
 std::string particle_name(const ParticleSystem &particles, std::size_t i)
@@ -69,30 +62,24 @@ std::string describe(const DeepContact &contact,
 }
 } // namespace
 
-void Engine::note_overlap(double ratio)
+void EngineState::note_overlap(double ratio)
 {
   overlap.note(ratio);
   if (keeps_inside && ratio > settings.geometry.overlap.stop)
     throw OverlapStop(deepest_contact());
 }
 
-std::string Engine::deepest_contact() const
+std::string EngineState::deepest_contact() const
 {
   DeepContact deepest = deepest_of(pair_batch, system);
-  const auto compare = [&](const ContactBatch &batch, const auto &name)
+  for (const auto &boundary : walls)
   {
-    const DeepContact other = deepest_of(batch, system);
+    const DeepContact other = deepest_of(boundary->batch, system);
     if (other.ratio <= deepest.ratio)
-      return;
+      continue;
     deepest = other;
-    deepest.wall = name(static_cast<std::size_t>(batch.b[other.number]));
-  };
-  compare(plane_batch,
-          [this](std::size_t plane) { return plane_name(walls[plane]); });
-  compare(drum_batch, [](std::size_t) { return std::string("the drum"); });
-  for (const SurfaceContacts &facets : facet_surfaces)
-    compare(facets.batch, [&facets](std::size_t)
-            { return "the facets '" + facets.name + "'"; });
+    deepest.wall = boundary->name_of(other.number);
+  }
   return describe(deepest, system);
 }
 } // namespace dem

@@ -409,7 +409,7 @@ LABS = [
         "at most"),
     lab("rule", {"Time": {"step": "error"}}, "Time/step = error", "stable"),
     lab("law", {"Wall": {"law": "rubber"}}, "Wall/law = rubber",
-        "linear, hertz"),
+        "hertz, linear, dmt"),
     lab("drum", {"Case": {"kind": "los_angeles"}, "Drum": {"radius": 0.05}},
         "Drum/", "must be"),
     lab("rolling", {"Case": {"kind": "los_angeles"},

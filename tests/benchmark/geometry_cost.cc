@@ -7,7 +7,7 @@
 #include "geometry_methods.h"
 #include "report/chart.h"
 
-#include <dem/packing/random.h>
+#include <dem/random.h>
 
 #include <cstdio>
 #include <fstream>

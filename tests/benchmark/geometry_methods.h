@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/search/contact_points.h>
+#include <dem/neighbor/contact_points.h>
 
 #include <optional>
 

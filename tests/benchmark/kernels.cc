@@ -3,9 +3,9 @@
 
 #include <dem/breakage/update.h>
 #include <dem/contact/elliptic.h>
-#include <dem/contact/law.h>
+#include <dem/contact/laws/hertz.h>
 #include <dem/contact/side.h>
-#include <dem/search/candidates.h>
+#include <dem/neighbor/candidates.h>
 #include <dem/shape/patch.h>
 #include <dem/shape/radius_map.h>
 
@@ -43,9 +43,9 @@ void contact_law(State &state)
   std::size_t k = 0;
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(
-        dem::advance_contact(motion[k], dem::hertz_spring(4e7, 5e7, 1e-5), pair,
-                             1e-6, history[k], lost));
+    benchmark::DoNotOptimize(dem::advance_contact<dem::Hertz>(
+        motion[k], dem::Hertz::spring<double>({}, {4e7, 5e7}, 1e-5), pair, 1e-6,
+        history[k], lost));
     k = (k + 1) % n_inputs;
   }
   state.SetItemsProcessed(state.iterations());

@@ -1,7 +1,7 @@
 #include "scenes.h"
 
-#include <dem/boundary/box_servo.h>
-#include <dem/packing/random.h>
+#include <dem/control/box_servo.h>
+#include <dem/random.h>
 #include <dem/shape/quadrature.h>
 
 #include <cmath>

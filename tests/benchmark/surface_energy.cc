@@ -9,7 +9,8 @@
 // change of C_H, the renewal of the expansions and the rest.
 #include "dem_scene.h"
 
-#include <dem/packing/random.h>
+#include <dem/engine_boundaries.h>
+#include <dem/random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -288,8 +289,8 @@ void print_box(const Setting &setting, int n_steps, unsigned seed)
   constexpr double pitch = 0.03;
   for (int d = 0; d < 3; ++d)
   {
-    engine.add_plane(Vec3::Zero(), Vec3::Unit(d));
-    engine.add_plane(4. * pitch * Vec3::Unit(d), -Vec3::Unit(d));
+    dem::add_plane(engine, Vec3::Zero(), Vec3::Unit(d));
+    dem::add_plane(engine, 4. * pitch * Vec3::Unit(d), -Vec3::Unit(d));
   }
   const auto series =
       std::make_shared<const dem::Coefficients>(series_of(setting.shape, seed));

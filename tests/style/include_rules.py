@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps the include table of the architecture.
+"""Keeps the include table of the architecture and the layers of dem.
 
     include_rules.py ROOT     checks dem, fem, coupling and apps below ROOT
     include_rules.py --self   checks that broken includes are caught
@@ -7,6 +7,10 @@
 Every include line is put into a group (std, eigen, vtk, dem, ...). Each room
 lists the groups that it may use; a header that fits no group is an error too,
 so that a new package enters here before it enters the code.
+
+The folders of dem are layers (docs/developer/architecture.md): a file includes
+its own layer and those before it in LAYERS, nothing after it. Headers directly
+below dem/include/dem are the first layer, but for the engine.
 """
 import pathlib
 import re
@@ -48,6 +52,11 @@ EXTRA = {"io": {"vtk"}, "parallel": {"mpi"}}
 # Compiling these costs seconds and binds every user: sources only.
 NOT_IN_PUBLIC_HEADERS = {"dealii", "trilinos", "vtk", "mpi"}
 
+# The folders of dem from the first layer to the last.
+LAYERS = ("base", "parameters", "shape", "particles", "contact", "neighbor",
+          "boundary", "breakage", "integrate", "parallel", "engine", "measure",
+          "control", "packing", "io")
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -71,6 +80,44 @@ def allowed_in(relative):
     return groups
 
 
+def layer_of(parts):
+    """Layer of a file of dem, from its path below include/dem or src."""
+    if len(parts) > 1:
+        return parts[0]
+    return "engine" if parts[0].startswith("engine") else "base"
+
+
+def parts_in_dem(relative):
+    """Path below dem/include/dem or dem/src, or None for other files."""
+    for home in ("dem/include/dem", "dem/src"):
+        if relative.is_relative_to(home):
+            return relative.relative_to(home).parts
+    return None
+
+
+def layer_fault(root, path, kind, header):
+    """An include of dem that goes up the list of layers, or None."""
+    parts = parts_in_dem(path.relative_to(root))
+    if parts is None:
+        return None
+    if kind == "<":
+        if not header.startswith("dem/"):
+            return None
+        target = pathlib.PurePath(header).parts[1:]
+    else:
+        beside = (path.parent / header).resolve()
+        if not beside.exists():
+            beside = (root / "dem/src" / header).resolve()
+        target = parts_in_dem(beside.relative_to(root))
+    layer, other = layer_of(parts), layer_of(target or ("",))
+    for name in (layer, other):
+        if name not in LAYERS:
+            return f"dem/{name} is in no list of layers"
+    if LAYERS.index(other) > LAYERS.index(layer):
+        return f"{header}: {layer} may not include {other}"
+    return None
+
+
 def fault_of(root, path, kind, header):
     """What is wrong with this include line, or None."""
     relative = path.relative_to(root)
@@ -81,13 +128,13 @@ def fault_of(root, path, kind, header):
         bases = (path.parent, home, home / "src")
         if not any((base / header).exists() for base in bases):
             return f'"{header}" is not in {relative.parts[0]}/'
-        return None
+        return layer_fault(root, path, kind, header)
     group = group_of(header)
     if group is None:
         return f"<{header}> is in no group of the include table"
     if group not in allowed_in(relative):
         return f"<{header}> is {group}, not allowed here"
-    return None
+    return layer_fault(root, path, kind, header)
 
 
 def faults(root):
@@ -113,6 +160,10 @@ BROKEN = {
     "dem/src/e.cc": "#include <nlohmann/json.hpp>",
     "dem/src/f.cc": '#include "../../fem/src/x.h"',
     "dem/include/dem/io/g.h": "#include <vtkPolyData.h>",
+    "dem/include/dem/contact/h.h": "#include <dem/boundary/plane.h>",
+    "dem/include/dem/vector.h": "#include <dem/shape/fit.h>",
+    "dem/src/boundary/i.cc": "#include <dem/engine.h>",
+    "dem/src/odd/j.cc": "#include <dem/vector.h>",
     "fem/src/a.cc": "#include <dem/vector.h>",
     "fem/src/b.cc": "#include <coupling/gain.h>",
     "fem/include/fem/c.h": "#  include <deal.II/base/point.h>",
@@ -123,6 +174,8 @@ BROKEN = {
 }
 SOUND = {
     "dem/src/a.cc": "#include <Eigen/Dense>\n#include <dem/vector.h>",
+    "dem/src/engine_lists.cc": "#include <dem/boundary/plane.h>",
+    "dem/src/packing/d.cc": "#include <dem/engine.h>",
     "dem/src/io/b.cc": "#include <vtkPolyData.h>",
     "dem/src/parallel/c.cc": "#include <mpi.h>",
     "fem/src/a.cc": "#include <deal.II/base/point.h>\n#include <vector>",

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/engine.h>
+#include <dem/engine_boundaries.h>
 
 #include <cmath>
 #include <memory>
@@ -101,8 +101,8 @@ inline std::size_t only_nearest_point(const dem::ContactBatch &batch)
 inline double energy_residual(const dem::Engine &engine)
 {
   const dem::EngineEnergy e = engine.energy();
-  return e.plane_work + e.surface_work + e.gravity_work - e.kinetic -
-         e.elastic - e.friction - e.rolling - e.damping - e.breakage -
-         e.non_conservative_work;
+  return e.work_of("planes") + e.work_of("facets") + e.gravity_work -
+         e.kinetic - e.elastic - e.friction - e.rolling - e.damping -
+         e.breakage - e.non_conservative_work;
 }
 } // namespace support

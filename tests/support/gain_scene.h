@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupled_scene.h"
+#include "coupled_scene.h" #include < dem / engine_boundaries.h>
 
 /// A light plate pressed on a heavy particle: one spring, whose gain
 /// k dt^2 / (4 m) is set.
@@ -68,7 +68,7 @@ inline Outcome swing(double gain, const Way &way, int n_windows = 1500)
     exchange.advance(particles, window);
     const double swing_now =
         std::abs(engine.particles().position(0).z() + radius -
-                 engine.surface().position[0].z() - sunk);
+                 dem::surface(engine).position[0].z() - sunk);
     double &largest = step < n_windows / 2 ? early : late;
     largest = std::max(largest, swing_now);
     if (swing_now > sunk) // has left the particle

@@ -3,6 +3,7 @@
 // small triaxial test.
 //
 //     breakage_choices SMALL.prm SHAPE.json [TABLE ...]
+#include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
 #include <dem/shape/measures.h>
 
@@ -139,8 +140,8 @@ void run_small(const Choice &choice, const std::string &file)
 std::vector<const dem::ContactBatch *> batches(const dem::Engine &engine)
 {
   std::vector<const dem::ContactBatch *> all{&engine.pairs(),
-                                             &engine.on_planes()};
-  for (const dem::SurfaceContacts &facets : engine.surfaces())
+                                             &dem::on_planes(engine)};
+  for (const dem::FacetBoundary &facets : dem::surfaces(engine))
     all.push_back(&facets.batch);
   return all;
 }
@@ -178,7 +179,7 @@ public:
   {
     std::size_t place = 0;
     for (const dem::ContactBatch *batch :
-         {&engine.pairs(), &engine.on_planes(), &engine.on_facets()})
+         {&engine.pairs(), &dem::on_planes(engine), &dem::on_facets(engine)})
     {
       gather(*batch, batch->factor_a, place++);
       gather(*batch, batch->factor_b, place++);

@@ -3,7 +3,7 @@
 // docs/verification/shapes.md has it.
 //
 //   shape_phases SHAPES [SHAPES ...]
-#include <dem/packing/random.h>
+#include <dem/random.h>
 #include <dem/shape/measures.h>
 #include <dem/shape/spherical_harmonics.h>
 

@@ -6,9 +6,9 @@
 // Pairs that both do not agree on go to stderr, a line each.
 #include "brute_force.h"
 
-#include <dem/packing/random.h>
-#include <dem/search/contact_point_lists.h>
-#include <dem/search/contact_points.h>
+#include <dem/neighbor/contact_point_lists.h>
+#include <dem/neighbor/contact_points.h>
+#include <dem/random.h>
 
 #include <algorithm>
 #include <array>

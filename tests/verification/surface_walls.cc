@@ -5,8 +5,8 @@
 #include "brute_force.h"
 #include "wall_meshes.h"
 
-#include <dem/packing/random.h>
-#include <dem/search/wall_contact_points.h>
+#include <dem/boundary/wall_contact_points.h>
+#include <dem/random.h>
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 //   surface_walls_cost
 #include "wall_meshes.h"
 
-#include <dem/engine.h>
-#include <dem/packing/random.h>
+#include <dem/engine_boundaries.h>
+#include <dem/random.h>
 
 #include <cstdio>
 #include <ctime>
@@ -63,9 +63,10 @@ dem::Engine rested(Wall wall, bool is_surface)
                           random.rotation());
     }
   if (wall == Wall::plane)
-    engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
+    dem::add_plane(engine, Vec3::Zero(), Vec3::UnitZ());
   if (wall == Wall::flat_mesh || wall == Wall::rough_mesh)
-    engine.attach_surface(
+    dem::attach_surface(
+        engine,
         support::flat_floor(0.02, 26, wall == Wall::rough_mesh ? 0.1 : 0.));
   if (wall == Wall::cylinder)
   {
@@ -73,7 +74,7 @@ dem::Engine rested(Wall wall, bool is_surface)
     drum.centre = {0., 0., far};
     drum.radius = far;
     drum.length = 4.;
-    engine.set_drum(drum);
+    dem::set_drum(engine, drum);
   }
   const int settling = wall == Wall::none ? 100 : 40000;
   for (int step = 0; step < settling; ++step)
@@ -83,9 +84,9 @@ dem::Engine rested(Wall wall, bool is_surface)
 
 const dem::ContactBatch &contacts(const dem::Engine &engine, Wall wall)
 {
-  return wall == Wall::plane      ? engine.on_planes()
-         : wall == Wall::cylinder ? engine.on_drum()
-                                  : engine.on_facets();
+  return wall == Wall::plane      ? dem::on_planes(engine)
+         : wall == Wall::cylinder ? dem::on_drum(engine)
+                                  : dem::on_facets(engine);
 }
 
 int touching(const dem::ContactBatch &batch)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <coupling/interface_map.h>
-#include <dem/engine.h>
+#include <dem/engine_boundaries.h>
 
 #include <memory>
 

@@ -1,5 +1,5 @@
 #include <dem/boundary/surface_guard.h>
-#include <dem/search/cell_grid.h>
+#include <dem/neighbor/cell_grid.h>
 
 #include <numeric>
 #include <sstream>
@@ -197,7 +197,7 @@ std::optional<SurfaceFault> find_crossing(const FacetMesh &mesh)
   return {};
 }
 
-std::optional<SurfaceFault> find_left(const SurfaceContacts &facets,
+std::optional<SurfaceFault> find_left(const FacetBoundary &facets,
                                       const ParticleSystem &particles,
                                       ContactGeometry geometry)
 {

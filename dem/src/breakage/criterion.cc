@@ -16,12 +16,6 @@ Cap cap_of(double overlap, double gaussian_curvature)
   return cap;
 }
 
-double cap_slope(double gaussian_curvature)
-{
-  DEM_ASSERT(gaussian_curvature > 0.);
-  return 2. * std::numbers::pi / std::sqrt(gaussian_curvature);
-}
-
 BreakageMode mode_of(const DamageStep<double> &step, ModePrecedence precedence)
 {
   const bool is_one = step.factor > 1., is_two = step.energy_ratio > 1.;

@@ -30,31 +30,20 @@ struct Place
   std::size_t contact = 0;
 };
 
-/// Pairs, planes, drum, then one batch for each facet surface.
-constexpr int first_surface = 3;
-
+/// Pairs, then one batch for each boundary.
 int n_batches(const ContactSet &contacts)
 {
-  return first_surface + static_cast<int>(contacts.surfaces.size());
+  return 1 + static_cast<int>(contacts.boundaries.size());
 }
 
-SurfaceContacts &surface_of(ContactSet &contacts, int batch)
+Boundary &boundary_of(const ContactSet &contacts, int batch)
 {
-  return contacts.surfaces[static_cast<std::size_t>(batch - first_surface)];
+  return *contacts.boundaries[static_cast<std::size_t>(batch - 1)];
 }
 
 ContactBatch &batch_of(ContactSet &contacts, int batch)
 {
-  return batch == 0   ? contacts.pairs
-         : batch == 1 ? contacts.on_planes
-         : batch == 2 ? contacts.on_drum
-                      : surface_of(contacts, batch).batch;
-}
-
-/// As BreakageEvent::kind.
-int kind_of(int batch)
-{
-  return batch == 2 ? 3 : std::min(batch, 2);
+  return batch == 0 ? contacts.pairs : boundary_of(contacts, batch).batch;
 }
 
 /// K_G that the caps of this side have [1/m^2].
@@ -156,14 +145,6 @@ std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t particle)
   return found;
 }
 
-/// The walls of any batch but that of the pairs.
-Walls walls_of(ContactSet &contacts, int batch)
-{
-  if (batch < first_surface)
-    return batch == 1 ? contacts.planes : contacts.drum;
-  return contacts.of_surfaces[static_cast<std::size_t>(batch - first_surface)];
-}
-
 /// Factors of a contact that has opened: lost, or marked for their patches.
 void end_damage(ContactBatch &batch, std::size_t k, FactorMemory memory)
 {
@@ -186,7 +167,9 @@ double reset(const ForceContext &context, ContactSet &contacts,
   const double released =
       place.batch == 0
           ? reset_pair(context, batch, k)
-          : reset_wall(context, walls_of(contacts, place.batch), batch, k);
+          : reset_wall(context,
+                       boundary_of(contacts, place.batch).walls(context), batch,
+                       k);
   if (batch.layout.has_damage && !batch.is_touching(k))
     end_damage(batch, k, context.parameters.breakage.memory);
   return released;
@@ -212,18 +195,21 @@ BreakageMode mode_now(ContactBatch &batch, const Request &request,
       breakage.precedence);
 }
 
-std::int64_t other_of(const ParticleSystem &particles,
-                      const ContactBatch &batch, const Request &request)
+/// Names the other side: BreakageEvent::kind and other.
+void name_other(const ContactSet &contacts, const ParticleSystem &particles,
+                const Request &request, BreakageEvent &event)
 {
-  if (request.batch >= first_surface)
-    return request.batch - first_surface;
-  if (request.batch == 2)
-    return -1;
-  if (request.batch == 1)
-    return batch.b[request.contact];
+  if (request.batch > 0)
+  {
+    const Boundary &boundary = boundary_of(contacts, request.batch);
+    event.kind = boundary.event_kind();
+    event.other = boundary.event_other(request.contact);
+    return;
+  }
   const std::int32_t other =
-      request.is_side_a ? batch.b[request.contact] : batch.a[request.contact];
-  return particles.id[static_cast<std::size_t>(other)];
+      (request.is_side_a ? contacts.pairs.b
+                         : contacts.pairs.a)[request.contact];
+  event.other = particles.id[static_cast<std::size_t>(other)];
 }
 
 /// Share of overlap and energy that the particle gets: that of its compliance
@@ -281,9 +267,10 @@ double reset_all(const ForceContext &context, ContactSet &contacts,
 }
 
 /// What is known of an event before the particle changes.
-BreakageEvent announce(const ForceContext &context, ContactBatch &batch,
+BreakageEvent announce(const ForceContext &context, ContactSet &contacts,
                        const Request &request)
 {
+  ContactBatch &batch = batch_of(contacts, request.batch);
   const ParticleSystem &particles = context.particles;
   const BreakageParameters &breakage = context.parameters.breakage;
   const std::size_t k = request.contact;
@@ -291,8 +278,7 @@ BreakageEvent announce(const ForceContext &context, ContactBatch &batch,
   const double share = share_of(context, batch, request);
   BreakageEvent event;
   event.particle = particles.id[static_cast<std::size_t>(request.particle)];
-  event.other = other_of(particles, batch, request);
-  event.kind = kind_of(request.batch);
+  name_other(contacts, particles, request, event);
   event.mode = mode_now(batch, request, breakage);
   event.force_before = batch.normal_force[k];
   event.overlap = batch.overlap[k];
@@ -353,7 +339,7 @@ BreakingSum break_particles(const ForceContext &context,
     sum.refreshed += reset_all(context, contacts, request.particle);
     if (is_off())
       continue;
-    BreakageEvent event = announce(context, batch, request);
+    BreakageEvent event = announce(context, contacts, request);
     event.time = time;
     if (carry_out(context, particles, contacts, request, event))
       events.push_back(event);

@@ -86,9 +86,21 @@ ContactHistory<double> ContactBatch::history(std::size_t k) const
   history.shear_compliance = shear_compliance[k];
   history.normal_force = normal_force[k];
   history.normal_energy =
-      layout.is_hertz ? hertz_energy_share * normal_force[k] * overlap[k]
-                      : linear_energy(layout.normal_stiffness, overlap[k]);
+      layout.has_attraction
+          ? normal_energy[k]
+          : layout.law.entry().energy(layout.law.values, normal_force[k],
+                                      overlap[k]);
+  if (layout.has_attraction)
+    history.attraction = attraction[k];
   return history;
+}
+
+double ContactBatch::normal_stiffness(std::size_t k) const
+{
+  const ContactLaw &law = layout.law.entry();
+  return law.scales_with_curvature
+             ? law.exponent * pressing_force(k) / overlap[k]
+             : law.spring(layout.law.values, {}, overlap[k]).stiffness;
 }
 
 double ContactBatch::stored_energy(std::size_t k) const

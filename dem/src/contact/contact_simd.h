@@ -1,9 +1,9 @@
 #pragma once
 
+#include "../simd_rows.h"
 #include "force_kernels.h"
-#include "simd_rows.h"
 
-#include <dem/breakage/criterion.h>
+#include <dem/contact/damage.h>
 
 /// What contacts with particles and with walls have in common, in lanes.
 /// Internal to the units that are compiled once per instruction set.
@@ -59,10 +59,12 @@ Simd expanded_radius(const Side &side, std::int64_t k,
   return load(side.radius + k) + dot(gradient, w) + 0.5 * diagonal + mixed;
 }
 
-/// The normal energy is that of a Hertz spring.
-ContactHistory<Simd> load_history(const Contacts &contacts, std::int64_t k,
+/// Springs of contacts whose overlaps were these.
+template <class Law>
+ContactHistory<Simd> load_history(const Task &task, std::int64_t k,
                                   const Simd &overlap_before)
 {
+  const Contacts &contacts = task.contacts;
   ContactHistory<Simd> history;
   history.shear = load_vector(contacts.shear, k);
   if (contacts.rolling.x)
@@ -73,9 +75,40 @@ ContactHistory<Simd> load_history(const Contacts &contacts, std::int64_t k,
   history.dashpot = load_vector(contacts.dashpot, k);
   history.shear_compliance = load(contacts.shear_compliance + k);
   history.normal_force = load(contacts.normal_force + k);
-  history.normal_energy =
-      hertz_energy_share * history.normal_force * overlap_before;
+  if constexpr (Law::attracts)
+  {
+    history.normal_energy = load(contacts.normal_energy + k);
+    history.attraction = load(contacts.attraction + k);
+  }
+  else
+    history.normal_energy =
+        Law::energy(task.law, history.normal_force, overlap_before);
   return history;
+}
+
+/// Energy of what presses: the criterion of breakage knows no attraction.
+template <class Law>
+Simd elastic_energy(const Task &task, const ContactHistory<Simd> &history,
+                    const Simd &overlap)
+{
+  if constexpr (Law::attracts)
+    return Law::energy(task.law, history.normal_force + history.attraction,
+                       overlap);
+  else
+    return history.normal_energy;
+}
+
+/// Whether some contacts have a force, or had one in the last step. `reach`:
+/// how far they are within the range of the law, > 0.
+template <class Law>
+bool any_alive(const Task &task, std::int64_t k, const Simd &reach,
+               const Simd &overlap_before)
+{
+  if constexpr (Law::attracts)
+    return any(reach > 0. || overlap_before > 0. ||
+               load(task.contacts.attraction + k) > 0.);
+  else
+    return any(reach > 0. || overlap_before > 0.);
 }
 
 /// Force on A as the last step left it.
@@ -85,9 +118,15 @@ SimdVector kept_force(const ContactHistory<Simd> &history,
   return history.shear + history.dashpot - history.normal_force * normal;
 }
 
+template <class Law>
 void store_history(const ContactHistory<Simd> &history,
                    const Contacts &contacts, std::int64_t k)
 {
+  if constexpr (Law::attracts)
+  {
+    store(history.normal_energy, contacts.normal_energy + k);
+    store(history.attraction, contacts.attraction + k);
+  }
   store_vector(history.shear, contacts.shear, k);
   if (contacts.rolling.x)
   {
@@ -97,6 +136,88 @@ void store_history(const ContactHistory<Simd> &history,
   store_vector(history.dashpot, contacts.dashpot, k);
   store(history.shear_compliance, contacts.shear_compliance + k);
   store(history.normal_force, contacts.normal_force + k);
+}
+
+/// Takes from springs of exponent 1 what they give too much where a contact
+/// begins or ends within the step: its last normal force is taken back by a
+/// pull, its first shear force is that of the way since it began.
+template <class Law>
+void cut_at_crossing(const Task &task, const ContactMotion<Simd> &motion,
+                     const Simd &overlap, const Simd &overlap_before,
+                     const ContactHistory<Simd> &history,
+                     NormalSpring<Simd> &spring)
+{
+  const SimdMask begins = overlap > 0. && overlap_before <= 0.,
+                 ends = overlap_before > 0. && overlap <= 0.;
+  if (!any(begins || ends))
+    return;
+  const double dt = task.time_step;
+  const double normal_stiffness = task.law[0];
+  const Simd stiffness = normal_stiffness * dt * dt / motion.reduced_mass;
+  const Simd closed = -dt * dot(motion.velocity, motion.normal);
+  spring.first_share =
+      select(begins, overlap / stdx::max(overlap, closed), Simd(1.));
+  const Simd opened = dt * dot(motion.velocity_before, motion.normal_before);
+  const Simd pressing =
+      history.normal_force - dot(history.dashpot, motion.normal_before);
+  spring.force -=
+      select(begins,
+             spring.force * part_before_begin<Simd>(
+                                {overlap, closed - overlap, stiffness}),
+             Simd(0.)) +
+      select(ends,
+             pressing *
+                 part_after_end<Simd>(
+                     {overlap_before, opened - overlap_before, stiffness}),
+             Simd(0.));
+}
+
+/// One step of the law; the springs go into `history`. Returns the force on A.
+template <class Law>
+SimdVector advance_law(const Task &task, const ContactMotion<Simd> &motion,
+                       const Simd &overlap, const Simd &overlap_before,
+                       NormalSpring<Simd> spring, ContactHistory<Simd> &history,
+                       Losses<Simd> &lost)
+{
+  if constexpr (!Law::scales_with_curvature && Law::exponent == 1.)
+    cut_at_crossing<Law>(task, motion, overlap, overlap_before, history,
+                         spring);
+  return advance_contact<Law>(motion, spring, task.coefficients, task.time_step,
+                              history, lost);
+}
+
+/// Spring of two equivalent spheres or of one on a plate, from R.
+template <class Law>
+NormalSpring<Simd> sphere_spring(const Task &task, const Simd &radius,
+                                 const Simd &overlap)
+{
+  if constexpr (Law::scales_with_curvature)
+  {
+    const Simd root = stdx::sqrt(radius);
+    return Law::spring(task.law,
+                       Prefactors<Simd>{Simd(task.normal_factor * root),
+                                        Simd(task.shear_factor * root), radius},
+                       overlap);
+  }
+  else
+    return Law::spring(task.law, Prefactors<Simd>{}, overlap);
+}
+
+/// Spring of surfaces whose prefactors are in the columns.
+template <class Law>
+NormalSpring<Simd> mixed_spring(const Task &task, std::int64_t k,
+                                const Simd &overlap)
+{
+  if constexpr (!Law::scales_with_curvature)
+    return Law::spring(task.law, Prefactors<Simd>{}, overlap);
+  else
+  {
+    Prefactors<Simd> of{load(task.contacts.normal_prefactor + k),
+                        load(task.contacts.shear_prefactor + k)};
+    if constexpr (Law::attracts)
+      of.radius = load(task.contacts.reduced_radius + k);
+    return Law::spring(task.law, of, overlap);
+  }
 }
 
 /// Where the load of a contact on its side A goes: to the particle, or to the

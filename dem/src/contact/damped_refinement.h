@@ -53,6 +53,7 @@ Summit refine_damped(const ParticleShape &body, const Vec3 &start,
 {
   constexpr int most_steps = 200, most_halvings = 30;
   constexpr double longest = 0.1, level = 1e-9; // [rad]
+  constexpr double level_hill = 0.1; // of the least curvature that steps trust
   RadialExpansion at = scaled_expansion(body, start);
   LocalField now = field(Vec3(at.radius * start));
   Summit summit{start, now.value, false};
@@ -78,9 +79,11 @@ Summit refine_damped(const ParticleShape &body, const Vec3 &start,
     Vec2 move = floored(hill, least).inverse() * gradient;
     if (const double length = move.norm(); length > longest)
       move *= longest / length;
+    // A ring of equal maxima is level along itself, but for round-off.
+    const bool is_hill = smallest_eigenvalue(hill) > -level_hill * least;
     if (move.norm() < level)
     {
-      summit.is_found = smallest_eigenvalue(hill) > 0.;
+      summit.is_found = is_hill;
       return summit;
     }
     bool is_higher = false;
@@ -99,13 +102,12 @@ Summit refine_damped(const ParticleShape &body, const Vec3 &start,
       }
       move *= 0.5;
     }
+    // The flattest hills are climbed by many steps: so near to the top no
+    // height is left.
+    summit.is_found =
+        is_hill && gradient.norm() < 1e-6 * at.radius * now.gradient.norm();
     if (!is_higher) // round-off is all that is left
-    {
-      summit.is_found =
-          smallest_eigenvalue(hill) > 0. &&
-          gradient.norm() < 1e-6 * at.radius * now.gradient.norm();
       return summit;
-    }
   }
   return summit;
 }

@@ -2,7 +2,7 @@
 
 #include "surfaces.h"
 
-#include <dem/search/contact_points.h>
+#include <dem/contact/common_normal.h>
 
 namespace dem
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/contact/law.h>
 #include <dem/contact/narrow.h>
 #include <dem/contact/range_sum.h>
 
@@ -24,6 +25,7 @@ struct ParticleSystem
   const double *state;
   const double *travelled; ///< Particles::travelled, null: spheres
   double gaps_travelled;   ///< Travel::gaps, of any two spheres [m]
+  double cell_travelled;   ///< Travel::cell, of any two images [m]
   double *load;            ///< ParticleLoad
   double *halo;            ///< ParticleLoad, rows of PairLoads
 };
@@ -63,6 +65,9 @@ struct Contacts
   Narrow *turn;
   double *peak;
   std::uint8_t *event;
+  double *normal_energy; ///< of laws that attract; else null
+  double *attraction;
+  const Narrow *reduced_radius;
 };
 
 /// Columns that the loops ask for before they come to them; none where all
@@ -111,9 +116,10 @@ struct Task
   Surfaces surfaces;
   ContactCoefficients coefficients;
   double time_step;
-  bool is_hertz; ///< the law of walls
-  /// Hertz, spheres: C_H = normal_factor sqrt(R), k_s / sqrt(delta) =
-  /// shear_factor sqrt(R). Linear walls: k_n, k_s.
+  LawValues law; ///< values of the parameters of the law
+  double range;  ///< attraction_range of the law [m]
+  /// Laws that scale with curvature, spheres: C = normal_factor sqrt(R), C_s =
+  /// shear_factor sqrt(R).
   double normal_factor, shear_factor;
   double refresh_tolerance; ///< of the sides [rad]
   bool reads_surface;       ///< sides are kept up to date
@@ -122,10 +128,12 @@ struct Task
   double fracture_energy; ///< G_c [J/m^2]
   double repetitions;     ///< BreakageParameters::repetitions [-]
   double hysteresis;      ///< of the counted energy [-]
-  bool counts_shear;    ///< the energy of the criterion is that of both springs
-  bool keeps_factors;   ///< patches take the factors of contacts that end
-  bool adds_loads_only; ///< forces are taken as the last step left them
-  const double *walls;  ///< WallRow
+  bool counts_shear;  ///< the energy of the criterion is that of both springs
+  bool keeps_factors; ///< patches take the factors of contacts that end
+  bool is_periodic;   ///< pairs meet at their nearest images
+  double cell_length[3], cell_rate[3]; ///< PeriodicCell; 0: not periodic
+  bool adds_loads_only;       ///< forces are taken as the last step left them
+  const double *walls;        ///< WallRow
   const double *wall_overlap; ///< by row; null unless places are found before
   const double *wall_extra;   ///< Walls::extra; null if there is none
 };
@@ -134,24 +142,27 @@ struct Task
 using Loop = void (*)(const Task &task, std::int64_t first, std::int64_t last,
                       RangeSum &sum);
 
+/// The loops of one law by geometry; null where the law has none.
 struct Loops
 {
-  Loop pairs, walls, surface_pairs, surface_walls, placed_walls;
+  Loop pairs;         ///< spheres, or radii along the branch
+  Loop walls;         ///< the same on planes
+  Loop surface_pairs; ///< true surfaces at their common normals
+  Loop surface_walls; ///< true surfaces at their support points
+  Loop placed_walls;  ///< true surfaces whose places were found before
 };
 
-/// Those of the instruction set in use.
-const Loops &loops();
-
+/// The loops of the laws by number, of one instruction set.
 namespace baseline
 {
-extern const Loops loops;
+extern const Loops *const contact_kernels;
 }
 namespace avx2
 {
-extern const Loops loops;
+extern const Loops *const contact_kernels;
 }
 namespace avx512
 {
-extern const Loops loops;
+extern const Loops *const contact_kernels;
 }
 } // namespace dem::kernel

@@ -24,8 +24,10 @@ kernel::Task pair_task(SurfaceOwner &owner)
 
 kernel::Loop pair_loop(const ContactBatch &batch)
 {
-  return batch.layout.has_contact_points ? kernel::loops().surface_pairs
-                                         : kernel::loops().pairs;
+  const kernel::Loops &loops = batch.layout.law.entry().loops();
+  return required(batch.layout.has_contact_points ? loops.surface_pairs
+                                                  : loops.pairs,
+                  batch.layout.law.entry());
 }
 } // namespace
 
@@ -33,10 +35,12 @@ BatchLayout pair_layout(const EngineParameters &parameters,
                         const ParticleSystem &particles)
 {
   BatchLayout layout;
-  layout.is_hertz = true;
+  layout.law = law_of(parameters.particle);
+  layout.has_attraction = layout.law.entry().attracts;
   layout.has_rolling = parameters.particle.rolling_friction > 0.;
   layout.has_sides = particles.has_shapes || particles.has_materials;
   layout.has_partners = true;
+  layout.has_prefactors = layout.has_sides;
   layout.has_contact_points =
       layout.has_sides &&
       parameters.geometry.geometry == ContactGeometry::surface;

@@ -14,8 +14,9 @@ Simd travel_of_pairs(const Task &task, std::int64_t k)
   if (!travelled)
     return Simd(task.particles.gaps_travelled);
   const std::int32_t *a = task.contacts.a + k, *b = task.contacts.b + k;
-  return Simd([=](auto lane)
-              { return travelled[a[lane]] + travelled[b[lane]]; });
+  const Simd both([=](auto lane)
+                  { return travelled[a[lane]] + travelled[b[lane]]; });
+  return both + task.particles.cell_travelled;
 }
 
 /// Contacts that cannot touch yet. Nothing of them changes, whatever the lanes
@@ -42,9 +43,44 @@ void deactivate(const Task &task, std::int64_t k, const SimdMask &is_awake,
           task.contacts.reactivation + k);
 }
 
+/// How many lengths of the periodic cell lie between the particles B and the
+/// images that are in contact.
+SimdVector images_of(const Task &task, const SimdVector &branch)
+{
+  const auto along = [&task](int axis, const Simd &x)
+  {
+    return task.cell_length[axis] > 0.
+               ? stdx::nearbyint(Simd(x / task.cell_length[axis]))
+               : Simd(0.);
+  };
+  return {along(0, branch.x), along(1, branch.y), along(2, branch.z)};
+}
+
+SimdVector times(const double *factors, const SimdVector &v)
+{
+  return {factors[0] * v.x, factors[1] * v.y, factors[2] * v.z};
+}
+
+/// Adds what the forces on A across the faces of the cell do by its lengths:
+/// lane by lane, in the order of the contacts.
+void add_cell_force(const SimdVector &images, const SimdVector &force,
+                    int n_valid, RangeSum &sum)
+{
+  if (!any(images.x != 0. || images.y != 0. || images.z != 0.))
+    return;
+  for (int lane = 0; lane < n_valid; ++lane)
+  {
+    const auto k = static_cast<std::size_t>(lane);
+    sum.cell_force[0] -= images.x[k] * force.x[k];
+    sum.cell_force[1] -= images.y[k] * force.y[k];
+    sum.cell_force[2] -= images.z[k] * force.z[k];
+  }
+}
+
 /// Contacts of one set of lanes as they lie.
 struct PairGeometry
 {
+  SimdVector images; ///< of a periodic cell, see images_of()
   SimdVector normal;
   Simd inverse_distance;   ///< of the centres; 0 where they coincide
   Simd radius_a, radius_b; ///< towards each other
@@ -61,12 +97,17 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k,
                           const SimdMask &is_awake)
 {
   const SimdQuad ball_a = a.quad(at_position), ball_b = b.quad(at_position);
-  const SimdVector branch = ball_b.vector - ball_a.vector;
+  SimdVector branch = ball_b.vector - ball_a.vector;
+  PairGeometry pair;
+  if (task.is_periodic)
+  {
+    pair.images = images_of(task, branch);
+    branch = branch - times(task.cell_length, pair.images);
+  }
   const Simd square = dot(branch, branch);
   // Entries that only fill the last block lie on themselves.
   const SimdMask is_apart = square > 0.;
   const Simd distance = stdx::sqrt(square);
-  PairGeometry pair;
   pair.inverse_distance =
       select(is_apart, 1. / select(is_apart, distance, Simd(1.)), Simd(0.));
   pair.normal = pair.inverse_distance * branch;
@@ -97,10 +138,10 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k,
 
 /// Mixes the prefactors anew where the particles have turned about the normal.
 void refresh_prefactors(const Task &task, std::int64_t k,
-                        const PairGeometry &pair, const Simd &spin)
+                        const SimdVector &normal, const SimdMask &is_touching,
+                        const Simd &spin)
 {
   const Contacts &contacts = task.contacts;
-  const SimdMask is_touching = pair.overlap > 0.;
   const Simd torsion_angle =
       load(contacts.torsion_angle + k) +
       select(is_touching, stdx::abs(spin) * task.time_step, Simd(0.));
@@ -109,7 +150,7 @@ void refresh_prefactors(const Task &task, std::int64_t k,
   if (!any(is_old))
     return;
   SimdTable<4> table;
-  table.set(0, {pair.normal});
+  table.set(0, {normal});
   for (int lane = 0; lane < n_lanes; ++lane)
     if (is_old[static_cast<std::size_t>(lane)])
       task.surfaces.mix(task.surfaces.owner, k + lane, table.value[lane]);
@@ -145,7 +186,9 @@ ContactMotion<Simd> pair_motion(const Task &task, const ParticleSimd &a,
 {
   const SimdVector spin_a = a.vector(at_spin), spin_b = b.vector(at_spin);
   const SimdQuad moving_a = a.quad(at_velocity), moving_b = b.quad(at_velocity);
-  const SimdVector parting = moving_b.vector - moving_a.vector;
+  SimdVector parting = moving_b.vector - moving_a.vector;
+  if (task.is_periodic)
+    parting = parting - times(task.cell_rate, pair.images);
   ContactMotion<Simd> motion;
   motion.normal = pair.normal;
   // The centres have parted along straight lines in this step.
@@ -163,27 +206,28 @@ ContactMotion<Simd> pair_motion(const Task &task, const ParticleSimd &a,
   return motion;
 }
 
-/// The normal spring: prefactors of the surfaces, or of two spheres.
+/// The normal spring: prefactors of the surfaces, or of two spheres. `overlap`
+/// is below 0 at a gap where the law attracts.
+template <class Law>
 NormalSpring<Simd> pair_spring(const Task &task, std::int64_t k,
-                               const PairGeometry &pair,
+                               const PairGeometry &pair, const Simd &overlap,
                                const ContactMotion<Simd> &motion)
 {
+  const SimdMask is_near = overlap > -task.range;
   if (task.reads_surface)
   {
-    refresh_prefactors(task, k, pair, dot(motion.spin, pair.normal));
-    return hertz_spring(load(task.contacts.normal_prefactor + k),
-                        load(task.contacts.shear_prefactor + k), pair.overlap);
+    refresh_prefactors(task, k, pair.normal, is_near,
+                       dot(motion.spin, pair.normal));
+    return mixed_spring<Law>(task, k, overlap);
   }
   // Entries that only fill the last block know no radius.
-  const Simd radius =
-      pair.radius_a * pair.radius_b /
-      select(pair.overlap > 0., pair.radius_a + pair.radius_b, Simd(1.));
-  const Simd root = stdx::sqrt(radius);
-  return hertz_spring(Simd(task.normal_factor * root),
-                      Simd(task.shear_factor * root), pair.overlap);
+  const Simd radius = pair.radius_a * pair.radius_b /
+                      select(is_near, pair.radius_a + pair.radius_b, Simd(1.));
+  return sphere_spring<Law>(task, radius, overlap);
 }
 
 /// One step of `n_valid` contacts from k.
+template <class Law>
 [[gnu::flatten]] void advance_pairs(const Task &task, std::int64_t k,
                                     int n_valid, Losses<Simd> &lost,
                                     const Target &target)
@@ -195,21 +239,29 @@ NormalSpring<Simd> pair_spring(const Task &task, std::int64_t k,
   const ParticleSimd a(task.particles.state, contacts.a + k),
       b(task.particles.state, contacts.b + k);
   const PairGeometry pair = locate_pairs(task, k, a, b, is_awake);
-  deactivate(task, k, is_awake, pair.gap);
+  Simd overlap = pair.overlap, apart = pair.gap;
+  if constexpr (Law::attracts)
+  {
+    const SimdMask is_there = is_awake && pair.inverse_distance > 0.;
+    overlap = select(is_there, Simd(-pair.gap), Simd(-task.range));
+    apart = pair.gap - task.range;
+  }
+  deactivate(task, k, is_awake, apart);
   const Simd overlap_before = load(contacts.overlap + k);
-  if (!any(pair.overlap > 0. || overlap_before > 0.))
+  if (!any_alive<Law>(task, k, overlap + task.range, overlap_before))
     return; // all is zero and stays so
-  ContactHistory<Simd> history = load_history(contacts, k, overlap_before);
-  const Simd energy_before = history.normal_energy;
+  ContactHistory<Simd> history = load_history<Law>(task, k, overlap_before);
+  const Simd energy_before = elastic_energy<Law>(task, history, overlap_before);
   SimdVector force;
   if (task.adds_loads_only)
     force = kept_force(history, pair.normal);
   else
   {
     const ContactMotion<Simd> motion = pair_motion(task, a, b, pair);
-    force = advance_contact(motion, pair_spring(task, k, pair, motion),
-                            task.coefficients, task.time_step, history, lost);
-    store_history(history, contacts, k);
+    force = advance_law<Law>(task, motion, pair.overlap, overlap_before,
+                             pair_spring<Law>(task, k, pair, overlap, motion),
+                             history, lost);
+    store_history<Law>(history, contacts, k);
     store(pair.overlap, contacts.overlap + k);
   }
   const SimdVector turning = cross(pair.normal, force);
@@ -217,8 +269,12 @@ NormalSpring<Simd> pair_spring(const Task &task, std::int64_t k,
                 {force, pair.arm_a() * turning + history.rolling, -force,
                  pair.arm_b() * turning - history.rolling},
                 target);
+  if (task.is_periodic)
+    add_cell_force(pair.images, force, n_valid, target.sum);
   if (task.has_damage)
-    find_damage(task, k, {pair.overlap, energy_before, history.normal_energy},
+    find_damage(task, k,
+                {pair.overlap, energy_before,
+                 elastic_energy<Law>(task, history, pair.overlap)},
                 target.sum);
 }
 } // namespace

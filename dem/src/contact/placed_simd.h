@@ -26,15 +26,16 @@ SupportGeometry known_place(const Task &task, std::int64_t k,
   return geometry;
 }
 
+template <class Law>
 [[gnu::flatten]] void advance_placed_walls(const Task &task, std::int64_t k,
                                            int n_valid, Losses<Simd> &lost,
                                            const Target &target)
 {
   const ParticleSimd a(task.particles.state, task.contacts.a + k);
   const WallSimd wall(task.walls, task.contacts.b + k);
-  advance_at_wall(task, k, n_valid, a, wall,
-                  known_place(task, k, a, wall, valid_lanes(n_valid)), lost,
-                  target);
+  advance_at_wall<Law>(task, k, n_valid, a, wall,
+                       known_place(task, k, a, wall, valid_lanes(n_valid)),
+                       lost, target);
 }
 } // namespace
 } // namespace dem::kernel

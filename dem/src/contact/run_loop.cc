@@ -93,7 +93,10 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.corner_b.data(),
           batch.turn.data(),
           batch.peak.data(),
-          batch.event.data()};
+          batch.event.data(),
+          batch.normal_energy.data(),
+          batch.attraction.data(),
+          batch.reduced_radius.data()};
 }
 
 /// Contacts up to this many bytes stay in the caches: asking ahead only costs.
@@ -132,7 +135,10 @@ kernel::ParticleSystem particles_view(const ForceContext &context)
   ParticleSystem &particles = context.particles;
   return {numbers(particles.state),
           particles.has_shapes ? particles.travelled.data() : nullptr,
-          context.gaps_travelled, numbers(particles.load), nullptr};
+          context.gaps_travelled,
+          context.cell_travelled,
+          numbers(particles.load),
+          nullptr};
 }
 } // namespace
 
@@ -149,6 +155,8 @@ kernel::Task make_task(SurfaceOwner &owner,
   task.coefficients.limit_damping =
       context.parameters.friction_limit == FrictionLimit::total ? 1. : 0.;
   task.time_step = context.time_step;
+  task.law = owner.batch.layout.law.values;
+  task.range = owner.batch.layout.law.range();
   task.refresh_tolerance = context.parameters.geometry.refresh_tolerance;
   task.reads_surface = owner.batch.layout.has_sides;
   // A still contact takes no damage.
@@ -161,6 +169,10 @@ kernel::Task make_task(SurfaceOwner &owner,
   task.keeps_factors =
       context.parameters.breakage.memory == FactorMemory::patch;
   task.adds_loads_only = context.adds_loads_only;
+  const PeriodicCell &cell = context.particles.cell;
+  task.is_periodic = cell.is_there();
+  Vec3::Map(task.cell_length) = cell.length;
+  Vec3::Map(task.cell_rate) = cell.rate;
   return task;
 }
 
@@ -173,6 +185,7 @@ ForceSum &ForceSum::operator+=(const ForceSum &part)
   n_jumps += part.n_jumps;
   n_ended += part.n_ended;
   overlap_ratio = std::max(overlap_ratio, part.overlap_ratio);
+  cell_force += part.cell_force;
   return *this;
 }
 
@@ -211,6 +224,7 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
     sum.n_jumps += range.n_jumps;
     sum.n_ended += range.n_ended;
     sum.overlap_ratio = std::max(sum.overlap_ratio, range.overlap_ratio);
+    sum.cell_force += Eigen::Map<const Vec3>(range.cell_force);
   }
   return sum;
 }

@@ -195,6 +195,7 @@ Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
 }
 
 /// One step of `n_valid` contacts from k.
+template <class Law>
 [[gnu::flatten]] void advance_surface_pairs(const Task &task, std::int64_t k,
                                             int n_valid, Losses<Simd> &lost,
                                             const Target &target)
@@ -211,7 +212,7 @@ Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
   const Simd overlap_before = load(contacts.overlap + k);
   if (!any(pair.overlap > 0. || overlap_before > 0.))
     return; // all is zero and stays so
-  ContactHistory<Simd> history = load_history(contacts, k, overlap_before);
+  ContactHistory<Simd> history = load_history<Law>(task, k, overlap_before);
   const Simd energy_before = history.normal_energy;
   SimdVector force;
   if (task.adds_loads_only)
@@ -219,14 +220,12 @@ Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
   else
   {
     const ContactMotion<Simd> motion = surface_motion(a, b, pair);
-    refresh_prefactors(task, k, {pair.normal, {}, {}, {}, {}, pair.overlap},
+    refresh_prefactors(task, k, pair.normal, pair.overlap > 0.,
                        dot(motion.spin, pair.normal));
-    force = advance_contact(motion,
-                            hertz_spring(load(contacts.normal_prefactor + k),
-                                         load(contacts.shear_prefactor + k),
-                                         pair.overlap),
-                            task.coefficients, task.time_step, history, lost);
-    store_history(history, contacts, k);
+    force = advance_law<Law>(task, motion, pair.overlap, overlap_before,
+                             mixed_spring<Law>(task, k, pair.overlap), history,
+                             lost);
+    store_history<Law>(history, contacts, k);
     store(pair.overlap, contacts.overlap + k);
   }
   scatter_pairs(task, k, n_valid,
@@ -336,6 +335,7 @@ ContactMotion<Simd> support_motion(const ParticleSimd &a, const WallSimd &wall,
 }
 
 /// Forces and loads of contacts with walls whose places are known.
+template <class Law>
 void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
                      const ParticleSimd &a, const WallSimd &wall,
                      const SupportGeometry &geometry, Losses<Simd> &lost,
@@ -344,38 +344,38 @@ void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
   const Contacts &contacts = task.contacts;
   if (!any_loaded(task, k, geometry.overlap))
     return;
-  WallHistory history = load_wall_history(task, k);
-  const ContactHistory<Simd> &springs = history.springs;
-  const Simd energy_before = springs.normal_energy;
+  const Simd overlap_before = load(contacts.overlap + k);
+  ContactHistory<Simd> history = load_history<Law>(task, k, overlap_before);
+  const Simd energy_before = history.normal_energy;
   SimdVector force;
   if (task.adds_loads_only)
-    force = kept_force(springs, wall.vector(at_normal));
+    force = kept_force(history, wall.vector(at_normal));
   else
   {
     const ContactMotion<Simd> motion = support_motion(a, wall, geometry);
-    force = advance_wall_contact(
-        task, motion, geometry.overlap,
-        wall_spring(
-            task, k,
-            {motion.normal, Simd(0.), motion.rolling_radius, geometry.overlap}),
+    force = advance_law<Law>(
+        task, motion, geometry.overlap, overlap_before,
+        wall_spring<Law>(task, k, motion.rolling_radius, geometry.overlap),
         history, lost);
-    store_history(springs, contacts, k);
+    store_history<Law>(history, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }
   scatter_walls(task, k, n_valid, force,
-                cross(geometry.arm, force) + springs.rolling, target);
+                cross(geometry.arm, force) + history.rolling, target);
   if (task.has_damage)
     find_damage(task, k,
-                {geometry.overlap, energy_before, springs.normal_energy},
+                {geometry.overlap, energy_before, history.normal_energy},
                 target.sum);
 }
+
+template <class Law>
 [[gnu::flatten]] void advance_surface_walls(const Task &task, std::int64_t k,
                                             int n_valid, Losses<Simd> &lost,
                                             const Target &target)
 {
   const ParticleSimd a(task.particles.state, task.contacts.a + k);
   const WallSimd wall(task.walls, task.contacts.b + k);
-  advance_at_wall(
+  advance_at_wall<Law>(
       task, k, n_valid, a, wall,
       locate_support(task, k, a, wall, valid_lanes(n_valid), target.sum), lost,
       target);

@@ -1,6 +1,8 @@
 #include "surfaces.h"
 
-#include <dem/breakage/criterion.h>
+#include <dem/contact/damage.h>
+
+#include <cmath>
 
 namespace dem
 {
@@ -16,6 +18,15 @@ Vec3 first_direction(const ForceContext &context, std::int32_t particle,
   const auto &d = curvature.first_direction;
   return context.particles.orientation(row_of(particle)) *
          Vec3(d[0], d[1], d[2]);
+}
+
+/// Prefactors::radius of contact k for laws that ask for it.
+void note_reduced_radius(const GapCoefficients &gap, ContactBatch &batch,
+                         std::size_t k)
+{
+  if (batch.layout.has_attraction)
+    batch.reduced_radius[k] =
+        static_cast<Narrow>(0.5 / std::sqrt(gap.a * gap.b));
 }
 } // namespace
 
@@ -45,7 +56,7 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
     side.offset.set(k, {});
   if (batch.layout.has_partners)
     batch.torsion_angle[k] = not_mixed;
-  else if (batch.layout.is_hertz)
+  else if (batch.layout.has_prefactors)
     set_wall_prefactors(context, batch, k);
   if (batch.layout.has_damage)
     note_corner(context.particles, batch, k, is_a);
@@ -99,6 +110,7 @@ void mix_prefactors(const ForceContext &context, ContactBatch &batch,
                        gap);
   batch.normal_prefactor[k] = prefactors.normal;
   batch.shear_prefactor[k] = prefactors.tangential;
+  note_reduced_radius(gap, batch, k);
   batch.torsion_angle[k] = 0;
   if (batch.layout.has_damage &&
       context.parameters.breakage.curvature == CapCurvature::relative)
@@ -111,11 +123,14 @@ void set_wall_prefactors(const ForceContext &context, ContactBatch &batch,
                          std::size_t k)
 {
   const SideCurvature &side = batch.side_a.curvature[k];
+  const GapCoefficients gap =
+      gap_coefficients({side.first, side.second, 0., 0., 1.});
   const HertzPrefactors prefactors =
       elliptic_table()(context.elasticity.on_plate(
                            context.particles.material[row_of(batch.a[k])]),
-                       gap_coefficients({side.first, side.second, 0., 0., 1.}));
+                       gap);
   batch.normal_prefactor[k] = prefactors.normal;
   batch.shear_prefactor[k] = prefactors.tangential;
+  note_reduced_radius(gap, batch, k);
 }
 } // namespace dem

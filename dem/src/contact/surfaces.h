@@ -4,6 +4,9 @@
 
 #include <dem/contact/forces.h>
 
+#include <stdexcept>
+#include <string>
+
 namespace dem
 {
 /// The particle in this row of the columns.
@@ -68,6 +71,16 @@ struct SurfaceOwner
 /// The columns as the loops see them; `owner` must outlive the task.
 kernel::Task make_task(SurfaceOwner &owner,
                        const ContactCoefficients &coefficients);
+
+/// The loop; throws std::invalid_argument where the law has none.
+inline kernel::Loop required(kernel::Loop loop, const ContactLaw &law)
+{
+  if (!loop)
+    throw std::invalid_argument("contact law " + law.name +
+                                " attracts across gaps: it has no contacts of "
+                                "true surfaces");
+  return loop;
+}
 
 /// Runs a loop over all contacts of the owner, whose task it is, and adds its
 /// loads to the particles.

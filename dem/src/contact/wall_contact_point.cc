@@ -2,17 +2,10 @@
 
 #include <dem/contact/wall_contact_point.h>
 
+#include <cmath>
+
 namespace dem
 {
-namespace
-{
-Vec3 out_of_axis(const Drum &drum, const Vec3 &x)
-{
-  const Vec3 from_centre = x - drum.centre;
-  return from_centre - from_centre.dot(drum.axis) * drum.axis;
-}
-} // namespace
-
 // With d = x - y, delta = d.n and t the rest of d, the point of the surface
 // next to y is a step a away with a - delta K a = -t.
 WallContactPoint depth_of(ParticleView &particle, const Vec3 &point,
@@ -44,108 +37,6 @@ WallContactPoint depth_of(ParticleView &particle, const Vec3 &point,
         shortened(along, usual_step_control.longest_step * particle.size()));
   }
   return place;
-}
-
-SurfacePoint smooth_drum(const Drum &drum, DrumPart part, const Vec3 &x)
-{
-  const DrumPoint at = nearest_on_drum(drum, part, x);
-  SurfacePoint wall;
-  wall.position = at.point;
-  wall.normal = -at.normal;
-  if (part == DrumPart::cylinder)
-  {
-    // Hollow: the normal turns against the motion.
-    const Vec3 round = drum.axis.cross(at.normal);
-    wall.bend = -(round * round.transpose()) / drum.radius;
-  }
-  return wall;
-}
-
-namespace
-{
-/// What counts as less deep than the start, of the radius: more than two
-/// expansions of a surface differ by.
-constexpr double surely_less = 1e-4;
-
-WallContactPoint refine_at(const NewtonStepControl &pace,
-                           ParticleView &particle, const Drum &drum,
-                           DrumPart part, const WallContactPoint &start)
-{
-  WallContactPoint place = start;
-  place.is_found = false;
-  double first_overlap = 0.;
-  for (int step = 0; step < pace.most_steps && !place.is_found; ++step)
-  {
-    const SurfacePoint &at = particle.at(place.on_particle);
-    if (part == DrumPart::cylinder &&
-        out_of_axis(drum, at.position).norm() < 0.1 * drum.radius)
-      break; // no side of the cylinder is nearer than another
-    const SurfacePoint wall = smooth_drum(drum, part, at.position);
-    const NormalStep newton =
-        step_to_common_normal(at, wall, particle.size(), pace);
-    place.normal = -wall.normal;
-    place.point = wall.position;
-    place.overlap = (at.position - wall.position).dot(place.normal);
-    if (step == 0)
-      first_overlap = place.overlap;
-    place.is_found = newton.is_lens &&
-                     newton.on_a.norm() < converged * particle.size() &&
-                     at.normal.dot(place.normal) > 0.;
-    if (!place.is_found)
-      place.on_particle = particle.towards(
-          at.position +
-          shortened(newton.on_a, pace.longest_step * particle.size()));
-  }
-  // It has gone down, over to another place.
-  if (place.overlap < first_overlap - surely_less * particle.size())
-    place.is_found = false;
-  return place;
-}
-
-/// The same without a step down, on the series.
-WallContactPoint refine_on_drum_damped(const ParticleView &particle,
-                                       const Drum &drum, DrumPart part,
-                                       const WallContactPoint &start)
-{
-  const Mat3 back = particle.orientation().transpose();
-  const auto depth = [&](const Vec3 &x)
-  {
-    const DrumPoint at = nearest_on_drum(drum, part, particle.in_world(x));
-    LocalField field{-at.distance, back * at.normal, Mat3::Zero()};
-    if (part == DrumPart::cylinder)
-    {
-      // The distance from the axis is curved round it.
-      const Vec3 round = back * drum.axis.cross(at.normal);
-      field.hessian = round * round.transpose() /
-                      std::max(drum.radius - at.distance, 0.1 * drum.radius);
-    }
-    return field;
-  };
-  const Summit top = refine_damped(particle.shape(), start.on_particle, depth);
-  WallContactPoint place = start;
-  place.on_particle = top.direction;
-  const double radius =
-      scaled_expansion(particle.shape(), top.direction).radius;
-  const DrumPoint at =
-      nearest_on_drum(drum, part, particle.in_world(radius * top.direction));
-  place.normal = at.normal;
-  place.point = at.point;
-  place.overlap = -at.distance;
-  place.is_found = top.is_found && (part != DrumPart::cylinder ||
-                                    at.distance < 0.9 * drum.radius);
-  return place;
-}
-} // namespace
-
-WallContactPoint refine_on_drum(ParticleView &particle, const Drum &drum,
-                                DrumPart part, const WallContactPoint &start)
-{
-  for (const NewtonStepControl &pace : {usual_step_control, flat_step_control})
-    if (const WallContactPoint place =
-            refine_at(pace, particle, drum, part, start);
-        place.is_found)
-      return place;
-  return refine_on_drum_damped(particle, drum, part, start);
 }
 
 bool is_one_patch(const Vec3 &normal, const Vec3 &other)

@@ -19,6 +19,7 @@ struct WallGeometry
   SimdVector normal;
   Simd distance; ///< centre to wall
   Simd reach;    ///< of the particle towards it
+  Simd gap;      ///< < 0: an overlap
   Simd overlap;  ///< 0 where open
 };
 
@@ -48,6 +49,7 @@ WallGeometry locate_walls(const Task &task, std::int64_t k,
     overlap +=
         Simd([&task, row](auto lane) { return task.wall_extra[row[lane]]; });
   }
+  geometry.gap = -overlap;
   geometry.overlap = select(is_valid, stdx::max(overlap, Simd(0.)), Simd(0.));
   return geometry;
 }
@@ -91,80 +93,13 @@ void scatter_walls(const Task &task, std::int64_t k, int n_valid,
   }
 }
 
-/// The normal spring: of the surface or the sphere on a rigid plate, or linear.
+/// The normal spring at an overlap, or a gap below 0 where the law attracts.
+template <class Law>
 NormalSpring<Simd> wall_spring(const Task &task, std::int64_t k,
-                               const WallGeometry &geometry)
+                               const Simd &radius, const Simd &overlap)
 {
-  if (!task.is_hertz)
-    return linear_spring(task.normal_factor, task.shear_factor,
-                         geometry.overlap);
-  if (task.reads_surface)
-    return hertz_spring(load(task.contacts.normal_prefactor + k),
-                        load(task.contacts.shear_prefactor + k),
-                        geometry.overlap);
-  const Simd root = stdx::sqrt(geometry.reach);
-  return hertz_spring(Simd(task.normal_factor * root),
-                      Simd(task.shear_factor * root), geometry.overlap);
-}
-
-/// History of contacts with walls and the overlaps of the last step.
-struct WallHistory
-{
-  Simd overlap;
-  ContactHistory<Simd> springs;
-};
-
-WallHistory load_wall_history(const Task &task, std::int64_t k)
-{
-  WallHistory history{load(task.contacts.overlap + k), {}};
-  history.springs = load_history(task.contacts, k, history.overlap);
-  if (!task.is_hertz)
-    history.springs.normal_energy =
-        linear_energy(task.normal_factor, history.overlap);
-  return history;
-}
-
-/// Takes from linear springs what they give too much where a contact begins or
-/// ends within the step: its last normal force is taken back by a pull, its
-/// first shear force is that of the way since it began.
-void cut_at_crossing(const Task &task, const ContactMotion<Simd> &motion,
-                     const Simd &overlap, const WallHistory &before,
-                     NormalSpring<Simd> &spring)
-{
-  const SimdMask begins = overlap > 0. && before.overlap <= 0.,
-                 ends = before.overlap > 0. && overlap <= 0.;
-  if (!any(begins || ends))
-    return;
-  const double dt = task.time_step;
-  const Simd stiffness = task.normal_factor * dt * dt / motion.reduced_mass;
-  const Simd closed = -dt * dot(motion.velocity, motion.normal);
-  spring.first_share =
-      select(begins, overlap / stdx::max(overlap, closed), Simd(1.));
-  const Simd opened = dt * dot(motion.velocity_before, motion.normal_before);
-  const Simd pressing = before.springs.normal_force -
-                        dot(before.springs.dashpot, motion.normal_before);
-  spring.force -=
-      select(begins,
-             spring.force * part_before_begin<Simd>(
-                                {overlap, closed - overlap, stiffness}),
-             Simd(0.)) +
-      select(ends,
-             pressing *
-                 part_after_end<Simd>(
-                     {before.overlap, opened - before.overlap, stiffness}),
-             Simd(0.));
-}
-
-/// One step of the law at walls; the springs go into `history`.
-SimdVector advance_wall_contact(const Task &task,
-                                const ContactMotion<Simd> &motion,
-                                const Simd &overlap, NormalSpring<Simd> spring,
-                                WallHistory &history, Losses<Simd> &lost)
-{
-  if (!task.is_hertz)
-    cut_at_crossing(task, motion, overlap, history, spring);
-  return advance_contact(motion, spring, task.coefficients, task.time_step,
-                         history.springs, lost);
+  return task.reads_surface ? mixed_spring<Law>(task, k, overlap)
+                            : sphere_spring<Law>(task, radius, overlap);
 }
 
 /// Whether some of the contacts have loads now or had them in the last step.
@@ -173,6 +108,7 @@ bool any_loaded(const Task &task, std::int64_t k, const Simd &overlap)
   return any(overlap > 0. || load(task.contacts.normal_force + k) != 0.);
 }
 
+template <class Law>
 [[gnu::flatten]] void advance_walls(const Task &task, std::int64_t k,
                                     int n_valid, Losses<Simd> &lost,
                                     const Target &target)
@@ -180,31 +116,36 @@ bool any_loaded(const Task &task, std::int64_t k, const Simd &overlap)
   const Contacts &contacts = task.contacts;
   const ParticleSimd a(task.particles.state, contacts.a + k);
   const WallSimd wall(task.walls, contacts.b + k);
-  const WallGeometry geometry =
-      locate_walls(task, k, a, wall, valid_lanes(n_valid));
-  if (!any_loaded(task, k, geometry.overlap))
+  const SimdMask is_valid = valid_lanes(n_valid);
+  const WallGeometry geometry = locate_walls(task, k, a, wall, is_valid);
+  Simd signed_overlap = geometry.overlap;
+  if constexpr (Law::attracts)
+    signed_overlap = select(is_valid, Simd(-geometry.gap), Simd(-task.range));
+  if (!any_loaded(task, k, signed_overlap + task.range))
     return;
-  WallHistory history = load_wall_history(task, k);
-  const ContactHistory<Simd> &springs = history.springs;
-  const Simd energy_before = springs.normal_energy;
+  const Simd overlap_before = load(contacts.overlap + k);
+  ContactHistory<Simd> history = load_history<Law>(task, k, overlap_before);
+  const Simd energy_before = elastic_energy<Law>(task, history, overlap_before);
   SimdVector force;
   if (task.adds_loads_only)
-    force = kept_force(springs, geometry.normal);
+    force = kept_force(history, geometry.normal);
   else
   {
-    force = advance_wall_contact(task, wall_motion(a, wall, geometry),
-                                 geometry.overlap,
-                                 wall_spring(task, k, geometry), history, lost);
-    store_history(springs, contacts, k);
+    force = advance_law<Law>(
+        task, wall_motion(a, wall, geometry), geometry.overlap, overlap_before,
+        wall_spring<Law>(task, k, geometry.reach, signed_overlap), history,
+        lost);
+    store_history<Law>(history, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }
   scatter_walls(task, k, n_valid, force,
                 cross(geometry.distance * geometry.normal, force) +
-                    springs.rolling,
+                    history.rolling,
                 target);
   if (task.has_damage)
     find_damage(task, k,
-                {geometry.overlap, energy_before, springs.normal_energy},
+                {geometry.overlap, energy_before,
+                 elastic_energy<Law>(task, history, geometry.overlap)},
                 target.sum);
 }
 } // namespace

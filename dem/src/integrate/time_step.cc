@@ -1,3 +1,4 @@
+#include <dem/contact/law_table.h>
 #include <dem/integrate/time_step.h>
 
 #include <algorithm>
@@ -42,13 +43,32 @@ double shear_step(const WallMaterial &wall, double mass)
 
 double wall_step(const WallMaterial &wall, double mass)
 {
-  if (wall.law == WallLaw::hertz) // as stiff as it is pressed
+  if (law_of(wall).entry().exponent > 1.) // as stiff as it is pressed
     return std::numeric_limits<double>::infinity();
   const double normal =
       lagged_step(wall.normal_stiffness, mass, wall.normal_damping);
   return wall.shear_stiffness > 0. ? std::min(normal, shear_step(wall, mass))
                                    : normal;
 }
+
+/// Step of two of the lightest particles on each other where their law has a
+/// constant stiffness: as one of half the mass on a wall, whose rolling spring
+/// is four times as stiff.
+double pair_step(const ParticleMaterial &particle, double mass)
+{
+  const LawChoice law = law_of(particle);
+  if (law.entry().exponent > 1.)
+    return std::numeric_limits<double>::infinity();
+  const NormalSpring<double> spring = law.entry().spring(law.values, {}, 1.);
+  WallMaterial wall;
+  wall.normal_stiffness = spring.stiffness;
+  wall.shear_stiffness = spring.shear_stiffness;
+  wall.rolling_friction = particle.rolling_friction;
+  wall.normal_damping = particle.normal_damping;
+  wall.shear_damping = particle.shear_damping;
+  return wall_step(wall, 0.5 * mass);
+}
+
 /// Material 0 as a solid among the others.
 SolidMaterial solid_of(const EngineParameters &parameters, std::size_t material)
 {
@@ -88,6 +108,9 @@ StepLimit critical_step(const EngineParameters &parameters,
 {
   const double mass = particles.smallest_mass();
   StepLimit limit = rayleigh_step(parameters, particles);
+  if (const double step = pair_step(parameters.particle, mass);
+      step < limit.step)
+    limit = {step, "lightest particles on each other (Contact/law)"};
   if (const double step = wall_step(parameters.wall, mass); step < limit.step)
     limit = {step, "lightest particle on a wall (Wall/normal_stiffness)"};
   if (const double step = wall_step(parameters.surface, mass);

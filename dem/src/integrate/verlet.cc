@@ -1,5 +1,6 @@
 #include "motion_kernels.h"
 
+#include <dem/instruction_set.h>
 #include <dem/integrate/verlet.h>
 
 #include <algorithm>
@@ -62,6 +63,14 @@ Speeds move_all(const kernel::Motion &motion, std::size_t n_particles)
   return {moving, std::max(closing, moving), std::isfinite(check)};
 }
 } // namespace
+
+kernel::MotionLoop kernel::motion_loop()
+{
+  const InstructionSet set = instruction_set();
+  return set == InstructionSet::avx512 ? avx512::motion_loop
+         : set == InstructionSet::avx2 ? avx2::motion_loop
+                                       : baseline::motion_loop;
+}
 
 Speeds kick_and_drift(ParticleSystem &particles, const StartOfStep &start,
                       WorkColumns &work)

@@ -15,7 +15,7 @@ Vec3 contact_normal(const ParticleSystem &particles, const ContactBatch &pairs,
     return particles.orientation(a) *
            surface_point(particles.shape[a], pairs.side_a.contact_point(k))
                .normal;
-  return (particles.position(b) - particles.position(a)).normalized();
+  return particles.branch(a, b).normalized();
 }
 } // namespace
 
@@ -103,11 +103,10 @@ Vec3 affine_stiffness(const ParticleSystem &particles,
   {
     if (!pairs.is_touching(k))
       continue;
-    const Vec3 branch =
-        particles.position(static_cast<std::size_t>(pairs.b[k])) -
-        particles.position(static_cast<std::size_t>(pairs.a[k]));
+    const Vec3 branch = particles.branch(static_cast<std::size_t>(pairs.a[k]),
+                                         static_cast<std::size_t>(pairs.b[k]));
     const double square = branch.squaredNorm();
-    const double normal = 1.5 * pairs.normal_force[k] / pairs.overlap[k],
+    const double normal = pairs.normal_stiffness(k),
                  shear = 1. / pairs.shear_compliance[k];
     const Vec3 n2 = branch.cwiseAbs2() / square;
     for (int d = 0; d < 3; ++d)

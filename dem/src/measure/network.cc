@@ -145,8 +145,11 @@ std::vector<Mat3> particle_stress(const ParticleSystem &particles,
                        const Vec3 &force, const Mat3 &spread = Mat3::Zero())
   {
     const auto i = static_cast<std::size_t>(particle);
+    const Vec3 lever = point - particles.position(i);
+    const PeriodicCell &cell = particles.cell;
     const Mat3 moment =
-        force * (point - particles.position(i)).transpose() + spread;
+        force * (cell.is_there() ? cell.nearest(lever) : lever).transpose() +
+        spread;
     sum[i] -= 0.5 * (moment + moment.transpose()) / particles.shape[i].volume;
   };
   for (const PairContact &contact : network.pairs)
@@ -171,8 +174,7 @@ ForceChains force_chains(const ParticleSystem &particles,
   {
     const auto a = static_cast<std::size_t>(contact.a),
                b = static_cast<std::size_t>(contact.b);
-    const Vec3 branch =
-        (particles.position(b) - particles.position(a)).normalized();
+    const Vec3 branch = particles.branch(a, b).normalized();
     const auto is_in_line = [&](const MajorStress &major)
     {
       return major.value > mean &&

@@ -1,5 +1,7 @@
 #include <dem/boundary/drum_contacts.h>
 #include <dem/contact/common_normal.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 #include <dem/measure/network.h>
 
 namespace dem
@@ -30,14 +32,14 @@ SurfacePoint contact_point_on_a(const ParticleSystem &particles,
 bool is_at_limit(const EngineParameters &parameters, const ContactBatch &pairs,
                  std::size_t k, const Vec3 &normal)
 {
-  double pressing = pairs.normal_force[k];
+  double pressing = pairs.pressing_force(k);
   if (parameters.friction_limit == FrictionLimit::total)
     pressing -= vector_of(pairs.dashpot[k]).dot(normal);
   return vector_of(pairs.shear[k]).norm() >=
          at_limit * parameters.particle.friction * pressing;
 }
 
-/// `places` are of one pair of particles; false if none touches.
+/// `places` are of one pair of particles; false if none bears a force.
 bool join_places(const Engine &engine, std::span<const std::int32_t> places,
                  PairContact &contact)
 {
@@ -49,15 +51,16 @@ bool join_places(const Engine &engine, std::span<const std::int32_t> places,
   for (const std::int32_t entry : places)
   {
     const auto k = static_cast<std::size_t>(entry);
-    if (!pairs.is_touching(k))
+    if (!pairs.has_force(k))
       continue;
     const ContactFrame place = pair_contact_frame(engine, k);
-    contact.normal += pairs.normal_force[k] * place.normal;
-    contact.point += pairs.normal_force[k] * place.point;
+    const double share = std::abs(pairs.normal_force[k]);
+    contact.normal += share * place.normal;
+    contact.point += share * place.point;
     contact.force += pair_force(engine.particles(), pairs, k);
     contact.is_sliding &=
         is_at_limit(engine.parameters(), pairs, k, place.normal);
-    weight += pairs.normal_force[k];
+    weight += share;
   }
   if (weight <= 0.)
     return false;
@@ -68,7 +71,7 @@ bool join_places(const Engine &engine, std::span<const std::int32_t> places,
 
 /// `facets` that the batch is of; null: planes or drum.
 void add_walls(const Engine &engine, const ContactBatch &batch,
-               const SurfaceContacts *facets, std::vector<WallContact> &walls)
+               const FacetBoundary *facets, std::vector<WallContact> &walls)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.is_touching(k) || !batch.load[k].force.isZero(0.))
@@ -92,8 +95,7 @@ ContactFrame pair_contact_frame(const Engine &engine, std::size_t k)
   }
   const auto a = static_cast<std::size_t>(pairs.a[k]),
              b = static_cast<std::size_t>(pairs.b[k]);
-  const Vec3 normal =
-      (particles.position(b) - particles.position(a)).normalized();
+  const Vec3 normal = particles.branch(a, b).normalized();
   double radius = particles.radius(a);
   if (engine.parameters().geometry.geometry == ContactGeometry::radial &&
       pairs.side_a.is_known(k))
@@ -108,16 +110,16 @@ ContactFrame pair_contact_frame(const Engine &engine, std::size_t k)
 Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
                         std::size_t k)
 {
-  for (const SurfaceContacts &facets : engine.surfaces())
+  for (const FacetBoundary &facets : surfaces(engine))
     if (&batch == &facets.batch)
       return facets.point_of(k);
   const ParticleSystem &particles = engine.particles();
   if (batch.layout.has_contact_points)
     return contact_point_on_a(particles, batch, k).position;
   const Vec3 &from = particles.position(static_cast<std::size_t>(batch.a[k]));
-  if (&batch == &engine.on_drum())
-    return nearest_on_drum(engine.drum(), drum_part(batch, k), from).point;
-  const Plane &plane = engine.planes()[static_cast<std::size_t>(batch.b[k])];
+  if (&batch == &on_drum(engine))
+    return nearest_on_drum(drum(engine), drum_part(batch, k), from).point;
+  const Plane &plane = planes(engine)[static_cast<std::size_t>(batch.b[k])];
   return from - (from - plane.point).dot(plane.normal) * plane.normal;
 }
 
@@ -131,9 +133,9 @@ Network contact_network_of(const Engine &engine)
                   if (join_places(engine, places, contact))
                     network.pairs.push_back(contact);
                 });
-  add_walls(engine, engine.on_planes(), nullptr, network.walls);
-  add_walls(engine, engine.on_drum(), nullptr, network.walls);
-  for (const SurfaceContacts &facets : engine.surfaces())
+  add_walls(engine, on_planes(engine), nullptr, network.walls);
+  add_walls(engine, on_drum(engine), nullptr, network.walls);
+  for (const FacetBoundary &facets : surfaces(engine))
     add_walls(engine, facets.batch, &facets, network.walls);
   return network;
 }

@@ -37,6 +37,12 @@ Vec2 meeting_point(const Vec2 &n, double d, const Vec2 &m, double e)
   const double cross = n.x() * m.y() - n.y() * m.x();
   return Vec2(d * m.y() - e * n.y(), e * n.x() - d * m.x()) / cross;
 }
+
+Vec3 branch_of(const ParticleSystem &particles, const PairContact &contact)
+{
+  return particles.branch(static_cast<std::size_t>(contact.a),
+                          static_cast<std::size_t>(contact.b));
+}
 } // namespace
 
 double Prism::volume() const
@@ -142,7 +148,7 @@ Mat3 contact_virial(const ParticleSystem &particles, const Network &network)
   const auto at = [&](std::int32_t particle) -> const Vec3 &
   { return particles.position(static_cast<std::size_t>(particle)); };
   for (const PairContact &contact : network.pairs)
-    sum -= contact.force * (at(contact.b) - at(contact.a)).transpose();
+    sum -= contact.force * branch_of(particles, contact).transpose();
   for (const WallContact &contact : network.walls)
     sum -= contact.force * (contact.point - at(contact.particle)).transpose() +
            contact.spread;
@@ -160,7 +166,9 @@ Mat3 mean_stress(const Prism &prism, const ParticleSystem &particles,
       sum -= force * ((part->second - part->first) * (to - from)).transpose();
   };
   for (const PairContact &contact : network.pairs)
-    add(contact.a, particles.position(static_cast<std::size_t>(contact.b)),
+    add(contact.a,
+        particles.position(static_cast<std::size_t>(contact.a)) +
+            branch_of(particles, contact),
         contact.force);
   for (const WallContact &contact : network.walls)
     add(contact.particle, contact.point, contact.force);

@@ -1,4 +1,5 @@
-#include <dem/engine.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 #include <dem/measure/network.h>
 #include <dem/measure/single_contact.h>
 
@@ -78,11 +79,11 @@ ContactState evaluate_contact(const EngineParameters &parameters,
 {
   Engine engine(contact_alone(parameters));
   add_particle(engine, a);
-  engine.add_plane(plane.point, plane.normal);
-  engine.planes()[0].velocity = plane.velocity;
+  add_plane(engine, plane.point, plane.normal);
+  planes(engine)[0].velocity = plane.velocity;
   engine.evaluate(time_step);
-  const Vec3 normal = -engine.planes()[0].normal;
-  return state_on_wall(engine, engine.on_planes(),
+  const Vec3 normal = -planes(engine)[0].normal;
+  return state_on_wall(engine, on_planes(engine),
                        [&normal](std::size_t) { return normal; });
 }
 
@@ -92,11 +93,11 @@ ContactState evaluate_contact(const EngineParameters &parameters,
 {
   Engine engine(contact_alone(parameters));
   add_particle(engine, a);
-  engine.attach_surface(surface);
+  attach_surface(engine, surface);
   engine.evaluate(time_step);
-  surface.load = engine.surface().load;
-  return state_on_wall(engine, engine.on_facets(),
+  surface.load = dem::surface(engine).load;
+  return state_on_wall(engine, on_facets(engine),
                        [&engine](std::size_t k)
-                       { return engine.facets().contact_point[k].normal; });
+                       { return facets(engine).contact_point[k].normal; });
 }
 } // namespace dem

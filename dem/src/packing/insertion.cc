@@ -1,5 +1,5 @@
+#include <dem/neighbor/contact_points.h>
 #include <dem/packing/insertion.h>
-#include <dem/search/contact_points.h>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#include <dem/io/binary.h>
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
 #include <dem/packing/pouring.h>
 
 #include <algorithm>
@@ -104,9 +105,9 @@ double Pouring::expected_time(const Vec3 &gravity) const
 
 void Pouring::prepare(Engine &engine)
 {
-  plane = engine.add_plane(room.floor + room.width_x * Vec3::UnitZ(),
-                           -Vec3::UnitZ());
-  engine.deactivate_plane(plane);
+  plane = add_plane(engine, room.floor + room.width_x * Vec3::UnitZ(),
+                    -Vec3::UnitZ());
+  deactivate_plane(engine, plane);
   now.friction = engine.parameters().particle.friction;
   engine.set_friction(parameters.friction);
 }
@@ -143,7 +144,7 @@ void Pouring::enter(Stage next, const Engine &engine)
 
 void Pouring::follow_pressure(const Engine &engine, double time_step)
 {
-  const double present = engine.planes()[plane].force.z() / room.section();
+  const double present = planes(engine)[plane].force.z() / room.section();
   now.pressure +=
       std::min(1., time_step / averaging_time) * (present - now.pressure);
   now.peak = std::max(now.peak, now.pressure);
@@ -239,8 +240,8 @@ void Pouring::lower_tamper(Engine &engine)
 {
   const double start =
       top_of(engine.particles(), room.floor.z()) + clearance * room.width_x;
-  engine.place_plane(plane, {room.floor.x(), room.floor.y(), start});
-  engine.planes()[plane].velocity = -parameters.tamper_speed * Vec3::UnitZ();
+  place_plane(engine, plane, {room.floor.x(), room.floor.y(), start});
+  planes(engine)[plane].velocity = -parameters.tamper_speed * Vec3::UnitZ();
   ++now.strokes;
   enter(Stage::tamping, engine);
 }
@@ -248,7 +249,7 @@ void Pouring::lower_tamper(Engine &engine)
 /// Down to its depth at least, and until it is felt.
 void Pouring::tamp(Engine &engine)
 {
-  Plane &tamper = engine.planes()[plane];
+  Plane &tamper = planes(engine)[plane];
   const double height = tamper.point.z() - room.floor.z();
   const bool is_deep =
       height <= now.depth &&
@@ -262,13 +263,13 @@ void Pouring::tamp(Engine &engine)
 
 void Pouring::lift(Engine &engine)
 {
-  const Plane &tamper = engine.planes()[plane];
+  const Plane &tamper = planes(engine)[plane];
   const double height = tamper.point.z() - room.floor.z();
   if (tamper.force.z() > parameters.level_pressure * room.section())
     now.level = height;
   if (tamper.force.z() != 0. || height < now.level + clearance * room.width_x)
     return;
-  engine.deactivate_plane(plane);
+  deactivate_plane(engine, plane);
   if (goes_on(engine))
     return enter(Stage::settling, engine);
   close_layer(engine);

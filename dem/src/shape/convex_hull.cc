@@ -1,6 +1,6 @@
 #include "convex_hull.h"
 
-#include <dem/packing/random.h>
+#include <dem/random.h>
 
 #include <algorithm>
 #include <array>

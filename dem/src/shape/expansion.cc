@@ -2,7 +2,7 @@
 #include "zonal_table.h"
 
 #include <dem/assert.h>
-#include <dem/contact/instruction_set.h>
+#include <dem/instruction_set.h>
 #include <dem/shape/spherical_harmonics.h>
 
 #include <algorithm>

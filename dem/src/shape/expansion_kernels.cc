@@ -1,7 +1,7 @@
 // Compiled once per instruction set, with SPALL_INSTRUCTION_SET its name.
 #include "expansion_kernels.h"
 
-#include "../contact/simd_rows.h"
+#include "../simd_rows.h"
 
 #include <bit>
 

@@ -6,7 +6,7 @@
 #include "run/binary_text.h"
 #include "state_file.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <iterator>
 

@@ -3,7 +3,7 @@
 #include "run/preparation_store.h"
 #include "state_file.h"
 
-#include <dem/io/binary.h>
+#include <dem/binary.h>
 
 #include <iterator>
 

@@ -1,6 +1,8 @@
 #include "dem_scene.h"
 #include "triaxial/mean_cyclic_motion.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 // The motion of a specimen over some cycles, observed and repeated.
@@ -27,7 +29,7 @@ struct Scene
       support::add_sphere(engine, radius,
                           apart * Vec3(k % 2, k / 2 % 2, k / 4));
     support::add_sphere(engine, radius, Vec3(0.06, 0.07, 0.01));
-    top = engine.add_plane(Vec3(0., 0., 0.1), -Vec3::UnitZ());
+    top = dem::add_plane(engine, Vec3(0., 0., 0.1), -Vec3::UnitZ());
     auto body = std::make_unique<coupling::TriaxialCell>(1., 0.1, std::nullopt);
     cell = body.get();
     auto adapter = coupling::adapter_of(*cell, top, {}, engine);
@@ -105,7 +107,7 @@ TEST(MeanCyclicMotion, MovesAllAndLeavesItAtRest)
     EXPECT_EQ(scene.engine.particles().velocity(k), Vec3::Zero());
   }
   EXPECT_NEAR(scene.cell->plate().height(), 0.1025, 1e-12);
-  EXPECT_NEAR(scene.engine.planes()[scene.top].point.z(), 0.1025, 1e-12);
+  EXPECT_NEAR(dem::planes(scene.engine)[scene.top].point.z(), 0.1025, 1e-12);
 }
 
 // All towards the origin, by a tenth of their distance: deep into each other.

@@ -1,6 +1,8 @@
 #include "dem_scene.h"
 #include "run/rough_packing.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,9 +31,9 @@ struct Packing
     height = volume / (0.6 * room.section());
     for (int d = 0; d < 2; ++d)
       for (const double sign : {-1., 1.})
-        engine.add_plane(sign * 0.05 * dem::Vec3::Unit(d),
-                         -sign * dem::Vec3::Unit(d));
-    engine.add_plane(room.floor, dem::Vec3::UnitZ());
+        dem::add_plane(engine, sign * 0.05 * dem::Vec3::Unit(d),
+                       -sign * dem::Vec3::Unit(d));
+    dem::add_plane(engine, room.floor, dem::Vec3::UnitZ());
   }
 
   void fill()
@@ -87,13 +89,13 @@ TEST(RoughPacking, IsPressedUntilItCarriesTheLoad)
   packing.fill();
   relax(packing.engine, 1e-4);
   const std::size_t plane =
-      packing.engine.add_plane(dem::Vec3::Zero(), -dem::Vec3::UnitZ());
-  packing.engine.deactivate_plane(plane);
+      dem::add_plane(packing.engine, dem::Vec3::Zero(), -dem::Vec3::UnitZ());
+  dem::deactivate_plane(packing.engine, plane);
   constexpr double load = 500.; // [N]
   press(packing.engine, plane, load, 1e-5);
-  EXPECT_GE(packing.engine.planes()[plane].force.z(), load);
-  EXPECT_LT(packing.engine.planes()[plane].force.z(), 3. * load);
-  EXPECT_EQ(packing.engine.planes()[plane].velocity, dem::Vec3::Zero());
+  EXPECT_GE(dem::planes(packing.engine)[plane].force.z(), load);
+  EXPECT_LT(dem::planes(packing.engine)[plane].force.z(), 3. * load);
+  EXPECT_EQ(dem::planes(packing.engine)[plane].velocity, dem::Vec3::Zero());
   EXPECT_EQ(packing.engine.energy().kinetic, 0.);
 }
 } // namespace

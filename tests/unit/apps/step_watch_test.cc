@@ -1,7 +1,8 @@
 #include "errors.h"
 #include "run/step_watch.h"
 
-#include <dem/integrate/contact_springs.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/contact_springs.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ TEST(StepWatch, SeesAsFarAsTheNextLook)
   constexpr double step = 1e-7, speed = 1.;
   dem::Engine engine(support::bare_parameters());
   support::add_sphere(engine, 0.01, {0., 0., 0.01 + 500. * step * speed});
-  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   engine.particles().velocity(0) = {0., 0., -speed};
   engine.advance(step);
   TimeParameters time;
@@ -43,7 +44,7 @@ TEST(StepWatch, SeesAsFarAsTheNextLook)
 TEST(StepWatch, ResolvesImpacts)
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.wall.law = dem::WallLaw::hertz;
+  p.wall.law = "hertz";
   p.gravity = {0., 0., -9.81};
   TimeParameters time;
   time.step = StepRule::stable;
@@ -54,7 +55,7 @@ TEST(StepWatch, ResolvesImpacts)
     dem::Drum drum;
     drum.radius = 0.35;
     drum.length = 0.5;
-    engine.set_drum(drum);
+    dem::set_drum(engine, drum);
     constexpr double radius = 0.015, height = 0.05;
     const double floor = radius - drum.radius;
     support::add_sphere(engine, radius, {0., 0., floor + height});
@@ -93,7 +94,7 @@ struct Resting
   Resting()
   {
     support::add_sphere(engine, 0.01, {0., 0., 0.01 - 1e-6});
-    engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+    dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
     engine.advance(1e-12);
     limit = dem::sharp_step(dem::contact_springs(engine, 0.));
   }

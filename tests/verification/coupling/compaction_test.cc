@@ -1,6 +1,7 @@
 #include "coupled_scene.h"
 
 #include <coupling/rigid_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -56,8 +57,8 @@ struct Scene
   Scene() : engine(parameters())
   {
     support::add_sphere(engine, radius, {0., 0., radius});
-    engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
-    plane = engine.add_plane({0., 0., 2. * radius}, -dem::Vec3::UnitZ());
+    dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
+    plane = dem::add_plane(engine, {0., 0., 2. * radius}, -dem::Vec3::UnitZ());
     fem::PlateBodyParameters body;
     body.mass = plate_parameters().mass;
     body.centre = {0., 0., 2. * radius};
@@ -70,8 +71,8 @@ struct Scene
     exchange.add(std::move(lid),
                  std::make_unique<coupling::PlaneAdapter>(plane), engine);
   }
-  double height() const { return engine.planes()[plane].point.z(); }
-  double impulse() const { return engine.planes()[plane].impulse.z(); }
+  double height() const { return dem::planes(engine)[plane].point.z(); }
+  double impulse() const { return dem::planes(engine)[plane].impulse.z(); }
   void advance()
   {
     exchange.advance(coupling::particles_of(engine, support::no_shapes()),

@@ -2,6 +2,7 @@
 #include "solid_scene.h"
 
 #include <coupling/solid_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ struct Rest
 Rest rest(double cell, double growth)
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.surface.law = dem::WallLaw::hertz;
+  p.surface.law = "hertz";
   p.surface.normal_damping = 0.5;
   p.gravity = {0., 0., -gravity};
   p.local_damping = 0.3;
@@ -84,7 +85,7 @@ Rest rest(double cell, double growth)
   // 1 / E* = (1 - nu) / (2 G): the plate is rigid.
   const double hertz =
       std::pow(weight / (4. / 3. * 2. * modulus * std::sqrt(radius)), 2. / 3.);
-  const dem::ContactBatch &batch = engine.on_facets();
+  const dem::ContactBatch &batch = dem::on_facets(engine);
   const std::size_t touch = support::only_nearest_point(batch);
   Rest seen;
   if (touch == batch.size())

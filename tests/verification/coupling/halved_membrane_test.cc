@@ -1,6 +1,7 @@
 #include "coupled_scene.h"
 
 #include <coupling/membrane_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -74,7 +75,8 @@ TEST(HalvedMembraneInterface, MidpointsWeighAsTheirEnds)
       over += 0.25 / mass[k];
   ASSERT_LT(middle, at.size());
   EXPECT_TRUE(std::isinf(mass[middle]));
-  const dem::FacetSurface &surface = scene.engine.surfaces()[0].surface;
+  const dem::FacetSurface &surface =
+      dem::facet_boundary(scene.engine, 0).surface;
   EXPECT_NEAR(surface.mass[middle], 1. / over, 1e-12 / over);
 }
 

@@ -1,6 +1,7 @@
 #include "coupled_scene.h"
 
 #include <coupling/membrane_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -92,10 +93,10 @@ Rest rest(int n, coupling::ExchangeRule rule)
                 .position[static_cast<std::size_t>(row * (n + 1) + column)]
                 .z();
   };
-  const std::size_t touch = support::only_nearest_point(engine.on_facets());
+  const std::size_t touch = support::only_nearest_point(dem::on_facets(engine));
   return {w(n / 2, n / 2), w(n / 4, n / 2), 0.1 * engine.particles().mass(0),
           radius - engine.particles().position(0).z(),
-          engine.on_facets().overlap.at(touch)};
+          dem::on_facets(engine).overlap.at(touch)};
 }
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "solid_scene.h"
 
 #include <coupling/solid_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -78,7 +79,8 @@ struct Scene : support::SphereOnBody
 TEST(RefinedInterface, HasNoCracks)
 {
   Scene scene(Way::explicit_steps, 1e-5);
-  const dem::FacetSurface &surface = scene.engine.surfaces()[0].surface;
+  const dem::FacetSurface &surface =
+      dem::facet_boundary(scene.engine, 0).surface;
   const dem::FacetTopology topology(surface);
   std::size_t n_rim = 0;
   double area = 0.;
@@ -122,7 +124,8 @@ TEST(RefinedInterface, MidpointsWeighAsTheirEnds)
     }
   }
   ASSERT_LT(middle, at.size());
-  const dem::FacetSurface &surface = scene.engine.surfaces()[0].surface;
+  const dem::FacetSurface &surface =
+      dem::facet_boundary(scene.engine, 0).surface;
   EXPECT_NEAR(surface.mass[middle], 1. / over, 1e-12 / over);
   scene.run(scene.step);
   EXPECT_NEAR(scene.exchange.gain(scene.engine, scene.step),

@@ -3,6 +3,7 @@
 
 #include <coupling/membrane_body.h>
 #include <coupling/solid_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -142,12 +143,12 @@ TEST(WholeScene, ClosesAndContinues)
     EXPECT_LT(sums.work_residual(), 1e-2) << n;
     EXPECT_LT(sums.impulse_residual(), 1e-11) << n;
     EXPECT_LT(std::abs(scene.residual() - start), 2e-2 * sums.moved) << n;
-    for (const dem::SurfaceContacts &facets : scene.engine.surfaces())
+    for (const dem::FacetBoundary &facets : dem::surfaces(scene.engine))
     {
       double load = 0.;
       for (const dem::Vec3 &on_vertex : facets.surface.load)
         load += on_vertex.norm();
-      EXPECT_GT(load, 1e-2) << facets.name;
+      EXPECT_GT(load, 1e-2) << facets.label;
     }
     std::printf(
         "way %d: interface energy error %.1e, energy %.1e of what crossed\n",

@@ -1,5 +1,7 @@
 #include "coupled_scene.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 // A light plate under a ball that presses on it, driven to and fro so that it
@@ -54,7 +56,7 @@ Outcome slide(double damping)
   {
     exchange.advance(particles, window);
     double shear = 0.;
-    for (const dem::Vec3 &load : engine.surface().load)
+    for (const dem::Vec3 &load : dem::surface(engine).load)
       shear += load.x();
     seen.most_shear = std::max(seen.most_shear, std::abs(shear));
   }

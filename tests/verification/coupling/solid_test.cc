@@ -2,6 +2,7 @@
 #include "solid_scene.h"
 
 #include <coupling/solid_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -58,7 +59,7 @@ Swing on_balls(const coupling::ExchangeParameters &rules,
   {
     exchange.advance(particles, window);
     double mean = 0.;
-    const dem::ContactBatch &batch = engine.on_facets();
+    const dem::ContactBatch &batch = dem::on_facets(engine);
     for (std::size_t c = 0; c < batch.size(); ++c)
       mean += 0.25 * batch.overlap[c];
     swing.lowest = k == 0 ? mean : std::min(swing.lowest, mean);
@@ -147,8 +148,9 @@ Reflection reflect(const Chain &chain, double phase)
       2. * std::sqrt(stiffness / mass) * std::sin(0.5 * phase);
   // A plane holds the other end.
   const double far = last - pitch * (Chain::n_spheres - 1);
-  engine.add_plane({far - r + Chain::pressed / p.wall.normal_stiffness, 0., 0.},
-                   dem::Vec3::UnitX());
+  dem::add_plane(engine,
+                 {far - r + Chain::pressed / p.wall.normal_stiffness, 0., 0.},
+                 dem::Vec3::UnitX());
 
   // The bar: nu = 0, cross-section as the spheres are wide.
   const double width = 2. * r, cell = 0.5 * width;
@@ -168,7 +170,7 @@ Reflection reflect(const Chain &chain, double phase)
   const double shortened = bar.displacements()[0].x();
   for (std::size_t i = 0; i < engine.particles().size(); ++i)
     engine.particles().position(i).x() += shortened;
-  engine.planes()[0].point.x() += shortened;
+  dem::planes(engine)[0].point.x() += shortened;
   coupling::Exchange exchange(rules_of(coupling::ExchangeRule::every_step));
   auto body = std::make_unique<coupling::SolidBody>(
       std::move(bar), fem::x_lower, coupling::BodySteps{});

@@ -1,6 +1,7 @@
 #include "coupled_scene.h"
 
 #include <coupling/membrane_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -131,8 +132,9 @@ TEST(Windows, ContinueBitForBit)
     resumed.advance(n * particle_step, 1200 / n);
     EXPECT_EQ(resumed.state(), unbroken.state()) << int(rule);
     EXPECT_GT(unbroken.engine.n_events(), 0);
-    EXPECT_LT(std::size_t(0),
-              unbroken.engine.surfaces()[0].candidates.particle.size());
+    EXPECT_LT(
+        std::size_t(0),
+        dem::facet_boundary(unbroken.engine, 0).candidates.particle.size());
   }
 }
 
@@ -155,7 +157,7 @@ TEST(Windows, IterationLeavesNoTraceOfItsPasses)
     {
       for (std::size_t s = 0; s < 2; ++s)
       {
-        const auto &position = scene.engine.surface(s).position;
+        const auto &position = dem::surface(scene.engine, s).position;
         where.emplace_back(position.begin(),
                            position.begin() + std::ptrdiff_t(n_nodes[s]));
       }
@@ -172,7 +174,7 @@ TEST(Windows, IterationLeavesNoTraceOfItsPasses)
     const std::int64_t events_before = once.n_events();
     const double window = n * particle_step;
     for (std::size_t s = 0; s < 2; ++s)
-      for (dem::Vec3 &impulse : once.surfaces()[s].impulse)
+      for (dem::Vec3 &impulse : dem::facet_boundary(once, s).impulse)
         impulse = dem::Vec3::Zero();
     for (int step = 1; step <= n; ++step)
     {
@@ -188,7 +190,7 @@ TEST(Windows, IterationLeavesNoTraceOfItsPasses)
         const fem::SurfaceMesh mesh = s == 0 ? support::square_at(0.1, 0., 6)
                                              : support::square_at(0.06, 0.08);
         coupling::InterfaceMap(mesh).send_motion({position, velocity},
-                                                 once.surface(s));
+                                                 dem::surface(once, s));
       }
       once.advance(window / n);
     }

@@ -1,5 +1,7 @@
 #include "dem_scene.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 // A sphere of 1 mm rebounds in a box of 50 mm made of 1200 triangles as it does
@@ -82,12 +84,12 @@ TEST(EngineBox, TrianglesReboundAsPlanes)
   add_ball(triangles);
   for (int d = 0; d < 3; ++d)
   {
-    planes.add_plane(Vec3::Zero(), Vec3::Unit(d));
-    planes.add_plane(side * Vec3::Unit(d), -Vec3::Unit(d));
+    dem::add_plane(planes, Vec3::Zero(), Vec3::Unit(d));
+    dem::add_plane(planes, side * Vec3::Unit(d), -Vec3::Unit(d));
   }
   const dem::FacetSurface box = box_of_triangles();
   ASSERT_EQ(box.triangles.size(), 1200u);
-  triangles.attach_surface(box);
+  dem::attach_surface(triangles, box);
   constexpr double dt = 4e-6;
   int n_impacts = 0;
   bool was_touching = false;
@@ -99,7 +101,7 @@ TEST(EngineBox, TrianglesReboundAsPlanes)
     apart = std::max(apart, (planes.particles().position(0) -
                              triangles.particles().position(0))
                                 .norm());
-    const auto &on_planes = planes.on_planes();
+    const auto &on_planes = dem::on_planes(planes);
     bool is_touching = false;
     for (std::size_t k = 0; k < on_planes.size(); ++k)
       is_touching |= on_planes.is_touching(k);
@@ -123,7 +125,7 @@ TEST(EngineBox, RestitutionIsThatOfTheLaw)
     dem::Engine engine(box_parameters());
     support::add_sphere(engine, radius, at + Vec3(2. * radius, 0., 0.));
     engine.particles().velocity(0).x() = -speed;
-    engine.attach_surface(box_of_triangles());
+    dem::attach_surface(engine, box_of_triangles());
     support::advance(engine, 1e-6, 10000);
     // One step of some 150 in the impact: dashpots are half a step late.
     EXPECT_NEAR(engine.particles().velocity(0).x() / speed, restitution, 4e-3);

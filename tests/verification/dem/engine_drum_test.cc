@@ -1,6 +1,7 @@
 #include "dem_scene.h"
 
 #include <dem/boundary/drum.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ dem::EngineParameters drum_parameters()
 
 double energy_residual(const dem::Engine &engine)
 {
-  return support::energy_residual(engine) + engine.energy().drum_work;
+  return support::energy_residual(engine) + engine.energy().work_of("drum");
 }
 } // namespace
 
@@ -38,7 +39,7 @@ double energy_residual(const dem::Engine &engine)
 TEST(EngineDrum, BallSwingsAsAPendulum)
 {
   dem::Engine engine(drum_parameters());
-  engine.set_drum(plain_drum());
+  dem::set_drum(engine, plain_drum());
   const double r = 0.02, length = plain_drum().radius - r, angle = 0.1;
   support::add_sphere(
       engine, r, length * dem::Vec3(std::sin(angle), 0., -std::cos(angle)));
@@ -68,7 +69,7 @@ TEST(EngineDrum, FrictionCarriesABallAlong)
   dem::Engine engine(p);
   dem::Drum drum = plain_drum();
   drum.spin = 3.; // wall 0.9 m/s
-  engine.set_drum(drum);
+  dem::set_drum(engine, drum);
   const double r = 0.02;
   const double mass =
       p.particle.density * 4. / 3. * std::numbers::pi * std::pow(r, 3);
@@ -85,7 +86,7 @@ TEST(EngineDrum, FrictionCarriesABallAlong)
                   (2.5 * p.wall.friction * gravity / r * time),
               1., 5e-3);
   // The moment of the friction on the drum, against its turning.
-  EXPECT_NEAR(engine.drum().torque /
+  EXPECT_NEAR(dem::drum(engine).torque /
                   (-p.wall.friction * mass * gravity * drum.radius),
               1., 1e-2);
 }
@@ -105,7 +106,7 @@ TEST(EngineDrum, EnergyIsAccountedForThroughATurn)
   drum.spin = 3.3;
   drum.lifter_height = 0.09;
   drum.lifter_thickness = 0.02;
-  engine.set_drum(drum);
+  dem::set_drum(engine, drum);
   for (int k = 0; k < 6; ++k)
     engine.add_particle(dem::make_sphere(0.015 + 0.002 * k),
                         {0.05 * (k - 2.5), 0.02 * (k % 3), -0.1},
@@ -125,10 +126,10 @@ TEST(EngineDrum, EnergyIsAccountedForThroughATurn)
     }
   }
   EXPECT_GT(highest, 0.1); // the lifter has lifted one
-  EXPECT_NEAR(engine.drum().angle, drum.spin * engine.time(), 1e-9);
-  EXPECT_GT(engine.energy().drum_work, 0.1);
+  EXPECT_NEAR(dem::drum(engine).angle, drum.spin * engine.time(), 1e-9);
+  EXPECT_GT(engine.energy().work_of("drum"), 0.1);
   EXPECT_LT(std::abs(energy_residual(engine)),
-            1e-3 * engine.energy().drum_work);
+            1e-3 * engine.energy().work_of("drum"));
 }
 
 TEST(EngineDrum, NearestPoints)

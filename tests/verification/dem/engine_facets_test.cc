@@ -1,5 +1,7 @@
 #include "dem_scene.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -36,7 +38,7 @@ dem::Engine ball_on_plane(const dem::EngineParameters &parameters, double x,
                           double y)
 {
   dem::Engine engine = ball_above(parameters, x, y);
-  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   return engine;
 }
 
@@ -44,7 +46,7 @@ dem::Engine ball_on_fan(const dem::EngineParameters &parameters, double x,
                         double y, const dem::FacetSurface &fan)
 {
   dem::Engine engine = ball_above(parameters, x, y);
-  engine.attach_surface(fan);
+  dem::attach_surface(engine, fan);
   return engine;
 }
 
@@ -116,7 +118,7 @@ struct Balance
 Balance balance_of(const dem::Engine &engine)
 {
   Balance sum;
-  const dem::FacetSurface &surface = engine.surface();
+  const dem::FacetSurface &surface = dem::surface(engine);
   for (std::size_t v = 0; v < surface.load.size(); ++v)
   {
     sum.force += surface.load[v];
@@ -125,7 +127,7 @@ Balance balance_of(const dem::Engine &engine)
     sum.force_size += surface.load[v].norm();
     sum.power_size += std::abs(surface.load[v].dot(surface.velocity[v]));
   }
-  const dem::ContactBatch &batch = engine.on_facets();
+  const dem::ContactBatch &batch = dem::on_facets(engine);
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     if (!batch.is_touching(k))
@@ -137,8 +139,8 @@ Balance balance_of(const dem::Engine &engine)
         engine.particles().position(i).cross(force) + batch.load[k].moment;
     // The particle feels the force where the surface does, which moves so:
     sum.power +=
-        force.dot(dem::facet_row(surface, engine.facets().contact_point[k],
-                                 engine.facets().contact_point[k])
+        force.dot(dem::facet_row(surface, dem::facets(engine).contact_point[k],
+                                 dem::facets(engine).contact_point[k])
                       .velocity);
   }
   return sum;
@@ -201,22 +203,23 @@ TEST(EngineFacets, RollingOverFacetsIsRollingOnAPlane)
         {
           plane.advance(dt);
           fan.advance(dt);
-          const std::size_t k = support::only_nearest_point(fan.on_facets());
+          const std::size_t k =
+              support::only_nearest_point(dem::on_facets(fan));
           const std::size_t one =
-              support::only_nearest_point(plane.on_planes());
-          ASSERT_LT(one, plane.on_planes().size());
-          ASSERT_LT(k, fan.on_facets().size())
+              support::only_nearest_point(dem::on_planes(plane));
+          ASSERT_LT(one, dem::on_planes(plane).size());
+          ASSERT_LT(k, dem::on_facets(fan).size())
               << n << " triangles, x = " << plane.particles().position(0).x();
-          const auto a = plane.on_planes().history(one);
-          const auto b = fan.on_facets().history(k);
+          const auto a = dem::on_planes(plane).history(one);
+          const auto b = dem::on_facets(fan).history(k);
           ASSERT_NEAR(a.normal_force, b.normal_force, 1e-6 * weight);
           ASSERT_LT(length(a.shear - b.shear), 1e-6 * weight);
           ASSERT_LT(length(a.rolling - b.rolling),
                     1e-6 * weight * equivalent_radius);
         }
         // In the end the load is the weight, and the springs are loaded.
-        const std::size_t k = support::only_nearest_point(fan.on_facets());
-        const auto b = fan.on_facets().history(k);
+        const std::size_t k = support::only_nearest_point(dem::on_facets(fan));
+        const auto b = dem::on_facets(fan).history(k);
         EXPECT_NEAR(b.normal_force, weight, 1e-6 * weight);
         EXPECT_GT(length(b.shear), 1e-3 * weight);
         EXPECT_GT(length(b.rolling), 1e-3 * weight * equivalent_radius);
@@ -230,7 +233,7 @@ TEST(EngineFacets, LoadsOfASphereAreConservative)
   dem::Engine engine(sticky_parameters());
   support::add_sphere(engine, equivalent_radius, {0.001, 0.002, 0.0095});
   support::add_sphere(engine, equivalent_radius, {-0.012, -0.011, 0.0097});
-  engine.attach_surface(hills());
+  dem::attach_surface(engine, hills());
   engine.particles().velocity(0) = {0.1, 0.2, -0.1};
   engine.particles().spin(0) = {3., -2., 1.};
   for (int step = 0; step < 20; ++step)
@@ -248,7 +251,7 @@ TEST(EngineFacets, LoadsOfAShapeAreConservative)
   engine.add_particle(dem::make_shape(series, equivalent_radius),
                       {0.001, 0.002, 0.008},
                       dem::Quaternion(0.5, 0.5, -0.5, 0.5));
-  engine.attach_surface(hills());
+  dem::attach_surface(engine, hills());
   engine.particles().velocity(0) = {0.1, 0.2, -0.1};
   engine.particles().spin(0) = {3., -2., 1.};
   for (int step = 0; step < 20; ++step)
@@ -270,18 +273,18 @@ TEST(EngineFacets, WorkOfTheSurfaceIsBooked)
   dem::FacetSurface fan = support::coplanar_fan(6, 0.05, 0.);
   const dem::Vec3 velocity(0.1, 0.05, 0.2);
   fan.velocity.assign(fan.velocity.size(), velocity);
-  engine.attach_surface(fan);
+  dem::attach_surface(engine, fan);
   const double dt = 2e-3 * std::sqrt(engine.particles().mass(0) / 1e6);
   for (int step = 0; step < 4000; ++step)
   {
-    for (dem::Vec3 &x : engine.surface().position)
+    for (dem::Vec3 &x : dem::surface(engine).position)
       x += dt * velocity;
     engine.advance(dt);
   }
   EXPECT_GT(engine.particles().velocity(0).z(), 0.25);
   // Second order in the step, but for the moment of touch and of leaving.
   EXPECT_NEAR(support::energy_residual(engine), 0.,
-              2e-3 * engine.energy().surface_work);
+              2e-3 * engine.energy().work_of("facets"));
 }
 
 namespace
@@ -289,7 +292,7 @@ namespace
 /// Overlap of a ball with the nearest triangle of all, 0 if it is free [m].
 double brute_overlap(const dem::Engine &engine, std::size_t ball)
 {
-  const dem::FacetSurface &surface = engine.surface();
+  const dem::FacetSurface &surface = dem::surface(engine);
   double least = engine.particles().radius(ball);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     least = std::min(
@@ -302,10 +305,10 @@ double brute_overlap(const dem::Engine &engine, std::size_t ball)
 /// Whether several facets carry the ball at one of its contacts.
 bool is_shared(const dem::Engine &engine, std::size_t ball)
 {
-  const dem::ContactBatch &batch = engine.on_facets();
+  const dem::ContactBatch &batch = dem::on_facets(engine);
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.a[k] == static_cast<std::int32_t>(ball) && batch.is_touching(k) &&
-        !engine.facets().contact_point[k].shares.of.empty())
+        !dem::facets(engine).contact_point[k].shares.of.empty())
       return true;
   return false;
 }
@@ -314,7 +317,7 @@ bool is_shared(const dem::Engine &engine, std::size_t ball)
 std::vector<double> overlaps(const dem::Engine &engine)
 {
   std::vector<double> largest(engine.particles().size(), 0.);
-  const dem::ContactBatch &batch = engine.on_facets();
+  const dem::ContactBatch &batch = dem::on_facets(engine);
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     double &one = largest[static_cast<std::size_t>(batch.a[k])];
@@ -342,12 +345,12 @@ TEST(EngineFacets, NoTouchIsMissed)
     engine.particles().velocity(static_cast<std::size_t>(i)) = {
         0.2 * some(generator), 0.2 * some(generator), -0.3};
   }
-  engine.attach_surface(hills());
+  dem::attach_surface(engine, hills());
   constexpr double dt = 2e-5;
   std::int64_t n_touches = 0;
   for (int step = 0; step < 4000; ++step)
   {
-    dem::FacetSurface &surface = engine.surface();
+    dem::FacetSurface &surface = dem::surface(engine);
     const double beat = std::cos(200. * step * dt);
     for (std::size_t v = 0; v < surface.position.size(); ++v)
     {
@@ -404,9 +407,9 @@ TEST(EngineFacets, TwoSurfacesCarryTheBallBetweenThem)
   dem::WallMaterial soft = p.surface;
   soft.normal_stiffness = 0.5 * p.surface.normal_stiffness;
   const auto halves = valley(slope);
-  EXPECT_EQ(engine.add_surface("left", p.surface, halves[0]), 0u);
-  EXPECT_EQ(engine.add_surface("right", soft, halves[1]), 1u);
-  EXPECT_THROW(engine.add_surface("left", soft, halves[0]),
+  EXPECT_EQ(dem::add_surface(engine, "left", p.surface, halves[0]), 0u);
+  EXPECT_EQ(dem::add_surface(engine, "right", soft, halves[1]), 1u);
+  EXPECT_THROW(dem::add_surface(engine, "left", soft, halves[0]),
                std::invalid_argument);
   const double dt = 0.1 * unit_time(engine);
   support::advance(engine, dt, 2000);
@@ -416,18 +419,20 @@ TEST(EngineFacets, TwoSurfacesCarryTheBallBetweenThem)
   for (std::size_t s = 0; s < 2; ++s)
   {
     dem::Vec3 load = dem::Vec3::Zero();
-    for (const dem::Vec3 &on_vertex : engine.surface(s).load)
+    for (const dem::Vec3 &on_vertex : dem::surface(engine, s).load)
       load += on_vertex;
     EXPECT_NEAR(load.norm(), normal, 1e-9 * normal) << s;
-    const std::size_t k = support::only_nearest_point(engine.on_facets(s));
-    ASSERT_LT(k, engine.on_facets(s).size());
-    const double stiffness = engine.surfaces()[s].material.normal_stiffness;
-    EXPECT_NEAR(engine.on_facets(s).overlap[k], normal / stiffness,
+    const std::size_t k =
+        support::only_nearest_point(dem::on_facets(engine, s));
+    ASSERT_LT(k, dem::on_facets(engine, s).size());
+    const double stiffness =
+        dem::facet_boundary(engine, s).material.normal_stiffness;
+    EXPECT_NEAR(dem::on_facets(engine, s).overlap[k], normal / stiffness,
                 1e-9 * normal / stiffness)
         << s;
   }
   dem::Vec3 impulse = dem::Vec3::Zero();
-  for (const dem::SurfaceContacts &facets : engine.surfaces())
+  for (const dem::FacetBoundary &facets : dem::surfaces(engine))
     for (const dem::Vec3 &part : facets.impulse)
       impulse += part;
   EXPECT_NEAR(impulse.z(), -weight * engine.time(),

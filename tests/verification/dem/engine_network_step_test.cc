@@ -1,7 +1,8 @@
 #include "dem_scene.h"
 
-#include <dem/integrate/contact_springs.h>
+#include <dem/engine_boundaries.h>
 #include <dem/integrate/time_step.h>
+#include <dem/measure/contact_springs.h>
 
 #include <gtest/gtest.h>
 
@@ -90,7 +91,7 @@ dem::Engine corner_ball(dem::EngineParameters parameters)
   parameters.gravity = Vec3::Constant(-1e4);
   dem::Engine engine(parameters);
   for (int d = 0; d < 3; ++d)
-    engine.add_plane(Vec3::Zero(), Vec3::Unit(d));
+    dem::add_plane(engine, Vec3::Zero(), Vec3::Unit(d));
   support::add_sphere(engine, radius, Vec3::Constant(radius));
   const double mass = engine.particles().mass(0);
   engine.particles().position(0) -=
@@ -175,8 +176,8 @@ TEST(EngineNetworkStep, ChainBetweenWalls)
           {radius - wall_overlap + i * (2. * radius - overlap), 0., 0.});
     const double end =
         engine.particles().last().position.x() + radius - wall_overlap;
-    engine.add_plane(Vec3::Zero(), Vec3::UnitX());
-    engine.add_plane(end * Vec3::UnitX(), -Vec3::UnitX());
+    dem::add_plane(engine, Vec3::Zero(), Vec3::UnitX());
+    dem::add_plane(engine, end * Vec3::UnitX(), -Vec3::UnitX());
     engine.advance(1e-15);
     engine.come_to_rest();
     return engine;
@@ -222,10 +223,10 @@ TEST(EngineNetworkStep, PairInShear)
       support::add_sphere(engine, radius, {radius - wall_overlap, 0., 0.});
       support::add_sphere(engine, radius,
                           {3. * radius - wall_overlap - overlap, 0., 0.});
-      engine.add_plane(Vec3::Zero(), Vec3::UnitX());
-      engine.add_plane((4. * radius - 2. * wall_overlap - overlap) *
-                           Vec3::UnitX(),
-                       -Vec3::UnitX());
+      dem::add_plane(engine, Vec3::Zero(), Vec3::UnitX());
+      dem::add_plane(
+          engine, (4. * radius - 2. * wall_overlap - overlap) * Vec3::UnitX(),
+          -Vec3::UnitX());
       engine.advance(1e-15);
       engine.come_to_rest();
       return engine;
@@ -261,9 +262,9 @@ dem::Engine settled(const dem::EngineParameters &parameters)
   dem::Engine engine(parameters);
   for (int d = 0; d < 3; ++d)
   {
-    engine.add_plane(Vec3::Zero(), Vec3::Unit(d));
+    dem::add_plane(engine, Vec3::Zero(), Vec3::Unit(d));
     if (d < 2)
-      engine.add_plane(0.06 * Vec3::Unit(d), -Vec3::Unit(d));
+      dem::add_plane(engine, 0.06 * Vec3::Unit(d), -Vec3::Unit(d));
   }
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> shift(-1e-3, 1e-3);
@@ -321,10 +322,10 @@ TEST(EngineNetworkStep, PackingAtRest)
 TEST(EngineNetworkStep, BallInFlight)
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.wall.law = dem::WallLaw::hertz;
+  p.wall.law = "hertz";
   p.wall.normal_damping = 0.62;
   dem::Engine engine(p);
-  engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
+  dem::add_plane(engine, Vec3::Zero(), Vec3::UnitZ());
   support::add_sphere(engine, radius, Vec3(0., 0., 0.5));
   engine.advance(1e-9);
   const double speed = 2.;
@@ -360,7 +361,7 @@ namespace
 dem::SpringNetwork springs_of_late(bool in_drum, double late, double pressed)
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.wall.law = dem::WallLaw::hertz;
+  p.wall.law = "hertz";
   p.geometry.geometry = p.geometry.wall_geometry =
       dem::ContactGeometry::surface;
   dem::Engine engine(p);
@@ -373,13 +374,13 @@ dem::SpringNetwork springs_of_late(bool in_drum, double late, double pressed)
   drum.radius = 0.1;
   drum.length = 2.1 * radius; // the ends are near
   if (in_drum)
-    engine.set_drum(drum);
+    dem::set_drum(engine, drum);
   engine.advance(1e-12);
   drum.centre.x() = drum.radius;
   if (in_drum)
-    engine.set_drum(drum);
+    dem::set_drum(engine, drum);
   else
-    engine.add_plane(Vec3::Zero(), Vec3::UnitX());
+    dem::add_plane(engine, Vec3::Zero(), Vec3::UnitX());
   engine.advance(1e-12);
   engine.particles().position(0).x() -= pressed;
   return dem::contact_springs(engine, 0.);

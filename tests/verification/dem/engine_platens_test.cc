@@ -1,6 +1,7 @@
 #include "dem_scene.h"
 
 #include <dem/contact/side.h>
+#include <dem/engine_boundaries.h>
 #include <dem/shape/patch.h>
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ constexpr double fracture_energy = 1e4; // G_c [J/m^2]
 dem::EngineParameters platen_parameters()
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.wall.law = dem::WallLaw::hertz;
+  p.wall.law = "hertz";
   p.wall.normal_damping = 0.3;
   p.surface = p.wall;
   p.breakage.fracture_energy = fracture_energy;
@@ -66,12 +67,12 @@ struct Platens
       return body.series ? body.scale * dem::radius(*body.series, s)
                          : body.scale;
     };
-    engine.add_plane({0., 0., -reach(-u)}, dem::Vec3::UnitZ());
-    engine.add_plane({0., 0., reach(u)}, -dem::Vec3::UnitZ());
-    engine.planes()[1].velocity.z() = -speed;
+    dem::add_plane(engine, {0., 0., -reach(-u)}, dem::Vec3::UnitZ());
+    dem::add_plane(engine, {0., 0., reach(u)}, -dem::Vec3::UnitZ());
+    dem::planes(engine)[1].velocity.z() = -speed;
   }
 
-  double force() const { return engine.planes()[1].force.z(); }
+  double force() const { return dem::planes(engine)[1].force.z(); }
 
   void press_to(double displacement, double time_step)
   {

@@ -1,5 +1,6 @@
 #include "dem_scene.h"
 
+#include <dem/engine_boundaries.h>
 #include <dem/integrate/time_step.h>
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ dem::EngineParameters wall_parameters()
 dem::Engine pressed_sphere(const dem::EngineParameters &parameters)
 {
   dem::Engine engine(parameters);
-  engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   support::add_sphere(engine, equivalent_radius, {0., 0., equivalent_radius});
   engine.particles().position(0).z() -=
       engine.particles().mass(0) * gravity / parameters.wall.normal_stiffness;

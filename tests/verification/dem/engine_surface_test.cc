@@ -1,7 +1,8 @@
 #include "dem_scene.h"
 
 #include <dem/contact/common_normal.h>
-#include <dem/packing/random.h>
+#include <dem/engine_boundaries.h>
+#include <dem/random.h>
 
 #include <gtest/gtest.h>
 
@@ -188,7 +189,7 @@ TEST(Surface, EllipsoidRocksOnAPlane)
   const dem::ParticleShape body = dem::shape_of(*ellipsoid(axes));
   const double tilt = 0.02;
   // About y: the long axis goes up and down.
-  engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
+  dem::add_plane(engine, Vec3::Zero(), Vec3::UnitZ());
   const Vec3 up = Eigen::AngleAxisd(-tilt, Vec3::UnitY()) * Vec3::UnitZ();
   const double sunk = body.volume * 2750. * 9.81 / 1e6;
   engine.add_particle(body, {0., 0., axes.cwiseProduct(up).norm() - sunk},

@@ -1,6 +1,7 @@
 #include "dem_scene.h"
 
-#include <dem/integrate/contact_springs.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/contact_springs.h>
 
 #include <gtest/gtest.h>
 
@@ -64,7 +65,7 @@ dem::Engine sphere_on_plane(const dem::EngineParameters &p,
                             const Impact &impact)
 {
   dem::Engine engine(p);
-  engine.add_plane({impact.gap, 0., 0.}, -Vec3::UnitX());
+  dem::add_plane(engine, {impact.gap, 0., 0.}, -Vec3::UnitX());
   support::add_sphere(engine, radius, {-radius, 0., 0.});
   set_off(engine, impact.speed);
   return engine;
@@ -298,11 +299,11 @@ TEST(EngineTangential, RollingRadiusIsOneInAllGeometries)
 
     // On a wall the contact point lies on the wall, with `surface` half way.
     dem::Engine on_wall(p);
-    on_wall.add_plane(Vec3::Zero(), Vec3::UnitX());
+    dem::add_plane(on_wall, Vec3::Zero(), Vec3::UnitX());
     on_wall.add_particle(sphere_of_series(), {radius - overlap, 0., 0.},
                          dem::Quaternion::Identity());
     const RollingStiffness of_wall =
-        rolling_stiffness(on_wall, on_wall.on_planes());
+        rolling_stiffness(on_wall, dem::on_planes(on_wall));
     const double arm = radius - (geometry == surface ? 0.5 : 1.) * overlap;
     const double at_wall = p.wall.shear_stiffness * arm * arm;
     EXPECT_NEAR(of_wall.measured, at_wall, 1e-3 * at_wall);

@@ -1,8 +1,9 @@
 #include "dem_scene.h"
 #include "wall_meshes.h"
 
-#include <dem/packing/random.h>
-#include <dem/search/wall_contact_points.h>
+#include <dem/boundary/wall_contact_points.h>
+#include <dem/engine_boundaries.h>
+#include <dem/random.h>
 
 #include <gtest/gtest.h>
 
@@ -112,7 +113,7 @@ TEST(SurfaceOnDrum, ParticleKeepsItsEnergy)
   for (unsigned seed = 2; seed <= 5; ++seed)
   {
     dem::Engine engine(surface_parameters());
-    engine.set_drum(small_drum());
+    dem::set_drum(engine, small_drum());
     throw_particle(engine, seed);
     const EnergyRecord record = run(engine, 2e-6, 0.12);
     EXPECT_GT(record.stored, 0.1) << seed;
@@ -146,8 +147,8 @@ TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
     const Vec3 centre(0.004 * random.uniform(), 0.004 * random.uniform(),
                       height - 1e-5);
     dem::Engine on_plane(p), on_mesh(p);
-    on_plane.add_plane(Vec3::Zero(), Vec3::UnitZ());
-    on_mesh.attach_surface(floor);
+    dem::add_plane(on_plane, Vec3::Zero(), Vec3::UnitZ());
+    dem::attach_surface(on_mesh, floor);
     for (dem::Engine *engine : {&on_plane, &on_mesh})
     {
       engine->add_particle(body, centre, turned);
@@ -162,7 +163,7 @@ TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
               2e-8 * 0.01 * exact.force.norm());
     // What the particle gets the vertices give.
     Vec3 sum = Vec3::Zero();
-    for (const Vec3 &load : on_mesh.surface().load)
+    for (const Vec3 &load : dem::surface(on_mesh).load)
       sum += load;
     EXPECT_LT((sum + found.force).norm(), 1e-12 * exact.force.norm());
   }
@@ -179,7 +180,7 @@ TEST(SurfaceOnFacets, ParticleKeepsItsEnergy)
       for (double *drift : {&coarse, &fine})
       {
         dem::Engine engine(surface_parameters());
-        engine.attach_surface(rough_box(0.06, 5, roughness));
+        dem::attach_surface(engine, rough_box(0.06, 5, roughness));
         throw_particle(engine, seed);
         engine.particles().position(0) = Vec3::Constant(0.03);
         const EnergyRecord record =
@@ -237,9 +238,9 @@ TEST(SurfaceOnFacets, FacetsOfACylinderConverge)
       {
         dem::Engine engine(p);
         if (is_mesh)
-          engine.attach_surface(mesh);
+          dem::attach_surface(engine, mesh);
         else
-          engine.set_drum(drum);
+          dem::set_drum(engine, drum);
         engine.add_particle(body, particle.position, turned);
         engine.advance(1e-12);
         force.push_back(engine.particles().load[0].force.norm());
@@ -264,16 +265,16 @@ TEST(EngineWalls, AParticleThatHasComeThroughIsNamed)
     drum.radius = 0.1;
     drum.length = 0.2;
     if (in_drum)
-      engine.set_drum(drum);
+      dem::set_drum(engine, drum);
     else
-      engine.add_plane(Vec3(0.1, 0., 0.), -Vec3::UnitX());
+      dem::add_plane(engine, Vec3(0.1, 0., 0.), -Vec3::UnitX());
     support::add_sphere(engine, 0.01, Vec3(0.099, 0., 0.));
     EXPECT_NO_THROW(engine.advance(1e-9));
-    engine.particles().position(0).x() = 0.109;          // most of it
-    engine.add_plane(Vec3(-0.2, 0., 0.), Vec3::UnitX()); // lists anew
+    engine.particles().position(0).x() = 0.109;                // most of it
+    dem::add_plane(engine, Vec3(-0.2, 0., 0.), Vec3::UnitX()); // lists anew
     EXPECT_NO_THROW(engine.advance(1e-9));
     engine.particles().position(0).x() = 0.111;
-    engine.add_plane(Vec3(-0.3, 0., 0.), Vec3::UnitX());
+    dem::add_plane(engine, Vec3(-0.3, 0., 0.), Vec3::UnitX());
     try
     {
       engine.advance(1e-9);

@@ -1,5 +1,7 @@
 #include "dem_scene.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,7 +76,7 @@ struct Scene
   {
     // Off all lines of symmetry.
     support::add_sphere(engine, radius, {0.13 * net.h, 0.21 * net.h, radius});
-    engine.attach_surface(net.surface(mass));
+    dem::attach_surface(engine, net.surface(mass));
   }
 
   static dem::EngineParameters parameters()
@@ -90,7 +92,7 @@ struct Scene
   /// Symplectic Euler for the net, with implicit damping.
   void advance(double dt)
   {
-    dem::FacetSurface &s = engine.surface();
+    dem::FacetSurface &s = dem::surface(engine);
     for (int j = 1; j < net.n; ++j)
       for (int i = 1; i < net.n; ++i)
       {
@@ -107,7 +109,7 @@ struct Scene
   double force() const
   {
     double sum = 0.;
-    for (const Vec3 &load : engine.surface().load)
+    for (const Vec3 &load : dem::surface(engine).load)
       sum -= load.z();
     return sum;
   }
@@ -146,13 +148,14 @@ TEST(FineMembrane, ABallRestsOnCellsOfAnySize)
     EXPECT_NEAR(low, weight, 1e-3 * weight) << n;
     EXPECT_NEAR(high, weight, 1e-3 * weight) << n;
     EXPECT_LT(std::abs(energy_error), 1e-5) << n;
-    const std::size_t k = support::only_nearest_point(scene.engine.on_facets());
-    ASSERT_LT(k, scene.engine.on_facets().size()) << n;
-    EXPECT_NEAR(scene.engine.on_facets().overlap[k], weight / stiffness,
+    const std::size_t k =
+        support::only_nearest_point(dem::on_facets(scene.engine));
+    ASSERT_LT(k, dem::on_facets(scene.engine).size()) << n;
+    EXPECT_NEAR(dem::on_facets(scene.engine).overlap[k], weight / stiffness,
                 1e-3 * weight / stiffness)
         << n;
     const std::size_t vertices =
-        scene.engine.facets().contact_point[k].shares.of.size();
+        dem::facets(scene.engine).contact_point[k].shares.of.size();
     std::printf("cells of %.2f c: %.5f to %.5f N, %.1e J/s, %zu vertices\n",
                 8. / n, low, high, energy_error, vertices);
     if (n > 10)

@@ -1,3 +1,4 @@
+#include <dem/engine_boundaries.h>
 #include <dem/integrate/impact.h>
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ constexpr double radius = 0.01, speed = 1.;
 dem::EngineParameters plate_with(double damping)
 {
   dem::EngineParameters p = support::bare_parameters();
-  p.wall.law = dem::WallLaw::hertz;
+  p.wall.law = "hertz";
   p.wall.normal_damping = damping;
   return p;
 }
@@ -36,7 +37,7 @@ Rebound impact_of(double damping, double step, double gap)
 {
   dem::Engine engine(plate_with(damping));
   support::add_sphere(engine, radius, {0., 0., radius + gap});
-  engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
+  dem::add_plane(engine, Vec3::Zero(), Vec3::UnitZ());
   engine.particles().velocity(0) = {0., 0., -speed};
   const double kinetic = engine.energy().kinetic;
   Rebound rebound;

@@ -1,8 +1,9 @@
 #include "dem_scene.h"
 #include "wall_meshes.h"
 
-#include <dem/packing/random.h>
-#include <dem/search/wall_contact_points.h>
+#include <dem/boundary/wall_contact_points.h>
+#include <dem/engine_boundaries.h>
+#include <dem/random.h>
 
 #include <gtest/gtest.h>
 
@@ -82,7 +83,7 @@ void check(const dem::Engine &engine, std::int32_t particle,
 {
   const auto i = static_cast<std::size_t>(particle);
   const dem::ParticleSystem &particles = engine.particles();
-  const dem::SurfaceContacts &facets = engine.surfaces()[0];
+  const dem::FacetBoundary &facets = dem::facet_boundary(engine, 0);
   std::vector<std::int32_t> all(facets.surface.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   const auto found = dem::find_on_facets(
@@ -110,7 +111,7 @@ TEST(MovingFacets, HardlyAPlaceIsMissed)
 {
   const Sheet sheet;
   dem::Engine engine(parameters());
-  engine.attach_surface(sheet.at_rest());
+  dem::attach_surface(engine, sheet.at_rest());
   dem::Random random(1);
   std::vector<dem::RadiusMap> maps;
   for (int i = 0; i < n_side * n_side; ++i)
@@ -127,7 +128,7 @@ TEST(MovingFacets, HardlyAPlaceIsMissed)
   constexpr int n_steps = 40000;
   for (int step = 1; step <= n_steps; ++step)
   {
-    sheet.place(step * time_step, engine.surface());
+    sheet.place(step * time_step, dem::surface(engine));
     engine.advance(time_step);
     if (step % 400 == 0)
       for (std::int32_t i = 0; i < n_side * n_side; ++i)

@@ -1,5 +1,6 @@
 #include "dem_scene.h"
 
+#include <dem/engine_boundaries.h>
 #include <dem/packing/pouring.h>
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ struct Scene
       : engine(parameters(friction)), room(its_room),
         pouring(room, how, layers, 5)
   {
-    engine.add_plane(room.floor, dem::Vec3::UnitZ());
+    dem::add_plane(engine, room.floor, dem::Vec3::UnitZ());
     if (room.is_round)
     {
       dem::Drum wall;
@@ -47,14 +48,14 @@ struct Scene
       wall.centre = room.floor;
       wall.radius = 0.5 * room.width_x;
       wall.length = 10.;
-      engine.set_drum(wall);
+      dem::set_drum(engine, wall);
     }
     else
       for (const double side : {-1., 1.})
       {
         const dem::Vec3 x = dem::Vec3::UnitX(), y = dem::Vec3::UnitY();
-        engine.add_plane(0.5 * side * room.width_x * x, -side * x);
-        engine.add_plane(0.5 * side * room.width_y * y, -side * y);
+        dem::add_plane(engine, 0.5 * side * room.width_x * x, -side * x);
+        dem::add_plane(engine, 0.5 * side * room.width_y * y, -side * y);
       }
     pouring.prepare(engine);
   }
@@ -187,15 +188,15 @@ TEST(Pouring, CylinderIsFilledToTheDensity)
   }
   EXPECT_NEAR(scene.pouring.layers()[2].mass, mass, 1e-9 * mass);
   EXPECT_EQ(scene.engine.parameters().particle.friction, 0.4);
-  EXPECT_FALSE(scene.engine.planes()[scene.pouring.tamper()].is_active);
+  EXPECT_FALSE(dem::planes(scene.engine)[scene.pouring.tamper()].is_active);
   // Their own weight keeps them together: the floor carries less than all, the
   // wall the rest.
-  EXPECT_LT(-scene.engine.planes()[0].force.z(), 1.02 * 9.81 * mass);
-  EXPECT_GT(-scene.engine.planes()[0].force.z(), 0.3 * 9.81 * mass);
+  EXPECT_LT(-dem::planes(scene.engine)[0].force.z(), 1.02 * 9.81 * mass);
+  EXPECT_GT(-dem::planes(scene.engine)[0].force.z(), 0.3 * 9.81 * mass);
   const dem::EngineEnergy e = scene.engine.energy();
   EXPECT_LT(std::abs(support::energy_residual(scene.engine)),
-            0.01 * (e.gravity_work + e.plane_work))
-      << e.gravity_work << " " << e.plane_work;
+            0.01 * (e.gravity_work + e.work_of("planes")))
+      << e.gravity_work << " " << e.work_of("planes");
 }
 
 // Lower layers are left looser and the whole has its density all the same.

@@ -1,6 +1,6 @@
 #include "dem_scene.h"
 
-#include <dem/search/contact_points.h>
+#include <dem/neighbor/contact_points.h>
 
 #include <gtest/gtest.h>
 

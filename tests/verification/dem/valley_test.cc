@@ -1,5 +1,7 @@
 #include "dem_scene.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,12 +41,12 @@ double lost_between(double steps_per_unit)
   dem::FacetSurface valley = groove(half);
   const double mass = 3. * engine.particles().mass(0);
   valley.mass.assign(valley.position.size(), mass);
-  engine.attach_surface(std::move(valley));
+  dem::attach_surface(engine, std::move(valley));
   const auto energy = [&]
   {
     double sum = 0.5 * engine.particles().mass(0) *
                  engine.particles().velocity(0).squaredNorm();
-    for (const dem::Vec3 &v : engine.surface().velocity)
+    for (const dem::Vec3 &v : dem::surface(engine).velocity)
       sum += 0.5 * mass * v.squaredNorm();
     return sum;
   };
@@ -54,7 +56,7 @@ double lost_between(double steps_per_unit)
   const int n = static_cast<int>(16. * steps_per_unit);
   for (int step = 0; step < n; ++step)
   {
-    dem::FacetSurface &surface = engine.surface();
+    dem::FacetSurface &surface = dem::surface(engine);
     for (std::size_t v = 0; v < surface.position.size(); ++v)
     {
       surface.velocity[v] += 0.5 * dt / mass * surface.load[v];
@@ -65,8 +67,8 @@ double lost_between(double steps_per_unit)
       surface.velocity[v] += 0.5 * dt / mass * surface.load[v];
   }
   EXPECT_GT(engine.particles().velocity(0).z(), 0.05);
-  EXPECT_EQ(support::only_nearest_point(engine.on_facets()),
-            engine.on_facets().size());
+  EXPECT_EQ(support::only_nearest_point(dem::on_facets(engine)),
+            dem::on_facets(engine).size());
   return std::abs(energy() / start - 1.);
 }
 } // namespace
@@ -90,7 +92,7 @@ TEST(EngineFacets, BallSwingsInAValley)
   dem::Engine engine(p);
   support::add_sphere(engine, equivalent_radius,
                       {1e-4, 0., equivalent_radius / std::cos(half) + 3e-5});
-  engine.attach_surface(groove(half));
+  dem::attach_surface(engine, groove(half));
   const double dt =
       0.05 * std::sqrt(engine.particles().mass(0) / p.surface.normal_stiffness);
   double highest = 0.;

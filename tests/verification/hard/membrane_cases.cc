@@ -1,5 +1,7 @@
 #include "hard_scene.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <shape/test_shapes.h>
 
 // Particles on, in and through membranes.
@@ -317,7 +319,7 @@ Row lost_confinement()
     p.wall.normal_stiffness = p.surface.normal_stiffness = 1e6;
     p.wall.shear_stiffness = p.surface.shear_stiffness = 0.85e6;
     auto scene = std::make_unique<Scene>(p);
-    scene->engine.add_plane(dem::Vec3::Zero(), dem::Vec3::UnitZ());
+    dem::add_plane(scene->engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
     for (int k = 0; k < 12; ++k)
       support::add_sphere(scene->engine, radius,
                           {0.0202 * (k % 2) - 0.0102,

@@ -4,6 +4,9 @@
 #include "triaxial/triaxial.h"
 #include "wall_meshes.h"
 
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
+
 #include <shape/test_shapes.h>
 
 // Particles on facets, breaking particles, steps beside the limit.
@@ -45,7 +48,7 @@ Rest lie(const dem::FacetSurface &surface, double height)
         p.wall.rolling_friction = p.surface.rolling_friction = 0.1;
         auto scene = std::make_unique<Scene>(p);
         support::add_sphere(scene->engine, 0.01, {0., 0., height});
-        scene->engine.attach_surface(surface);
+        dem::attach_surface(scene->engine, surface);
         return scene;
       },
       {step,

@@ -3,6 +3,7 @@
 #include "solid_scene.h"
 
 #include <coupling/solid_body.h>
+#include <dem/engine_boundaries.h>
 
 // Plates on particles: a spring whose swing is known.
 namespace hard
@@ -40,7 +41,7 @@ struct Oscillator
 
 double overlap_of(const Scene &scene)
 {
-  return -scene.engine.surface().position[0].z() +
+  return -dem::surface(scene.engine).position[0].z() +
          scene.engine.particles().position(0).z() + 0.05;
 }
 
@@ -239,22 +240,23 @@ Row soft_subgrade()
   coupling::LedgerSums sums;
   double passes = 0., unsettled = 0., gain = 0.;
   row.restart = run(
-      make,
-      {5. * step,
-       2000,
-       {},
-       [&](Scene &scene, int k)
-       {
-         if (k == 0)
-           start = scene.residual();
-         worst = std::max(worst, std::abs(scene.residual() - start));
-         sums = scene.exchange.ledger();
-         sunk = std::max(sunk, 0.02 - scene.engine.surface(1).position[0].z());
-         const double n = double(scene.exchange.n_windows());
-         passes = double(scene.exchange.n_passes()) / n;
-         unsettled = double(scene.exchange.n_unsettled()) / n;
-         gain = std::max(gain, scene.exchange.gain(scene.engine, 5. * step));
-       }});
+      make, {5. * step,
+             2000,
+             {},
+             [&](Scene &scene, int k)
+             {
+               if (k == 0)
+                 start = scene.residual();
+               worst = std::max(worst, std::abs(scene.residual() - start));
+               sums = scene.exchange.ledger();
+               sunk = std::max(
+                   sunk, 0.02 - dem::surface(scene.engine, 1).position[0].z());
+               const double n = double(scene.exchange.n_windows());
+               passes = double(scene.exchange.n_passes()) / n;
+               unsettled = double(scene.exchange.n_unsettled()) / n;
+               gain =
+                   std::max(gain, scene.exchange.gain(scene.engine, 5. * step));
+             }});
   row.happens =
       text("sinks by %.2f mm; gain %.2f, %.1f passes, %.0f %% of the "
            "windows unsettled, interface energy error %.1e, energy off by %.1e",

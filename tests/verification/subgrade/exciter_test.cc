@@ -2,6 +2,7 @@
 #include "solid_scene.h"
 
 #include <coupling/solid_body.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -97,7 +98,7 @@ struct Scene
     body.centre =
         middle + (particle + radius - weight / on_plate) * dem::Vec3::UnitZ();
     const std::size_t plane =
-        engine.add_plane(body.centre, -dem::Vec3::UnitZ());
+        dem::add_plane(engine, body.centre, -dem::Vec3::UnitZ());
     auto lid = std::make_unique<coupling::RigidBody>(
         body, coupling::Field{body.centre},
         coupling::RigidDrive{[this](double time)

@@ -3,6 +3,7 @@
 #include "case/file.h"
 #include "triaxial/triaxial.h"
 
+#include <dem/engine_boundaries.h>
 #include <dem/measure/network.h>
 
 #include <gtest/gtest.h>
@@ -63,7 +64,7 @@ struct PlateMotion
 
 PlateMotion plate_motion(const Triaxial &test)
 {
-  const auto &planes = test.engine().planes();
+  const auto &planes = dem::planes(test.engine());
   return {planes[1].velocity.z(), planes[1].point.z() - planes[0].point.z()};
 }
 
@@ -129,9 +130,9 @@ TEST(Cylinder, VolumeOfTheMembraneIsThatOfThePrism)
   test.when_prepared(
       [&]
       {
-        diameter = 2. * test.engine().drum().radius;
-        height = test.engine().planes()[1].point.z() -
-                 test.engine().planes()[0].point.z();
+        diameter = 2. * dem::drum(test.engine()).radius;
+        height = dem::planes(test.engine())[1].point.z() -
+                 dem::planes(test.engine())[0].point.z();
       });
   run_to(test, Stage::consolidation);
   const double section =

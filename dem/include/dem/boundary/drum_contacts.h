@@ -1,8 +1,8 @@
 #pragma once
 
 #include <dem/boundary/drum.h>
+#include <dem/boundary/wall_candidates.h>
 #include <dem/contact/forces.h>
-#include <dem/search/candidates.h>
 
 namespace dem
 {

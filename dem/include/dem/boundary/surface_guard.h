@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/boundary/surface_contacts.h>
+#include <dem/boundary/facet_boundary.h>
 
 #include <optional>
 #include <string>
@@ -40,7 +40,7 @@ std::optional<SurfaceFault> find_crossing(const FacetMesh &mesh);
 /// First particle whose centre is outside by the angle-weighted normal at the
 /// nearest point (Baerentzen and Aanaes 2005), of those no farther from the
 /// surface than they reach (wall_bound). Next to a rim there is no outside.
-std::optional<SurfaceFault> find_left(const SurfaceContacts &facets,
+std::optional<SurfaceFault> find_left(const FacetBoundary &facets,
                                       const ParticleSystem &particles,
                                       ContactGeometry geometry);
 

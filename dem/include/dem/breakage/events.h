@@ -1,9 +1,12 @@
 #pragma once
 
-#include <dem/boundary/surface_contacts.h>
+#include <dem/boundary/boundary.h>
+#include <dem/breakage/criterion.h>
 #include <dem/contact/forces.h>
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace dem
@@ -14,7 +17,7 @@ struct BreakageEvent
   double time = 0.;           ///< [s]
   std::int64_t particle = -1; ///< id of the particle that broke
   std::int64_t other = -1; ///< id of the other particle, plane, surface, or -1
-  int kind = 0;            ///< 0 particle, 1 plane, 2 facet surface, 3 drum
+  int kind = 0;            ///< 0 particle, else Boundary::event_kind()
   BreakageMode mode = BreakageMode::none;
   double force_before = 0.;      ///< elastic normal [N]
   double force_after = 0.;       ///< [N]
@@ -29,16 +32,11 @@ struct BreakageEvent
   double equivalent_radius = 0.; ///< after [m]
 };
 
-/// All contacts of a scene, by kind, as breakage sees them.
+/// All contacts of a scene as breakage sees them.
 struct ContactSet
 {
   ContactBatch &pairs;
-  ContactBatch &on_planes;
-  ContactBatch &on_drum;
-  Walls planes;
-  Walls drum;
-  std::span<SurfaceContacts> surfaces;
-  std::span<const Walls> of_surfaces; ///< in their order
+  std::span<const std::unique_ptr<Boundary>> boundaries;
 };
 
 /// What break_particles has done besides the events.

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <dem/contact/law.h>
+#include <dem/contact/law_table.h>
 #include <dem/contact/narrow.h>
 #include <dem/contact/side.h>
-#include <dem/particle_system.h>
+#include <dem/particles/particle_system.h>
 #include <dem/vector.h>
 
 #include <array>
@@ -39,8 +39,9 @@ struct TripleColumn
 /// Which optional columns a batch has: only what its scene needs.
 struct BatchLayout
 {
-  bool is_hertz = false;           ///< the normal spring; else it is linear
-  double normal_stiffness = 0.;    ///< of a linear one [N/m]
+  LawChoice law;                   ///< of these contacts
+  bool has_attraction = false;     ///< the law attracts
+  bool has_prefactors = false;     ///< of the law, from the curvatures
   bool has_rolling = false;        ///< a rolling spring
   bool has_sides = false;          ///< the surface of the particle(s)
   bool has_partners = false;       ///< B is a particle
@@ -118,7 +119,7 @@ struct ContactBatch
   std::vector<double> shear_compliance;   ///< 1 / k_s, last [m/N]
   std::vector<double> rolling_compliance; ///< 1 / k_r, last [rad/(N m)]
   SideColumns side_a, side_b;
-  /// Hertz with sides: C_H, k_s / sqrt(delta) [N/m^(3/2)]
+  /// Laws that scale with curvature, with sides: Prefactors [N/m^exponent]
   std::vector<double> normal_prefactor, shear_prefactor;
   std::vector<Narrow>
       torsion_angle; ///< turned about the normal since mixed [rad]
@@ -132,11 +133,28 @@ struct ContactBatch
   std::vector<double> peak; ///< of the counted energy, since there is one [J]
   /// Bit 0: side A breaks, bit 1: side B, bit 2: the contact began or ended.
   std::vector<std::uint8_t> event;
+  /// Of laws that attract: energy of the normal spring [J], and the attraction
+  /// that is part of `normal_force` [N], last.
+  std::vector<double> normal_energy, attraction;
+  std::vector<Narrow> reduced_radius; ///< Prefactors::radius, with sides [m]
 
   std::size_t size() const { return n; }
   /// Numbers of the contacts by (a, b); those of one pair keep their order.
   std::vector<std::int32_t> by_pair() const;
   bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
+  /// Touches, or pulls across a gap.
+  bool has_force(std::size_t k) const
+  {
+    return is_touching(k) || (layout.has_attraction && attraction[k] > 0.);
+  }
+  /// What presses: the elastic force without attraction [N].
+  double pressing_force(std::size_t k) const
+  {
+    return layout.has_attraction ? normal_force[k] + attraction[k]
+                                 : normal_force[k];
+  }
+  /// Tangent stiffness of the normal spring, which touches [N/m].
+  double normal_stiffness(std::size_t k) const;
 
   /// Springs of contact k, as the last step left them.
   ContactHistory<double> history(std::size_t k) const;
@@ -188,7 +206,6 @@ template <class Visit, class... Batches>
 void ContactBatch::visit(const BatchLayout &has, const Visit &call,
                          Batches &...batches)
 {
-  const bool has_prefactors = has.has_sides && has.is_hertz;
   const bool has_two_sides = has.has_sides && has.has_partners;
   call(true, batches.a...);
   call(true, batches.b...);
@@ -204,8 +221,8 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has.has_rolling, batches.rolling_compliance...);
   SideColumns::visit(call, has, has.has_sides, batches.side_a...);
   SideColumns::visit(call, has, has_two_sides, batches.side_b...);
-  call(has_prefactors, batches.normal_prefactor...);
-  call(has_prefactors, batches.shear_prefactor...);
+  call(has.has_prefactors, batches.normal_prefactor...);
+  call(has.has_prefactors, batches.shear_prefactor...);
   call(has_two_sides, batches.torsion_angle...);
   call(has.has_contact_points, batches.slack...);
   call(has.has_contact_points, batches.displaced...);
@@ -216,5 +233,8 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has.has_turn, batches.turn...);
   call(has.has_peak, batches.peak...);
   call(has.has_damage, batches.event...);
+  call(has.has_attraction, batches.normal_energy...);
+  call(has.has_attraction, batches.attraction...);
+  call(has.has_attraction && has.has_sides, batches.reduced_radius...);
 }
 } // namespace dem

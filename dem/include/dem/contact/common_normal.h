@@ -41,6 +41,10 @@ struct ContactPoint
   bool is_found = false; ///< the search has converged to a lens of contact
 };
 
+/// Lenses deeper than this part of the radius are none: the common normal of
+/// far sides of two particles.
+inline constexpr double deepest_overlap = 0.3;
+
 /// Follows the common normal of two particles (x_A - x_B = delta n, n_A = -n_B
 /// = n) from a start by Newton steps with both shape operators, as long as a
 /// lens T(y) = delta - y.(K_A + K_B) y / 2 needs it; once more by shorter steps

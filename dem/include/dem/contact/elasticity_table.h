@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/contact/elliptic.h>
-#include <dem/parameters.h>
+#include <dem/parameters/engine.h>
 
 #include <cstdint>
 #include <vector>

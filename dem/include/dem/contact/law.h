@@ -1,320 +1,110 @@
 #pragma once
 
-#include <dem/triple.h>
+#include <dem/contact/spring.h>
+#include <dem/parameters/material.h>
 
-#include <algorithm>
-#include <cmath>
+#include <concepts>
+#include <string_view>
+#include <vector>
 
-/// The contact law over numbers or SIMD lanes (`Real`): no branch decides the
-/// result of a lane, an open contact (overlap 0) is one whose springs are zero.
+/// What a contact law is to the loops over contacts. How to add one:
+/// docs/developer/extending.md.
 namespace dem
 {
-/// Coefficients of one kind of contact, mixed once at setup.
-struct ContactCoefficients
+/// A parameter of a law: a key of its section of the case.
+struct LawParameter
 {
-  double friction = 0.;         ///< f [-]
-  double rolling_friction = 0.; ///< f_r [-]
-  double normal_damping = 0.;   ///< beta_n [-]
-  double shear_damping = 0.;    ///< beta_s [-]
-  /// Part of the normal dashpot in the force that limits friction: 0 the
-  /// elastic force alone, 1 the total one [-]
-  double limit_damping = 0.;
+  std::string_view key, unit;
+  double value = 0.;                ///< if the case does not say
+  double lowest = 0., highest = 0.; ///< both are allowed
+  std::string_view sentence;
 };
 
-/// How two surfaces stand and move against each other. Normal from A to B.
+/// What a tangential law reads of one step of a contact.
 template <class Real>
-struct ContactMotion
+struct TangentialStep
 {
-  Triple<Real> normal;   ///< direction of the normal force [-]
-  Triple<Real> velocity; ///< of B against A at the contact [m/s]
-  /// The same and the normal where the contact was in the last step, when its
-  /// forces were found: a facet contact may jump.
-  Triple<Real> velocity_before, normal_before;
-  Triple<Real> spin;            ///< of B against A [rad/s]
-  Real reduced_mass = Real(0.); ///< m* [kg]
-  /// R: 1/R = 1/r_A + 1/r_B, r from a centre to the contact point, in every
-  /// geometry; a wall has none, R = r_A [m]
-  Real rolling_radius = Real(0.);
+  const ContactMotion<Real> &motion;
+  const NormalSpring<Real> &spring;
+  const ContactCoefficients &coefficients;
+  double time_step;                 ///< [s]
+  Real opening_rate;                ///< along the normal [m/s]
+  Triple<Real> moved, moved_before; ///< displacement in this step [m]
+  Real pressing;                    ///< F_n of the limits [N]
 };
 
-/// Stiffness, force and energy of the normal spring at one overlap.
+/// Force on A across the normal: of the spring and of the dashpot [N].
 template <class Real>
-struct NormalSpring
+struct TangentialForce
 {
-  Real force = Real(0.);     ///< elastic; < 0 only to take back what it was [N]
-  Real stiffness = Real(0.); ///< tangent k_n [N/m]
-  Real energy = Real(0.);    ///< stored [J]
-  Real shear_stiffness = Real(0.); ///< k_s [N/m]
-  /// Mean of k_s over the step in which the contact begins, over k_s at its
-  /// end. Hertz: that of a trapezoid; a linear spring: part of the step in
-  /// which it is there [-]
-  Real first_share = Real(0.5);
+  Triple<Real> spring, dashpot;
 };
 
-/// Share of F delta that a Hertz spring stores: F ~ delta^(3/2).
-inline constexpr double hertz_energy_share = 0.4;
-
-/// Energy of a linear spring, k_n delta^2 / 2 [J].
-template <class Real>
-DEM_SIMD_INLINE Real linear_energy(double normal_stiffness, const Real &overlap)
+/// Advances the springs across the normal in `history` and adds what they lose.
+template <class Law, class Real>
+concept TangentialLaw = requires(const TangentialStep<Real> &step,
+                                 ContactHistory<Real> &history,
+                                 Losses<Real> &lost)
 {
-  return 0.5 * normal_stiffness * overlap * overlap;
-}
-
-/// F = C_H delta^(3/2), k_n = 3/2 C_H delta^(1/2), E = 2/5 F delta,
-/// k_s = C_s delta^(1/2) (docs/theory/contact.md). `overlap` >= 0 [m].
-template <class Real>
-DEM_SIMD_INLINE NormalSpring<Real> hertz_spring(const Real &normal_prefactor,
-                                                const Real &shear_prefactor,
-                                                const Real &overlap)
-{
-  using std::sqrt;
-  const Real root = sqrt(overlap);
-  NormalSpring<Real> spring;
-  spring.stiffness = 1.5 * normal_prefactor * root;
-  spring.force = normal_prefactor * overlap * root;
-  spring.energy = hertz_energy_share * spring.force * overlap;
-  spring.shear_stiffness = shear_prefactor * root;
-  return spring;
-}
-
-/// F = k_n delta, E = k_n delta^2 / 2; all zero where `overlap` is (walls).
-template <class Real>
-DEM_SIMD_INLINE NormalSpring<Real> linear_spring(double normal_stiffness,
-                                                 double shear_stiffness,
-                                                 const Real &overlap)
-{
-  const auto is_touching = overlap > 0.;
-  NormalSpring<Real> spring;
-  spring.stiffness = select(is_touching, Real(normal_stiffness), Real(0.));
-  spring.force = normal_stiffness * overlap;
-  spring.energy = linear_energy(normal_stiffness, overlap);
-  spring.shear_stiffness = select(is_touching, Real(shear_stiffness), Real(0.));
-  spring.first_share = Real(1.);
-  return spring;
-}
-
-/// A contact of a linear spring that begins or ends between two steps: inside
-/// at one end of the step, outside at the other (docs/theory/contact.md).
-template <class Real>
-struct Crossing
-{
-  Real inside = Real(0.);    ///< overlap at the one end > 0 [m]
-  Real outside = Real(0.);   ///< gap at the other; <= 0: not crossed [m]
-  Real stiffness = Real(0.); ///< k_n dt^2 / m* [-]
-};
-
-/// Part of the first force of a contact that was not there for the whole step
-/// before it, such that an undamped impact loses no energy by it [-].
-template <class Real>
-DEM_SIMD_INLINE Real part_before_begin(const Crossing<Real> &at)
-{
-  using std::max;
-  using std::sqrt;
-  const Real way = max(
-      Real(0.), Real(at.inside + at.outside - 0.5 * at.stiffness * at.inside));
-  const auto is_crossed = at.outside > 0.;
-  const Real sum =
-      way + sqrt(max(Real(0.),
-                     Real(way * way + at.stiffness * at.inside * at.outside)));
-  return select(is_crossed, at.outside / select(is_crossed, sum, Real(1.)),
-                Real(0.));
-}
-
-/// Part of the last force of a contact that was not there for the whole step
-/// after it, likewise [-].
-template <class Real>
-DEM_SIMD_INLINE Real part_after_end(const Crossing<Real> &at)
-{
-  using std::max;
-  using std::sqrt;
-  const Real way = at.inside + at.outside;
-  const auto is_crossed = at.outside > 0.;
-  const Real sum =
-      way + sqrt(max(Real(0.),
-                     Real(way * way - at.stiffness * at.inside * at.outside)));
-  return select(is_crossed, at.outside / select(is_crossed, sum, Real(1.)),
-                Real(0.));
-}
-
-/// What a contact carries from step to step. Springs act on body A.
-template <class Real>
-struct ContactHistory
-{
-  Triple<Real> shear;                 ///< spring force on A [N]
-  Triple<Real> rolling;               ///< spring moment on A [N m]
-  Triple<Real> dashpot;               ///< force on A, last step [N]
-  Real shear_compliance = Real(0.);   ///< 1 / k_s, last step; 0: open [m/N]
-  Real rolling_compliance = Real(0.); ///< 1 / k_r [rad/(N m)]
-  Real normal_force = Real(0.);       ///< elastic, last step [N]
-  Real normal_energy = Real(0.);      ///< elastic, last step [J]
-};
-
-/// Energy that left the springs of contacts [J].
-template <class Real>
-struct Losses
-{
-  Real friction = Real(0.); ///< sliding, and shear springs let go
-  Real rolling = Real(0.);  ///< rolling resistance beyond its limit
-  Real damping = Real(0.);  ///< dashpots
-  /// Normal springs gained it (if negative) without work: by turning where the
-  /// force has no lever against it, by a change of C_H or of the facet
-  Real non_conservative_work = Real(0.);
-
-  Losses &operator+=(const Losses &other)
   {
-    friction += other.friction;
-    rolling += other.rolling;
-    damping += other.damping;
-    non_conservative_work += other.non_conservative_work;
-    return *this;
-  }
+    Law::advance(step, history, lost)
+    } -> std::same_as<TangentialForce<Real>>;
 };
 
-using Dissipation = Losses<double>;
-
-/// Stored energy of the shear spring [J].
-template <class Real>
-DEM_SIMD_INLINE Real shear_energy(const ContactHistory<Real> &history)
+/// A normal law with the tangential law that belongs to it.
+/// - `exponent` e of F ~ delta^e;
+/// - `scales_with_curvature`: prefactors are those of the elliptic contact of
+///   both surfaces, else the law has constants of its own and Prefactors are
+///   not read;
+/// - `attracts`: contacts pull up to the gap range(values); spring() then takes
+///   gaps as overlaps < 0.
+/// - parameters(): at most max_law_parameters; `values` has them in this order.
+template <class Law, class Real>
+concept NormalLaw = TangentialLaw<typename Law::Tangential, Real> &&
+    requires(const LawValues &values, const Prefactors<Real> &of,
+             const Real &number)
 {
-  return 0.5 * dot(history.shear, history.shear) * history.shear_compliance;
-}
-
-/// Stored energy of the shear and rolling springs [J].
-template <class Real>
-DEM_SIMD_INLINE Real tangential_energy(const ContactHistory<Real> &history)
-{
-  return shear_energy(history) + 0.5 * dot(history.rolling, history.rolling) *
-                                     history.rolling_compliance;
-}
-
-/// Turns a tangential vector into the plane across `normal`, keeping its
-/// length.
-template <class Real>
-DEM_SIMD_INLINE Triple<Real> turn_into_plane(const Triple<Real> &vector,
-                                             const Triple<Real> &normal)
-{
-  using std::sqrt;
-  const Real along = dot(vector, normal);
-  const Triple<Real> flat = vector - along * normal;
-  const Real remaining = dot(flat, flat);
-  // A vector along the normal (below 1e-12 of its length) is let go.
-  const auto has_rest = remaining > 1e-24 * along * along;
-  const Real tilt =
-      along * along / select(has_rest, remaining, Real(1.)); // tangent squared
-  Real stretch = 1. + 0.5 * tilt;
-  // The root only where its series is not exact to the last digit.
-  const auto is_tilted = tilt > 1e-8;
-  if (any(is_tilted))
-    stretch = select(is_tilted, sqrt(1. + tilt), stretch);
-  return select(has_rest, stretch, Real(0.)) * flat;
-}
-
-/// A spring in the contact plane with a slider.
-template <class Real>
-struct SpringStep
-{
-  Triple<Real> value;         ///< after the step
-  Real compliance = Real(0.); ///< 1 / stiffness after the step; 0 if open
-  Real dissipated = Real(0.); ///< work of the motion less what is stored [J]
-};
-
-/// A spring in the contact plane as the last step left it.
-template <class Real>
-struct Spring
-{
-  Triple<Real> value;         ///< force or moment on A
-  Real compliance = Real(0.); ///< 0: it was not there
-  Triple<Real> moved;         ///< displacement over which it has worked since
-};
-
-/// Stiffness of a spring at the end of a step.
-template <class Real>
-struct SpringStiffness
-{
-  Real value = Real(0.);       ///< 0: the contact is open
-  Real first_share = Real(1.); ///< see NormalSpring::first_share [-]
-};
-
-/// One increment of an elastic-perfectly-plastic spring: turned into the
-/// plane, scaled down when the stiffness falls (so that it makes no energy),
-/// moved by the part of `displacement` in the plane, capped at `limit`. A
-/// stiffness that rises acts with its mean over the step, one that falls with
-/// its value at the end: both are of second order in the step.
-template <class Real>
-DEM_SIMD_INLINE SpringStep<Real>
-advance_spring(const Spring<Real> &old, const Triple<Real> &normal,
-               const Triple<Real> &displacement,
-               const SpringStiffness<Real> &stiffness, const Real &limit)
-{
-  using std::min;
-  using std::sqrt;
-  const Real &k = stiffness.value;
-  const auto is_there = k > 0., was_there = old.compliance > 0.;
-  const Real compliance_before = select(was_there, old.compliance, Real(1.));
-  const Real k_after = select(is_there, k, Real(1.));
-  // One division for 1 / k of both ends of the step.
-  const Real over_both = 1. / (compliance_before * k_after);
-  const Real mean =
-      select(was_there, Real(0.5 * (k + min(k, Real(k_after * over_both)))),
-             Real(stiffness.first_share * k));
-  const Real kept = min(Real(1.), Real(k * old.compliance));
-  const Triple<Real> increment =
-      displacement - dot(displacement, normal) * normal;
-  SpringStep<Real> step;
-  step.value = kept * turn_into_plane(old.value, normal) + mean * increment;
-  const Real size = dot(step.value, step.value);
-  const auto is_sliding = size > limit * limit;
-  if (any(is_sliding))
   {
-    const Real scale = select(
-        is_sliding, limit / sqrt(select(is_sliding, size, Real(1.))), Real(1.));
-    step.value = scale * step.value;
-  }
-  step.compliance =
-      select(is_there, Real(compliance_before * over_both), Real(0.));
-  step.dissipated =
-      0.5 * (dot(old.value, old.moved) + dot(step.value, displacement) +
-             dot(old.value, old.value) * old.compliance -
-             dot(step.value, step.value) * step.compliance);
-  return step;
-}
+    Law::name
+    } -> std::convertible_to<std::string_view>;
+  {
+    Law::exponent
+    } -> std::convertible_to<double>;
+  {
+    Law::scales_with_curvature
+    } -> std::convertible_to<bool>;
+  {
+    Law::attracts
+    } -> std::convertible_to<bool>;
+  {
+    Law::parameters()
+    } -> std::same_as<std::vector<LawParameter>>;
+  {
+    Law::spring(values, of, number)
+    } -> std::same_as<NormalSpring<Real>>;
+  {
+    Law::energy(values, number, number)
+    } -> std::same_as<Real>;
+};
 
-/// Share of `dashpot` that the limit of the slider leaves to it beside the
-/// `spring`, largest s <= 1 with |spring + s dashpot| <= limit [-]: 0 while
-/// sliding on, and continuous there. |spring| <= limit; both in the plane.
-template <class Real>
-DEM_SIMD_INLINE Real share_within(const Triple<Real> &spring,
-                                  const Triple<Real> &dashpot,
-                                  const Real &limit)
+/// Gap up to which contacts of a law pull [m].
+template <class Law>
+double attraction_range(const LawValues &values)
 {
-  using std::max;
-  using std::min;
-  using std::sqrt;
-  const Real outward = dot(spring, dashpot), square = dot(dashpot, dashpot);
-  const Real room = max(Real(0.), Real(limit * limit - dot(spring, spring)));
-  const auto is_beyond = square + 2. * outward > room;
-  if (!any(is_beyond))
-    return Real(1.);
-  // Root of square s^2 + 2 outward s = room, without loss of digits.
-  const Real root = sqrt(outward * outward + square * room);
-  const auto is_outward = outward > 0.;
-  const Real over = select(is_outward, Real(outward + root), square);
-  const Real share = select(is_outward, room, Real(root - outward)) /
-                     select(is_beyond && over > 0., over, Real(1.));
-  return select(is_beyond, min(Real(1.), share), Real(1.));
+  if constexpr (Law::attracts)
+    return Law::range(values);
+  else
+    return 0.;
 }
 
-/// One step of the incremental law (docs/theory/contact.md): total normal
-/// force without tension, Mindlin shear spring with Coulomb slider, rolling
-/// spring k_r = k_s R^2 with limit f_r R F_n, dashpots c = 2 beta sqrt(m* k)
-/// with the tangent stiffness; that of shear has what the spring leaves of the
-/// Coulomb limit, so nothing while sliding. F_n of both limits is elastic or
-/// total, see `limit_damping`. Work is taken as the integrator does it: half
-/// with the old force, half with the new one. Returns the force on A; the
-/// rolling moment on A is history.rolling.
-template <class Real>
-DEM_SIMD_INLINE Triple<Real>
+/// One step of a contact (docs/theory/contact.md): normal force of the law with
+/// dashpot c = 2 beta_n sqrt(m* k_n), which never pulls; tangential law of the
+/// law. F_n of its limits is elastic or total, see `limit_damping`, without the
+/// attraction. Work is taken as the integrator does it: half with the old
+/// force, half with the new one. Returns the force on A; the rolling moment on
+/// A is history.rolling.
+template <class Law, class Real>
+requires NormalLaw<Law, Real> DEM_SIMD_INLINE Triple<Real>
 advance_contact(const ContactMotion<Real> &motion,
                 const NormalSpring<Real> &spring,
                 const ContactCoefficients &pair, double time_step,
@@ -327,49 +117,33 @@ advance_contact(const ContactMotion<Real> &motion,
   const Real opening_rate = dot(motion.velocity, n);
   const Triple<Real> moved = Real(time_step) * motion.velocity;
   const Triple<Real> moved_before = Real(time_step) * motion.velocity_before;
+  Real bearing = spring.force;
+  if constexpr (Law::attracts)
+    bearing = bearing + spring.attraction;
   const Real normal_dashpot =
-      max(min(Real(0.), Real(-spring.force)),
+      max(min(Real(0.), Real(-bearing)),
           Real(-2. * pair.normal_damping *
                sqrt(motion.reduced_mass * spring.stiffness) * opening_rate));
-  const Real pressing = spring.force + pair.limit_damping * normal_dashpot;
-  const SpringStep<Real> shear = advance_spring<Real>(
-      {history.shear, history.shear_compliance, moved_before}, n, moved,
-      {spring.shear_stiffness, spring.first_share}, pair.friction * pressing);
-  const Triple<Real> shear_dashpot =
-      (2. * pair.shear_damping) *
-      sqrt(motion.reduced_mass * spring.shear_stiffness) *
-      (motion.velocity - opening_rate * n);
-  const Triple<Real> dashpot =
-      share_within(shear.value, shear_dashpot, Real(pair.friction * pressing)) *
-          shear_dashpot -
-      normal_dashpot * n;
+  const Real pressing = bearing + pair.limit_damping * normal_dashpot;
+  const TangentialForce<Real> across = Law::Tangential::advance(
+      TangentialStep<Real>{motion, spring, pair, time_step, opening_rate, moved,
+                           moved_before, pressing},
+      history, lost);
+  const Triple<Real> dashpot = across.dashpot - normal_dashpot * n;
 
   const Real elastic_work =
       -0.5 * (history.normal_force * dot(moved_before, motion.normal_before) +
               spring.force * dot(moved, n));
-  lost.friction += shear.dissipated;
   lost.damping +=
       0.5 * (dot(history.dashpot, moved_before) + dot(dashpot, moved));
   lost.non_conservative_work +=
       elastic_work - (spring.energy - history.normal_energy);
 
-  if (pair.rolling_friction > 0.)
-  {
-    const Triple<Real> turn = Real(time_step) * motion.spin;
-    const SpringStep<Real> rolling = advance_spring<Real>(
-        {history.rolling, history.rolling_compliance, turn}, n, turn,
-        {spring.shear_stiffness * motion.rolling_radius * motion.rolling_radius,
-         spring.first_share},
-        pair.rolling_friction * motion.rolling_radius * pressing);
-    lost.rolling += rolling.dissipated;
-    history.rolling = rolling.value;
-    history.rolling_compliance = rolling.compliance;
-  }
-  history.shear = shear.value;
-  history.shear_compliance = shear.compliance;
   history.dashpot = dashpot;
   history.normal_force = spring.force;
   history.normal_energy = spring.energy;
-  return shear.value + dashpot - spring.force * n;
+  if constexpr (Law::attracts)
+    history.attraction = spring.attraction;
+  return across.spring + dashpot - spring.force * n;
 }
 } // namespace dem

@@ -19,6 +19,7 @@ struct RangeSum
   bool has_displaced = false; ///< some contact is no more where it was
   int n_jumps = 0;            ///< loaded contacts that are elsewhere now
   int n_ended = 0;            ///< loaded contacts that have no place any more
+  double cell_force[3] = {};  ///< PeriodicCell::force [N]
   double overlap_ratio = 0.;  ///< largest, as largest_overlap_ratio() [-]
 };
 } // namespace dem

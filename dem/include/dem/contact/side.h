@@ -1,7 +1,7 @@
 #pragma once
 
-#include <dem/contact/material.h>
 #include <dem/contact/narrow.h>
+#include <dem/parameters/material.h>
 #include <dem/shape/particle_shape.h>
 #include <dem/shape/patch.h>
 

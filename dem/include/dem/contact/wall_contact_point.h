@@ -1,8 +1,9 @@
 #pragma once
 
-#include <dem/boundary/drum.h>
-#include <dem/boundary/facet_surface.h>
 #include <dem/contact/particle_view.h>
+
+#include <array>
+#include <cstdint>
 
 namespace dem
 {
@@ -31,20 +32,6 @@ struct WallContactPoint
 /// the other fields but those of the wall.
 WallContactPoint depth_of(ParticleView &particle, const Vec3 &point,
                           const Vec3 &on_particle);
-
-/// Climbs from a point of the mesh (`triangle`, `weight`, `on_particle` of the
-/// start) to the deepest one; where the mesh is concave and a neighbouring
-/// triangle holds a deeper place within 45 degrees, to that. Triangles are seen
-/// from their inner side alone.
-WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
-                                  const WallContactPoint &start);
-
-/// The wall at its point next to a point in it, normal towards the particles.
-SurfacePoint smooth_drum(const Drum &drum, DrumPart part, const Vec3 &x);
-
-/// The same on the cylinder or an end of a drum.
-WallContactPoint refine_on_drum(ParticleView &particle, const Drum &drum,
-                                DrumPart part, const WallContactPoint &start);
 
 /// Two normals within 45 degrees are of one patch of a wall.
 bool is_one_patch(const Vec3 &normal, const Vec3 &other);

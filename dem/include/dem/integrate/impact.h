@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/contact/law.h>
+#include <dem/contact/laws/hertz.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ inline double impact_overlap(double normal_prefactor, double mass, double speed)
 {
   return std::pow(0.5 * mass * speed * speed /
                       (hertz_energy_share * normal_prefactor),
-                  0.4);
+                  1. / (Hertz::exponent + 1.));
 }
 
 /// Duration of an undamped Hertz impact [s]: 4 sqrt(pi) Gamma(2/5) /

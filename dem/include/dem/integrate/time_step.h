@@ -1,7 +1,7 @@
 #pragma once
 
-#include <dem/parameters.h>
-#include <dem/particle_system.h>
+#include <dem/parameters/engine.h>
+#include <dem/particles/particle_system.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <dem/contact/batch.h>
-#include <dem/particle_system.h>
+#include <dem/particles/particle_system.h>
 
 namespace dem
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/boundary/facet_surface.h>
 #include <dem/measure/region_stress.h>
 
 #include <array>

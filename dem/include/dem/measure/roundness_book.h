@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/particle_system.h>
+#include <dem/particles/particle_system.h>
 
 #include <map>
 #include <memory>

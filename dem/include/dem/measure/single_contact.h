@@ -2,8 +2,8 @@
 
 #include <dem/boundary/facet_surface.h>
 #include <dem/boundary/plane.h>
-#include <dem/parameters.h>
-#include <dem/particle_system.h>
+#include <dem/parameters/engine.h>
+#include <dem/particles/particle_system.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dem/packing/random.h>
+#include <dem/random.h>
 #include <dem/shape/particle_shape.h>
 
 namespace dem

@@ -2,6 +2,7 @@
 #include "wall_meshes.h"
 
 #include <dem/boundary/surface_guard.h>
+#include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
 
@@ -60,9 +61,9 @@ std::optional<dem::SurfaceFault> left_of(const Vec3 &centre)
 {
   dem::Engine engine(support::deep_parameters());
   support::add_sphere(engine, 0.01, centre);
-  engine.attach_surface(support::box_inside(0.1));
+  dem::attach_surface(engine, support::box_inside(0.1));
   engine.advance(1e-12);
-  return dem::find_left(engine.surfaces()[0], engine.particles(),
+  return dem::find_left(dem::facet_boundary(engine, 0), engine.particles(),
                         dem::ContactGeometry::radial);
 }
 } // namespace
@@ -173,9 +174,10 @@ TEST(SurfaceGuard, RimLetsParticlesPass)
     support::add_sphere(engine, 0.01, {0.053, 0.01, z});
     dem::FacetSurface floor =
         support::coplanar_fan(4, 0.05 * std::sqrt(2.), M_PI / 4.);
-    engine.attach_surface(floor);
+    dem::attach_surface(engine, floor);
     engine.advance(1e-12);
-    EXPECT_FALSE(dem::find_left(engine.surfaces()[0], engine.particles(),
+    EXPECT_FALSE(dem::find_left(dem::facet_boundary(engine, 0),
+                                engine.particles(),
                                 dem::ContactGeometry::radial));
   }
 }

@@ -1,4 +1,4 @@
-#include <dem/contact/wall_contact_point.h>
+#include <dem/boundary/wall_refinement.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "dem_scene.h"
 
-#include <dem/contact/instruction_set.h>
+#include <dem/engine_boundaries.h>
+#include <dem/instruction_set.h>
 #include <dem/packing/insertion.h>
 
 #include <gtest/gtest.h>
@@ -67,8 +68,8 @@ dem::Engine shaken_box(Kind kind, std::size_t n)
   }
   for (int d = 0; d < 3; ++d)
   {
-    engine.add_plane(dem::Vec3::Zero(), dem::Vec3::Unit(d));
-    engine.add_plane(dem::Vec3::Constant(side), -dem::Vec3::Unit(d));
+    dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::Unit(d));
+    dem::add_plane(engine, dem::Vec3::Constant(side), -dem::Vec3::Unit(d));
   }
   return engine;
 }
@@ -122,7 +123,7 @@ void expect_same(const dem::Engine &a, const dem::Engine &b)
 /// The walls come nearer, so that many particles meet.
 void close_in(dem::Engine &engine)
 {
-  for (dem::Plane &plane : engine.planes())
+  for (dem::Plane &plane : dem::planes(engine))
     plane.velocity = 3. * plane.normal;
 }
 
@@ -224,7 +225,7 @@ TEST(ContactLoops, PairsPushBothParticlesAlike)
     sum += load.force;
     size += load.force.norm();
   }
-  for (const dem::Plane &plane : engine.planes())
+  for (const dem::Plane &plane : dem::planes(engine))
     sum += plane.force;
   ASSERT_GT(size, 0.);
   EXPECT_LT(sum.norm(), 1e-12 * size);

@@ -1,5 +1,7 @@
 #include "dem_scene.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -65,7 +67,7 @@ TEST(OverlapWatch, PlaneOverRadius)
 {
   dem::Engine engine = make_engine();
   support::add_sphere(engine, small, {0., 0., small - overlap});
-  engine.add_plane(Vec3::Zero(), Vec3::UnitZ());
+  dem::add_plane(engine, Vec3::Zero(), Vec3::UnitZ());
   engine.advance(still);
   EXPECT_NEAR(engine.overlaps().largest, overlap / small, tiny);
 }
@@ -76,7 +78,7 @@ TEST(OverlapWatch, DrumOverRadius)
   dem::Drum drum;
   drum.radius = 0.1;
   drum.length = 0.2;
-  engine.set_drum(drum);
+  dem::set_drum(engine, drum);
   support::add_sphere(engine, small, {0., 0., -0.1 + small - overlap});
   engine.advance(still);
   EXPECT_NEAR(engine.overlaps().largest, overlap / small, tiny);
@@ -86,7 +88,7 @@ TEST(OverlapWatch, FacetOverRadius)
 {
   dem::Engine engine = make_engine();
   support::add_sphere(engine, small, {0., 0., small - overlap});
-  engine.attach_surface(wide_triangle());
+  dem::attach_surface(engine, wide_triangle());
   engine.advance(still);
   EXPECT_NEAR(engine.overlaps().largest, overlap / small, tiny);
 }
@@ -122,7 +124,7 @@ TEST(OverlapWatch, StopNamesTheWall)
 {
   dem::Engine engine = make_engine(0.99 * overlap / small);
   support::add_sphere(engine, small, {0., 0., small - overlap});
-  engine.attach_surface(wide_triangle());
+  dem::attach_surface(engine, wide_triangle());
   EXPECT_TRUE(has(stop_text(engine), "the facets 'surface'"));
 }
 

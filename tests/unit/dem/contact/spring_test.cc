@@ -1,5 +1,5 @@
 #include <dem/contact/elliptic.h>
-#include <dem/contact/law.h>
+#include <dem/contact/laws/hertz.h>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,8 @@ void expect_relative(double value, double exact, double tolerance)
 dem::NormalSpring<double> spring_of(const dem::HertzPrefactors &prefactors,
                                     double overlap)
 {
-  return dem::hertz_spring(prefactors.normal, prefactors.tangential, overlap);
+  return dem::Hertz::spring<double>(
+      {}, {prefactors.normal, prefactors.tangential}, overlap);
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "dem_scene.h"
 
-#include <dem/boundary/box_servo.h>
+#include <dem/control/box_servo.h>
+#include <dem/engine_boundaries.h>
 #include <dem/packing/insertion.h>
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ struct Scene
     servo = dem::BoxServo(box, {});
     for (int d = 0; d < 2; ++d)
       servo.follow(d, 2e5);
-    engine.deactivate_plane(box[2][1]);
+    dem::deactivate_plane(engine, box[2][1]);
   }
 
   /// Particles and lid; a scene to be restored has none yet.
@@ -84,7 +85,7 @@ struct Scene
                                 {0.5 * side, 0.5 * side, side}},
                                {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
     lid.velocity.assign(5, {0., 0., -3.});
-    engine.attach_surface(lid);
+    dem::attach_surface(engine, lid);
     dem::FacetSurface piston =
         support::fixed_surface({{-0.01, -0.01, 0.},
                                 {2. * side + 0.01, -0.01, 0.},
@@ -93,7 +94,7 @@ struct Scene
     piston.velocity.assign(3, {0., 0., 6.});
     dem::WallMaterial law = engine.parameters().surface;
     law.friction = 0.5;
-    engine.add_surface("piston", law, piston);
+    dem::add_surface(engine, "piston", law, piston);
   }
 
   void advance(int n)
@@ -101,7 +102,7 @@ struct Scene
     for (int step = 0; step < n; ++step)
     {
       servo.update(engine, time_step);
-      for (dem::SurfaceContacts &facets : engine.surfaces())
+      for (dem::FacetBoundary &facets : dem::surfaces(engine))
         for (std::size_t v = 0; v < facets.surface.position.size(); ++v)
           facets.surface.position[v] += time_step * facets.surface.velocity[v];
       engine.advance(time_step);
@@ -154,23 +155,24 @@ void expect_same(const Scene &one, const Scene &two)
     EXPECT_EQ(dem::scaled_coefficients(a.shape[i]),
               dem::scaled_coefficients(b.shape[i]));
   expect_same(one.engine.pairs(), two.engine.pairs());
-  expect_same(one.engine.on_planes(), two.engine.on_planes());
-  ASSERT_EQ(one.engine.surfaces().size(), two.engine.surfaces().size());
-  for (std::size_t s = 0; s < one.engine.surfaces().size(); ++s)
+  expect_same(dem::on_planes(one.engine), dem::on_planes(two.engine));
+  ASSERT_EQ(dem::surfaces(one.engine).size(), dem::surfaces(two.engine).size());
+  for (std::size_t s = 0; s < dem::surfaces(one.engine).size(); ++s)
   {
-    const dem::SurfaceContacts &facets = one.engine.surfaces()[s],
-                               &others = two.engine.surfaces()[s];
-    EXPECT_EQ(facets.name, others.name);
+    const dem::FacetBoundary &facets = dem::facet_boundary(one.engine, s),
+                             &others = dem::facet_boundary(two.engine, s);
+    EXPECT_EQ(facets.label, others.label);
     EXPECT_EQ(facets.material.friction, others.material.friction);
     expect_same(facets.batch, others.batch);
     EXPECT_EQ(facets.surface.load, others.surface.load);
     EXPECT_EQ(facets.impulse, others.impulse);
-    EXPECT_EQ(facets.work, others.work);
+    EXPECT_EQ(facets.work(), others.work());
   }
-  for (std::size_t p = 0; p < one.engine.planes().size(); ++p)
+  for (std::size_t p = 0; p < dem::planes(one.engine).size(); ++p)
   {
-    EXPECT_EQ(one.engine.planes()[p].point, two.engine.planes()[p].point);
-    EXPECT_EQ(one.engine.planes()[p].work, two.engine.planes()[p].work);
+    EXPECT_EQ(dem::planes(one.engine)[p].point,
+              dem::planes(two.engine)[p].point);
+    EXPECT_EQ(dem::planes(one.engine)[p].work, dem::planes(two.engine)[p].work);
   }
   const dem::EngineEnergy e = one.engine.energy(), f = two.engine.energy();
   EXPECT_EQ(e.kinetic, f.kinetic);
@@ -180,8 +182,8 @@ void expect_same(const Scene &one, const Scene &two)
   EXPECT_EQ(e.damping, f.damping);
   EXPECT_EQ(e.breakage, f.breakage);
   EXPECT_EQ(e.non_conservative_work, f.non_conservative_work);
-  EXPECT_EQ(e.plane_work, f.plane_work);
-  EXPECT_EQ(e.surface_work, f.surface_work);
+  EXPECT_EQ(e.work_of("planes"), f.work_of("planes"));
+  EXPECT_EQ(e.work_of("facets"), f.work_of("facets"));
   EXPECT_EQ(e.gravity_work, f.gravity_work);
   EXPECT_EQ(one.engine.time(), two.engine.time());
   EXPECT_EQ(one.engine.n_events(), two.engine.n_events());
@@ -206,8 +208,8 @@ TEST_P(EngineCheckpointOf, ContinuesBitForBit)
   const std::int64_t n_before = unbroken.engine.n_events();
   // Breakage has made shapes of their own before and makes more after.
   EXPECT_GT(n_before, 0);
-  for (const dem::SurfaceContacts &facets : unbroken.engine.surfaces())
-    EXPECT_FALSE(facets.candidates.particle.empty()) << facets.name;
+  for (const dem::FacetBoundary &facets : dem::surfaces(unbroken.engine))
+    EXPECT_FALSE(facets.candidates.particle.empty()) << facets.label;
 
   Scene resumed(GetParam());
   std::istringstream in(state, std::ios::binary);

@@ -1,7 +1,7 @@
 #include "packings.h"
 
 #include <dem/measure/boundary_profile.h>
-#include <dem/packing/random.h>
+#include <dem/random.h>
 
 #include <gtest/gtest.h>
 

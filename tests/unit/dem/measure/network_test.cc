@@ -1,6 +1,8 @@
 #include "dem_scene.h"
 #include "packings.h"
 
+#include <dem/engine_boundaries.h>
+
 #include <gtest/gtest.h>
 
 namespace
@@ -189,9 +191,9 @@ TEST(NetworkContacts, AreThoseOfTheEngine)
     engine.add_particle(dem::make_sphere(radius),
                         {0., 0., radius + k * (2. * radius - overlap)},
                         dem::Quaternion::Identity());
-  engine.add_plane(dem::Vec3(0., 0., overlap), dem::Vec3::UnitZ());
-  engine.add_plane(dem::Vec3(0., 0., 6. * radius - 3. * overlap),
-                   -dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3(0., 0., overlap), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3(0., 0., 6. * radius - 3. * overlap),
+                 -dem::Vec3::UnitZ());
   engine.particles().velocity(2) = dem::Vec3(1., 0., 0.);
   engine.advance(1e-7);
   const dem::Network network = dem::contact_network_of(engine);

@@ -1,7 +1,9 @@
 #include "dem_scene.h"
 
-#include <dem/boundary/box_servo.h>
+#include <dem/control/box_servo.h>
+#include <dem/engine_boundaries.h>
 #include <dem/integrate/time_step.h>
+#include <dem/measure/assembly.h>
 #include <dem/measure/region_stress.h>
 #include <dem/packing/gradation.h>
 #include <dem/packing/insertion.h>
@@ -83,8 +85,8 @@ TEST(MeanStress, OfAPackingIsThatOnItsWalls)
   for (int d = 0; d < 3; ++d)
   {
     const auto &[low, high] = packing.box[static_cast<std::size_t>(d)];
-    lower[d] = engine.planes()[low].point[d];
-    upper[d] = engine.planes()[high].point[d];
+    lower[d] = dem::planes(engine)[low].point[d];
+    upper[d] = dem::planes(engine)[high].point[d];
   }
   const dem::Prism all = dem::prism_of(lower, upper);
   const dem::Mat3 stress = dem::mean_stress(all, engine.particles(), network);

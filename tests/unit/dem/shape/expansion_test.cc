@@ -1,7 +1,7 @@
 #include "solid_harmonics.h"
 #include "test_shapes.h"
 
-#include <dem/contact/instruction_set.h>
+#include <dem/instruction_set.h>
 #include <dem/shape/patch.h>
 
 #include <gtest/gtest.h>

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <dem/contact/forces.h>
+#include <dem/neighbor/contact_point_lists.h>
+
+#include <functional>
+#include <iosfwd>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace dem
+{
+/// What the list of contacts with a boundary is made from, and what it adds to.
+struct BoundarySearch
+{
+  ContactPointSearchInput points; ///< of true surfaces; layout of no boundary
+  double skin = 0.;               ///< how far beyond contact lists look [m]
+  double rigid_travelled = 0.;    ///< by the fastest rigid boundary [m]
+  double &sheets_left;            ///< skin left of boundaries that deform [m]
+  Dissipation &retired;           ///< takes what dropped springs held
+  ContactPointEvents &events;
+};
+
+/// What particles meet besides each other. The engine holds any number of them
+/// and calls each function once per step or list; nothing here is called per
+/// contact. How to add a kind: docs/developer/extending.md.
+class Boundary
+{
+public:
+  explicit Boundary(const WallMaterial &of) : material(of) {}
+  virtual ~Boundary() = default;
+  Boundary(const Boundary &) = delete;
+  Boundary &operator=(const Boundary &) = delete;
+
+  /// Name of the kind, in checkpoints and ledgers.
+  virtual std::string kind() const = 0;
+  /// Contact k in messages: "the drum".
+  virtual std::string name_of(std::size_t k) const = 0;
+  /// BreakageEvent::kind and other of contact k.
+  virtual int event_kind() const = 0;
+  virtual std::int64_t event_other(std::size_t) const { return -1; }
+
+  /// It deforms, and has a list of its own where particles follow their
+  /// surfaces.
+  virtual bool deforms() const { return false; }
+  /// Moves by one step; books half of its work, with the old forces.
+  virtual void move(double time_step) = 0;
+  /// The fastest point that may come nearer to a particle [m/s].
+  virtual double speed() const = 0;
+  /// How far a point is beyond it [m]; < 0: inside.
+  virtual double beyond(const Vec3 &) const
+  {
+    return -std::numeric_limits<double>::infinity();
+  }
+
+  /// Makes the list of contacts; known ones keep what they carry.
+  virtual void find_candidates(const BoundarySearch &search) = 0;
+  /// The particles have got other numbers: place[old] = new.
+  virtual void renumber(const std::vector<std::int32_t> &place,
+                        bool follows_surfaces) = 0;
+
+  /// Finds where the particles meet it now.
+  virtual ForceSum meet(const ForceContext &context) = 0;
+  /// The boundary as its contacts meet it, for the loop over them.
+  virtual Walls walls(const ForceContext &context) = 0;
+  /// Takes the loads of the contacts; books the other half of the work.
+  virtual void apply_loads(double time_step) = 0;
+  /// Done on the particles [J].
+  virtual double work() const = 0;
+
+  /// Full state, bit for bit; unpack() on a new one of the kind.
+  void pack(std::ostream &out) const;
+  void unpack(std::istream &in); ///< throws std::runtime_error
+
+  WallMaterial material; ///< particles on it
+  ContactBatch batch;    ///< `b` is the row in walls()
+
+private:
+  virtual void pack_parts(std::ostream &out) const = 0;
+  virtual void unpack_parts(std::istream &in) = 0;
+};
+
+/// Whether particles meet boundaries with their true surfaces.
+bool follows_surfaces(const ForceContext &context);
+
+/// Adds a kind that checkpoints may name. Throws std::invalid_argument if the
+/// name is taken.
+void add_boundary_kind(const std::string &kind,
+                       std::function<std::unique_ptr<Boundary>()> make);
+
+/// A new boundary of a kind; throws std::runtime_error on a name that is none.
+std::unique_ptr<Boundary> make_boundary(const std::string &kind);
+} // namespace dem

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <dem/boundary/boundary.h>
+#include <dem/boundary/drum.h>
+#include <dem/boundary/drum_lifter.h>
+#include <dem/boundary/placed_walls.h>
+#include <dem/neighbor/candidate_pair.h>
+
+namespace dem
+{
+/// The drum of a scene, or the side of an upright cylinder; `b` of a contact is
+/// as drum_part() reads it.
+class DrumBoundary final : public Boundary
+{
+public:
+  static constexpr const char *kind_name = "drum";
+
+  explicit DrumBoundary(const WallMaterial &of = {}) : Boundary(of) {}
+
+  /// Its lists must be made anew.
+  void set_drum(const Drum &its_drum);
+
+  std::string kind() const override { return kind_name; }
+  std::string name_of(std::size_t) const override { return "the drum"; }
+  int event_kind() const override { return 3; }
+  void move(double time_step) override;
+  double speed() const override;
+  double beyond(const Vec3 &point) const override;
+  void find_candidates(const BoundarySearch &search) override;
+  void renumber(const std::vector<std::int32_t> &place,
+                bool follows_surfaces) override;
+  ForceSum meet(const ForceContext &context) override;
+  Walls walls(const ForceContext &context) override;
+  void apply_loads(double time_step) override;
+  double work() const override { return drum.work; }
+
+  Drum drum; ///< its spin and widening may change at any time
+
+private:
+  PlacedDrum placed() { return {drum, lifter, rows, overlap}; }
+  void book(double time_step);
+  void pack_parts(std::ostream &out) const override;
+  void unpack_parts(std::istream &in) override;
+
+  DrumLifter lifter;                 ///< where `drum` stands
+  std::vector<CandidatePair> listed; ///< of true surfaces, sorted
+  std::vector<WallRow> rows;         ///< those of the last step are read
+  std::vector<double> overlap;
+};
+} // namespace dem

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <dem/boundary/boundary.h>
+#include <dem/boundary/facet_contacts.h>
+#include <dem/boundary/facet_motion.h>
+#include <dem/neighbor/candidate_pair.h>
+
+namespace dem
+{
+/// A facet surface of the scene and the contacts of the particles on it.
+class FacetBoundary final : public Boundary
+{
+public:
+  static constexpr const char *kind_name = "facets";
+
+  /// `number`: of the facet surface in its scene. Throws std::invalid_argument
+  /// as FacetTopology does, and on a law that attracts across gaps.
+  FacetBoundary(std::string its_label, std::int64_t its_number,
+                const WallMaterial &law, FacetSurface at_start);
+  FacetBoundary();
+
+  std::string kind() const override { return kind_name; }
+  std::string name_of(std::size_t) const override
+  {
+    return "the facets '" + label + "'";
+  }
+  int event_kind() const override { return 2; }
+  std::int64_t event_other(std::size_t) const override { return number; }
+  bool deforms() const override { return true; }
+  /// Whoever deforms it moves it.
+  void move(double) override {}
+  /// Throws std::runtime_error where a velocity is no finite number.
+  double speed() const override;
+  void find_candidates(const BoundarySearch &search) override;
+  void renumber(const std::vector<std::int32_t> &place,
+                bool follows_surfaces) override;
+  ForceSum meet(const ForceContext &context) override;
+  Walls walls(const ForceContext &context) override;
+  void apply_loads(double time_step) override;
+  double work() const override { return work_done; }
+
+  std::string label; ///< tells the surfaces of a scene apart
+  FacetSurface surface;
+  FacetTopology topology;
+  FacetCandidates candidates;
+  /// Load on each vertex over time since somebody set it to zero, by the
+  /// trapezoidal rule: the momentum that the particles have lost [N s].
+  std::vector<Vec3> impulse;
+
+  FacetMesh mesh() const { return {surface, topology}; }
+
+  /// Where contact k presses; it has touched [m].
+  Vec3 point_of(std::size_t k) const;
+  /// WallContact::spread of contact k [N m].
+  Mat3 spread_of(std::size_t k) const;
+
+private:
+  void gather(const ForceContext &context, const WallSearch &search);
+  void pack_parts(std::ostream &out) const override;
+  void unpack_parts(std::istream &in) override;
+
+  std::int64_t number = 0;
+  double work_done = 0.;         ///< on the particles [J]
+  std::vector<Vec3> load_before; ///< of the last step [N]
+  /// Particles that may come to it, if they follow their surfaces; sorted.
+  std::vector<CandidatePair> near_particles;
+  FacetMotion watch; ///< what has moved since then
+
+  // Space to work in, kept from step to step.
+  std::vector<WallRow> rows;
+  std::vector<double> overlap; ///< of particles that follow their surfaces [m]
+  std::vector<double> extra;   ///< Walls::extra [m]
+};
+} // namespace dem

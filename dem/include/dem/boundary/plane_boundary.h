@@ -1,0 +1,40 @@
+#pragma once
+
+#include <dem/boundary/boundary.h>
+#include <dem/boundary/plane.h>
+#include <dem/neighbor/candidate_pair.h>
+
+namespace dem
+{
+/// The planes of a scene; `b` of a contact is the plane.
+class PlaneBoundary final : public Boundary
+{
+public:
+  static constexpr const char *kind_name = "planes";
+
+  explicit PlaneBoundary(const WallMaterial &of = {}) : Boundary(of) {}
+
+  std::string kind() const override { return kind_name; }
+  std::string name_of(std::size_t k) const override;
+  int event_kind() const override { return 1; }
+  std::int64_t event_other(std::size_t k) const override { return batch.b[k]; }
+  void move(double time_step) override;
+  double speed() const override;
+  double beyond(const Vec3 &point) const override;
+  void find_candidates(const BoundarySearch &search) override;
+  void renumber(const std::vector<std::int32_t> &place, bool) override;
+  ForceSum meet(const ForceContext &context) override;
+  Walls walls(const ForceContext &) override { return {material, rows}; }
+  void apply_loads(double time_step) override;
+  double work() const override;
+
+  std::vector<Plane> planes;
+
+private:
+  void pack_parts(std::ostream &out) const override;
+  void unpack_parts(std::istream &in) override;
+
+  std::vector<CandidatePair> supports; ///< of true surfaces, sorted
+  std::vector<WallRow> rows;
+};
+} // namespace dem

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <dem/contact/batch.h>
+#include <dem/neighbor/near_pairs.h>
+#include <dem/particles/particle_system.h>
+
+#include <vector>
+
+namespace dem
+{
+/// Makes the batch hold these contacts of particles with a boundary, (particle,
+/// row) in rising order as before. Known contacts keep all they carry; what the
+/// springs of dropped ones held is added to `retired`.
+void rebuild_walls(const ParticleSystem &particles,
+                   const std::vector<PairKey> &near, const BatchLayout &layout,
+                   ContactBatch &batch, Dissipation &retired);
+} // namespace dem

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <dem/boundary/drum_lifter.h>
+#include <dem/boundary/facet_contacts.h>
+#include <dem/boundary/facet_motion.h>
+#include <dem/boundary/plane.h>
+#include <dem/neighbor/contact_point_lists.h>
+
+namespace dem
+{
+/// Most places that a particle may touch a facet surface at, which has several
+/// sides.
+inline constexpr std::size_t most_wall_places = 24;
+
+/// A drum with the rows of its contacts, which go with them.
+struct DrumCandidates
+{
+  const Drum &drum;
+  const DrumLifter &lifter;
+  double travelled = 0.; ///< by its lifter [m]
+  std::vector<WallRow> &rows;
+};
+
+/// A facet surface with the triangles that each particle may reach and the
+/// contact_points of its contacts, which go with them.
+struct FacetCandidateRows
+{
+  FacetMesh mesh;
+  FacetCandidates &candidates;
+  std::vector<CandidatePair> &particles; ///< on it, sorted
+  FacetMotion &watch;                    ///< of these candidates
+
+  /// Of a particle of the candidates.
+  std::size_t row_of_particle(std::int32_t particle) const;
+};
+
+/// The planes of a scene, which have moved by this much at most.
+struct PlaneCandidates
+{
+  const std::vector<Plane> &planes;
+  double travelled = 0.; ///< by the fastest rigid boundary [m]
+};
+
+/// Makes the list of the places where particles meet planes, or nearly do: what
+/// ContactPointLists does for particles. `listed` keeps what is known of each
+/// pair.
+ContactPointEvents renew_planes(const ContactPointSearchInput &input,
+                                const PlaneCandidates &walls,
+                                std::vector<CandidatePair> &listed,
+                                ContactBatch &batch, Dissipation &retired);
+
+/// Particles against the parts of a drum; `b` becomes n_drum_parts times the
+/// number of the contact plus the part.
+ContactPointEvents renew_drum(const ContactPointSearchInput &input,
+                              const DrumCandidates &drum,
+                              std::vector<CandidatePair> &listed,
+                              ContactBatch &batch, Dissipation &retired);
+
+/// Particles against a facet surface, whose candidates keep the list; `b`
+/// becomes the number of the contact.
+ContactPointEvents renew_facets(const ContactPointSearchInput &input,
+                                const FacetCandidateRows &facets,
+                                ContactBatch &batch, Dissipation &retired);
+} // namespace dem

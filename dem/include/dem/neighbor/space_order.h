@@ -1,0 +1,24 @@
+#pragma once
+
+#include <dem/contact/batch.h>
+#include <dem/vector.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace dem
+{
+/// Particles along a Z-curve (Morton 1966) through cubes about as large as a
+/// particle: order[k] is the particle that comes k-th. Neighbours in space are
+/// then neighbours in memory.
+std::vector<std::int32_t> space_order(const std::vector<Vec3> &position);
+
+/// What is where after the particles were put in this order: place[order[k]] =
+/// k.
+std::vector<std::int32_t> places(const std::vector<std::int32_t> &order);
+
+/// The contacts name the particles by their new places and stand in the order
+/// (a, b) again, a < b; sides change their roles where they must.
+void renumber_pairs(const std::vector<std::int32_t> &place,
+                    ContactBatch &batch);
+} // namespace dem

@@ -1,0 +1,79 @@
+#include <dem/binary.h>
+#include <dem/boundary/boundary.h>
+#include <dem/boundary/drum_boundary.h>
+#include <dem/boundary/facet_boundary.h>
+#include <dem/boundary/plane_boundary.h>
+#include <dem/contact/batch_stream.h>
+
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace dem
+{
+namespace
+{
+using Make = std::function<std::unique_ptr<Boundary>()>;
+
+/// The kinds by name: one line for each of the library.
+std::map<std::string, Make> &kinds()
+{
+  static std::map<std::string, Make> all = {
+      {PlaneBoundary::kind_name, std::make_unique<PlaneBoundary>},
+      {DrumBoundary::kind_name, std::make_unique<DrumBoundary>},
+      {FacetBoundary::kind_name, std::make_unique<FacetBoundary>},
+  };
+  return all;
+}
+
+/// All but the name of the law.
+template <class Material, class Visit>
+void visit_material(Material &material, const Visit &visit)
+{
+  visit(material.normal_stiffness);
+  visit(material.shear_stiffness);
+  visit(material.friction);
+  visit(material.rolling_friction);
+  visit(material.normal_damping);
+  visit(material.shear_damping);
+  visit(material.law_values);
+}
+} // namespace
+
+void Boundary::pack(std::ostream &out) const
+{
+  write_name(out, material.law);
+  visit_material(material,
+                 [&out](const auto &field) { write_value(out, field); });
+  write_batch(out, batch);
+  pack_parts(out);
+}
+
+void Boundary::unpack(std::istream &in)
+{
+  material.law = read_name(in);
+  visit_material(material, [&in](auto &field) { read_value(in, field); });
+  read_batch(in, batch);
+  unpack_parts(in);
+}
+
+bool follows_surfaces(const ForceContext &context)
+{
+  return context.particles.has_shapes &&
+         context.parameters.geometry.wall_geometry == ContactGeometry::surface;
+}
+
+void add_boundary_kind(const std::string &kind, Make make)
+{
+  if (!kinds().emplace(kind, std::move(make)).second)
+    throw std::invalid_argument("there is a kind of boundary " + kind);
+}
+
+std::unique_ptr<Boundary> make_boundary(const std::string &kind)
+{
+  const auto found = kinds().find(kind);
+  if (found == kinds().end())
+    throw std::runtime_error("checkpoint: no kind of boundary " + kind);
+  return found->second();
+}
+} // namespace dem

@@ -1,0 +1,429 @@
+#include "../contact/newton_step_control.h"
+
+#include <dem/boundary/wall_refinement.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace dem
+{
+namespace
+{
+/// Hills of the depth over a face are trusted however flat.
+constexpr NewtonStepControl pace{0.1, 80, least_curvature};
+/// Slope of the depth along an edge that leads nowhere [-].
+constexpr double level = 1e-9;
+/// A corner has no part in a point if its weight is below [-].
+constexpr double no_weight = 1e-13;
+/// A ring of equal maxima is level along itself: this part of the least
+/// curvature that steps trust counts as round-off [-].
+constexpr double level_curvature = 0.1;
+/// Depth that is not worth a step, of the radius [-].
+constexpr double no_gain = 1e-10;
+/// A step below this part of the radius leads up, but for what two expansions
+/// of the surface differ by.
+constexpr double surely_up = 5e-3;
+
+using Corners = std::array<Vec3, 3>;
+using Weights = std::array<double, 3>;
+
+Vec3 point_at(const Corners &corner, const Weights &weight)
+{
+  return weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2];
+}
+
+/// Towards the outside of the surface.
+Vec3 normal_of(const Corners &corner)
+{
+  return (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+}
+
+/// The depth about a point y: D(y + z) = D(y) - n.z - z.C z / 2.
+struct DepthModel
+{
+  Vec3 point, normal;
+  Mat3 bend;        ///< C = K (I - delta K)^-1 [1/m]
+  Mat3 follow;      ///< of the point of the particle: (I - delta K)^-1 across n
+  Vec3 on_particle; ///< that point [m]
+  Mat3 trusted;     ///< C as steps take it: the depth falls off all round
+  double least = 0.;   ///< curvature that a step trusts [1/m]
+  double longest = 0.; ///< step that it may be asked for [m]
+
+  DepthModel(ParticleView &particle, const WallContactPoint &place)
+      : point(place.point), normal(place.normal),
+        least(pace.hill / particle.size()),
+        longest(pace.longest_step * particle.size())
+  {
+    const SurfacePoint &at = particle.at(place.on_particle);
+    on_particle = at.position;
+    const Frame frame = tangents(normal);
+    const Mat2 k = frame.transpose() * at.bend * frame;
+    const Mat2 inverse =
+        floored(Mat2::Identity() - place.overlap * k, lowest_curvature)
+            .inverse();
+    const Mat2 c = k * inverse;
+    follow = frame * inverse * frame.transpose();
+    const Mat2 even = 0.5 * (c + c.transpose());
+    bend = frame * even * frame.transpose();
+    trusted = frame * pace.trusted(even, particle.size()) * frame.transpose();
+  }
+
+  double gain(const Vec3 &z) const
+  {
+    return -normal.dot(z) - 0.5 * z.dot(trusted * z);
+  }
+};
+
+/// A point of a triangle that is to be deepest in it.
+struct Ascent
+{
+  Weights weight{};
+  Vec3 step = Vec3::Zero(); ///< from the point of the model [m]
+  double gain = -std::numeric_limits<double>::infinity(); ///< of depth [m]
+  bool is_summit = false; ///< the depth falls off to all sides on the face
+};
+
+/// The deepest point of the sides by the model.
+Ascent best_on_sides(const DepthModel &model, const Corners &corner)
+{
+  Ascent best;
+  for (std::size_t from = 0; from < 3; ++from)
+  {
+    const std::size_t to = (from + 1) % 3;
+    const Vec3 start = corner[from] - model.point,
+               side = corner[to] - corner[from];
+    // From the point of the side next to that of the model.
+    const double square = side.squaredNorm();
+    const double foot = std::clamp(-start.dot(side) / square, 0., 1.);
+    const Vec3 bent = model.trusted * side;
+    const double slope =
+        -model.normal.dot(side) - (start + foot * side).dot(bent);
+    const double curvature = std::max(side.dot(bent), model.least * square);
+    const double s = std::clamp(foot + slope / curvature, 0., 1.);
+    const Vec3 step = start + s * side;
+    const double gain = model.gain(step);
+    if (gain <= best.gain)
+      continue;
+    best.gain = gain;
+    best.step = step;
+    best.weight = {};
+    best.weight[from] = 1. - s;
+    best.weight[to] = s;
+  }
+  return best;
+}
+
+/// The deepest point of the triangle by the model.
+Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
+{
+  const Vec3 first = corner[1] - corner[0], second = corner[2] - corner[0];
+  const Vec3 area = first.cross(second);
+  Frame frame;
+  frame.col(0) = first.normalized();
+  frame.col(1) = area.cross(first).normalized();
+  const Mat2 bend = frame.transpose() * model.bend * frame;
+  // The point of the model need not lie in this plane.
+  const Vec3 above =
+      area * ((corner[0] - model.point).dot(area) / area.squaredNorm());
+  const Mat2 hill = frame.transpose() * model.trusted * frame;
+  const Vec2 climb =
+      floored(hill, model.least)
+          .llt()
+          .solve(-(frame.transpose() * (model.normal + model.trusted * above)));
+  const Vec3 step = above + frame * climb;
+  const Vec3 place = model.point + step - corner[0];
+  const double over = 1. / area.squaredNorm();
+  const double w1 = place.cross(second).dot(area) * over,
+               w2 = first.cross(place).dot(area) * over;
+  const bool is_summit =
+      smallest_eigenvalue(bend) > -level_curvature * model.least;
+  Ascent ascent;
+  if (w1 >= 0. && w2 >= 0. && w1 + w2 <= 1.)
+    ascent = {{1. - w1 - w2, w1, w2}, step, model.gain(step), is_summit};
+  else
+  {
+    ascent = best_on_sides(model, corner);
+    ascent.is_summit = true;
+  }
+  return ascent;
+}
+
+/// The same point of the mesh as one of another triangle.
+Weights carried(const FacetMesh &mesh, const WallContactPoint &place,
+                std::int32_t to)
+{
+  const auto &from =
+      mesh.surface.triangles[static_cast<std::size_t>(place.triangle)];
+  const auto &into = mesh.surface.triangles[static_cast<std::size_t>(to)];
+  Weights weight{};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t d = 0; d < 3; ++d)
+      if (into[d] == from[c])
+        weight[d] = place.weight[c];
+  return weight;
+}
+
+/// Calls call(triangle) for the triangles round a vertex.
+template <class Call>
+void for_round(const FacetTopology &topology, std::int32_t vertex,
+               const Call &call)
+{
+  const auto v = static_cast<std::size_t>(vertex);
+  for (std::int32_t r = topology.row_start[v]; r < topology.row_start[v + 1];
+       ++r)
+    call(topology.row_triangle[static_cast<std::size_t>(r)]);
+}
+
+/// A triangle at the edge or vertex of the place into which the depth grows; -1
+/// if there is none.
+std::int32_t way_on(const FacetMesh &mesh, const WallContactPoint &place)
+{
+  const auto own = static_cast<std::size_t>(place.triangle);
+  const auto &corner = mesh.surface.triangles[own];
+  const auto &w = place.weight;
+  std::int32_t best = -1;
+  double steepest = level;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (w[c] == 1.)
+    {
+      const Vec3 &at =
+          mesh.surface.position[static_cast<std::size_t>(corner[c])];
+      for_round(mesh.topology, corner[c],
+                [&](std::int32_t other)
+                {
+                  for (const Vec3 &end : corners_of(mesh.surface, other))
+                  {
+                    const Vec3 along = end - at;
+                    const double length = along.norm();
+                    const double rise =
+                        length > 0. ? -place.normal.dot(along) / length : 0.;
+                    if (rise > steepest)
+                    {
+                      steepest = rise;
+                      best = other;
+                    }
+                  }
+                });
+      return best;
+    }
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const std::int32_t other = mesh.topology.neighbour[own][(c + 1) % 3];
+    if (w[c] != 0. || other < 0)
+      continue;
+    const Vec3 &from =
+        mesh.surface.position[static_cast<std::size_t>(corner[(c + 1) % 3])];
+    const Vec3 side =
+        (mesh.surface.position[static_cast<std::size_t>(corner[(c + 2) % 3])] -
+         from)
+            .normalized();
+    for (const Vec3 &end : corners_of(mesh.surface, other))
+    {
+      const Vec3 into = (end - from) - (end - from).dot(side) * side;
+      const double length = into.norm();
+      if (-place.normal.dot(into) > level * length && length > 0.)
+        best = other;
+    }
+  }
+  return best;
+}
+
+/// Weights that are none become zero.
+void snap(Weights &weight)
+{
+  double sum = 0.;
+  for (double &w : weight)
+  {
+    w = w < no_weight ? 0. : w;
+    sum += w;
+  }
+  for (double &w : weight)
+    w /= sum;
+}
+
+/// The place at another point of the mesh; the point of the particle is looked
+/// for from `on_particle` on.
+WallContactPoint place_at(ParticleView &particle, const FacetMesh &mesh,
+                          std::int32_t triangle, const Weights &weight,
+                          const Vec3 &on_particle)
+{
+  WallContactPoint to =
+      depth_of(particle, point_at(corners_of(mesh.surface, triangle), weight),
+               on_particle);
+  to.triangle = triangle;
+  to.weight = weight;
+  return to;
+}
+
+/// A part of the step, if it does not lead down.
+WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
+                         const WallContactPoint &place, const DepthModel &model,
+                         const Ascent &ascent)
+{
+  const double length = ascent.step.norm();
+  // By the model it is deeper there; if it is not, half way.
+  for (double part = std::min(1., model.longest / length); part > 1e-4;
+       part *= 0.5)
+  {
+    Weights weight;
+    for (std::size_t c = 0; c < 3; ++c)
+      weight[c] = part == 1. ? ascent.weight[c]
+                             : place.weight[c] +
+                                   part * (ascent.weight[c] - place.weight[c]);
+    snap(weight);
+    const WallContactPoint next =
+        place_at(particle, mesh, place.triangle, weight,
+                 particle.towards(model.on_particle +
+                                  part * (model.follow * ascent.step)));
+    if (next.is_found &&
+        (length < surely_up * particle.size() || next.overlap >= place.overlap))
+      return next;
+  }
+  return {};
+}
+
+/// Where a climb may lead, and how deep it must; else it is given up.
+struct Goal
+{
+  Vec3 centre = Vec3::Zero();
+  double radius = std::numeric_limits<double>::infinity();
+  double depth = -std::numeric_limits<double>::infinity();
+
+  bool is_out_of_reach(const WallContactPoint &place) const
+  {
+    return (place.point - centre).squaredNorm() > radius * radius;
+  }
+  /// From the centre: no depth grows faster than the way, grad D = -n.
+  bool is_too_deep(const WallContactPoint &place) const
+  {
+    return place.overlap + radius < depth;
+  }
+};
+
+/// Up to the deepest point without a step down.
+WallContactPoint climb(ParticleView &particle, const FacetMesh &mesh,
+                       const WallContactPoint &start, const Goal &goal = {})
+{
+  Weights first = start.weight;
+  snap(first);
+  WallContactPoint place =
+      place_at(particle, mesh, start.triangle, first, start.on_particle);
+  place.is_found = place.is_found && !goal.is_too_deep(place);
+  for (int step = 0; step < pace.most_steps && place.is_found; ++step)
+  {
+    if (goal.is_out_of_reach(place))
+      break;
+    const DepthModel model(particle, place);
+    const Ascent ascent =
+        best_on_triangle(model, corners_of(mesh.surface, place.triangle));
+    if (ascent.step.norm() < converged * particle.size())
+    {
+      const std::int32_t next = way_on(mesh, place);
+      if (next < 0)
+      {
+        place.is_found = ascent.is_summit &&
+                         place.normal.dot(normal_of(
+                             corners_of(mesh.surface, place.triangle))) > 0.;
+        return place;
+      }
+      place.weight = carried(mesh, place, next);
+      place.triangle = next;
+      continue;
+    }
+    const WallContactPoint next = climbed(particle, mesh, place, model, ascent);
+    // The flattest hills are climbed by many steps, to where no depth is left.
+    if (ascent.gain < no_gain * particle.size() && ascent.is_summit &&
+        (step + 1 == pace.most_steps || !next.is_found))
+      return place;
+    place = next;
+  }
+  place.is_found = false;
+  return place;
+}
+
+/// Calls call(triangle) once for every other triangle that has a corner of one.
+template <class Call>
+void for_beside(const FacetMesh &mesh, std::int32_t triangle, const Call &call)
+{
+  const auto &own = mesh.surface.triangles[static_cast<std::size_t>(triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    for_round(mesh.topology, own[c],
+              [&](std::int32_t other)
+              {
+                const auto &corner =
+                    mesh.surface.triangles[static_cast<std::size_t>(other)];
+                // Those at an earlier corner have been called.
+                const bool is_known = std::any_of(
+                    own.begin(), own.begin() + static_cast<std::ptrdiff_t>(c),
+                    [&corner](std::int32_t v) {
+                      return std::find(corner.begin(), corner.end(), v) !=
+                             corner.end();
+                    });
+                if (other != triangle && !is_known)
+                  call(other);
+              });
+}
+
+/// No point of a triangle is deeper if none of its corners lies inwards.
+bool may_be_deeper(const DepthModel &model, const Corners &corner, double gain)
+{
+  return std::any_of(corner.begin(), corner.end(),
+                     [&](const Vec3 &end)
+                     { return -model.normal.dot(end - model.point) > gain; });
+}
+
+/// A deeper place of the same patch on a triangle beside; not found if there is
+/// none.
+WallContactPoint deeper_beside(ParticleView &particle, const FacetMesh &mesh,
+                               const WallContactPoint &place)
+{
+  const double gain = 1e-10 * particle.size();
+  const DepthModel model(particle, place);
+  WallContactPoint best;
+  for_beside(
+      mesh, place.triangle,
+      [&](std::int32_t other)
+      {
+        const Corners corner = corners_of(mesh.surface, other);
+        if (!may_be_deeper(model, corner, gain))
+          return;
+        const Ascent ascent = best_on_triangle(model, corner);
+        if (ascent.gain < gain)
+          return;
+        WallContactPoint start = place;
+        start.triangle = other;
+        start.weight = ascent.weight;
+        start.on_particle =
+            particle.towards(model.on_particle + model.follow * ascent.step);
+        // Farther away the model was wrong.
+        const Goal goal{model.point + ascent.step, 0.5 * ascent.step.norm(),
+                        place.overlap};
+        // What is known of the particle here stays known if nothing is
+        // there.
+        ParticleView there = particle;
+        const WallContactPoint found = climb(there, mesh, start, goal);
+        if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
+            (!best.is_found || found.overlap > best.overlap) &&
+            is_one_patch(found.normal, place.normal))
+          best = found;
+      });
+  return best;
+}
+} // namespace
+
+WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
+                                  const WallContactPoint &start)
+{
+  WallContactPoint place = climb(particle, mesh, start);
+  constexpr int most_switches = 8;
+  for (int n = 0; n < most_switches && place.is_found; ++n)
+  {
+    const WallContactPoint deeper = deeper_beside(particle, mesh, place);
+    if (!deeper.is_found)
+      break;
+    place = deeper;
+    place.has_switched = true;
+  }
+  return place;
+}
+} // namespace dem

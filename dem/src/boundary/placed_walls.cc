@@ -1,0 +1,245 @@
+#include "../contact/follow.h"
+
+#include <dem/boundary/placed_walls.h>
+
+namespace dem
+{
+namespace
+{
+/// A place farther than this part of the radius from the last is another one.
+constexpr double jump = 0.05;
+
+/// What the side of contact k remembers of the surface.
+RadialExpansion known_expansion(const SideColumns &side, std::size_t k)
+{
+  const Triple<double> u = side.direction[k], g = side.gradient[k];
+  RadialExpansion known;
+  known.direction = Vec3(u.x, u.y, u.z).normalized();
+  known.radius = side.radius[k];
+  known.gradient = Vec3(g.x, g.y, g.z);
+  const auto entry = [&side, k](std::size_t c)
+  { return static_cast<double>(side.hessian[c][k]); };
+  known.hessian << entry(0), entry(3), entry(4), entry(3), entry(1), entry(5),
+      entry(4), entry(5), entry(2);
+  return known;
+}
+
+/// Notes where the contact is now: within the expansion as an offset from its
+/// direction, else by a new one.
+void note_place(const ForceContext &context, ContactBatch &batch, std::size_t k,
+                const Vec3 &on_particle, bool is_renewed)
+{
+  const Triple<double> u = batch.side_a.direction[k];
+  const Vec3 from(u.x, u.y, u.z);
+  const double along = on_particle.dot(from);
+  const Vec3 offset = on_particle / along - from;
+  const double reach = context.parameters.geometry.refresh_tolerance;
+  if (is_renewed || along <= 0. || offset.squaredNorm() > reach * reach)
+    renew_side(context, batch, k, true, on_particle);
+  else
+    batch.side_a.offset.set(k, {offset.x(), offset.y(), offset.z()});
+}
+
+/// What the contacts of one thread add to the sums of all.
+struct Events
+{
+  int n_jumps = 0, n_ended = 0;
+  bool has_displaced = false;
+
+  void add_to(ForceSum &sum) const
+  {
+    sum.n_jumps += n_jumps;
+    sum.n_ended += n_ended;
+    sum.has_displaced |= has_displaced;
+  }
+};
+
+/// Contacts that are led along: by whom, and whether the lists can wait for
+/// their next look where an open one comes to another place or to none.
+struct Followed
+{
+  const ForceContext &context;
+  ContactBatch &batch;
+  Events &events;
+  bool can_wait = false;
+};
+
+/// ContactBatch::displaced of an open contact that may have come to the place
+/// of another one: that matters when it closes.
+constexpr std::uint8_t displaced_open = 2;
+
+/// Takes note of a contact that has come to another place.
+void note_displaced(const Followed &all, std::size_t k,
+                    const WallContactPoint &place, bool is_elsewhere)
+{
+  ContactBatch &batch = all.batch;
+  const bool matters =
+      !all.can_wait || batch.is_touching(k) || place.overlap > 0.;
+  if (is_elsewhere || place.has_switched)
+    batch.displaced[k] = std::max<std::uint8_t>(
+        batch.displaced[k], is_elsewhere && !matters ? displaced_open : 1);
+  all.events.has_displaced |=
+      matters && (is_elsewhere || batch.displaced[k] == displaced_open);
+}
+
+/// Brings contact k to its place by `climb(particle, start)`; not found if it
+/// has none any more.
+template <class Climb>
+WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
+{
+  ContactBatch &batch = all.batch;
+  if (batch.slack[k] >= kernel::closed_slack)
+    return {};
+  const ForceContext &context = all.context;
+  const ParticleSystem &particles = context.particles;
+  const std::size_t i = row_of(batch.a[k]);
+  ParticleView particle(particles.shape[i], particles.position(i),
+                        particles.rotation(i),
+                        context.parameters.geometry.refresh_tolerance);
+  if (batch.side_a.is_known(k))
+    particle.start_from(known_expansion(batch.side_a, k));
+  const Vec3 start = batch.side_a.contact_point(k);
+  const WallContactPoint place = climb(particle, start);
+  if (!place.is_found || place.overlap > 0.3 * particle.size())
+  {
+    all.events.n_ended += batch.is_touching(k);
+    all.events.has_displaced |= !all.can_wait || batch.is_touching(k);
+    batch.slack[k] = kernel::closed_slack;
+    return {};
+  }
+  const bool is_elsewhere = (place.on_particle - start).norm() > jump;
+  // Over to a deeper place of its patch it comes at the same depth.
+  if (is_elsewhere && !place.has_switched && batch.side_a.is_known(k))
+  {
+    all.events.n_jumps += batch.is_touching(k);
+    batch.slack[k] = std::max(0., place.overlap - batch.overlap[k]);
+  }
+  note_displaced(all, k, place, is_elsewhere);
+  note_place(context, batch, k, place.on_particle,
+             particle.is_renewed() || !batch.side_a.is_known(k));
+  return place;
+}
+
+/// Calls call(k, events) for all contacts, by all threads.
+template <class Call>
+ForceSum for_contacts(const ContactBatch &batch, const Call &call)
+{
+  const auto n = static_cast<std::int64_t>(batch.size());
+  ForceSum sum;
+#pragma omp parallel if (n >= 64)
+  {
+    Events events;
+#pragma omp for schedule(static)
+    for (std::int64_t k = 0; k < n; ++k)
+      call(static_cast<std::size_t>(k), events);
+#pragma omp critical
+    events.add_to(sum);
+  }
+  return sum;
+}
+
+/// Contact k with its part of the drum.
+void place_one(const ForceContext &context, const PlacedDrum &walls,
+               ContactBatch &batch, std::size_t k, Events &events)
+{
+  const DrumPart part = drum_part(batch, k);
+  WallRow &row = walls.rows[row_of(batch.b[k])];
+  const WallContactPoint place =
+      follow({context, batch, events}, k,
+             [&](ParticleView &particle, const Vec3 &on_particle)
+             {
+               WallContactPoint start;
+               start.on_particle = on_particle;
+               if (part != DrumPart::lifter)
+                 return refine_on_drum(particle, walls.drum, part, start);
+               const NearestPoint at = walls.lifter.nearest(row.point);
+               start.triangle = at.triangle;
+               start.weight = at.weight;
+               return refine_on_facets(particle, walls.lifter.mesh(), start);
+             });
+  // What has lost its place opens where it was.
+  walls.overlap[row_of(batch.b[k])] = place.overlap;
+  if (!place.is_found)
+    return;
+  WallRow now;
+  now.point = place.point;
+  now.normal = now.normal_before = place.normal;
+  now.velocity = now.velocity_before =
+      walls.drum.velocity_at(part, place.point);
+  if (batch.is_touching(k))
+  {
+    now.velocity_before = row.velocity;
+    now.normal_before = row.normal;
+  }
+  row = now;
+}
+
+/// Contact k with the facet surface.
+void place_one(const ForceContext &context, const PlacedFacets &walls,
+               ContactBatch &batch, std::size_t k, Events &events)
+{
+  FacetContactPoint &contact_point = walls.candidates.contact_point[k];
+  double &reactivation = walls.candidates.reactivation[k];
+  const double travelled =
+      context.particles.travelled[row_of(batch.a[k])] + walls.travelled;
+  walls.overlap[k] = 0.;
+  if (travelled < reactivation)
+    return;
+  const WallContactPoint place =
+      follow({context, batch, events, true}, k,
+             [&](ParticleView &particle, const Vec3 &on_particle)
+             {
+               WallContactPoint start;
+               start.on_particle = on_particle;
+               start.triangle = contact_point.triangle;
+               start.weight = contact_point.weight;
+               return refine_on_facets(particle, walls.mesh, start);
+             });
+  if (!place.is_found)
+  {
+    // It opens where it was.
+    walls.rows[k] = facet_row(walls.mesh.surface, contact_point, contact_point);
+    return;
+  }
+  walls.overlap[k] = place.overlap;
+  reactivation = batch.is_touching(k) ? 0. : travelled - place.overlap;
+  const FacetContactPoint now{place.triangle, place.weight, place.normal};
+  walls.rows[k] = facet_row(walls.mesh.surface, now, contact_point);
+  contact_point = now;
+}
+} // namespace
+
+ForceSum place_on_drum(const ForceContext &context, const PlacedDrum &walls,
+                       ContactBatch &batch)
+{
+  const std::size_t n_rows = batch.size() * row_of(n_drum_parts);
+  walls.rows.resize(n_rows);
+  walls.overlap.assign(n_rows, 0.);
+  return for_contacts(batch, [&](std::size_t k, Events &events)
+                      { place_one(context, walls, batch, k, events); });
+}
+
+ForceSum place_on_facets(const ForceContext &context, const PlacedFacets &walls,
+                         ContactBatch &batch)
+{
+  walls.rows.resize(batch.size());
+  walls.overlap.assign(batch.size(), 0.);
+  return for_contacts(batch, [&](std::size_t k, Events &events)
+                      { place_one(context, walls, batch, k, events); });
+}
+
+void place_again(const ForceContext &context, const PlacedDrum &walls,
+                 ContactBatch &batch, std::size_t k)
+{
+  Events events;
+  place_one(context, walls, batch, k, events);
+}
+
+void place_again(const ForceContext &context, const PlacedFacets &walls,
+                 ContactBatch &batch, std::size_t k)
+{
+  Events events;
+  walls.candidates.reactivation[k] = 0.;
+  place_one(context, walls, batch, k, events);
+}
+} // namespace dem

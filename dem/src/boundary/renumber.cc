@@ -1,0 +1,108 @@
+#include <dem/boundary/drum.h>
+#include <dem/boundary/renumber.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace dem
+{
+namespace
+{
+std::int32_t moved(const std::vector<std::int32_t> &place,
+                   std::int32_t particle)
+{
+  return place[static_cast<std::size_t>(particle)];
+}
+
+/// Renames the particles; returns the order of the contacts by (particle,
+/// part), each with its number from before.
+template <class PartOf>
+std::vector<std::int32_t> place_order(const std::vector<std::int32_t> &place,
+                                      ContactBatch &batch,
+                                      const PartOf &part_of)
+{
+  std::vector<std::int32_t> order(batch.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    batch.a[k] = moved(place, batch.a[k]);
+  const auto key = [&](std::int32_t k)
+  { return std::pair(batch.a[static_cast<std::size_t>(k)], part_of(k)); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&key](std::int32_t k, std::int32_t l)
+                   { return key(k) < key(l); });
+  return order;
+}
+} // namespace
+
+void renumber_planes(const std::vector<std::int32_t> &place,
+                     ContactBatch &batch)
+{
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    batch.a[k] = moved(place, batch.a[k]);
+  batch.rearrange(batch.layout, batch.by_pair());
+}
+
+void renumber_facets(const std::vector<std::int32_t> &place,
+                     FacetCandidates &candidates, ContactBatch &batch)
+{
+  std::vector<std::int32_t> &particle = candidates.particle;
+  for (std::int32_t &one : particle)
+    one = moved(place, one);
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    batch.a[k] = moved(place, batch.a[k]);
+  std::vector<std::int32_t> rows(particle.size());
+  std::iota(rows.begin(), rows.end(), 0);
+  std::sort(rows.begin(), rows.end(),
+            [&particle](std::int32_t r, std::int32_t s)
+            {
+              return particle[static_cast<std::size_t>(r)] <
+                     particle[static_cast<std::size_t>(s)];
+            });
+  std::vector<std::int32_t> slots;
+  slots.reserve(batch.size());
+  for (const std::int32_t row : rows)
+    for (std::int32_t s = 0; s < slots_per_particle; ++s)
+      slots.push_back(slots_per_particle * row + s);
+  reorder_column(particle, rows);
+  reorder_column(candidates.contact_point, slots);
+  batch.rearrange(batch.layout, slots);
+  candidates.row_start.clear();
+  candidates.triangle.clear();
+  candidates.triangle_reactivation.clear();
+  candidates.reactivation.clear();
+}
+
+void renumber_drum_places(const std::vector<std::int32_t> &place,
+                          ContactBatch &batch, std::vector<WallRow> &rows)
+{
+  const auto part_of = [&batch](std::int32_t k)
+  { return batch.b[static_cast<std::size_t>(k)] % n_drum_parts; };
+  const std::vector<std::int32_t> order = place_order(place, batch, part_of);
+  std::vector<WallRow> fresh(order.size() *
+                             static_cast<std::size_t>(n_drum_parts));
+  std::vector<std::int32_t> b;
+  for (const std::int32_t k : order)
+  {
+    b.push_back(n_drum_parts * static_cast<std::int32_t>(b.size()) +
+                part_of(k));
+    fresh[static_cast<std::size_t>(b.back())] =
+        rows[static_cast<std::size_t>(batch.b[static_cast<std::size_t>(k)])];
+  }
+  batch.rearrange(batch.layout, order);
+  std::copy(b.begin(), b.end(), batch.b.begin());
+  rows = std::move(fresh);
+}
+
+void renumber_facet_places(const std::vector<std::int32_t> &place,
+                           FacetCandidates &candidates, ContactBatch &batch)
+{
+  const std::vector<std::int32_t> order =
+      place_order(place, batch, [](std::int32_t) { return std::int32_t{0}; });
+  reorder_column(candidates.contact_point, order);
+  reorder_column(candidates.reactivation, order);
+  batch.rearrange(batch.layout, order);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    batch.b[k] = static_cast<std::int32_t>(k);
+}
+} // namespace dem

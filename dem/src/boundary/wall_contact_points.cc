@@ -1,0 +1,349 @@
+#include "../neighbor/node_list.h"
+#include "../neighbor/node_minima.h"
+
+#include <dem/boundary/wall_contact_points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dem
+{
+namespace
+{
+constexpr double far = std::numeric_limits<double>::infinity();
+constexpr DirectionGrid nodes = RadiusMap::nodes;
+/// Where a surface bends between nodes against the rule of
+/// NodeGaps::may_hide(), by this part of the radius at most.
+constexpr double fine_slack = 0.02;
+/// Two places on a particle nearer than this are one [rad].
+constexpr double one_place = 0.03;
+
+ParticleView exact_view(const MappedParticlePose &particle)
+{
+  return {particle.particle.body, particle.position, particle.rotation, 0.};
+}
+
+Vec3 node_point(const MappedParticlePose &particle, int node)
+{
+  return particle.position +
+         particle.rotation * (particle.particle.body.scale *
+                              particle.particle.map.point(node).cast<double>());
+}
+
+/// Calls call(node) for every node whose distance from a wall is least among
+/// its neighbours', where the surface between them may come within `margin`
+/// [m]; `distance(point, within)` is that of a point, and may be infinite
+/// beyond `within`.
+template <class Distance, class Call>
+void for_nearest_nodes(const MappedParticlePose &particle, double margin,
+                       const Distance &distance, const Call &call)
+{
+  const RadiusMap &map = particle.particle.map;
+  const double scale = particle.particle.body.scale;
+  const double slack = fine_slack * mean_radius(particle.particle.body);
+  // The node next to a place is farther by no more than the surface bends.
+  const double range = margin + slack + scale * map.sag();
+  NodeGaps gaps;
+  std::vector<int> seen;
+  for (int block = 0; block < RadiusMap::blocks.size(); ++block)
+  {
+    const int first = RadiusMap::first_node(block);
+    const double near = range + scale * map.block_reach(block);
+    if (!(distance(node_point(particle, first), near) < near))
+      continue;
+    for (int down = 0; down < RadiusMap::block_side; ++down)
+      for (int right = 0; right < RadiusMap::block_side; ++right)
+      {
+        const int node = first + down * nodes.n_azimuth + right;
+        gaps.set(node, static_cast<float>(
+                           distance(node_point(particle, node), range)));
+        seen.push_back(node);
+      }
+  }
+  gaps.close();
+  for (const int node : seen)
+    if (gaps.at(node) < range && gaps.is_least(node) &&
+        gaps.at(node) - gaps.may_hide(node) < margin + slack)
+      call(node);
+}
+
+/// Keeps what a search finds, once.
+class Places
+{
+public:
+  Places(const MappedParticlePose &of, double within,
+         std::span<const WallContactPoint> old)
+      : particle(of), margin(within), known(old)
+  {
+  }
+
+  void add(const WallContactPoint &place)
+  {
+    const double size = mean_radius(particle.particle.body);
+    if (!place.is_found)
+      ++found.n_lost;
+    else if (place.overlap > -margin &&
+             place.overlap < deepest_overlap * size && !is_listed(place))
+      found.places.push_back(place);
+  }
+
+  WallSearchResult take()
+  {
+    std::stable_sort(
+        found.places.begin(), found.places.end(),
+        [](const WallContactPoint &one, const WallContactPoint &other)
+        { return one.overlap > other.overlap; });
+    return std::move(found);
+  }
+
+private:
+  bool is_listed(const WallContactPoint &place) const
+  {
+    const auto is_same = [&place](const WallContactPoint &other)
+    { return is_one_place(place, other); };
+    return std::any_of(known.begin(), known.end(), is_same) ||
+           std::any_of(found.places.begin(), found.places.end(), is_same);
+  }
+
+  const MappedParticlePose &particle;
+  double margin;
+  std::span<const WallContactPoint> known;
+  WallSearchResult found;
+};
+
+/// Distance of a point from some triangles: below zero behind them.
+class MeshDistance
+{
+public:
+  MeshDistance(const FacetSurface &of, std::span<const std::int32_t> triangles)
+      : surface(of)
+  {
+    for (const std::int32_t t : triangles)
+    {
+      const auto &v = surface.triangles[static_cast<std::size_t>(t)];
+      Face face;
+      face.triangle = t;
+      for (std::size_t c = 0; c < 3; ++c)
+        face.corner[c] = surface.position[static_cast<std::size_t>(v[c])];
+      face.centre = (face.corner[0] + face.corner[1] + face.corner[2]) / 3.;
+      for (const Vec3 &corner : face.corner)
+        face.radius = std::max(face.radius, (corner - face.centre).norm());
+      face.normal = (face.corner[1] - face.corner[0])
+                        .cross(face.corner[2] - face.corner[0])
+                        .normalized();
+      faces.push_back(face);
+    }
+  }
+
+  /// Nearest point within `range`; triangle -1: there is none.
+  NearestPoint nearest(const Vec3 &x, double range, double &distance) const
+  {
+    NearestPoint best;
+    distance = far;
+    double least = range, facing = 0.;
+    for (const Face &face : faces)
+    {
+      const Vec3 to_centre = face.centre - x;
+      const double bound = least + face.radius;
+      if (std::abs(face.normal.dot(to_centre)) > least ||
+          to_centre.squaredNorm() > bound * bound)
+        continue;
+      NearestPoint at = nearest_point(x, face.corner);
+      const double apart = (at.point - x).norm();
+      if (apart > least * (1. + 1e-12))
+        continue;
+      // At an edge or vertex the face that is looked at most squarely decides.
+      const double towards = face.normal.dot(at.point - x);
+      if (apart < least * (1. - 1e-12) || std::abs(towards) > std::abs(facing))
+      {
+        facing = towards;
+        best = at;
+        best.triangle = face.triangle;
+      }
+      least = std::min(least, apart);
+    }
+    if (best.triangle >= 0)
+      distance = facing >= 0. ? least : -least;
+    return best;
+  }
+
+private:
+  struct Face
+  {
+    std::int32_t triangle = -1;
+    std::array<Vec3, 3> corner;
+    Vec3 centre, normal;
+    double radius = 0.;
+  };
+
+  const FacetSurface &surface;
+  std::vector<Face> faces;
+};
+
+/// Calls call(vertex) for every corner of the triangles round a vertex.
+template <class Call>
+void for_corners_round(const FacetMesh &mesh, std::int32_t vertex,
+                       const Call &call)
+{
+  const auto at = static_cast<std::size_t>(vertex);
+  for (std::int32_t r = mesh.topology.row_start[at];
+       r < mesh.topology.row_start[at + 1]; ++r)
+    for (const std::int32_t corner :
+         mesh.surface.triangles[static_cast<std::size_t>(
+             mesh.topology.row_triangle[static_cast<std::size_t>(r)])])
+      call(corner);
+}
+
+/// Gaps of the vertices of some triangles, and of those next to them, from a
+/// particle by its map.
+class VertexGaps
+{
+public:
+  VertexGaps(const MappedParticlePose &particle, const FacetMesh &mesh,
+             std::span<const std::int32_t> triangles, double range)
+  {
+    for (const std::int32_t t : triangles)
+      for (const std::int32_t v :
+           mesh.surface.triangles[static_cast<std::size_t>(t)])
+        for_corners_round(mesh, v,
+                          [this](std::int32_t corner)
+                          { vertices.push_back(corner); });
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
+    const std::size_t room = vertices.size() + kernel::map_spare;
+    std::vector<float> x(room), y(room), z(room);
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      const Vec3 branch =
+          mesh.surface.position[static_cast<std::size_t>(vertices[k])] -
+          particle.position;
+      x[k] = static_cast<float>(branch.x());
+      y[k] = static_cast<float>(branch.y());
+      z[k] = static_cast<float>(branch.z());
+    }
+    gaps.resize(room);
+    find_gaps(particle.particle, {Vec3::Zero(), particle.rotation}, range,
+              {x.data(), y.data(), z.data()}, static_cast<int>(vertices.size()),
+              gaps.data());
+  }
+
+  float of(std::int32_t vertex) const
+  {
+    const auto found =
+        std::lower_bound(vertices.begin(), vertices.end(), vertex);
+    return gaps[static_cast<std::size_t>(found - vertices.begin())];
+  }
+
+private:
+  std::vector<std::int32_t> vertices; ///< sorted
+  std::vector<float> gaps;
+};
+
+/// Calls call(triangle, corner) once for every vertex that is deeper in the
+/// particle than the others of its triangles, and not farther than `range`.
+template <class Call>
+void for_deepest_vertices(const MappedParticlePose &particle,
+                          const FacetMesh &mesh,
+                          std::span<const std::int32_t> triangles, double range,
+                          const Call &call)
+{
+  const VertexGaps gaps(particle, mesh, triangles, range);
+  const auto is_deepest = [&](std::int32_t v)
+  {
+    bool is_least = true;
+    for_corners_round(mesh, v,
+                      [&](std::int32_t other)
+                      { is_least &= gaps.of(other) >= gaps.of(v); });
+    return is_least;
+  };
+  std::vector<std::int32_t> seen;
+  for (const std::int32_t t : triangles)
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const std::int32_t v =
+          mesh.surface.triangles[static_cast<std::size_t>(t)][c];
+      if (std::find(seen.begin(), seen.end(), v) != seen.end())
+        continue;
+      seen.push_back(v);
+      if (gaps.of(v) < range && is_deepest(v))
+        call(t, c);
+    }
+}
+} // namespace
+
+bool is_one_place(const WallContactPoint &one, const WallContactPoint &other)
+{
+  return (one.on_particle - other.on_particle).squaredNorm() <
+             one_place * one_place &&
+         is_one_patch(one.normal, other.normal);
+}
+
+WallSearchResult find_on_facets(const MappedParticlePose &particle,
+                                const FacetMesh &mesh,
+                                std::span<const std::int32_t> triangles,
+                                double margin,
+                                std::span<const WallContactPoint> known)
+{
+  Places places(particle, margin, known);
+  ParticleView view = exact_view(particle);
+  const MeshDistance nearby(mesh.surface, triangles);
+  const double range =
+      margin + fine_slack * mean_radius(particle.particle.body) +
+      particle.particle.body.scale * particle.particle.map.sag();
+  const auto distance = [&nearby](const Vec3 &x, double within)
+  {
+    double least = far;
+    nearby.nearest(x, within, least);
+    return least;
+  };
+  for_nearest_nodes(particle, margin, distance,
+                    [&](int node)
+                    {
+                      const Vec3 x = node_point(particle, node);
+                      double least = far;
+                      const NearestPoint at = nearby.nearest(x, range, least);
+                      if (at.triangle < 0)
+                        return;
+                      WallContactPoint start;
+                      start.on_particle = view.towards(x);
+                      start.triangle = at.triangle;
+                      start.weight = at.weight;
+                      places.add(refine_on_facets(view, mesh, start));
+                    });
+  for_deepest_vertices(
+      particle, mesh, triangles, range,
+      [&](std::int32_t triangle, std::size_t corner)
+      {
+        const auto &v =
+            mesh.surface.triangles[static_cast<std::size_t>(triangle)];
+        WallContactPoint start;
+        start.on_particle = view.towards(
+            mesh.surface.position[static_cast<std::size_t>(v[corner])]);
+        start.triangle = triangle;
+        start.weight[corner] = 1.;
+        places.add(refine_on_facets(view, mesh, start));
+      });
+  return places.take();
+}
+
+WallSearchResult find_on_drum(const MappedParticlePose &particle,
+                              const Drum &drum, DrumPart part, double margin,
+                              std::span<const WallContactPoint> known)
+{
+  Places places(particle, margin, known);
+  ParticleView view = exact_view(particle);
+  const auto distance = [&](const Vec3 &x, double)
+  { return nearest_on_drum(drum, part, x).distance; };
+  for_nearest_nodes(particle, margin, distance,
+                    [&](int node)
+                    {
+                      WallContactPoint start;
+                      start.on_particle =
+                          view.towards(node_point(particle, node));
+                      places.add(refine_on_drum(view, drum, part, start));
+                    });
+  return places.take();
+}
+} // namespace dem

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "fetch_ahead.h"
+#include "placed_simd.h"
+#include "surface_simd.h"
+
+/// The loops over contacts of one law, for units that are compiled once per
+/// instruction set.
+namespace dem::kernel
+{
+namespace
+{
+constexpr int n_parts = lane_block / n_lanes;
+using BlockLosses = Losses<Simd>[n_parts];
+
+/// What the lanes have lost, place by place in the block.
+void sum_losses(const BlockLosses &lost, Dissipation &sum)
+{
+  for (int part = 0; part < n_parts; ++part)
+  {
+    SimdTable<4> table;
+    table.set(0, {{lost[part].friction, lost[part].rolling, lost[part].damping},
+                  lost[part].non_conservative_work});
+    for (int lane = 0; lane < n_lanes; ++lane)
+    {
+      sum.friction += table.value[lane][0];
+      sum.rolling += table.value[lane][1];
+      sum.damping += table.value[lane][2];
+      sum.non_conservative_work += table.value[lane][3];
+    }
+  }
+}
+
+template <auto advance>
+void run_range(const Task &task, std::int64_t first, std::int64_t last,
+               RangeSum &sum)
+{
+  const Target target{task.contacts.a[first], sum};
+  BlockLosses lost;
+  for (std::int64_t k = first; k < last; k += lane_block)
+  {
+    if (task.ahead.n > 0)
+      fetch_ahead(task, k, last);
+    for (int part = 0; part < n_parts; ++part)
+    {
+      const std::int64_t from = k + part * n_lanes;
+      const std::int64_t n_valid =
+          last - from < n_lanes ? last - from : n_lanes;
+      if (n_valid > 0)
+        advance(task, from, static_cast<int>(n_valid), lost[part], target);
+    }
+  }
+  sum_losses(lost, sum.lost);
+}
+
+/// The row of one law in the table of kernels. Laws that attract do so along
+/// the branch and on planes: true surfaces follow their contacts from touch on.
+template <class Law>
+requires NormalLaw<Law, Simd>
+constexpr Loops loops_of()
+{
+  Loops loops{run_range<advance_pairs<Law>>, run_range<advance_walls<Law>>,
+              nullptr, nullptr, nullptr};
+  if constexpr (!Law::attracts)
+  {
+    loops.surface_pairs = run_range<advance_surface_pairs<Law>>;
+    loops.surface_walls = run_range<advance_surface_walls<Law>>;
+    loops.placed_walls = run_range<advance_placed_walls<Law>>;
+  }
+  return loops;
+}
+} // namespace
+} // namespace dem::kernel

@@ -1,0 +1,152 @@
+#pragma once
+
+#include <dem/breakage/patch_factors.h>
+#include <dem/engine.h>
+#include <dem/integrate/verlet.h>
+#include <dem/neighbor/schedule.h>
+
+namespace dem
+{
+/// What an engine owns, and the order of a step. The functions that Engine has,
+/// too, are described there.
+class EngineState
+{
+public:
+  explicit EngineState(const EngineParameters &parameters);
+  void add_particle(const ParticleShape &body, const Vec3 &position,
+                    const Quaternion &orientation, std::uint8_t material = 0);
+  Boundary &add_boundary(std::unique_ptr<Boundary> boundary);
+  std::span<const std::unique_ptr<Boundary>> boundaries() const
+  {
+    return walls;
+  }
+  void lists_changed() { schedule.invalidate(); }
+  void set_periodic_cell(const Vec3 &centre, const Vec3 &length);
+  const PeriodicCell &cell() const { return system.cell; }
+  void set_cell_rate(const Vec3 &rate) { system.cell.rate = rate; }
+  void advance(double time_step);
+  void advance_deferred(double time_step);
+  void evaluate(double time_step);
+
+  const EngineParameters &parameters() const { return settings; }
+  void set_friction(double friction);
+  void set_local_damping(double damping);
+  void set_renewal(double refresh_tolerance, double skin);
+  void allow_escape() { keeps_inside = false; }
+  void come_to_rest();
+  void set_breaking(bool is_on);
+  void set_repetitions(double repetitions);
+  const ParticleSystem &particles() const
+  {
+    finish_kick();
+    return system;
+  }
+  ParticleSystem &particles()
+  {
+    finish_kick();
+    return system;
+  }
+  const ContactBatch &pairs() const { return pair_batch; }
+
+  double time() const { return now; }        ///< [s]
+  void set_time(double time) { now = time; } ///< of the clock alone [s]
+  std::int64_t n_steps() const { return step_count; }
+  std::int64_t n_rebuilds() const { return schedule.n_made; }
+  double listed_gap() const { return schedule.skin.left; }
+  const ContactPointEvents &contact_point_events() const
+  {
+    return contact_points.events;
+  }
+  EngineEnergy energy() const;
+  EngineClock clock() const { return spent; }
+  const OverlapRecord &overlaps() const { return overlap; }
+  void begin_overlap_interval() { overlap.recent = 0.; }
+  std::vector<BreakageEvent> take_events();
+  std::int64_t n_events() const { return event_count; }
+  int n_refused_events() const { return refused_count; }
+  void
+  save(std::ostream &out,
+       const std::vector<std::shared_ptr<const Coefficients>> &library) const;
+  void restore(std::istream &in,
+               const std::vector<std::shared_ptr<const Coefficients>> &library);
+
+private:
+  Speeds move_particles(double time_step);
+  void finish_kick() const;
+  void move_boundaries(double time_step);
+  void move_cell(double time_step);
+  void book_cell(double time_step);
+  double cell_speed() const;
+  void keep_lists(const Speeds &fastest, double time_step);
+  SkinWidth::Lists list_counts() const;
+  void rebuild_lists();
+  void renew_lists();
+  void update_maps();
+  void rebuild_pair_list();
+  void check_sheets();
+  void find_boundary_candidates(bool of_sheets_alone);
+  bool follows_walls() const; ///< particles, with their surfaces
+  ContactGeometry pair_geometry() const;
+  ContactPointSearchInput contact_point_search(const ForceContext &still,
+                                               const BatchLayout &layout) const;
+  void sort_in_space();
+  bool evaluate_contacts(double time_step);
+  void meet_walls(double time_step);
+  bool run_contacts(const ForceContext &all);
+  void count_places(const ForceSum &sum);
+  void note_overlap(double ratio);
+  std::string deepest_contact() const;
+  void exchange_factors();
+  void break_corners();
+  void load_boundaries(double time_step);
+  double branch_steepness() const;
+  ForceContext context(double time_step);
+  /// Calls call(batch) for the contacts of particles with each other and with
+  /// each boundary.
+  template <class Self, class Call>
+  static void visit_batches(Self &self, const Call &call)
+  {
+    call(self.pair_batch);
+    for (const auto &boundary : self.walls)
+      call(boundary->batch);
+  }
+  /// Calls call(value) for every plain value that a checkpoint keeps.
+  template <class Self, class Visit>
+  static void visit_state(Self &self, const Visit &call);
+
+  EngineParameters settings;
+  ElasticityTable elasticity;
+  // Const functions too give the kick that is owed: what is seen of the
+  // particles does not depend on when.
+  mutable ParticleSystem system;
+  mutable WorkColumns work;
+  mutable double pending_half_kick =
+      0.; ///< the last of the step, or nothing [s]
+  mutable EngineClock spent;
+  std::vector<std::unique_ptr<Boundary>> walls;
+  ContactBatch pair_batch;
+  PairLoads pair_loads;
+  PatchFactors patches; ///< empty unless patches keep factors
+
+  bool keeps_inside = true; ///< allow_escape() has not been called
+  NeighborSchedule schedule;
+  PairFinder pair_finder;
+  ParticleMaps maps; ///< of true surfaces
+  ContactPointLists contact_points;
+  /// No two particles are more lengths of the periodic cell apart [-].
+  Vec3 image_span = Vec3::Zero();
+  double steepest = 0.;         ///< c of closing_speed [-]
+  double travelled_sorted = 0.; ///< when the particles were last sorted [m]
+  double now = 0.;
+  std::int64_t step_count = 0, event_count = 0;
+  int refused_count = 0;
+  Dissipation lost;
+  OverlapRecord overlap;
+  double least_radius = 0.; ///< no equivalent sphere is smaller [m]
+  double released = 0., fractured = 0.;
+  std::vector<BreakageEvent> events;
+
+  // Space to work in, kept from step to step.
+  std::vector<RangeSum> ranges;
+};
+} // namespace dem

@@ -1,0 +1,141 @@
+#include "place_lists.h"
+
+#include <algorithm>
+
+namespace dem
+{
+namespace
+{
+/// Particles are searched for places within so many margins: what is not listed
+/// yet tells how long the list is good for.
+constexpr double reach_margins = 2.;
+
+/// Gap between the points of two surfaces where an old contact is [m].
+double gap_at(const ParticleSystem &particles, const PairKey &pair,
+              const RelativePose &pose, const ContactPoint &contact_point)
+{
+  const SurfacePoint a =
+      surface_point(particles.shape[row_of(pair.first)], contact_point.on_a);
+  const SurfacePoint b =
+      surface_point(particles.shape[row_of(pair.second)], contact_point.on_b);
+  return (pose.position + pose.rotation * b.position - a.position)
+      .dot(a.normal);
+}
+
+PairList list_pair(const ContactPointSearchInput &input,
+                   const CandidatePair &candidates, const ContactBatch &batch,
+                   const OldRows &old)
+{
+  const ParticleSystem &particles = input.context.particles;
+  const PairKey &pair = candidates.key;
+  const RelativePose pose =
+      relative_pose(particles, row_of(pair.first), row_of(pair.second));
+  const MappedPair mapped{input.maps.particle(particles, row_of(pair.first)),
+                          input.maps.particle(particles, row_of(pair.second)),
+                          pose};
+  const Separation separation =
+      separate(mapped,
+               candidates.between.isZero(0.) ? pose.position.normalized()
+                                             : candidates.between,
+               input.margin);
+  PairList list;
+  list.between = separation.normal;
+  list.clear = std::max(separation.gap, input.margin);
+  if (separation.gap > input.margin)
+    return list;
+  list.events.n_scans = 1;
+  for (const std::size_t k : alive_first(batch, old))
+  {
+    ContactPoint contact_point = contact_point_of(batch, k);
+    contact_point.overlap = batch.is_touching(k)
+                                ? batch.overlap[k]
+                                : -gap_at(particles, pair, pose, contact_point);
+    if (contact_point.overlap > -input.margin)
+      list.keep({static_cast<std::int32_t>(k), contact_point, {}});
+  }
+  ContactPointSearch search = find_contact_points(
+      mapped, separation, reach_margins * input.margin, list.contact_points());
+  list.events.n_lost = search.n_lost;
+  // The places are complete until the next one comes within the margin.
+  const auto beyond = std::ranges::find_if(
+      search.contact_points, [&](const ContactPoint &contact_point)
+      { return contact_point.overlap <= -input.margin; });
+  list.clear = beyond == search.contact_points.end()
+                   ? reach_margins * input.margin
+                   : -beyond->overlap;
+  search.contact_points.erase(beyond, search.contact_points.end());
+  list.add(search.contact_points, input.is_first);
+  return list;
+}
+
+bool by_key(const CandidatePair &one, const CandidatePair &other)
+{
+  return one.key < other.key;
+}
+} // namespace
+
+bool have_displaced(const ContactBatch &batch)
+{
+  for (std::size_t k = 0; k < batch.displaced.size(); ++k)
+    if (has_displaced(batch, k))
+      return true;
+  return false;
+}
+
+ContactPointEvents &
+ContactPointEvents::operator+=(const ContactPointEvents &part)
+{
+  n_scans += part.n_scans;
+  n_late += part.n_late;
+  n_jumps += part.n_jumps;
+  n_ended += part.n_ended;
+  n_merged += part.n_merged;
+  n_unlisted += part.n_unlisted;
+  n_lost += part.n_lost;
+  return *this;
+}
+
+void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
+                                    const Travel &travel, ContactBatch &batch,
+                                    Dissipation &retired)
+{
+  const ParticleSystem &particles = input.context.particles;
+  const double range = far_margins * input.margin;
+  if (reach < travel.centres + input.margin)
+  {
+    pairs = merged(near_spheres(particles, range), pairs);
+    reach = travel.centres + range;
+  }
+  const auto travelled = [&particles](const PairKey &key)
+  {
+    return particles.travelled[row_of(key.first)] +
+           particles.travelled[row_of(key.second)];
+  };
+  events += renew(
+      input, Watch{pairs, travelled, itself},
+      [&](const CandidatePair &pair, const OldRows &old)
+      { return list_pair(input, pair, batch, old); },
+      batch, retired, [](const Arrangement &) {});
+}
+
+void renumber_candidates(const std::vector<std::int32_t> &place,
+                         std::vector<CandidatePair> &walls)
+{
+  for (CandidatePair &pair : walls)
+    pair.key.first = place[row_of(pair.key.first)];
+  std::sort(walls.begin(), walls.end(), by_key);
+}
+
+void ContactPointLists::renumber(const std::vector<std::int32_t> &place)
+{
+  for (CandidatePair &pair : pairs)
+  {
+    const std::int32_t a = place[row_of(pair.key.first)],
+                       b = place[row_of(pair.key.second)];
+    // The first particle may be another one.
+    pair.between = Vec3::Zero();
+    pair.key = std::minmax(a, b);
+  }
+  std::sort(pairs.begin(), pairs.end(), by_key);
+}
+} // namespace dem

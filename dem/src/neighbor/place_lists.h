@@ -1,0 +1,372 @@
+#pragma once
+
+#include "../contact/follow.h"
+#include "carry_over.h"
+
+#include <dem/contact/wall_contact_point.h>
+#include <dem/neighbor/contact_point_lists.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+/// Lists of places by pair of bodies: what those of particles and of walls have
+/// in common.
+namespace dem
+{
+namespace
+{
+/// Gaps beyond so many margins need not be known better.
+constexpr double far_margins = 3.;
+
+/// One entry of the list to be.
+struct Row
+{
+  std::int32_t source = -1;   ///< where it was, -1: new
+  ContactPoint contact_point; ///< on a wall only `on_a`
+  WallContactPoint foot;      ///< on drums and facets: point, normal, triangle
+};
+
+/// Numbers of the entries of one pair as they were.
+using OldRows = std::span<const std::int32_t>;
+
+/// What the entries of a batch are listed by: `b`, or what it stands for.
+using SecondOf = std::int32_t (*)(std::int32_t b);
+
+/// Finds the entries of keys that come in rising order.
+class OldList
+{
+public:
+  /// `in_order`: their numbers by key.
+  OldList(const ContactBatch &its_batch, SecondOf second_body, OldRows in_order)
+      : batch(its_batch), second_of(second_body), order(in_order)
+  {
+  }
+
+  OldRows next(const PairKey &key)
+  {
+    while (at < order.size() && key_of(at) < key)
+      ++at;
+    const std::size_t first = at;
+    while (at < order.size() && key_of(at) == key)
+      ++at;
+    return order.subspan(first, at - first);
+  }
+
+private:
+  PairKey key_of(std::size_t place) const
+  {
+    const std::size_t k = row_of(order[place]);
+    return {batch.a[k], second_of(batch.b[k])};
+  }
+
+  const ContactBatch &batch;
+  SecondOf second_of;
+  OldRows order;
+  std::size_t at = 0;
+};
+
+/// The list of one pair while it is made.
+struct PairList
+{
+  std::vector<Row> rows;
+  double clear = 0.;           ///< travel up to which the list is complete [m]
+  Vec3 between = Vec3::Zero(); ///< CandidatePair::between
+  bool is_new = true;          ///< else all rows stay as they are
+  ContactPointEvents events;
+
+  std::vector<ContactPoint> contact_points() const
+  {
+    std::vector<ContactPoint> all;
+    for (const Row &row : rows)
+      all.push_back(row.contact_point);
+    return all;
+  }
+
+  /// Keeps an old contact unless one that is kept is at its place.
+  void keep(const Row &row)
+  {
+    const bool is_double = std::any_of(
+        rows.begin(), rows.end(),
+        [&](const Row &other)
+        {
+          // On walls beside each other on the particle, and of one
+          // patch.
+          return is_one_place(row.contact_point, other.contact_point) &&
+                 is_one_patch(row.foot.normal, other.foot.normal);
+        });
+    if (is_double)
+      ++events.n_merged;
+    else
+      rows.push_back(row);
+  }
+
+  /// Adds new contacts. Of too many the farthest go, be they new or old, and
+  /// the list is complete until those could touch.
+  void add(const std::vector<ContactPoint> &found, bool is_first)
+  {
+    for (const ContactPoint &contact_point : found)
+      rows.push_back({-1, contact_point, {}});
+    while (rows.size() > most_contact_points)
+    {
+      const auto farthest = std::ranges::min_element(
+          rows, {}, [](const Row &row) { return row.contact_point.overlap; });
+      clear = std::min(clear, std::max(0., -farthest->contact_point.overlap));
+      rows.erase(farthest);
+      ++events.n_unlisted;
+    }
+    for (const Row &row : rows)
+      events.n_late +=
+          row.source < 0 && row.contact_point.overlap > 0. && !is_first;
+  }
+};
+
+/// A contact that has come to another place, or lost its own.
+inline bool has_displaced(const ContactBatch &batch, std::size_t k)
+{
+  return batch.displaced[k] != 0 || batch.slack[k] >= kernel::closed_slack;
+}
+
+/// Touching contacts come first: of two at one place the other one goes.
+inline std::vector<std::size_t> alive_first(const ContactBatch &batch,
+                                            const OldRows &old)
+{
+  std::vector<std::size_t> alive;
+  for (const bool is_touching : {true, false})
+    for (const std::int32_t entry : old)
+      if (const std::size_t k = row_of(entry);
+          batch.is_touching(k) == is_touching &&
+          batch.slack[k] < kernel::closed_slack)
+        alive.push_back(k);
+  return alive;
+}
+
+/// A pair that needs no search.
+inline PairList unchanged(const OldRows &old)
+{
+  PairList list;
+  list.is_new = false;
+  for (const std::int32_t k : old)
+    list.rows.push_back({k, {}, {}});
+  return list;
+}
+
+/// Makes the lists of all pairs: `make(pair, old)` that of one which is due.
+template <class Make>
+std::vector<PairList> make_lists(const std::vector<CandidatePair> &pairs,
+                                 OldList old_list, const Make &make)
+{
+  std::vector<OldRows> old;
+  old.reserve(pairs.size());
+  for (const CandidatePair &pair : pairs)
+    old.push_back(old_list.next(pair.key));
+  std::vector<PairList> lists(pairs.size());
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    lists[p] = make(pairs[p], old[p]);
+  return lists;
+}
+
+inline bool have_displaced(const ContactBatch &batch, const OldRows &old)
+{
+  for (const std::int32_t k : old)
+    if (has_displaced(batch, row_of(k)))
+      return true;
+  return false;
+}
+
+inline bool has_open_places(const ContactBatch &batch, const OldRows &old)
+{
+  for (const std::int32_t k : old)
+    if (!batch.is_touching(row_of(k)))
+      return true;
+  return false;
+}
+
+/// Places of the entries as they will stand, in the order of the pairs until
+/// they are put in another one.
+struct Arrangement
+{
+  std::vector<std::int32_t> source;
+  std::vector<PairKey> key;
+  std::vector<const Row *> row;
+
+  Arrangement(const std::vector<CandidatePair> &pairs,
+              const std::vector<PairList> &lists)
+  {
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      for (const Row &one : lists[p].rows)
+      {
+        source.push_back(one.source);
+        key.push_back(pairs[p].key);
+        row.push_back(&one);
+      }
+  }
+
+  /// Whether they are others than those of `old`, in the order of the pairs.
+  bool changes(OldRows old) const { return !std::ranges::equal(source, old); }
+
+  /// Those that touch before those that do not, see touching_first().
+  void put_touching_first(const ContactBatch &batch)
+  {
+    const std::vector<std::int32_t> order =
+        touching_first(source.size(),
+                       [&](std::int32_t k)
+                       {
+                         const std::int32_t from = source[row_of(k)];
+                         return from >= 0 && batch.is_touching(row_of(from));
+                       });
+    reorder_column(source, order);
+    reorder_column(key, order);
+    reorder_column(row, order);
+  }
+};
+
+/// Gives up what the dropped contacts hold.
+inline void retire_dropped(const Arrangement &to, const ContactBatch &batch,
+                           Dissipation &retired)
+{
+  std::vector<std::uint8_t> is_kept(batch.size(), 0);
+  for (const std::int32_t source : to.source)
+    if (source >= 0)
+      is_kept[row_of(source)] = 1;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (!is_kept[k])
+      retire_contact(batch, k, retired);
+}
+
+/// Puts the batch in the order of the lists and evaluates new sides.
+inline void arrange(const ContactPointSearchInput &input, const Arrangement &to,
+                    ContactBatch &batch)
+{
+  const bool is_damage_new =
+      input.layout.has_damage && !batch.layout.has_damage;
+  batch.rearrange(input.layout, to.source);
+  const auto n = static_cast<std::int64_t>(to.source.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::int64_t entry = 0; entry < n; ++entry)
+  {
+    const auto k = static_cast<std::size_t>(entry);
+    batch.a[k] = to.key[k].first;
+    batch.b[k] = to.key[k].second;
+    batch.displaced[k] = 0;
+    if (to.source[k] >= 0)
+      continue;
+    const ContactPoint &contact_point = to.row[k]->contact_point;
+    if (input.layout.has_partners)
+      place_pair(input.context, batch, k, contact_point);
+    else
+      renew_side(input.context, batch, k, true, contact_point.on_a);
+    batch.slack[k] = input.is_first ? 0. : std::max(0., contact_point.overlap);
+  }
+  if (is_damage_new)
+    note_corners(input.context.particles, batch);
+}
+
+/// Which layout the batch has, as far as the lists set it.
+inline bool is_same_layout(const BatchLayout &one, const BatchLayout &other)
+{
+  return one.has_rolling == other.has_rolling &&
+         one.has_damage == other.has_damage && one.has_turn == other.has_turn &&
+         one.has_peak == other.has_peak &&
+         one.has_contact_points == other.has_contact_points;
+}
+
+/// The pairs that bounding spheres allow, with what is known of them.
+inline std::vector<CandidatePair>
+merged(const std::vector<PairKey> &keys,
+       const std::vector<CandidatePair> &known)
+{
+  std::vector<CandidatePair> pairs;
+  pairs.reserve(keys.size());
+  auto old = known.begin();
+  for (const PairKey &key : keys)
+  {
+    while (old != known.end() && old->key < key)
+      ++old;
+    const bool is_known = old != known.end() && old->key == key;
+    pairs.push_back(is_known ? *old
+                             : CandidatePair{key, -1., 0., Vec3::Zero()});
+  }
+  return pairs;
+}
+
+/// Pairs that may touch, with how far each has travelled, and what is listed
+/// by.
+template <class Travelled>
+struct Watch
+{
+  std::vector<CandidatePair> &pairs;
+  Travelled travelled;
+  SecondOf second_of;
+};
+// Clang 14 deduces no arguments of an aggregate without a guide.
+template <class Travelled>
+Watch(std::vector<CandidatePair> &, Travelled, SecondOf) -> Watch<Travelled>;
+
+/// Numbers of the entries by what they are listed by; those on walls stand in
+/// that order.
+inline std::vector<std::int32_t> entries_by_key(const ContactBatch &batch,
+                                                bool has_partners)
+{
+  if (has_partners)
+    return batch.by_pair();
+  std::vector<std::int32_t> order(batch.size());
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+/// `b` is the particle or the plane itself.
+inline std::int32_t itself(std::int32_t b)
+{
+  return b;
+}
+
+/// Makes the lists that are due and puts the batch in their order, then calls
+/// arranged(Arrangement) if that is another one.
+template <class Travelled, class Make, class Arranged>
+ContactPointEvents renew(const ContactPointSearchInput &input,
+                         const Watch<Travelled> &watch, const Make &make,
+                         ContactBatch &batch, Dissipation &retired,
+                         const Arranged &arranged)
+{
+  std::vector<CandidatePair> &pairs = watch.pairs;
+  const std::vector<std::int32_t> old_order =
+      entries_by_key(batch, input.layout.has_partners);
+  const std::vector<PairList> lists = make_lists(
+      pairs, OldList(batch, watch.second_of, old_order),
+      [&](const CandidatePair &pair, const OldRows &old)
+      {
+        const bool is_due =
+            pair.due < watch.travelled(pair.key) + input.notice ||
+            have_displaced(batch, old) ||
+            (pair.margin > 2. * input.margin && has_open_places(batch, old));
+        return is_due ? make(pair, old) : unchanged(old);
+      });
+  ContactPointEvents events;
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+  {
+    events += lists[p].events;
+    if (lists[p].is_new)
+    {
+      pairs[p].due = watch.travelled(pairs[p].key) + lists[p].clear;
+      pairs[p].margin = input.margin;
+      pairs[p].between = lists[p].between;
+    }
+  }
+  Arrangement to(pairs, lists);
+  if (!to.changes(old_order) && is_same_layout(input.layout, batch.layout))
+  {
+    std::fill(batch.displaced.begin(), batch.displaced.end(), std::uint8_t{0});
+    return events;
+  }
+  if (input.layout.has_partners)
+    to.put_touching_first(batch);
+  retire_dropped(to, batch, retired);
+  arrange(input, to, batch);
+  arranged(to);
+  return events;
+}
+} // namespace
+} // namespace dem

@@ -1,0 +1,115 @@
+#include <dem/neighbor/space_order.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace dem
+{
+namespace
+{
+/// The lowest 21 bits of x with two zeros between them.
+std::uint64_t spread(std::uint64_t x)
+{
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  x = (x | x << 2) & 0x1249249249249249;
+  return x;
+}
+
+/// Shear and all else changes its sign when A and B change places.
+void swap_sides(ContactBatch &batch, std::size_t k)
+{
+  std::swap(batch.a[k], batch.b[k]);
+  const auto negate = [k](TripleColumn<double> &column)
+  {
+    const Triple<double> value = column[k];
+    column.set(k, -value);
+  };
+  // The spring acts on A, along the motion of B against A.
+  negate(batch.shear);
+  const Triple<double> dashpot = batch.dashpot[k];
+  batch.dashpot.set(k, -dashpot);
+  if (batch.layout.has_rolling)
+    negate(batch.rolling);
+  const auto swap_entry = [k](bool is_there, auto &first, auto &second)
+  {
+    if (is_there)
+      std::swap(first[k], second[k]);
+  };
+  SideColumns::visit(swap_entry, batch.layout, batch.layout.has_sides,
+                     batch.side_a, batch.side_b);
+  if (!batch.layout.has_damage)
+    return;
+  std::swap(batch.factor_a[k], batch.factor_b[k]);
+  std::swap(batch.corner_a[k], batch.corner_b[k]);
+}
+
+std::int32_t moved(const std::vector<std::int32_t> &place,
+                   std::int32_t particle)
+{
+  return place[static_cast<std::size_t>(particle)];
+}
+
+} // namespace
+
+std::vector<std::int32_t> space_order(const std::vector<Vec3> &position)
+{
+  std::vector<std::int32_t> order(position.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (position.empty())
+    return order;
+  Vec3 lower = position[0], upper = position[0];
+  for (const Vec3 &x : position)
+  {
+    lower = lower.cwiseMin(x);
+    upper = upper.cwiseMax(x);
+  }
+  const Vec3 extent = upper - lower;
+  const double finest = extent.maxCoeff() / 0x1fffff;
+  const double size =
+      std::max({std::cbrt(extent.prod() / static_cast<double>(position.size())),
+                finest, 1e-300});
+  std::vector<std::uint64_t> code(position.size());
+  for (std::size_t i = 0; i < position.size(); ++i)
+  {
+    const Vec3 cell = (position[i] - lower) / size;
+    code[i] = spread(static_cast<std::uint64_t>(cell.x())) |
+              spread(static_cast<std::uint64_t>(cell.y())) << 1 |
+              spread(static_cast<std::uint64_t>(cell.z())) << 2;
+  }
+  std::sort(order.begin(), order.end(),
+            [&code](std::int32_t i, std::int32_t j)
+            {
+              const auto code_of = [&code](std::int32_t particle)
+              { return code[static_cast<std::size_t>(particle)]; };
+              return std::pair(code_of(i), i) < std::pair(code_of(j), j);
+            });
+  return order;
+}
+
+std::vector<std::int32_t> places(const std::vector<std::int32_t> &order)
+{
+  std::vector<std::int32_t> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    place[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
+  return place;
+}
+
+void renumber_pairs(const std::vector<std::int32_t> &place, ContactBatch &batch)
+{
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    batch.a[k] = moved(place, batch.a[k]);
+    batch.b[k] = moved(place, batch.b[k]);
+    if (batch.a[k] > batch.b[k])
+      swap_sides(batch, k);
+  }
+  batch.rearrange(batch.layout, batch.by_pair());
+}
+
+} // namespace dem
