@@ -34,7 +34,7 @@ public:
   /// see before. See dem/engine_boundaries.h for planes, drum and facets.
   Boundary &add_boundary(std::unique_ptr<Boundary> boundary);
   std::span<const std::unique_ptr<Boundary>> boundaries() const;
-  /// All lists of contacts are made anew in the next step.
+  /// All lists of contacts are rebuilt in the next step.
   void lists_changed();
   /// Makes the scene periodic; lengths and centre are set before the first
   /// step, rates may change at any time. Throws std::invalid_argument on a

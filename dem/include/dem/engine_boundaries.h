@@ -23,7 +23,10 @@ Kind *find_boundary(Engine &engine)
 template <class Kind>
 const Kind *find_boundary(const Engine &engine)
 {
-  return find_boundary<Kind>(const_cast<Engine &>(engine));
+  for (const auto &boundary : engine.boundaries())
+    if (const auto *found = dynamic_cast<const Kind *>(boundary.get()))
+      return found;
+  return nullptr;
 }
 
 /// The planes, of the material EngineParameters::wall; empty at first.

@@ -17,7 +17,7 @@ public:
 
   explicit DrumBoundary(const WallMaterial &of = {}) : Boundary(of) {}
 
-  /// Its lists must be made anew.
+  /// Its lists must be rebuilt: Engine::lists_changed().
   void set_drum(const Drum &its_drum);
 
   std::string kind() const override { return kind_name; }

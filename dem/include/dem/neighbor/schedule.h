@@ -15,7 +15,7 @@ struct StepSpeeds
   double cell = 0.;    ///< images of a periodic cell
 };
 
-/// Decides when which lists of contacts are made anew: they hold as long as no
+/// Decides when which lists of contacts are rebuilt: they hold as long as no
 /// particle can have come to a contact that is not listed. All distances are
 /// upper bounds that grow with every step.
 class NeighborSchedule

@@ -31,12 +31,6 @@ struct Dmt
 
   static double range(const LawValues &values) { return values[1]; }
 
-  /// Force between surfaces that touch with no load [N], > 0.
-  static double pull_off_force(const LawValues &values, double radius)
-  {
-    return 2. * std::numbers::pi * radius * values[0];
-  }
-
   /// `overlap` < 0: a gap [m].
   template <class Real>
   DEM_SIMD_INLINE static NormalSpring<Real> spring(const LawValues &values,
