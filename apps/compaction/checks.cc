@@ -74,6 +74,11 @@ void check_compaction(const Case &c, const Place &place)
   check_plate(c, place);
   check_shapes(c, place, "Filling", c.filling.shapes);
   check_reports(c, place);
+  if (c.plate.form == PlateKind::elastic &&
+      dem::law_of(c.wall).entry().attracts)
+    refuse(place, {"Wall", "law", c.wall.law,
+                   "must not attract with Plate/form = elastic: facets have no "
+                   "attraction across gaps"});
   if (c.filling.density > 0.75 * c.particle.density)
     refuse(place, {"Filling", "density", number_text(c.filling.density),
                    "must be at most 0.75 Particle/density = " +

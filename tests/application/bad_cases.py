@@ -430,6 +430,11 @@ LABS = [
                "Vibration/reports = 50 20", "ascending"),
     compaction("words", {"Vibration": {"reports": "soon"}},
                "Vibration/reports = soon", "numbers"),
+    compaction("attracts", {"Wall": {"law": "dmt"}, "Plate": {
+        "form": "elastic"}}, "Wall/law = dmt", "must not attract"),
+    lab("deep", {"Wall": {"law": "dmt"}, "Contact": {
+        "wall_geometry": "surface"}}, "Contact/wall_geometry = surface",
+        "must be sphere or radial with the law dmt"),
     compaction("mass", {"Plate": {"mass": 0}}, "Plate/mass = 0", "above 0"),
     compaction("frequency", {"Vibration": {"frequency": -1}},
                "Vibration/frequency = -1", "above 0"),
