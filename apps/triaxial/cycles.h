@@ -1,8 +1,9 @@
 #pragma once
 
 #include "run/csv_file.h"
-#include "triaxial/hysteresis.h"
 #include "triaxial/network_state.h"
+
+#include <dem/measure/hysteresis.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -64,7 +65,7 @@ private:
   struct State
   {
     Sample begun; ///< the row that the present cycle began with
-    Hysteresis loop;
+    dem::Hysteresis loop;
     NetworkState start; ///< of loading
     double skin = 0.;   ///< then [m]
     NetworkState peak;  ///< of the present cycle; NaN before

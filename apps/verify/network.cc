@@ -1,7 +1,7 @@
 #include "families.h"
-#include "triaxial/hysteresis.h"
 
 #include <dem/measure/boundary_profile.h>
+#include <dem/measure/hysteresis.h>
 #include <dem/measure/region_stress.h>
 
 #include <cmath>
@@ -142,7 +142,7 @@ std::vector<Row> loop_of_a_lagging_strain()
 {
   constexpr double lag = 0.2, stress = 50e3, strain = 1e-3;
   constexpr int n = 50;
-  Hysteresis loop;
+  dem::Hysteresis loop;
   for (int k = 0; k <= n; ++k)
   {
     const double phase = 2. * pi * k / n;

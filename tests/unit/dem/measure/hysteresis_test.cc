@@ -1,4 +1,4 @@
-#include "triaxial/hysteresis.h"
+#include <dem/measure/hysteresis.h>
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@ namespace
 constexpr double amplitude = 50e3, strain_amplitude = 1e-3; // Pa, -
 
 /// A cycle of q = q_a (1 - cos wt), eps = eps_a (1 - cos(wt - lag)).
-spall::Hysteresis cycle(double lag, int n)
+dem::Hysteresis cycle(double lag, int n)
 {
-  spall::Hysteresis loop;
+  dem::Hysteresis loop;
   for (int k = 0; k <= n; ++k)
   {
     const double phase = 2. * std::numbers::pi * k / n;
@@ -34,7 +34,7 @@ TEST(Hysteresis, OfALaggingStrainHasItsDampingRatio)
 {
   for (const double lag : {0.05, 0.3, 1.})
   {
-    const spall::Hysteresis fine = cycle(lag, 2000);
+    const dem::Hysteresis fine = cycle(lag, 2000);
     EXPECT_NEAR(fine.damping_ratio(), std::tan(0.5 * lag),
                 1e-5 * std::tan(0.5 * lag));
     // A polygon of n corners lacks (2 pi / n)^2 / 6 of the ellipse.
@@ -47,7 +47,7 @@ TEST(Hysteresis, OfALaggingStrainHasItsDampingRatio)
 
 TEST(Hysteresis, OfASpringHasItsModulus)
 {
-  const spall::Hysteresis loop = cycle(0., 40);
+  const dem::Hysteresis loop = cycle(0., 40);
   EXPECT_DOUBLE_EQ(loop.resilient_strain(), 2. * strain_amplitude);
   EXPECT_DOUBLE_EQ(loop.cyclic_stress(), 2. * amplitude);
   EXPECT_DOUBLE_EQ(loop.resilient_modulus(), amplitude / strain_amplitude);
@@ -58,7 +58,7 @@ TEST(Hysteresis, OfASpringHasItsModulus)
 // q e / 2 over 4 pi q e / 8 is 1 / pi.
 TEST(Hysteresis, OfAPlasticCycleCountsThePermanentStrain)
 {
-  spall::Hysteresis loop;
+  dem::Hysteresis loop;
   loop.begin(0., 0.);
   loop.add(2e-3, 1e5);
   loop.add(1e-3, 0.);
@@ -68,7 +68,7 @@ TEST(Hysteresis, OfAPlasticCycleCountsThePermanentStrain)
 
 TEST(Hysteresis, WithoutMotionHasNoNumber)
 {
-  spall::Hysteresis loop;
+  dem::Hysteresis loop;
   loop.begin(1e-3, 3.);
   EXPECT_TRUE(std::isnan(loop.resilient_modulus()));
   EXPECT_TRUE(std::isnan(loop.damping_ratio()));

@@ -1,10 +1,10 @@
-#include "triaxial/hysteresis.h"
+#include <dem/measure/hysteresis.h>
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
 
-namespace spall
+namespace dem
 {
 void Hysteresis::begin(double strain, double stress)
 {
@@ -44,4 +44,4 @@ double Hysteresis::work(const Point &from, const Point &to)
 {
   return 0.5 * (from.stress + to.stress) * (to.strain - from.strain);
 }
-} // namespace spall
+} // namespace dem

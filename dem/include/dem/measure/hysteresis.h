@@ -1,6 +1,6 @@
 #pragma once
 
-namespace spall
+namespace dem
 {
 /// The stress-strain loop of one load cycle, point by point: deviator stress q
 /// over axial strain, compression positive. Plain data: a checkpoint takes it
@@ -39,4 +39,4 @@ private:
   double largest_strain = 0., strain_since = 0.; ///< smallest since [-]
   double largest_stress = 0., least_stress = 0.; ///< [Pa]
 };
-} // namespace spall
+} // namespace dem
