@@ -18,7 +18,7 @@ void Triaxial::shorten_jump(const JumpPlan &refused)
 {
   plan.shorten(refused);
   if (plan.observed() == 0)
-    observed_from = pose_of(engine(), *cell);
+    observed_from = coupling::pose_of(engine(), *cell);
   std::ostringstream text;
   text << "cycle " << cycle() << ": a jump over " << refused.length()
        << " cycles was too far";
@@ -36,10 +36,10 @@ void Triaxial::begin_damage_cycles()
 {
   if (plan.due() == JumpStep::save_state)
   {
-    mean_motion = mean_motion_between(
-        observed_from, pose_of(engine(), *cell),
+    mean_motion = coupling::mean_motion_between(
+        observed_from, coupling::pose_of(engine(), *cell),
         static_cast<double>(parameters.cycle_jump.observed));
-    calm_rattlers(engine(), mean_motion);
+    coupling::calm_rattlers(engine(), mean_motion);
   }
   plan.begin();
   pace.skip(plan.skipping() * cycle_ticks);
@@ -61,7 +61,7 @@ void Triaxial::end_cycle()
   engine().set_repetitions(1.);
   plan.take(slow_state());
   if (plan.observed() == 0)
-    observed_from = pose_of(engine(), *cell);
+    observed_from = coupling::pose_of(engine(), *cell);
 }
 
 /// At the peak of the load, brings the strain that the skipped cycles would
@@ -79,8 +79,8 @@ void Triaxial::extrapolate()
   {
     const double cycles = missing / plan.strain_rate();
     const int n_steps = static_cast<int>(std::ceil(steps_in_cycle * cycles));
-    moved = move_along(mean_motion, {cycles, n_steps, time_step()}, *joined,
-                       *cell, engine());
+    moved = coupling::move_along(mean_motion, {cycles, n_steps, time_step()},
+                                 *joined, *cell, engine());
     engine().set_local_damping(parameters.preparation.local_damping);
     hold_load(rest_after_way);
     engine().set_local_damping(parameters.time.local_damping);

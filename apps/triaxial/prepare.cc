@@ -1,8 +1,8 @@
 #include "case/parameter.h"
 #include "errors.h"
-#include "triaxial/pressed_quads.h"
 #include "triaxial/triaxial.h"
 
+#include <coupling/pressed_quads.h>
 #include <dem/binary.h>
 #include <dem/measure/assembly.h>
 
@@ -165,8 +165,8 @@ void Triaxial::place_boundaries()
   std::tie(lower, upper) = dem::box_corners(engine(), specimen.walls);
   area = dem::box_section(engine(), specimen.walls);
   if (refines_membrane())
-    pressed = pressed_quads(lateral_mesh(parameters, lower, upper),
-                            dem::contact_network_of(engine()));
+    pressed = coupling::pressed_quads(lateral_mesh(parameters, lower, upper),
+                                      dem::contact_network_of(engine()));
   servo.release(engine(), 2);
   // Particles that carry nothing would fly on for ever.
   engine().come_to_rest();

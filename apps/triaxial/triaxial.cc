@@ -351,8 +351,8 @@ void Triaxial::save(std::ostream &out) const
        {area, pressure, plane_work_gone, start_height, start_volume, jump_work})
     dem::write_value(out, value);
   dem::write_value(out, plan);
-  spall::save(out, observed_from);
-  spall::save(out, mean_motion);
+  coupling::save(out, observed_from);
+  coupling::save(out, mean_motion);
   engine().save(out, specimen.shapes);
   servo.save(out);
   if (joined)
@@ -385,8 +385,8 @@ void Triaxial::restore(std::istream &in)
     dem::read_value(in, *value);
   dem::read_value(in, plan);
   plan.set_end(parameters.loading.n_cycles());
-  spall::restore(in, observed_from);
-  spall::restore(in, mean_motion);
+  coupling::restore(in, observed_from);
+  coupling::restore(in, mean_motion);
   const bool has_boundaries = now > Stage::preparation;
   if (has_boundaries && !joined) // a probe goes back with the one it has
     build_cell();

@@ -7,10 +7,10 @@
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
 #include "triaxial/cycle_jump.h"
-#include "triaxial/mean_cyclic_motion.h"
 #include "triaxial/stress_balance.h"
 
 #include <coupling/exchange.h>
+#include <coupling/mean_cyclic_motion.h>
 #include <coupling/triaxial_cell.h>
 
 #include <functional>
@@ -237,8 +237,9 @@ private:
   double start_volume = 0.;          ///< [m^3]
 
   JumpPlan plan;
-  Pose observed_from;           ///< where the observation of the motion began
-  MeanCyclicMotion mean_motion; ///< of the observation before the jump
-  double jump_work = 0.;        ///< that takes the energies over the jumps [J]
+  coupling::Pose observed_from; ///< where the observation of the motion began
+  coupling::MeanCyclicMotion
+      mean_motion;       ///< of the observation before the jump
+  double jump_work = 0.; ///< that takes the energies over the jumps [J]
 };
 } // namespace spall

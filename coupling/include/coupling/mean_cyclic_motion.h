@@ -4,7 +4,7 @@
 #include <coupling/triaxial_cell.h>
 #include <dem/measure/network.h>
 
-namespace spall
+namespace coupling
 {
 /// Where all that moves stands at the end of a load cycle.
 struct Pose
@@ -16,7 +16,7 @@ struct Pose
   double radius = 0.;                       ///< of a round side [m]
 };
 
-Pose pose_of(const dem::Engine &engine, const coupling::TriaxialCell &cell);
+Pose pose_of(const dem::Engine &engine, const TriaxialCell &cell);
 
 /// Mean motion in a load cycle, from its end to the end of the next.
 struct MeanCyclicMotion
@@ -51,11 +51,10 @@ struct Way
 /// four times their energy. Particles and planes are at rest then. Returns the
 /// cycles that were moved.
 double move_along(const MeanCyclicMotion &mean_motion, const Way &way,
-                  coupling::Exchange &exchange, coupling::TriaxialCell &cell,
-                  dem::Engine &engine);
+                  Exchange &exchange, TriaxialCell &cell, dem::Engine &engine);
 
 void save(std::ostream &out, const Pose &pose);
 void restore(std::istream &in, Pose &pose);
 void save(std::ostream &out, const MeanCyclicMotion &mean_motion);
 void restore(std::istream &in, MeanCyclicMotion &mean_motion);
-} // namespace spall
+} // namespace coupling

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace spall
+namespace coupling
 {
 /// The quads that particles press on: those nearer to a contact with a boundary
 /// than a twentieth of their longer diagonal. In order.
 std::vector<std::int32_t> pressed_quads(const fem::SurfaceMesh &mesh,
                                         const dem::Network &network);
-} // namespace spall
+} // namespace coupling

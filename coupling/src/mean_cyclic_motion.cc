@@ -1,9 +1,8 @@
-#include "triaxial/mean_cyclic_motion.h"
-
+#include <coupling/mean_cyclic_motion.h>
 #include <dem/binary.h>
 #include <dem/engine_boundaries.h>
 
-namespace spall
+namespace coupling
 {
 namespace
 {
@@ -100,7 +99,7 @@ void stop_all(const MeanCyclicMotion &mean_motion, dem::Engine &engine)
 }
 } // namespace
 
-Pose pose_of(const dem::Engine &engine, const coupling::TriaxialCell &cell)
+Pose pose_of(const dem::Engine &engine, const TriaxialCell &cell)
 {
   const dem::ParticleSystem &particles = engine.particles();
   Pose pose;
@@ -114,7 +113,7 @@ Pose pose_of(const dem::Engine &engine, const coupling::TriaxialCell &cell)
   }
   for (const dem::Plane &plane : dem::planes(engine))
     pose.planes.push_back(plane.point);
-  const coupling::FieldView nodes = cell.motion().position;
+  const FieldView nodes = cell.motion().position;
   pose.nodes.assign(nodes.begin(), nodes.end());
   pose.radius = dem::drum(engine).radius;
   return pose;
@@ -152,8 +151,7 @@ void calm_rattlers(const dem::Engine &engine, MeanCyclicMotion &mean_motion)
 }
 
 double move_along(const MeanCyclicMotion &mean_motion, const Way &way,
-                  coupling::Exchange &exchange, coupling::TriaxialCell &cell,
-                  dem::Engine &engine)
+                  Exchange &exchange, TriaxialCell &cell, dem::Engine &engine)
 {
   const double in_step = way.cycles / way.n_steps,
                rate = in_step / way.time_step;
@@ -163,7 +161,7 @@ double move_along(const MeanCyclicMotion &mean_motion, const Way &way,
     shift[k] *= in_step;
     velocity[k] *= rate;
   }
-  const coupling::CoupledParticles led{
+  const CoupledParticles led{
       engine, [&engine](double step) { engine.advance(step); }, {}, {}};
   const double limit = hardest * engine.energy().elastic;
   set_planes(mean_motion, rate, engine);
@@ -211,4 +209,4 @@ void restore(std::istream &in, MeanCyclicMotion &mean_motion)
     dem::read_column(in, *column);
   dem::read_value(in, mean_motion.widening);
 }
-} // namespace spall
+} // namespace coupling

@@ -1,10 +1,10 @@
-#include "triaxial/pressed_quads.h"
+#include <coupling/pressed_quads.h>
 
 #include <gtest/gtest.h>
 
 namespace
 {
-using namespace spall;
+using coupling::pressed_quads;
 
 /// Quads of 0.05 m: number i + 8 k lies in column i round the box, row k.
 const fem::SurfaceMesh box =

@@ -1,10 +1,9 @@
-#include "triaxial/pressed_quads.h"
-
+#include <coupling/pressed_quads.h>
 #include <dem/boundary/facet_surface.h>
 
 #include <algorithm>
 
-namespace spall
+namespace coupling
 {
 namespace
 {
@@ -44,4 +43,4 @@ std::vector<std::int32_t> pressed_quads(const fem::SurfaceMesh &mesh,
   }
   return pressed;
 }
-} // namespace spall
+} // namespace coupling

@@ -1,6 +1,6 @@
 #include "dem_scene.h"
-#include "triaxial/mean_cyclic_motion.h"
 
+#include <coupling/mean_cyclic_motion.h>
 #include <dem/engine_boundaries.h>
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 // The motion of a specimen over some cycles, observed and repeated.
 namespace
 {
+using coupling::MeanCyclicMotion;
 using dem::Vec3;
-using spall::MeanCyclicMotion;
 
 constexpr double radius = 0.01, time_step = 1e-6;
 
@@ -59,8 +59,8 @@ Eigen::Matrix<double, 3, 4> field()
 TEST(MeanCyclicMotion, IsTheMeanMotionOfACycle)
 {
   Scene scene;
-  const spall::Pose from = spall::pose_of(scene.engine, *scene.cell);
-  spall::Pose to = from;
+  const coupling::Pose from = coupling::pose_of(scene.engine, *scene.cell);
+  coupling::Pose to = from;
   to.position[3] += Vec3(4e-3, 0., -2e-3);
   const Vec3 turn = Vec3(0.2, -0.1, 0.3);
   to.orientation[3] =
@@ -68,7 +68,7 @@ TEST(MeanCyclicMotion, IsTheMeanMotionOfACycle)
   to.orientation[3].coeffs() *= -1.; // the same orientation
   to.planes[0].z() -= 1e-3;
   to.radius += 2e-3;
-  const MeanCyclicMotion drift = spall::mean_motion_between(from, to, 4.);
+  const MeanCyclicMotion drift = coupling::mean_motion_between(from, to, 4.);
   EXPECT_LT((drift.shift[3] - Vec3(1e-3, 0., -0.5e-3)).norm(), 1e-15);
   EXPECT_LT((drift.turn[3] - 0.25 * turn).norm(), 1e-12);
   EXPECT_NEAR(drift.planes[0].z(), -0.25e-3, 1e-15);
@@ -85,7 +85,7 @@ TEST(MeanCyclicMotion, RattlersGoWithTheOthers)
   drift.shift[8] = Vec3(1., 2., 3.);
   drift.turn[8] = Vec3(0.1, 0., 0.);
   const Vec3 touched = drift.shift[5];
-  spall::calm_rattlers(scene.engine, drift);
+  coupling::calm_rattlers(scene.engine, drift);
   EXPECT_LT((drift.shift[8] - right).norm(), 1e-9 * right.norm());
   EXPECT_EQ(drift.turn[8], Vec3::Zero());
   EXPECT_EQ(drift.shift[5], touched);
@@ -95,10 +95,10 @@ TEST(MeanCyclicMotion, MovesAllAndLeavesItAtRest)
 {
   Scene scene;
   const MeanCyclicMotion drift = scene.affine(0.1 * field());
-  const spall::Pose from = spall::pose_of(scene.engine, *scene.cell);
-  const double moved = spall::move_along(
+  const coupling::Pose from = coupling::pose_of(scene.engine, *scene.cell);
+  const double moved = coupling::move_along(
       drift, {2.5, 100, time_step}, scene.exchange, *scene.cell, scene.engine);
-  const spall::Pose to = spall::pose_of(scene.engine, *scene.cell);
+  const coupling::Pose to = coupling::pose_of(scene.engine, *scene.cell);
   EXPECT_NEAR(moved, 2.5, 1e-12);
   for (std::size_t k = 0; k < 9; ++k)
   {
@@ -118,8 +118,8 @@ TEST(MeanCyclicMotion, EndsWhereParticlesPressTooHard)
   inward.leftCols<3>() = -0.1 * dem::Mat3::Identity();
   const double before = scene.engine.energy().elastic;
   const double moved =
-      spall::move_along(scene.affine(inward), {1., 1000, time_step},
-                        scene.exchange, *scene.cell, scene.engine);
+      coupling::move_along(scene.affine(inward), {1., 1000, time_step},
+                           scene.exchange, *scene.cell, scene.engine);
   EXPECT_GT(moved, 0.);
   EXPECT_LT(moved, 0.2);
   EXPECT_LT(scene.engine.energy().elastic, 6. * before);
