@@ -4,6 +4,7 @@
 #include "compaction/case.h"
 #include "subgrade/case.h"
 
+#include <coupling/cycle_jump.h>
 #include <coupling/exchange.h>
 #include <dem/breakage/criterion.h>
 #include <dem/contact/law_table.h>
@@ -163,18 +164,6 @@ struct LoadingParameters
   int n_cycles() const { return form == LoadForm::haversine ? cycles : 1; }
 };
 
-/// Jumps over load cycles (triaxial/cycle_jump.h).
-struct CycleJumpParameters
-{
-  double tolerance = 0.; ///< of a jump; 0: every cycle is simulated [-]
-  int first = 5;         ///< cycles before the first observation
-  int observed = 4;      ///< cycles in an observation
-  int settled = 7;       ///< cycles after a landing before the next one
-  int longest = 50;      ///< cycles that a jump skips at most
-
-  bool is_on() const { return tolerance > 0.; }
-};
-
 /// TimeParameters::impact_error of preparations with steps of their own [-].
 constexpr double preparing_impact_error = 0.1;
 
@@ -303,7 +292,7 @@ struct Case
   CouplingParameters coupling;
   SubgradeParameters subgrade;
   LoadingParameters loading;
-  CycleJumpParameters cycle_jump;
+  coupling::CycleJumpParameters cycle_jump;
   TimeParameters time;
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now

@@ -188,7 +188,7 @@ void add_loading(List &list, LoadingParameters &l)
            l.consolidation_unbalanced_ratio, above(0., 0.1));
 }
 
-void add_cycle_jump(List &list, CycleJumpParameters &j)
+void add_cycle_jump(List &list, coupling::CycleJumpParameters &j)
 {
   list.in("CycleJump");
   list.add({"tolerance", "-",

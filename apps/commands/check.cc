@@ -179,7 +179,7 @@ void check_triaxial(const Case &parameters, const std::string &preparations)
     print_preparing(test.preparation_time(), fast.step);
   if (parameters.cycle_jump.is_on())
   {
-    const int n = least_cycles(parameters.cycle_jump, n_cycles);
+    const int n = coupling::least_cycles(parameters.cycle_jump, n_cycles);
     std::printf("with jumps       %.3g s if none is refused, for %d of %d "
                 "cycles\n",
                 step.cost / step.length *

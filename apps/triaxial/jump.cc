@@ -14,7 +14,7 @@ constexpr double steps_in_cycle = 100.;
 constexpr double rest_after_way = 1e-3; // [s]
 } // namespace
 
-void Triaxial::shorten_jump(const JumpPlan &refused)
+void Triaxial::shorten_jump(const coupling::JumpPlan &refused)
 {
   plan.shorten(refused);
   if (plan.observed() == 0)
@@ -25,7 +25,7 @@ void Triaxial::shorten_jump(const JumpPlan &refused)
   watch.say(text.str());
 }
 
-SlowState Triaxial::slow_state() const
+coupling::SlowState Triaxial::slow_state() const
 {
   return {cycle(), 1. - (cell->plate().height() - lower.z()) / start_height,
           100. * dem::abrasion(engine().particles())};
@@ -34,7 +34,7 @@ SlowState Triaxial::slow_state() const
 /// The cycle to come stands for those that are skipped and for itself.
 void Triaxial::begin_damage_cycles()
 {
-  if (plan.due() == JumpStep::save_state)
+  if (plan.due() == coupling::JumpStep::save_state)
   {
     mean_motion = coupling::mean_motion_between(
         observed_from, coupling::pose_of(engine(), *cell),

@@ -104,11 +104,11 @@ void Recorder::resume(Triaxial &test)
 void Recorder::follow_jumps(Triaxial &test)
 {
   constexpr const char *kept = "before_jump.bin";
-  if (test.jumps().due() == JumpStep::save_state)
+  if (test.jumps().due() == coupling::JumpStep::save_state)
     write_checkpoint(test, kept);
-  if (test.jumps().due() != JumpStep::restore_state)
+  if (test.jumps().due() != coupling::JumpStep::restore_state)
     return;
-  const JumpPlan refused = test.jumps();
+  const coupling::JumpPlan refused = test.jumps();
   restore_state(test, kept);
   test.shorten_jump(refused);
   if (!last_checkpoint().empty()) // of cycles that have not been

@@ -56,7 +56,7 @@ wall_clock(const Triaxial &test, const RecordedTime &recorded,
 namespace
 {
 /// Errors are what all jumps together have brought too much, as judged.
-void add_jumps(const JumpAccount &jumps, nlohmann::ordered_json &out)
+void add_jumps(const coupling::JumpAccount &jumps, nlohmann::ordered_json &out)
 {
   out["skipped_cycles_1"] = jumps.n_skipped;
   out["n_jumps"] = jumps.n_jumps;

@@ -72,7 +72,8 @@ void Triaxial::advance()
 {
   if (now == Stage::done)
     return;
-  if (plan.due() == JumpStep::save_state || plan.due() == JumpStep::damage)
+  if (plan.due() == coupling::JumpStep::save_state ||
+      plan.due() == coupling::JumpStep::damage)
     begin_damage_cycles();
   settle_step();
   const bool is_loading = now == Stage::loading;

@@ -6,9 +6,9 @@
 #include "run/step_schedule.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
-#include "triaxial/cycle_jump.h"
 #include "triaxial/stress_balance.h"
 
+#include <coupling/cycle_jump.h>
 #include <coupling/exchange.h>
 #include <coupling/mean_cyclic_motion.h>
 #include <coupling/triaxial_cell.h>
@@ -63,9 +63,9 @@ public:
   double cycle() const;
   /// The jumps over load cycles: whoever steps the test keeps its state where
   /// one is due, and brings it back where one was too far.
-  const JumpPlan &jumps() const { return plan; }
+  const coupling::JumpPlan &jumps() const { return plan; }
   /// Back at the state that was kept: not that far.
-  void shorten_jump(const JumpPlan &refused);
+  void shorten_jump(const coupling::JumpPlan &refused);
   /// End of this many load cycles, whatever the case says.
   void stop_after(int cycles) { n_cycles = cycles; }
   int last_cycle() const { return n_cycles; }
@@ -166,7 +166,7 @@ private:
   void end_cycle();
   void extrapolate();
   void hold_load(double length);
-  SlowState slow_state() const;
+  coupling::SlowState slow_state() const;
   void enter(Stage next);
   bool is_at_rest();
   bool is_prepared();
@@ -236,10 +236,10 @@ private:
   double start_height = 0.;          ///< of the specimen, loading [m]
   double start_volume = 0.;          ///< [m^3]
 
-  JumpPlan plan;
+  coupling::JumpPlan plan;
   coupling::Pose observed_from; ///< where the observation of the motion began
-  coupling::MeanCyclicMotion
-      mean_motion;       ///< of the observation before the jump
+  /// Of the observation before the jump.
+  coupling::MeanCyclicMotion mean_motion;
   double jump_work = 0.; ///< that takes the energies over the jumps [J]
 };
 } // namespace spall

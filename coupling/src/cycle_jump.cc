@@ -1,9 +1,9 @@
-#include "triaxial/cycle_jump.h"
+#include <coupling/cycle_jump.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace spall
+namespace coupling
 {
 namespace
 {
@@ -231,4 +231,4 @@ int least_cycles(const CycleJumpParameters &parameters, int n_cycles)
   }
   return n_simulated;
 }
-} // namespace spall
+} // namespace coupling

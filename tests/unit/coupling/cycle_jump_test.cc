@@ -1,4 +1,4 @@
-#include "triaxial/cycle_jump.h"
+#include <coupling/cycle_jump.h>
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 // Jumps over load cycles, with formulas in place of a specimen.
 namespace
 {
-using spall::JumpPlan;
-using spall::JumpStep;
-using spall::PowerLaw;
-using spall::SlowState;
+using coupling::JumpPlan;
+using coupling::JumpStep;
+using coupling::PowerLaw;
+using coupling::SlowState;
 
 TEST(PowerLaw, IntegratesPowers)
 {
@@ -67,7 +67,7 @@ struct Outcome
 };
 
 /// As Triaxial and its recorder do it.
-Outcome run(const spall::CycleJumpParameters &parameters, Specimen specimen,
+Outcome run(const coupling::CycleJumpParameters &parameters, Specimen specimen,
             int n_cycles)
 {
   JumpPlan plan(parameters, n_cycles);
@@ -102,9 +102,9 @@ Outcome run(const spall::CycleJumpParameters &parameters, Specimen specimen,
   return {specimen, plan, n_simulated};
 }
 
-spall::CycleJumpParameters tolerance(double value)
+coupling::CycleJumpParameters tolerance(double value)
 {
-  spall::CycleJumpParameters parameters;
+  coupling::CycleJumpParameters parameters;
   parameters.tolerance = value;
   return parameters;
 }
@@ -127,12 +127,12 @@ TEST(CycleJump, FewestCyclesAreThoseOfEvenGrowth)
   const Specimen even = {[](double cycle) { return 1e-4 * cycle; },
                          [](double cycle) { return 1e-3 * cycle; }};
   for (const int n : {30, 300, 1000})
-    EXPECT_EQ(spall::least_cycles(tolerance(0.05), n),
+    EXPECT_EQ(coupling::least_cycles(tolerance(0.05), n),
               run(tolerance(0.05), even, n).n_simulated);
-  EXPECT_EQ(spall::least_cycles({}, 50), 50);
+  EXPECT_EQ(coupling::least_cycles({}, 50), 50);
   // At most 50 in a jump, for which thirteen cycles stand; each jump with a
   // landing and eleven more.
-  EXPECT_LT(spall::least_cycles(tolerance(0.05), 1000), 380);
+  EXPECT_LT(coupling::least_cycles(tolerance(0.05), 1000), 380);
 }
 
 TEST(CycleJump, ThousandCyclesWithinTheTolerance)
@@ -151,7 +151,7 @@ TEST(CycleJump, GoesBackWhereTheGrowthHasChanged)
 {
   const auto strain = [](double cycle)
   { return 0.01 * std::log1p(cycle) + 2e-4 * std::max(0., cycle - 300.); };
-  spall::CycleJumpParameters parameters = tolerance(0.02);
+  coupling::CycleJumpParameters parameters = tolerance(0.02);
   parameters.longest = 200;
   const Outcome end =
       run(parameters, {strain, [](double cycle) { return 1e-3 * cycle; }}, 600);
@@ -163,7 +163,7 @@ TEST(CycleJump, GoesBackWhereTheGrowthHasChanged)
 // Every second cycle grows, the other shrinks: no two rates agree.
 TEST(CycleJump, SimulatesWhatCannotBePredicted)
 {
-  spall::CycleJumpParameters parameters = tolerance(1e-3);
+  coupling::CycleJumpParameters parameters = tolerance(1e-3);
   parameters.observed = 3;
   const auto strain = [](double cycle)
   { return 0.01 + 5e-4 * std::fmod(cycle * cycle, 7.); };
@@ -179,7 +179,7 @@ TEST(CycleJump, WaitsForWhatHasJustBroken)
   const auto law = [](double cycle) { return 1e-3 * cycle; };
   const auto abrasion_after = [&law](int settled)
   {
-    spall::CycleJumpParameters parameters = tolerance(0.1);
+    coupling::CycleJumpParameters parameters = tolerance(0.1);
     parameters.settled = settled;
     Specimen even{law, law};
     even.calm = 6;

@@ -1,9 +1,21 @@
 #pragma once
 
-#include "case/case.h"
+#include <cstdint>
 
-namespace spall
+namespace coupling
 {
+/// Jumps over load cycles.
+struct CycleJumpParameters
+{
+  double tolerance = 0.; ///< of a jump; 0: every cycle is simulated [-]
+  int first = 5;         ///< cycles before the first observation
+  int observed = 4;      ///< cycles in an observation
+  int settled = 7;       ///< cycles after a landing before the next one
+  int longest = 50;      ///< cycles that a jump skips at most
+
+  bool is_on() const { return tolerance > 0.; }
+};
+
 /// What grows slowly from load cycle to load cycle.
 struct SlowState
 {
@@ -121,4 +133,4 @@ private:
 
 /// Cycles that are simulated of so many if no jump is off: the fewest.
 int least_cycles(const CycleJumpParameters &parameters, int n_cycles);
-} // namespace spall
+} // namespace coupling
