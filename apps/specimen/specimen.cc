@@ -62,14 +62,6 @@ dem::EngineParameters engine_parameters(const Case &parameters)
   return engine;
 }
 
-double solid_volume(const dem::ParticleSystem &particles)
-{
-  double sum = 0.;
-  for (const dem::ParticleShape &body : particles.shape)
-    sum += body.volume;
-  return sum;
-}
-
 dem::Vec3 nominal_size(const SpecimenParameters &s)
 {
   return s.form == SpecimenForm::box

@@ -5,6 +5,7 @@
 #include <coupling/gain.h>
 #include <dem/control/box_servo.h>
 #include <dem/engine.h>
+#include <dem/measure/assembly.h>
 #include <fem/surface_mesh.h>
 
 #include <memory>
@@ -71,7 +72,4 @@ SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
 
 /// Of a triaxial test: its membrane on a specimen of the nominal size.
 SetupStep choose_step(const Case &parameters, const dem::Engine &engine);
-
-/// Total volume of the particles [m^3].
-double solid_volume(const dem::ParticleSystem &particles);
 } // namespace spall

@@ -1,12 +1,12 @@
 #include "case/parameter.h"
 #include "laboratory/roundness_table.h"
-#include "subgrade/density.h"
 #include "subgrade/poured.h"
 #include "subgrade/quad_file.h"
 #include "subgrade/subgrade.h"
 
 #include <dem/binary.h>
 #include <dem/measure/assembly.h>
+#include <dem/measure/solid_fraction.h>
 
 #include <nlohmann/json.hpp>
 
@@ -175,8 +175,8 @@ double Subgrade::density() const
   const double lower_face = now.plate_start + plate->plate().centre().z() -
                             plate_body(p, now.plate_start).centre.z();
   return parameters.particle.density *
-         solid_fraction_below(p, engine().particles(), -ground_settlement(),
-                              lower_face);
+         dem::solid_fraction(column_below(p, -ground_settlement(), lower_face),
+                             engine().particles());
 }
 
 void Subgrade::note_roundness(double time)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace spall
 {
@@ -186,6 +187,25 @@ double height_above(const dem::ParticleSystem &particles,
       top = std::max(top, at.z() + reach);
   }
   return top;
+}
+
+/// A disc has as many corners as its mesh.
+dem::Prism column_below(const LoadPlateParameters &plate, double low,
+                        double high)
+{
+  const Footprint half = footprint(plate);
+  if (plate.form == PlateForm::block)
+    return dem::prism_of({-half.half_x, -half.half_y, low},
+                         {half.half_x, half.half_y, high});
+  constexpr int n = 32;
+  dem::Prism column{{}, low, high};
+  for (int k = 0; k < n; ++k)
+  {
+    const double angle = 2. * std::numbers::pi * k / n;
+    column.corners.emplace_back(half.half_x * std::cos(angle),
+                                half.half_y * std::sin(angle));
+  }
+  return column;
 }
 
 coupling::WindowGain ground_gain(const Case &c,

@@ -7,6 +7,7 @@
 #include <coupling/rigid_body.h>
 #include <coupling/solid_body.h>
 #include <dem/integrate/time_step.h>
+#include <dem/measure/region_stress.h>
 #include <dem/packing/pouring.h>
 
 #include <memory>
@@ -38,6 +39,11 @@ fem::PlateBodyParameters plate_body(const LoadPlateParameters &plate,
 /// Height at which the plate touches no particle yet, right above them [m].
 double height_above(const dem::ParticleSystem &particles,
                     const LoadPlateParameters &plate);
+
+/// The space right below the plate: from `low`, the ground, up to `high`, the
+/// plate [m].
+dem::Prism column_below(const LoadPlateParameters &plate, double low,
+                        double high);
 
 /// One contact on the lightest node of the ground through a window [s].
 coupling::WindowGain ground_gain(const Case &parameters,

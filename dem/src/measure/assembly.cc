@@ -72,6 +72,14 @@ ContactNetwork contact_network(const ParticleSystem &particles,
   return network;
 }
 
+double solid_volume(const ParticleSystem &particles)
+{
+  double sum = 0.;
+  for (const ParticleShape &body : particles.shape)
+    sum += body.volume;
+  return sum;
+}
+
 double abrasion(const ParticleSystem &particles)
 {
   double now = 0., before = 0.;

@@ -22,6 +22,9 @@ ContactNetwork contact_network(const ParticleSystem &particles,
 Vec3 pair_force(const ParticleSystem &particles, const ContactBatch &pairs,
                 std::size_t k);
 
+/// Total volume of the particles [m^3].
+double solid_volume(const ParticleSystem &particles);
+
 /// LAA = mass lost / initial mass, Eq. 29 [-].
 double abrasion(const ParticleSystem &particles);
 
