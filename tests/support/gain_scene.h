@@ -1,6 +1,8 @@
 #pragma once
 
-#include "coupled_scene.h" #include < dem / engine_boundaries.h>
+#include "coupled_scene.h"
+
+#include <dem/engine_boundaries.h>
 
 /// A light plate pressed on a heavy particle: one spring, whose gain
 /// k dt^2 / (4 m) is set.
