@@ -86,7 +86,7 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
   if (test.ticks() == 0)
   {
     state.start = network_state(test);
-    state.skin = skin_of(test);
+    state.skin = coupling::skin_of(test.enclosed());
     state.packed_start = note_profiles(test, "start");
     return begin_cycle(row);
   }
@@ -150,9 +150,10 @@ CycleRecorder::Packed
 CycleRecorder::note_profiles(const Triaxial &test,
                              const std::string &when) const
 {
-  const dem::BoundaryProfile profile = boundary_profile(test);
+  const dem::BoundaryProfile profile =
+      coupling::boundary_profile(test.enclosed());
   write_profile(folder / ("boundary_profile_" + when + ".csv"), profile);
-  const std::vector<double> areas = section_areas(test);
+  const std::vector<double> areas = coupling::section_areas(test.enclosed());
   write_sections(folder / ("sections_" + when + ".csv"), areas);
   return {profile.porosity_skin, profile.porosity_inside,
           profile.coordination_skin, profile.coordination_inside,

@@ -255,8 +255,15 @@ double Triaxial::section() const
 
 double Triaxial::volume() const
 {
-  return membrane() ? membrane()->enclosed_volume()
-                    : dem::box_volume(engine(), specimen.walls);
+  return coupling::enclosed_volume(enclosed());
+}
+
+coupling::StressBalance Triaxial::stress_balance() const
+{
+  const dem::Vec3 base(upper.x(), upper.y(), lower.z());
+  return coupling::stress_balance(
+      enclosed(), {pressure, area, cell->plate().height() - lower.z(),
+                   0.5 * (lower + base)});
 }
 
 Sample Triaxial::sample(double roundness) const
@@ -272,9 +279,9 @@ Sample Triaxial::sample(double roundness) const
                        ? dem::box_stress(engine(), specimen.walls).z()
                        : top_plane().force.z() / section();
   s.lateral_stress = lateral_stress();
-  const dem::Mat3 in_membrane = membrane_stress();
-  s.membrane_axial_stress = axial(in_membrane);
-  s.membrane_lateral_stress = lateral(in_membrane);
+  const dem::Mat3 in_membrane = coupling::membrane_stress(enclosed());
+  s.membrane_axial_stress = coupling::axial(in_membrane);
+  s.membrane_lateral_stress = coupling::lateral(in_membrane);
   if (now >= Stage::loading)
   {
     s.axial_strain = 1. - (cell->plate().height() - lower.z()) / start_height;

@@ -6,11 +6,11 @@
 #include "run/step_schedule.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
-#include "triaxial/stress_balance.h"
 
 #include <coupling/cycle_jump.h>
 #include <coupling/exchange.h>
 #include <coupling/mean_cyclic_motion.h>
+#include <coupling/stress_balance.h>
 #include <coupling/triaxial_cell.h>
 
 #include <functional>
@@ -74,7 +74,7 @@ public:
   Sample sample(double roundness) const;
 
   /// Once the preparation is over: what bears the boundary's load.
-  StressBalance stress_balance() const;
+  coupling::StressBalance stress_balance() const;
 
   const dem::Engine &engine() const { return *specimen.engine; }
   dem::Engine &engine() { return *specimen.engine; }
@@ -83,6 +83,10 @@ public:
   const fem::Membrane *membrane() const
   {
     return cell && cell->has_membrane() ? &cell->membrane() : nullptr;
+  }
+  coupling::EnclosedSpecimen enclosed() const
+  {
+    return {engine(), walls(), membrane()};
   }
   /// Particles and what closes the specimen; null in the preparation.
   const coupling::Exchange *exchange() const { return joined.get(); }
@@ -203,8 +207,6 @@ private:
   void put_side_away();
   double lateral_stress() const;
   double volume() const;
-  dem::Mat3 membrane_stress() const;
-  void add_membrane_forces(StressBalance &sums, const dem::Vec3 &from) const;
 
   Case parameters;
   Stage now = Stage::preparation;

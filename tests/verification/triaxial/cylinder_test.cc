@@ -49,7 +49,7 @@ double plate_friction(const Triaxial &test)
 }
 
 /// What is left of the balance, its largest component [Pa].
-double residual(const StressBalance &b)
+double residual(const coupling::StressBalance &b)
 {
   return (b.particles + b.membrane - b.boundary - b.unrest)
       .cwiseAbs()
@@ -70,7 +70,7 @@ PlateMotion plate_motion(const Triaxial &test)
 
 struct Means
 {
-  StressBalance stress;                                         ///< [Pa]
+  coupling::StressBalance stress;                               ///< [Pa]
   double plate = 0., friction = 0., residual = 0., unrest = 0.; ///< [Pa]
   /// What speeds the plate up, over the section [Pa].
   double swing = 0.;
@@ -93,7 +93,7 @@ Means consolidate(Triaxial &test, double plate_mass)
     if (step % 20 != 0)
       continue;
     ++n;
-    const StressBalance now = test.stress_balance();
+    const coupling::StressBalance now = test.stress_balance();
     means.stress.particles += now.particles;
     means.stress.membrane += now.membrane;
     means.stress.boundary += now.boundary;
@@ -116,8 +116,8 @@ Means consolidate(Triaxial &test, double plate_mass)
 
 void print(const char *name, const dem::Mat3 &stress)
 {
-  std::printf("%-9s lateral %8.1f axial %8.1f\n", name, lateral(stress),
-              axial(stress));
+  std::printf("%-9s lateral %8.1f axial %8.1f\n", name,
+              coupling::lateral(stress), coupling::axial(stress));
 }
 } // namespace
 
@@ -158,7 +158,7 @@ TEST(Cylinder, ParticlesAndMembraneBearTheBoundary)
     const Case parameters = cylinder_case(modulus);
     Triaxial test(parameters);
     const Means means = consolidate(test, parameters.boundary.plate_mass);
-    const StressBalance &stress = means.stress;
+    const coupling::StressBalance &stress = means.stress;
     std::printf("E = %g Pa: plate %.0f, its swing %.0f, residual %.1e, unrest "
                 "%.0f at most\n",
                 modulus, means.plate, means.swing, means.residual,
@@ -168,10 +168,10 @@ TEST(Cylinder, ParticlesAndMembraneBearTheBoundary)
     print("boundary", stress.boundary);
     print("unrest", stress.unrest);
     std::printf("lateral: friction of plates %.1f, rims %.1f\n", means.friction,
-                lateral(stress.boundary) - pressure - means.friction);
+                coupling::lateral(stress.boundary) - pressure - means.friction);
     EXPECT_LT(means.residual, 1e-9 * pressure);
     // The plate carries the confining pressure and what speeds it up.
-    EXPECT_NEAR(axial(stress.boundary), pressure + means.swing,
+    EXPECT_NEAR(coupling::axial(stress.boundary), pressure + means.swing,
                 1e-3 * pressure);
   }
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <dem/vector.h>
+#include <coupling/enclosed_specimen.h>
 
-namespace spall
+namespace coupling
 {
 /// Mean stresses of a specimen over the volume that its membrane or its rigid
 /// sides enclose, [force direction][position], compression positive [Pa]:
@@ -26,4 +26,20 @@ inline double lateral(const dem::Mat3 &stress)
 {
   return 0.5 * (stress(0, 0) + stress(1, 1));
 }
-} // namespace spall
+
+/// What presses on membrane and plate from outside.
+struct ConfiningLoad
+{
+  double pressure = 0.;     ///< on the membrane [Pa]
+  double plate_area = 0.;   ///< [m^2]
+  double plate_height = 0.; ///< of its lower face above the base [m]
+  dem::Vec3 origin = dem::Vec3::Zero(); ///< middle of the base [m]
+};
+
+/// Of the sheet, compression positive; zero without one [Pa].
+dem::Mat3 membrane_stress(const EnclosedSpecimen &specimen);
+
+/// What bears the load of the boundary.
+StressBalance stress_balance(const EnclosedSpecimen &specimen,
+                             const ConfiningLoad &load);
+} // namespace coupling
