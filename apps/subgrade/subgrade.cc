@@ -120,7 +120,7 @@ void Subgrade::build_axis(const fem::SolidMesh &mesh)
 {
   const std::string &text = parameters.subgrade.record.stress_depths;
   const std::vector<double> depths = parse_depths(text);
-  axis = GroundAxis(mesh, depths);
+  axis = fem::GroundAxis(mesh, depths);
   if (!depths.empty() && depths.back() >= axis.depth())
     throw InputError(parameters.file + ": Record/stress_depths = " + text +
                      ": must be less deep than the subgrade below the middle "

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "laboratory/test.h"
-#include "subgrade/axis.h"
 #include "subgrade/load.h"
 #include "subgrade/record.h"
 #include "subgrade/scene.h"
 
 #include <dem/measure/roundness_book.h>
+#include <fem/ground_axis.h>
 
 namespace spall
 {
@@ -133,7 +133,7 @@ private:
   std::pair<std::size_t, std::size_t> mesh_size;
   std::int32_t middle = 0; ///< node of the ground's top under the plate
   fem::SurfaceMesh top;    ///< of the ground
-  GroundAxis axis;         ///< of a full ground
+  fem::GroundAxis axis;    ///< of a full ground
   std::vector<std::string> stress_names;
   std::vector<std::int32_t> cut; ///< nodes of the top along x, ascending
   std::vector<double> area;      ///< share of the top that a node has [-]

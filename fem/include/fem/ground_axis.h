@@ -4,26 +4,27 @@
 
 #include <vector>
 
-namespace spall
+namespace fem
 {
-/// Where the ground is asked right below the middle of the plate.
+/// Nodes and cells of the ground along the z axis, from the top down: heights,
+/// speeds and stresses there.
 class GroundAxis
 {
 public:
   GroundAxis() = default;
   /// `depths` below the top, of the stresses [m].
-  GroundAxis(const fem::SolidMesh &mesh, std::vector<double> depths);
+  GroundAxis(const SolidMesh &mesh, std::vector<double> depths);
 
   /// Of the lowest corner of the cells round the axis [m].
   double depth() const { return lowest; }
 
   /// Heights of the nodes on the axis, and their speeds [m], [m/s].
-  std::vector<double> heights(const fem::Solid &ground) const;
-  std::vector<double> speeds(const fem::Solid &ground) const;
+  std::vector<double> heights(const Solid &ground) const;
+  std::vector<double> speeds(const Solid &ground) const;
 
   /// Vertical stress at the depths, compression positive: mean of the cells
   /// round the axis, between their centres by straight lines [Pa].
-  std::vector<double> stresses(const fem::Solid &ground) const;
+  std::vector<double> stresses(const Solid &ground) const;
 
 private:
   std::vector<std::int32_t> nodes;
@@ -32,4 +33,4 @@ private:
   std::vector<double> asked;
   double lowest = 0.;
 };
-} // namespace spall
+} // namespace fem

@@ -1,4 +1,4 @@
-#include "subgrade/axis.h"
+#include <fem/ground_axis.h>
 
 #include <algorithm>
 #include <array>
@@ -6,13 +6,13 @@
 #include <map>
 #include <numbers>
 
-namespace spall
+namespace fem
 {
 namespace
 {
 /// Whether a cell, seen from above, has the axis in it or on its rim: its
 /// corners leave no open half-plane.
-bool is_round_axis(const fem::SolidMesh &mesh, std::size_t cell)
+bool is_round_axis(const SolidMesh &mesh, std::size_t cell)
 {
   std::array<double, 8> angles{};
   for (std::size_t v = 0; v < 8; ++v)
@@ -28,7 +28,7 @@ bool is_round_axis(const fem::SolidMesh &mesh, std::size_t cell)
 }
 } // namespace
 
-GroundAxis::GroundAxis(const fem::SolidMesh &mesh, std::vector<double> depths)
+GroundAxis::GroundAxis(const SolidMesh &mesh, std::vector<double> depths)
     : asked(std::move(depths))
 {
   constexpr double near = 1e-9; // [m]
@@ -64,7 +64,7 @@ GroundAxis::GroundAxis(const fem::SolidMesh &mesh, std::vector<double> depths)
   }
 }
 
-std::vector<double> GroundAxis::heights(const fem::Solid &ground) const
+std::vector<double> GroundAxis::heights(const Solid &ground) const
 {
   std::vector<double> result;
   for (const std::int32_t node : nodes)
@@ -72,7 +72,7 @@ std::vector<double> GroundAxis::heights(const fem::Solid &ground) const
   return result;
 }
 
-std::vector<double> GroundAxis::speeds(const fem::Solid &ground) const
+std::vector<double> GroundAxis::speeds(const Solid &ground) const
 {
   std::vector<double> result;
   for (const std::int32_t node : nodes)
@@ -81,7 +81,7 @@ std::vector<double> GroundAxis::speeds(const fem::Solid &ground) const
   return result;
 }
 
-std::vector<double> GroundAxis::stresses(const fem::Solid &ground) const
+std::vector<double> GroundAxis::stresses(const Solid &ground) const
 {
   std::vector<double> at_centres, result;
   for (const std::vector<std::size_t> &ring : rings)
@@ -107,4 +107,4 @@ std::vector<double> GroundAxis::stresses(const fem::Solid &ground) const
   }
   return result;
 }
-} // namespace spall
+} // namespace fem
