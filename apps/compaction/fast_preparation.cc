@@ -1,5 +1,6 @@
 #include "compaction/compaction.h"
-#include "run/rough_packing.h"
+
+#include <dem/packing/rough_packing.h>
 
 namespace spall
 {

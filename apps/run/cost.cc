@@ -2,17 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ctime>
 #include <fstream>
 #include <limits>
 
 namespace spall
 {
-double processor_seconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 MemoryUse memory_use()
 {
   MemoryUse use;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <dem/stopwatch.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <map>
@@ -7,8 +9,7 @@
 
 namespace spall
 {
-/// Of all threads of this program since its start [s].
-double processor_seconds();
+using dem::processor_seconds;
 
 /// Memory of this program.
 struct MemoryUse

@@ -65,18 +65,6 @@ double whole_periods(const Ran &ran, double period)
 }
 } // namespace
 
-Stopwatch::Stopwatch()
-    : started(std::chrono::steady_clock::now()), processor(processor_seconds())
-{
-}
-
-double Stopwatch::seconds() const
-{
-  const std::chrono::duration<double> wall =
-      std::chrono::steady_clock::now() - started;
-  return std::min(wall.count(), processor_seconds() - processor);
-}
-
 MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
                     int threads, const std::function<bool()> &advance)
 {

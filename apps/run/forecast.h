@@ -1,24 +1,13 @@
 #pragma once
 
 #include <dem/engine.h>
+#include <dem/stopwatch.h>
 
-#include <chrono>
 #include <functional>
 
 namespace spall
 {
-/// Wall-clock or processor time since it was made, whichever is less: what
-/// others take of the machine is not in it.
-class Stopwatch
-{
-public:
-  Stopwatch();
-  double seconds() const;
-
-private:
-  std::chrono::steady_clock::time_point started;
-  double processor;
-};
+using dem::Stopwatch;
 
 /// A step on average.
 struct MeanStep

@@ -1,8 +1,8 @@
 #include "case/gravity.h"
-#include "run/rough_packing.h"
 #include "subgrade/subgrade.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/packing/rough_packing.h>
 
 namespace spall
 {

@@ -1,9 +1,9 @@
 #include "run/forecast.h"
-#include "run/rough_packing.h"
 #include "triaxial/triaxial.h"
 
 #include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
+#include <dem/packing/rough_packing.h>
 
 #include <cmath>
 #include <numbers>

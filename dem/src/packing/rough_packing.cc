@@ -1,15 +1,13 @@
-#include "run/rough_packing.h"
-
-#include "run/forecast.h"
-
 #include <dem/engine_boundaries.h>
 #include <dem/measure/contact_springs.h>
+#include <dem/packing/rough_packing.h>
+#include <dem/stopwatch.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace spall
+namespace dem
 {
 namespace
 {
@@ -19,29 +17,28 @@ constexpr double thinner = 0.8;   // one solid fraction over the next [-]
 constexpr double thinnest = 0.01; // solid fraction [-]
 
 /// May throw std::runtime_error.
-std::vector<dem::Placement>
-shrunk_cloud(std::span<const dem::ParticleShape> particles,
-             const dem::Room &room, double height, double shrink)
+std::vector<Placement> shrunk_cloud(std::span<const ParticleShape> particles,
+                                    const Room &room, double height,
+                                    double shrink)
 {
-  const dem::Vec3 half(0.5 * room.width_x, 0.5 * room.width_y, 0.);
-  dem::InsertionBox cloud;
+  const Vec3 half(0.5 * room.width_x, 0.5 * room.width_y, 0.);
+  InsertionBox cloud;
   cloud.lower = -half / shrink;
-  cloud.upper = (half + height * dem::Vec3::UnitZ()) / shrink;
+  cloud.upper = (half + height * Vec3::UnitZ()) / shrink;
   cloud.is_round = room.is_round;
-  dem::Random random(1);
-  std::vector<dem::Placement> places =
-      dem::insert_particles(particles, cloud, random);
-  for (dem::Placement &place : places)
+  Random random(1);
+  std::vector<Placement> places = insert_particles(particles, cloud, random);
+  for (Placement &place : places)
     place.position = room.floor + shrink * place.position;
   return places;
 }
 
-void run_a_little(dem::Engine &engine, double longest_step,
+void run_a_little(Engine &engine, double longest_step,
                   const std::function<void(double)> &steer)
 {
-  const dem::SpringNetwork network = dem::contact_springs(engine, 0.);
+  const SpringNetwork network = contact_springs(engine, 0.);
   const double step =
-      std::min(longest_step, 0.5 * dem::guaranteed_step(network).step);
+      std::min(longest_step, 0.5 * guaranteed_step(network).step);
   for (int k = 0; k < n_between; ++k)
   {
     steer(step);
@@ -50,12 +47,12 @@ void run_a_little(dem::Engine &engine, double longest_step,
 }
 } // namespace
 
-std::vector<dem::Placement>
-dense_packing(std::span<const dem::ParticleShape> particles,
-              const dem::Room &room, double height, double solid_fraction)
+std::vector<Placement> dense_packing(std::span<const ParticleShape> particles,
+                                     const Room &room, double height,
+                                     double solid_fraction)
 {
   double volume = 0.;
-  for (const dem::ParticleShape &particle : particles)
+  for (const ParticleShape &particle : particles)
     volume += particle.volume;
   const double dense = volume / (room.section() * height);
   for (double fraction = solid_fraction;; fraction *= thinner)
@@ -70,7 +67,7 @@ dense_packing(std::span<const dem::ParticleShape> particles,
     }
 }
 
-void relax(dem::Engine &engine, double longest_step, int n_rounds)
+void relax(Engine &engine, double longest_step, int n_rounds)
 {
   constexpr double frozen = 1e-15; // [s]
   engine.allow_escape();
@@ -83,7 +80,7 @@ void relax(dem::Engine &engine, double longest_step, int n_rounds)
   }
 }
 
-bool run_roughly(dem::Engine &engine, double longest_step,
+bool run_roughly(Engine &engine, double longest_step,
                  const std::function<void(double)> &steer,
                  const std::function<bool()> &is_over)
 {
@@ -97,17 +94,15 @@ bool run_roughly(dem::Engine &engine, double longest_step,
   return is_there;
 }
 
-void press(dem::Engine &engine, std::size_t plane, double load,
-           double longest_step)
+void press(Engine &engine, std::size_t plane, double load, double longest_step)
 {
   constexpr double speed = 0.1; // [m/s]
-  dem::place_plane(engine, plane,
-                   dem::top_of(engine.particles(), 0.) * dem::Vec3::UnitZ());
-  dem::planes(engine)[plane].velocity = -speed * dem::Vec3::UnitZ();
+  place_plane(engine, plane, top_of(engine.particles(), 0.) * Vec3::UnitZ());
+  planes(engine)[plane].velocity = -speed * Vec3::UnitZ();
   run_roughly(
       engine, longest_step, [](double) {},
-      [&] { return dem::planes(engine)[plane].force.z() >= load; });
-  dem::planes(engine)[plane].velocity = dem::Vec3::Zero();
+      [&] { return planes(engine)[plane].force.z() >= load; });
+  planes(engine)[plane].velocity = Vec3::Zero();
   engine.come_to_rest();
 }
-} // namespace spall
+} // namespace dem

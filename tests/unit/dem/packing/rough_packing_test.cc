@@ -1,7 +1,7 @@
 #include "dem_scene.h"
-#include "run/rough_packing.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/packing/rough_packing.h>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 namespace
 {
-using namespace spall;
+using namespace dem;
 
 dem::EngineParameters soft_walls()
 {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace spall
+namespace dem
 {
 // Particles packed in seconds, to see what steps cost: what is measured in such
 // a packing is worth nothing.
@@ -16,22 +16,21 @@ namespace spall
 /// Places at random in a room that is full up to a height [m], not free of
 /// overlap: of a cloud of this solid fraction, or a thinner one if particles do
 /// not find a place, drawn together. Throws std::runtime_error if none does.
-std::vector<dem::Placement>
-dense_packing(std::span<const dem::ParticleShape> particles,
-              const dem::Room &room, double height, double solid_fraction);
+std::vector<Placement> dense_packing(std::span<const ParticleShape> particles,
+                                     const Room &room, double height,
+                                     double solid_fraction);
 
 /// Overlaps of a random packing go until hardly any are left; steps are as long
 /// as contacts allow and at most this long [s].
-void relax(dem::Engine &engine, double longest_step, int n_rounds = 60);
+void relax(Engine &engine, double longest_step, int n_rounds = 60);
 
 /// Steps like those of relax() until it is over, or for forty seconds: then
 /// false; `steer` comes before each with its length [s].
-bool run_roughly(dem::Engine &engine, double longest_step,
+bool run_roughly(Engine &engine, double longest_step,
                  const std::function<void(double)> &steer,
                  const std::function<bool()> &is_over);
 
 /// A plane comes down from above the particles until they carry the load [N],
 /// and stays there.
-void press(dem::Engine &engine, std::size_t plane, double load,
-           double longest_step);
-} // namespace spall
+void press(Engine &engine, std::size_t plane, double load, double longest_step);
+} // namespace dem
