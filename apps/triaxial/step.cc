@@ -126,7 +126,7 @@ void Triaxial::start_probe()
   held_events = take_events();
   std::stringstream state;
   timed(probing, [&] { save(state); });
-  Window coarse;
+  coupling::ProbeWindow coarse;
   for (std::int64_t step = 0; step < probe.n_coarse; ++step)
   {
     load();
@@ -154,14 +154,14 @@ void Triaxial::follow_probe()
   const double before = longest_step();
   const double duration =
       static_cast<double>(probe.n_coarse) * probe.coarse_step;
-  adapt(parameters.time,
+  adapt({parameters.time.force_tolerance, parameters.time.energy_tolerance},
         {duration, watch.state().longest, probe.fine.stored / period(),
          static_cast<int>(cycle_ticks)},
         probe);
   // The limit of the contacts may have come down while the probe ran.
   pace.replan(longest_step());
   const double change = longest_step() / before;
-  const StepErrors errors = errors_of(probe);
+  const coupling::StepErrors errors = errors_of(probe);
   if (change > 0.8 && change < 1.25)
     return;
   std::ostringstream text;
@@ -172,7 +172,7 @@ void Triaxial::follow_probe()
   watch.say(text.str());
 }
 
-void Triaxial::gather(Window &window) const
+void Triaxial::gather(coupling::ProbeWindow &window) const
 {
   const dem::Engine &particles = engine();
   window.axial += top_plane().force.z() + cell->rim_reaction();
@@ -187,7 +187,7 @@ void Triaxial::gather(Window &window) const
         window.lateral += dem::planes(particles)[plane].force.norm();
 }
 
-void Triaxial::close_window(Window &window) const
+void Triaxial::close_window(coupling::ProbeWindow &window) const
 {
   Sample energies;
   add_energies(energies);

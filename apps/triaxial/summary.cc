@@ -106,7 +106,7 @@ std::string summary_text(const Case &parameters, const Triaxial &test,
   }
   if (parameters.time.step == StepRule::error)
   {
-    const StepErrors errors = errors_of(test.step_probe());
+    const coupling::StepErrors errors = errors_of(test.step_probe());
     out["force_error_1"] = errors.force;
     out["energy_error_1"] = errors.energy;
     out["n_probe_steps"] = test.step_probe().n_extra_steps;

@@ -2,7 +2,6 @@
 
 #include "run/forecast.h"
 #include "run/sample.h"
-#include "run/step_probe.h"
 #include "run/step_schedule.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
@@ -10,6 +9,7 @@
 #include <coupling/cycle_jump.h>
 #include <coupling/exchange.h>
 #include <coupling/mean_cyclic_motion.h>
+#include <coupling/step_probe.h>
 #include <coupling/stress_balance.h>
 #include <coupling/triaxial_cell.h>
 
@@ -125,7 +125,7 @@ public:
   std::vector<std::string> warnings(const EnergyBalance &loading) const;
   /// What the steps were, and what they were chosen by.
   const StepRecord &step_record() const { return watch.state(); }
-  const ProbeState &step_probe() const { return probe; }
+  const coupling::ProbeState &step_probe() const { return probe; }
   double watch_seconds() const { return watch.seconds(); }
   /// Wall-clock of keeping and restoring states for probes [s].
   double probe_seconds() const { return probing; }
@@ -199,8 +199,8 @@ private:
   void resume_pace(const TimeParameters &then, std::int64_t ticks_then);
   void start_probe();
   void follow_probe();
-  void gather(Window &window) const;
-  void close_window(Window &window) const;
+  void gather(coupling::ProbeWindow &window) const;
+  void close_window(coupling::ProbeWindow &window) const;
   void add_energies(Sample &sample) const;
   const dem::Plane &top_plane() const;
   void open_sides(double share);
@@ -215,7 +215,7 @@ private:
   SetupStep setup;
   StepWatch watch;
   StepSchedule pace;
-  ProbeState probe;
+  coupling::ProbeState probe;
   std::string stopped_by; ///< words of a guard; empty: none
   double probing = 0.;    ///< wall-clock of going back, for probes [s]
   std::vector<dem::BreakageEvent> held_events;

@@ -1,9 +1,9 @@
-#include "run/step_probe.h"
+#include <coupling/step_probe.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace spall
+namespace coupling
 {
 StepErrors errors_of(const ProbeState &state)
 {
@@ -14,7 +14,7 @@ StepErrors errors_of(const ProbeState &state)
   return errors;
 }
 
-void adapt(const TimeParameters &parameters, const ProbeScene &scene,
+void adapt(const StepTolerances &tolerances, const ProbeScene &scene,
            ProbeState &state)
 {
   // Second order: the coarse run is off by 4/3 of the difference.
@@ -36,8 +36,8 @@ void adapt(const TimeParameters &parameters, const ProbeScene &scene,
   renew(state.work_power, state.coarse.work / scene.duration);
 
   const StepErrors errors = errors_of(state);
-  const double share = std::max(errors.force / parameters.force_tolerance,
-                                errors.energy / parameters.energy_tolerance);
+  const double share = std::max(errors.force / tolerances.force,
+                                errors.energy / tolerances.energy);
   const double factor =
       share > 0. ? std::clamp(0.9 / std::sqrt(share), 0.5, 1.1) : 1.1;
   state.longest =
@@ -47,4 +47,4 @@ void adapt(const TimeParameters &parameters, const ProbeScene &scene,
   state.force_variance *= change * change;
   state.residual_power *= change;
 }
-} // namespace spall
+} // namespace coupling

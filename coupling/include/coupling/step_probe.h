@@ -1,11 +1,17 @@
 #pragma once
 
-#include "case/case.h"
+#include <cstdint>
 
-namespace spall
+namespace coupling
 {
+/// Errors of a load cycle that a step may make, relative [-].
+struct StepTolerances
+{
+  double force = 0.01, energy = 0.01;
+};
+
 /// What the two runs of a window are compared by.
-struct Window
+struct ProbeWindow
 {
   double axial = 0., lateral = 0.; ///< sums of the boundary forces [N]
   double residual = 0.;            ///< change of the energy residual [J]
@@ -20,7 +26,7 @@ struct ProbeState
   std::int64_t fine_left = 0; ///< steps of the finer run still to do
   std::int64_t n_coarse = 0;  ///< steps of the coarse run
   double coarse_step = 0.;    ///< [s]
-  Window coarse, fine;
+  ProbeWindow coarse, fine;
   double residual_start = 0., work_start = 0.; ///< at the window's start [J]
   double longest = 0.; ///< that the tolerances allow; 0: not asked [s]
   /// Running means over a load cycle, carried over to the present step: of
@@ -52,6 +58,6 @@ struct ProbeScene
 
 /// Takes in the two runs of a window and sets the longest step that the
 /// tolerances allow, between a twentieth of the stable one and that.
-void adapt(const TimeParameters &parameters, const ProbeScene &scene,
+void adapt(const StepTolerances &tolerances, const ProbeScene &scene,
            ProbeState &state);
-} // namespace spall
+} // namespace coupling

@@ -1,14 +1,16 @@
-#include "run/step_probe.h"
+#include <coupling/step_probe.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace
 {
 constexpr double stable = 4e-6;
-const spall::ProbeScene scene{1e-4, stable, 0., 20};
+const coupling::ProbeScene scene{1e-4, stable, 0., 20};
 
 /// One probe at `step` of a scheme whose force error is share (dt / stable)^2.
-void probe(spall::ProbeState &state, double step, double share)
+void probe(coupling::ProbeState &state, double step, double share)
 {
   const double coarse = share * std::pow(step / stable, 2);
   state.coarse_step = step;
@@ -19,14 +21,14 @@ void probe(spall::ProbeState &state, double step, double share)
 /// Where the step settles.
 double settled(double share, double tolerance)
 {
-  spall::TimeParameters parameters;
-  parameters.force_tolerance = tolerance;
-  spall::ProbeState state;
+  coupling::StepTolerances tolerances;
+  tolerances.force = tolerance;
+  coupling::ProbeState state;
   double step = stable;
   for (int n = 0; n < 400; ++n)
   {
     probe(state, step, share);
-    spall::adapt(parameters, scene, state);
+    coupling::adapt(tolerances, scene, state);
     step = state.longest;
   }
   return step;
@@ -50,53 +52,54 @@ TEST(StepProbe, NeverAboveTheStableStepNorBelowATwentieth)
 // The estimate is that of the coarse run: 4/3 of the difference.
 TEST(StepProbe, EstimatesTheErrorOfTheCoarseRun)
 {
-  spall::ProbeState state;
+  coupling::ProbeState state;
   probe(state, stable, 1e-3);
   state.coarse.residual = 0.002;
-  spall::adapt({}, scene, state);
-  EXPECT_NEAR(spall::errors_of(state).force, 1e-3, 1e-6); // second order of it
-  EXPECT_NEAR(spall::errors_of(state).energy, 4. / 3. * 0.002, 1e-15);
+  coupling::adapt({}, scene, state);
+  EXPECT_NEAR(coupling::errors_of(state).force, 1e-3,
+              1e-6); // second order of it
+  EXPECT_NEAR(coupling::errors_of(state).energy, 4. / 3. * 0.002, 1e-15);
   EXPECT_EQ(state.n_probes, 1);
 }
 
 // Residuals of both signs cancel over a cycle, as they do in the ledger.
 TEST(StepProbe, EnergyErrorIsSigned)
 {
-  spall::ProbeState state;
+  coupling::ProbeState state;
   for (int n = 0; n < 20; ++n)
   {
     probe(state, stable, 0.);
     state.coarse.residual = n % 2 == 0 ? 1e-3 : -1e-3;
-    spall::adapt({}, scene, state);
+    coupling::adapt({}, scene, state);
   }
-  EXPECT_NEAR(spall::errors_of(state).energy, 0., 1e-12);
+  EXPECT_NEAR(coupling::errors_of(state).energy, 0., 1e-12);
 }
 
 // Where the load turns there is hardly any work: the stored energy counts.
 TEST(StepProbe, StoredEnergyIsTheLeastScale)
 {
-  spall::ProbeState state;
+  coupling::ProbeState state;
   probe(state, stable, 0.);
   state.coarse.work = 0.;
   state.coarse.residual = 1e-7;
-  spall::ProbeScene turning = scene;
+  coupling::ProbeScene turning = scene;
   turning.stored_power = 1.;
-  spall::adapt({}, turning, state);
-  EXPECT_NEAR(spall::errors_of(state).energy, 4. / 3. * 1e-3, 1e-12);
+  coupling::adapt({}, turning, state);
+  EXPECT_NEAR(coupling::errors_of(state).energy, 4. / 3. * 1e-3, 1e-12);
 }
 
 // One outlier shortens the step once, not again and again.
 TEST(StepProbe, OutlierIsCarriedOver)
 {
-  spall::ProbeState state;
+  coupling::ProbeState state;
   probe(state, stable, 0.04);
-  spall::adapt({}, scene, state);
+  coupling::adapt({}, scene, state);
   const double after = state.longest;
   EXPECT_LT(after, 0.6 * stable);
   for (int n = 0; n < 5; ++n)
   {
     probe(state, state.longest, 0.);
-    spall::adapt({}, scene, state);
+    coupling::adapt({}, scene, state);
   }
   EXPECT_GT(state.longest, 0.9 * after);
 }
