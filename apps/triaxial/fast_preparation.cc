@@ -12,45 +12,12 @@ namespace spall
 {
 namespace
 {
-/// Of true surfaces: pulls that draw the cloud together, rounds of rest after
-/// each, and the unbalanced force ratio that is rest enough [-].
-constexpr int n_pulls = 40, n_rounds = 4;
+/// Of true surfaces: the unbalanced force ratio that is rest enough [-].
 constexpr double unrest = 0.02;
-constexpr double patience = 40.; // for pulls [s]
 /// What particles take to come to rest over the cube root of the volume of the
 /// specimen: of limestone at 30 kPa 0.8 to 1.05 [s/m]
 /// (docs/theory/preparation.md).
 constexpr double rest_per_metre = 0.95;
-
-/// About the origin, particles and walls.
-void draw_together(dem::Engine &engine, double factor)
-{
-  for (dem::ParticleState &particle : engine.particles().state)
-    particle.position *= factor;
-  for (dem::Plane &plane : dem::planes(engine))
-    plane.point *= factor;
-  if (dem::find_boundary<dem::DrumBoundary>(engine))
-  {
-    dem::Drum side = dem::drum(engine);
-    side.centre *= factor;
-    side.radius *= factor;
-    dem::set_drum(engine, side);
-  }
-}
-
-/// In small pulls, until particles and walls press. Surfaces that lie deep in
-/// each other do not see each other any more.
-void draw_gently(dem::Engine &engine, double factor, double longest_step,
-                 const std::function<bool()> &is_pressing)
-{
-  const Stopwatch spent;
-  for (int pull = 0;
-       pull < n_pulls && !is_pressing() && spent.seconds() < patience; ++pull)
-  {
-    draw_together(engine, std::pow(factor, 1. / n_pulls));
-    relax(engine, longest_step, n_rounds);
-  }
-}
 } // namespace
 
 double Triaxial::preparation_time() const

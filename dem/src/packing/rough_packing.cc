@@ -11,8 +11,9 @@ namespace dem
 {
 namespace
 {
-constexpr int n_between = 25;     // steps between two looks at the contacts
-constexpr double patience = 40.;  // [s]
+constexpr int n_between = 25;    // steps between two looks at the contacts
+constexpr double patience = 40.; // [s]
+constexpr int n_pulls = 40, n_rest_rounds = 4; // of draw_gently()
 constexpr double thinner = 0.8;   // one solid fraction over the next [-]
 constexpr double thinnest = 0.01; // solid fraction [-]
 
@@ -67,6 +68,21 @@ std::vector<Placement> dense_packing(std::span<const ParticleShape> particles,
     }
 }
 
+void draw_together(Engine &engine, double factor)
+{
+  for (ParticleState &particle : engine.particles().state)
+    particle.position *= factor;
+  for (Plane &plane : planes(engine))
+    plane.point *= factor;
+  if (find_boundary<DrumBoundary>(engine))
+  {
+    Drum side = drum(engine);
+    side.centre *= factor;
+    side.radius *= factor;
+    set_drum(engine, side);
+  }
+}
+
 void relax(Engine &engine, double longest_step, int n_rounds)
 {
   constexpr double frozen = 1e-15; // [s]
@@ -77,6 +93,18 @@ void relax(Engine &engine, double longest_step, int n_rounds)
   {
     run_a_little(engine, longest_step, [](double) {});
     engine.come_to_rest();
+  }
+}
+
+void draw_gently(Engine &engine, double factor, double longest_step,
+                 const std::function<bool()> &is_pressing)
+{
+  const Stopwatch spent;
+  for (int pull = 0;
+       pull < n_pulls && !is_pressing() && spent.seconds() < patience; ++pull)
+  {
+    draw_together(engine, std::pow(factor, 1. / n_pulls));
+    relax(engine, longest_step, n_rest_rounds);
   }
 }
 

@@ -24,6 +24,15 @@ std::vector<Placement> dense_packing(std::span<const ParticleShape> particles,
 /// as contacts allow and at most this long [s].
 void relax(Engine &engine, double longest_step, int n_rounds = 60);
 
+/// Scales the positions of particles, planes and drum about the origin.
+void draw_together(Engine &engine, double factor);
+
+/// The same in small pulls with some rounds of relax() after each, until
+/// particles and walls press, or for forty seconds. Surfaces that lie deep in
+/// each other do not see each other any more.
+void draw_gently(Engine &engine, double factor, double longest_step,
+                 const std::function<bool()> &is_pressing);
+
 /// Steps like those of relax() until it is over, or for forty seconds: then
 /// false; `steer` comes before each with its length [s].
 bool run_roughly(Engine &engine, double longest_step,
