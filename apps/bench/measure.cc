@@ -26,6 +26,7 @@ BenchSample measure(dem::Engine &engine, int n_steps, double time_step)
                    now.breakage - then.breakage, now.motion - then.motion};
   sample.n_rebuilds = engine.n_rebuilds() - rebuilds;
   sample.n_events = engine.n_events() - events;
+  engine.synchronize();
   sample.after = count_contacts(engine);
   sample.energy_after = engine.energy();
   sample.checksum = position_checksum(engine);

@@ -137,6 +137,7 @@ void time_once(const BenchOptions &options, const BenchParticles &particles,
          options.settle < 0 ? settling_steps(scene) : options.settle);
   for (int step = 0; step < warm_up_steps; ++step)
     engine->advance_deferred(bench_step);
+  engine->synchronize();
   const bool is_first = result.samples.empty();
   if (is_first)
     describe(*engine, result);

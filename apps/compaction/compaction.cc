@@ -84,6 +84,7 @@ void Compaction::fill(double time_step)
   engine().advance_deferred(time_step);
   if (!pouring.is_done())
     return;
+  engine().synchronize();
   say_prepared();
   hand_over(height_above_layers());
 }

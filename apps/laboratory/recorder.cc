@@ -98,6 +98,7 @@ void LabRecorder::write_files(LabTest &test)
 
 void LabRecorder::write_due(LabTest &test, const Due &due)
 {
+  test.engine().synchronize();
   if (due.row)
     write_row(test);
   write_events(test);
@@ -164,6 +165,7 @@ std::map<std::string, double> LabRecorder::wall_clock(const LabTest &test) const
 
 void LabRecorder::write_checkpoint(LabTest &test, const std::string &name)
 {
+  test.engine().synchronize();
   write_events(test);
   Progressed done;
   done.history_size = history.flushed_size();

@@ -117,6 +117,7 @@ void run_loop(LabTest &test, LabRecorder &recorder, Progress &progress,
       continue;
     const double seconds =
         std::chrono::duration<double>(Clock::now() - since).count();
+    test.engine().synchronize();
     progress.show(test.phase(), test.share_done(),
                   static_cast<double>(test.engine().n_steps() - steps_before) /
                       seconds,

@@ -58,6 +58,7 @@ void LabTest::advance()
 
 void LabTest::check_contacts()
 {
+  engine().synchronize();
   watch.look(engine(), surroundings(), step);
   if (!watch.is_fixed())
     step = watch.state().longest;

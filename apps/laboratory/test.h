@@ -160,7 +160,11 @@ protected:
   /// Steps as the contacts allow them now: at once, where a scene has changed.
   void check_contacts();
   /// Where loading begins: throws RunFailure as StepWatch::report.
-  void report_step() { watch.report(engine(), surroundings(), step); }
+  void report_step()
+  {
+    engine().synchronize();
+    watch.report(engine(), surroundings(), step);
+  }
   void say_prepared() const;
   /// A line for the one who runs it, after this step.
   void say(const std::string &line) { watch.say(line); }

@@ -125,6 +125,7 @@ MeanStep time_particles(dem::Engine &engine, double length)
   int n = 0;
   for (; n == 0 || watch.seconds() < 0.1 * half; ++n)
     engine.advance_deferred(length);
+  engine.synchronize();
   return {length, watch.seconds() / n};
 }
 

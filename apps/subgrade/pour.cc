@@ -43,6 +43,7 @@ void Subgrade::pour(double time_step)
   engine().advance_deferred(time_step);
   if (!pouring.is_done())
     return;
+  engine().synchronize();
   say_prepared();
   set_plate_down();
 }

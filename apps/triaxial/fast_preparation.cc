@@ -68,6 +68,7 @@ FastPreparation Triaxial::fast_preparation()
                                             engine().pairs()) < unrest);
       });
   is_rough = true;
+  engine().synchronize();
   watch.look(engine(), {}, time_step());
   result.step = time_particles(engine(), time_step());
   hand_over();

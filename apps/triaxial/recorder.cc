@@ -180,6 +180,7 @@ void Recorder::note_stage(Triaxial &test)
 
 void Recorder::write_history(Triaxial &test)
 {
+  test.engine().synchronize();
   if (roundness == 0.)
     roundness = known_roundness.mean(test.engine().particles());
   last = test.sample(roundness);
@@ -230,6 +231,7 @@ void Recorder::write_frame(Triaxial &test, bool with_surfaces)
 
 void Recorder::write_checkpoint(Triaxial &test, const std::string &name)
 {
+  test.engine().synchronize();
   write_events(test);
   Progressed done;
   done.history_size = history.flushed_size();

@@ -82,6 +82,7 @@ void Triaxial::settle_step()
 {
   if (watch.is_due(engine().n_steps() / steps_in_pace()))
   {
+    engine().synchronize();
     watch.look(engine(), surroundings(), time_step());
     // The steps of a probe stay as they are: they are to meet.
     if (!watch.is_fixed() && probe.fine_left == 0)

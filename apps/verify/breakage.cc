@@ -123,8 +123,8 @@ double noise_damage(double mean, double amplitude, double band)
     const double overlap =
         overlap_at(mean + amplitude * std::cos(2. * pi * i / n_steps));
     const double before = turn;
-    turn =
-        static_cast<float>(dem::turn_of_energy(before, energy(overlap), band));
+    turn = static_cast<float>(
+        dem::reversal_of_energy(before, energy(overlap), band));
     factor = dem::damage_step(factor, dem::counted_rise<double>(before, turn),
                               energy(overlap), breakage_energy(overlap))
                  .factor;

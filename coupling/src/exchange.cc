@@ -169,6 +169,7 @@ FieldView Exchange::load_on(const DeformableBody &body) const
 
 void Exchange::advance(const CoupledParticles &particles, double window)
 {
+  particles.engine.synchronize(); // steps before may have been deferred
   open_books(particles.engine);
   if (parameters.rule == ExchangeRule::every_step)
     step_together(particles, window);
@@ -202,6 +203,7 @@ void Exchange::step_together(const CoupledParticles &particles,
             coupled.adapter->place(coupled.body->motion(), particles.engine);
         });
   particles.advance(time_step);
+  particles.engine.synchronize();
   timed(spent.transfer,
         [&]
         {
@@ -335,6 +337,7 @@ void Exchange::run_particles(const CoupledParticles &particles, double window)
           });
     particles.advance(window / n);
   }
+  particles.engine.synchronize();
   timed(spent.transfer,
         [&]
         {
@@ -432,7 +435,7 @@ void Exchange::check_ledger(double time) const
                     text_of(books.work_residual()) + " of all that crossed");
 }
 
-/// Between two rebuilds nothing moves farther than the margin of the lists.
+/// Between two rebuilds nothing moves farther than the skin of the lists.
 /// What has crossed stays so for longer: it is looked for less often.
 void Exchange::check_surfaces(const dem::Engine &engine)
 {

@@ -12,6 +12,7 @@ void Exchange::follow(const DeformableBody &body, FieldView velocity,
     coupled.from = coupled.at;
   coupled.adapter->place({coupled.at, velocity}, particles.engine);
   particles.advance(time_step);
+  particles.engine.synchronize();
   coupled.adapter->collect(particles.engine, Collected::load, coupled.load);
 }
 } // namespace coupling

@@ -4,7 +4,6 @@
 #include <dem/integrate/verlet.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,14 +19,6 @@ double elastic_energy(const ContactBatch &batch)
     if (batch.has_force(k))
       energy += batch.stored_energy(k);
   return energy;
-}
-
-/// Place of the kind of a boundary among the others.
-int rank_of(const Boundary &boundary)
-{
-  constexpr std::array order = {1, 3, 2}; // planes, drum, facet surfaces
-  return static_cast<int>(std::ranges::find(order, boundary.event_kind()) -
-                          order.begin());
 }
 } // namespace
 
@@ -45,7 +36,7 @@ void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
     throw std::invalid_argument(
         "particle " + std::to_string(system.size()) +
         ": position and orientation must be finite numbers");
-  finish_kick(); // none for the new one
+  synchronize(); // none for the new one
   system.follows_surfaces = settings.geometry.follows_surfaces();
   ParticleShape particle = body;
   if (settings.breakage.inscribed == InscribedSphereAt::free)
@@ -71,8 +62,8 @@ Boundary &EngineState::add_boundary(std::unique_ptr<Boundary> boundary)
 {
   // Sums over boundaries are in one order, in whatever order a scene is built.
   const auto after = std::ranges::upper_bound(
-      walls, rank_of(*boundary), {},
-      [](const std::unique_ptr<Boundary> &one) { return rank_of(*one); });
+      walls, boundary->rank(), {},
+      [](const std::unique_ptr<Boundary> &one) { return one->rank(); });
   schedule.invalidate();
   return **walls.insert(after, std::move(boundary));
 }
@@ -96,7 +87,7 @@ void EngineState::set_friction(double friction)
 
 void EngineState::set_local_damping(double damping)
 {
-  finish_kick(); // with the damping of its step
+  synchronize(); // with the damping of its step
   settings.local_damping = damping;
 }
 
@@ -108,7 +99,7 @@ void EngineState::set_renewal(double refresh_tolerance, double skin)
 
 void EngineState::come_to_rest()
 {
-  finish_kick();
+  synchronize();
   for (std::size_t i = 0; i < system.size(); ++i)
   {
     work.damped[i] += system.kinetic_energy(i);
@@ -139,7 +130,7 @@ void EngineState::set_repetitions(double repetitions)
 void EngineState::advance(double time_step)
 {
   advance_deferred(time_step);
-  finish_kick();
+  synchronize();
 }
 
 void EngineState::advance_deferred(double time_step)
@@ -179,7 +170,7 @@ Speeds EngineState::move_particles(double time_step)
                         work);
 }
 
-void EngineState::finish_kick() const
+void EngineState::synchronize()
 {
   if (pending_half_kick == 0.)
     return;
@@ -188,14 +179,21 @@ void EngineState::finish_kick() const
        std::exchange(pending_half_kick, 0.), work);
 }
 
+void EngineState::require_synchronized() const
+{
+  if (pending_half_kick != 0.)
+    throw std::logic_error("engine: a half kick is pending, synchronize() must "
+                           "come between advance_deferred() and this");
+}
+
 ForceContext EngineState::context(double time_step)
 {
   ForceContext context{settings, elasticity, system, time_step};
-  context.travelled = schedule.travelled;
-  context.stride = schedule.stride;
-  context.gaps_travelled = schedule.travel.gaps;
-  context.cell_travelled = schedule.travel.cell;
-  context.sheets_travelled = schedule.sheets_travelled;
+  context.path_length = schedule.path_length;
+  context.step_path = schedule.step_path;
+  context.gap_path = schedule.paths.gaps;
+  context.cell_path = schedule.paths.cell;
+  context.deforming_path = schedule.deforming_path;
   context.known_overlap = overlap.recent * least_radius;
   return context;
 }
@@ -246,7 +244,7 @@ void EngineState::exchange_factors()
 /// forces of before, the next with those of after the events.
 void EngineState::break_corners()
 {
-  finish_kick();
+  synchronize();
   const PhaseTimer timer(spent.breakage);
   ContactSet contacts{pair_batch, walls};
   const std::size_t before = events.size();
@@ -282,7 +280,7 @@ void EngineState::break_corners()
 
 EngineEnergy EngineState::energy() const
 {
-  finish_kick();
+  require_synchronized();
   EngineEnergy energy;
   energy.friction = lost.friction;
   energy.rolling = lost.rolling;

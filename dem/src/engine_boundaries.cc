@@ -12,20 +12,20 @@ namespace dem
 bool EngineState::follows_walls() const
 {
   return system.has_shapes &&
-         settings.geometry.wall_geometry == ContactGeometry::surface;
+         traits(settings.geometry.wall_geometry).has_common_normal;
 }
 
-void EngineState::find_boundary_candidates(bool of_sheets_alone)
+void EngineState::find_boundary_candidates(bool of_deforming_alone)
 {
   const ForceContext still = context(0.);
   const BoundarySearch search{contact_point_search(still, {}),
                               schedule.skin.width,
-                              schedule.rigid_travelled,
-                              schedule.sheets_left,
+                              schedule.rigid_path,
+                              schedule.deforming_left,
                               lost,
                               contact_points.events};
   for (const auto &boundary : walls)
-    if (!of_sheets_alone || boundary->deforms())
+    if (!of_deforming_alone || boundary->deforms())
       boundary->find_candidates(search);
 }
 
@@ -38,7 +38,7 @@ void EngineState::meet_walls(double time_step)
     if (boundary->deforms() && follows_walls())
     {
       if (std::exchange(sum.has_displaced, false))
-        schedule.note_displaced_on_sheets();
+        schedule.note_displaced_on_deforming();
     }
     count_places(sum);
   }

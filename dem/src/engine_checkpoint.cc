@@ -73,7 +73,7 @@ void EngineState::visit_state(Self &self, const Visit &visit)
   visit(self.settings.breakage.repetitions);
   visit(self.steepest);
   visit(self.now);
-  visit(self.travelled_sorted);
+  visit(self.path_at_sort);
   visit(self.released);
   visit(self.fractured);
   visit(self.step_count);
@@ -88,7 +88,7 @@ void EngineState::visit_state(Self &self, const Visit &visit)
 
 void EngineState::save(std::ostream &out, const Library &library) const
 {
-  finish_kick();
+  require_synchronized();
   const auto put = [&out](const auto &column) { write_column(out, column); };
   ParticleSystem::visit(system, put);
   for (const ParticleShape &body : system.shape)

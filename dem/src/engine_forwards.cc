@@ -60,6 +60,11 @@ void Engine::advance_deferred(double time_step)
   state->advance_deferred(time_step);
 }
 
+void Engine::synchronize()
+{
+  state->synchronize();
+}
+
 void Engine::evaluate(double time_step)
 {
   state->evaluate(time_step);

@@ -41,22 +41,10 @@ double fastest_point(const std::vector<std::unique_ptr<Boundary>> &boundaries,
 /// contacts and other threads.
 constexpr std::size_t sorted_from = 128;
 
-/// Open pairs sleep, so they cost little.
-constexpr SkinWidth::Cost list_of_spheres{8., 0.15},
-    list_of_expansions{8., 0.3}, list_of_surfaces{50., 0.3};
-
-const SkinWidth::Cost &cost_of_list(ContactGeometry geometry)
+/// Open pairs are inactive, so they cost little.
+SkinWidth::Cost cost_of_list(const GeometryTraits &geometry)
 {
-  switch (geometry)
-  {
-  case ContactGeometry::sphere:
-    return list_of_spheres;
-  case ContactGeometry::radial:
-    return list_of_expansions;
-  case ContactGeometry::surface:
-    break;
-  }
-  return list_of_surfaces;
+  return {geometry.rebuild_cost, geometry.open_pair_cost};
 }
 
 /// Throws std::runtime_error with the first particle whose position, velocity,
@@ -165,7 +153,7 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
   if (!fastest.is_finite)
     report_not_finite(system, now);
   require_sane(fastest.moving, time_step, system);
-  const bool has_lists_of_sheets = follows_walls() && deforms(walls);
+  const bool has_deforming_lists = follows_walls() && deforms(walls);
   schedule.advance({fastest.moving, fastest.closing,
                     fastest_point(walls, false), fastest_point(walls, true),
                     cell_speed()},
@@ -176,14 +164,14 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
       (step_count - schedule.skin.built_at) % check_interval == 0;
   const auto is_too_wide = [&]
   { return is_checked && schedule.skin.is_too_wide(list_counts()); };
-  switch (schedule.due(has_lists_of_sheets, is_too_wide))
+  switch (schedule.due(has_deforming_lists, is_too_wide))
   {
   case NeighborSchedule::Due::all:
     return rebuild_lists();
   case NeighborSchedule::Due::displaced:
     return renew_lists();
-  case NeighborSchedule::Due::sheets:
-    return check_sheets();
+  case NeighborSchedule::Due::deforming:
+    return renew_deforming_lists();
   case NeighborSchedule::Due::nothing:
     return;
   }
@@ -192,7 +180,7 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
 SkinWidth::Lists EngineState::list_counts() const
 {
   return {step_count, static_cast<std::int64_t>(pair_batch.size()),
-          count_touching(pair_batch), cost_of_list(pair_geometry())};
+          count_touching(pair_batch), cost_of_list(traits(pair_geometry()))};
 }
 
 void EngineState::rebuild_lists()
@@ -223,12 +211,12 @@ void EngineState::renew_lists()
 }
 
 /// The lists of places on boundaries that deform alone.
-void EngineState::check_sheets()
+void EngineState::renew_deforming_lists()
 {
   const PhaseTimer timer(spent.search);
   update_maps();
   find_boundary_candidates(true);
-  schedule.lists_of_sheets_made();
+  schedule.deforming_lists_made();
 }
 
 /// Of particles that broke since the last look, or of all after a restart.
@@ -241,7 +229,7 @@ void EngineState::update_maps()
 ContactGeometry EngineState::pair_geometry() const
 {
   return system.has_shapes ? settings.geometry.geometry
-                           : ContactGeometry::sphere;
+                           : geometry_without_shapes;
 }
 
 ContactPointSearchInput
@@ -267,13 +255,13 @@ void EngineState::rebuild_pair_list()
   {
     const ForceContext still = context(0.);
     contact_points.renew_pairs(contact_point_search(still, layout),
-                               schedule.travel, pair_batch, lost);
+                               schedule.paths, pair_batch, lost);
     return;
   }
   rebuild_pairs(system, layout,
                 pair_finder.find(system, pair_geometry(),
                                  schedule.skin.width + layout.law.range(),
-                                 schedule.travel),
+                                 schedule.paths),
                 pair_batch, lost);
 }
 
@@ -281,9 +269,9 @@ void EngineState::sort_in_space()
 {
   // Anew when particles may have changed places with their neighbours.
   const double diameter = 2. * system.largest_radius();
-  if (schedule.n_made > 0 && schedule.travelled - travelled_sorted < diameter)
+  if (schedule.n_made > 0 && schedule.path_length - path_at_sort < diameter)
     return;
-  travelled_sorted = schedule.travelled;
+  path_at_sort = schedule.path_length;
   const std::vector<std::int32_t> order =
       space_order(system.column(&ParticleState::position));
   system.reorder(order);
@@ -299,8 +287,7 @@ void EngineState::sort_in_space()
 
 double EngineState::branch_steepness() const
 {
-  return settings.geometry.geometry == ContactGeometry::radial
-             ? steepness(system)
-             : 0.;
+  return traits(settings.geometry.geometry).is_along_branch ? steepness(system)
+                                                            : 0.;
 }
 } // namespace dem

@@ -36,14 +36,15 @@ public:
   void come_to_rest();
   void set_breaking(bool is_on);
   void set_repetitions(double repetitions);
+  void synchronize();
   const ParticleSystem &particles() const
   {
-    finish_kick();
+    require_synchronized();
     return system;
   }
   ParticleSystem &particles()
   {
-    finish_kick();
+    synchronize();
     return system;
   }
   const ContactBatch &pairs() const { return pair_batch; }
@@ -72,7 +73,8 @@ public:
 
 private:
   Speeds move_particles(double time_step);
-  void finish_kick() const;
+  /// Throws std::logic_error where a half kick is pending.
+  void require_synchronized() const;
   void move_boundaries(double time_step);
   void move_cell(double time_step);
   void book_cell(double time_step);
@@ -83,8 +85,8 @@ private:
   void renew_lists();
   void update_maps();
   void rebuild_pair_list();
-  void check_sheets();
-  void find_boundary_candidates(bool of_sheets_alone);
+  void renew_deforming_lists();
+  void find_boundary_candidates(bool of_deforming_alone);
   bool follows_walls() const; ///< particles, with their surfaces
   ContactGeometry pair_geometry() const;
   ContactPointSearchInput contact_point_search(const ForceContext &still,
@@ -116,13 +118,11 @@ private:
 
   EngineParameters settings;
   ElasticityTable elasticity;
-  // Const functions too give the kick that is owed: what is seen of the
-  // particles does not depend on when.
-  mutable ParticleSystem system;
-  mutable WorkColumns work;
-  mutable double pending_half_kick =
-      0.; ///< the last of the step, or nothing [s]
-  mutable EngineClock spent;
+  ParticleSystem system;
+  WorkColumns work;
+  /// Second half of the kick of the last step that is still due; 0: none [s].
+  double pending_half_kick = 0.;
+  EngineClock spent;
   std::vector<std::unique_ptr<Boundary>> walls;
   ContactBatch pair_batch;
   PairLoads pair_loads;
@@ -135,8 +135,8 @@ private:
   ContactPointLists contact_points;
   /// No two particles are more lengths of the periodic cell apart [-].
   Vec3 image_span = Vec3::Zero();
-  double steepest = 0.;         ///< c of closing_speed [-]
-  double travelled_sorted = 0.; ///< when the particles were last sorted [m]
+  double steepest = 0.;     ///< c of closing_speed [-]
+  double path_at_sort = 0.; ///< when the particles were last sorted [m]
   double now = 0.;
   std::int64_t step_count = 0, event_count = 0;
   int refused_count = 0;

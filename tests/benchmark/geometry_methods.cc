@@ -57,7 +57,7 @@ HeightField height_field(const dem::ParticleShape &body, const Vec3 &direction,
   Eigen::Matrix<double, 3, 2> tangents;
   for (int k = 0; k < 2; ++k)
     tangents.col(k) = axes.col(k) + field.slope[k] * u;
-  field.second = -tangents.transpose() * p.bend * tangents / along;
+  field.second = -tangents.transpose() * p.shape_operator * tangents / along;
   field.direction = direction;
   return field;
 }

@@ -122,7 +122,8 @@ public:
   /// One window of so many steps [s]. Throws GuardStop after it when passes
   /// have left too large a gap, the ledger is beyond its limit, or (looked at
   /// whenever the lists of the particles were made anew) a surface is folded,
-  /// runs through itself or has let a particle out.
+  /// runs through itself or has let a particle out. The engine is synchronized
+  /// when it returns (Engine::synchronize).
   void advance(const CoupledParticles &particles, double window);
 
   /// One step in which the particles meet a body that has been put where it is

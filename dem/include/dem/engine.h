@@ -28,8 +28,8 @@ public:
   /// break.
   void add_particle(const ParticleShape &body, const Vec3 &position,
                     const Quaternion &orientation, std::uint8_t material = 0);
-  /// Adds a boundary, after those whose kind comes before its own: planes, the
-  /// drum, facet surfaces, others. What it is can be changed at any time;
+  /// Adds a boundary after all of its Boundary::rank() or a lower one: planes,
+  /// the drum, facet surfaces, others. What it is can be changed at any time;
   /// lists_changed() must be called where particles may meet what they did not
   /// see before. See dem/engine_boundaries.h for planes, drum and facets.
   Boundary &add_boundary(std::unique_ptr<Boundary> boundary);
@@ -49,12 +49,14 @@ public:
   /// std::runtime_error where particles leap by a hundred radii: too long a
   /// step; OverlapStop where a contact is deeper than OverlapLimits::stop.
   void advance(double time_step);
-  /// The same for one who goes on without a look at the particles: the last
-  /// half kick waits for the first of the next step, one pass over the
-  /// particles for both, or until anything here asks for it; all bits stay the
-  /// same. Only through a reference from before are velocities seen half a step
-  /// late.
+  /// The same without the second half kick, which stays pending: the next step
+  /// does it in one pass over the particles with its own first half. Until then
+  /// velocities and spins are half a step late, and the const functions that
+  /// show them throw. All bits are those of advance().
   void advance_deferred(double time_step);
+  /// Finishes the half kick that advance_deferred() has left pending, if any.
+  /// Non-const functions that need it do this themselves.
+  void synchronize();
 
   /// Loads of all contacts as the scene was placed, before its first step:
   /// nothing moves. Dashpots see the velocities; tangential and rolling springs
@@ -81,7 +83,8 @@ public:
   /// load that begins now: what contacts have borne before counts no longer.
   void set_repetitions(double repetitions);
 
-  /// As they are at time().
+  /// As they are at time(). The const one throws std::logic_error while a half
+  /// kick is pending, as energy() and save() do.
   const ParticleSystem &particles() const;
   ParticleSystem &particles();
   const ContactBatch &pairs() const;

@@ -60,7 +60,7 @@ void Boundary::unpack(std::istream &in)
 bool follows_surfaces(const ForceContext &context)
 {
   return context.particles.has_shapes &&
-         context.parameters.geometry.wall_geometry == ContactGeometry::surface;
+         traits(context.parameters.geometry.wall_geometry).has_common_normal;
 }
 
 void add_boundary_kind(const std::string &kind, Make make)

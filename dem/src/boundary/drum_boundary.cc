@@ -53,9 +53,8 @@ void DrumBoundary::find_candidates(const BoundarySearch &search)
     return;
   }
   lifter.turn(drum);
-  search.events +=
-      renew_drum(input, {drum, lifter, search.rigid_travelled, rows}, listed,
-                 batch, search.retired);
+  search.events += renew_drum(input, {drum, lifter, search.rigid_path, rows},
+                              listed, batch, search.retired);
 }
 
 void DrumBoundary::renumber(const std::vector<std::int32_t> &place,

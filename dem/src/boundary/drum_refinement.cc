@@ -23,7 +23,7 @@ SurfacePoint smooth_drum(const Drum &drum, DrumPart part, const Vec3 &x)
   {
     // Hollow: the normal turns against the motion.
     const Vec3 round = drum.axis.cross(at.normal);
-    wall.bend = -(round * round.transpose()) / drum.radius;
+    wall.shape_operator = -(round * round.transpose()) / drum.radius;
   }
   return wall;
 }
@@ -34,14 +34,14 @@ namespace
 /// expansions of a surface differ by.
 constexpr double surely_less = 1e-4;
 
-WallContactPoint refine_at(const NewtonStepControl &pace,
+WallContactPoint refine_at(const NewtonStepControl &control,
                            ParticleView &particle, const Drum &drum,
                            DrumPart part, const WallContactPoint &start)
 {
   WallContactPoint place = start;
   place.is_found = false;
   double first_overlap = 0.;
-  for (int step = 0; step < pace.most_steps && !place.is_found; ++step)
+  for (int step = 0; step < control.most_steps && !place.is_found; ++step)
   {
     const SurfacePoint &at = particle.at(place.on_particle);
     if (part == DrumPart::cylinder &&
@@ -49,7 +49,7 @@ WallContactPoint refine_at(const NewtonStepControl &pace,
       break; // no side of the cylinder is nearer than another
     const SurfacePoint wall = smooth_drum(drum, part, at.position);
     const NormalStep newton =
-        step_to_common_normal(at, wall, particle.size(), pace);
+        step_to_common_normal(at, wall, particle.size(), control);
     place.normal = -wall.normal;
     place.point = wall.position;
     place.overlap = (at.position - wall.position).dot(place.normal);
@@ -61,7 +61,7 @@ WallContactPoint refine_at(const NewtonStepControl &pace,
     if (!place.is_found)
       place.on_particle = particle.towards(
           at.position +
-          shortened(newton.on_a, pace.longest_step * particle.size()));
+          shortened(newton.on_a, control.longest_step * particle.size()));
   }
   // It has gone down, over to another place.
   if (place.overlap < first_overlap - surely_less * particle.size())
@@ -107,9 +107,10 @@ WallContactPoint refine_on_drum_damped(const ParticleView &particle,
 WallContactPoint refine_on_drum(ParticleView &particle, const Drum &drum,
                                 DrumPart part, const WallContactPoint &start)
 {
-  for (const NewtonStepControl &pace : {usual_step_control, flat_step_control})
+  for (const NewtonStepControl &control :
+       {usual_step_control, flat_step_control})
     if (const WallContactPoint place =
-            refine_at(pace, particle, drum, part, start);
+            refine_at(control, particle, drum, part, start);
         place.is_found)
       return place;
   return refine_on_drum_damped(particle, drum, part, start);

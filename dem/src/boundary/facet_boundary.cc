@@ -18,10 +18,10 @@ namespace
 /// serve its search for some while [bounds].
 constexpr double gathering_reach = 1.25;
 
-/// Margin of searches on facets over the radius of the smallest particle.
-constexpr double search_margin = 0.04;
-/// Part of it that may be used up until the next look: looks cost little,
-/// searches much.
+/// Skin of searches on facets over the radius of the smallest particle.
+constexpr double search_skin = 0.04;
+/// Part of it that may be used up until the next check: checks cost little,
+/// searches cost much.
 constexpr double notice_share = 0.5;
 
 template <class Surface, class Visit>
@@ -167,13 +167,13 @@ void FacetBoundary::find_candidates(const BoundarySearch &all)
     rebuild_facets(particles, surface, search, candidates, batch, all.retired);
     return;
   }
-  input.margin = search_margin * particles.smallest_radius();
-  if (all.sheets_left < 0.)
-    all.sheets_left = notice_share * input.margin;
-  input.notice = all.sheets_left;
-  search.margin = input.margin;
+  input.skin = search_skin * particles.smallest_radius();
+  if (all.deforming_left < 0.)
+    all.deforming_left = notice_share * input.skin;
+  input.notice = all.deforming_left;
+  search.skin = input.skin;
   search.reach = gathering_reach;
-  if (!watch.covers(particles, surface, input.margin))
+  if (!watch.covers(particles, surface, input.skin))
     gather(input.context, search);
   all.events += renew_facets(input, {mesh(), candidates, near_particles, watch},
                              batch, all.retired);
@@ -196,7 +196,7 @@ ForceSum FacetBoundary::meet(const ForceContext &context)
 {
   if (follows_surfaces(context))
     return place_on_facets(
-        context, {mesh(), candidates, context.sheets_travelled, rows, overlap},
+        context, {mesh(), candidates, context.deforming_path, rows, overlap},
         batch);
   find_facets(context, mesh(), batch, candidates, rows, extra);
   return {};
@@ -214,7 +214,7 @@ Walls FacetBoundary::walls(const ForceContext &context)
           {
             place_again(
                 still,
-                {mesh(), candidates, still.sheets_travelled, rows, overlap},
+                {mesh(), candidates, still.deforming_path, rows, overlap},
                 batch, k);
           }};
 }

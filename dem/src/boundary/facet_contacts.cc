@@ -83,9 +83,10 @@ void assign_slots(const std::vector<NearestFacetPoint> &touches,
 }
 
 /// Nearest points of the triangles of the row that are nearer than `reach`;
-/// the others sleep until they can be, and the row until the first wakes.
+/// the others are inactive until they can be, and the row until the first is
+/// active.
 void find_near(const FacetSurface &surface, const Vec3 &centre, double reach,
-               double travelled, FacetCandidates &candidates, std::size_t row,
+               double path_length, FacetCandidates &candidates, std::size_t row,
                std::vector<NearestFacetPoint> &near)
 {
   double first_reactivation = std::numeric_limits<double>::infinity();
@@ -94,14 +95,14 @@ void find_near(const FacetSurface &surface, const Vec3 &centre, double reach,
        ++k)
   {
     double &reactivation = candidates.triangle_reactivation[k];
-    if (reactivation <= travelled)
+    if (reactivation <= path_length)
     {
       const NearestFacetPoint touch =
           nearest_on_facet(surface, candidates.triangle[k], centre);
       if (touch.distance < reach)
         near.push_back(touch);
       else
-        reactivation = travelled + touch.distance - reach;
+        reactivation = path_length + touch.distance - reach;
     }
     first_reactivation = std::min(first_reactivation, reactivation);
   }
@@ -127,7 +128,7 @@ void find_nearest_points(const ForceContext &context, const FacetMesh &mesh,
   // The radius of a particle that is no sphere turns with its direction.
   const bool is_ball =
       !particles.has_shapes ||
-      context.parameters.geometry.wall_geometry == ContactGeometry::sphere;
+      !traits(context.parameters.geometry.wall_geometry).reads_shape;
   if (is_ball)
     share_patches(
         mesh,
@@ -202,7 +203,7 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
               std::vector<double> &extra)
 {
   const FacetSurface &surface = mesh.surface;
-  if (candidates.reactivation[row] > context.travelled)
+  if (candidates.reactivation[row] > context.path_length)
     return; // its walls are far
   const auto i = static_cast<std::size_t>(candidates.particle[row]);
   const Vec3 &centre = context.particles.position(i);
@@ -210,9 +211,9 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
   // A contact that opens is still looked at in the step in which it does.
   const double reach = wall_bound(context.particles, i,
                                   context.parameters.geometry.wall_geometry) +
-                       context.stride;
+                       context.step_path;
   found.near.clear();
-  find_near(surface, centre, reach, context.travelled, candidates, row,
+  find_near(surface, centre, reach, context.path_length, candidates, row,
             found.near);
   find_nearest_points(context, mesh, batch, i, found);
   const std::vector<NearestFacetPoint> &touches = found.touches;
@@ -253,7 +254,7 @@ void find_facets(const ForceContext &context, const FacetMesh &mesh,
                  const ContactBatch &batch, FacetCandidates &candidates,
                  std::vector<WallRow> &rows, std::vector<double> &extra)
 {
-  // Rows of a new list are all awake, those of a restored one far if inactive.
+  // Rows of a new list are all active, those of a restored one far if inactive.
   const std::size_t n_slots = candidates.particle.size() * slots_per_particle;
   if (rows.size() != n_slots)
     rows.assign(n_slots, no_wall);

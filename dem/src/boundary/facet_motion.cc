@@ -33,7 +33,7 @@ void for_vertices(const FacetMotion &watch, const ParticleSystem &particles,
 } // namespace
 
 bool FacetMotion::covers(const ParticleSystem &particles,
-                         const FacetSurface &surface, double margin) const
+                         const FacetSurface &surface, double skin) const
 {
   if (gathered.size() != particles.size() ||
       vertices.size() != surface.position.size())
@@ -45,7 +45,7 @@ bool FacetMotion::covers(const ParticleSystem &particles,
   for (std::size_t i = 0; i < gathered.size(); ++i)
   {
     const double moved = (particles.position(i) - gathered[i].position).norm();
-    if (!(particles.shape[i].circumscribed_radius + margin + moved + drift <
+    if (!(particles.shape[i].circumscribed_radius + skin + moved + drift <
           gathered[i].reach))
       return false;
   }

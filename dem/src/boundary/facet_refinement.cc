@@ -10,7 +10,7 @@ namespace dem
 namespace
 {
 /// Hills of the depth over a face are trusted however flat.
-constexpr NewtonStepControl pace{0.1, 80, least_curvature};
+constexpr NewtonStepControl control{0.1, 80, least_curvature};
 /// Slope of the depth along an edge that leads nowhere [-].
 constexpr double level = 1e-9;
 /// A corner has no part in a point if its weight is below [-].
@@ -42,7 +42,7 @@ Vec3 normal_of(const Corners &corner)
 struct DepthModel
 {
   Vec3 point, normal;
-  Mat3 bend;        ///< C = K (I - delta K)^-1 [1/m]
+  Mat3 shape_operator; ///< C = K (I - delta K)^-1 [1/m]
   Mat3 follow;      ///< of the point of the particle: (I - delta K)^-1 across n
   Vec3 on_particle; ///< that point [m]
   Mat3 trusted;     ///< C as steps take it: the depth falls off all round
@@ -51,21 +51,22 @@ struct DepthModel
 
   DepthModel(ParticleView &particle, const WallContactPoint &place)
       : point(place.point), normal(place.normal),
-        least(pace.hill / particle.size()),
-        longest(pace.longest_step * particle.size())
+        least(control.hill / particle.size()),
+        longest(control.longest_step * particle.size())
   {
     const SurfacePoint &at = particle.at(place.on_particle);
     on_particle = at.position;
     const Frame frame = tangents(normal);
-    const Mat2 k = frame.transpose() * at.bend * frame;
+    const Mat2 k = frame.transpose() * at.shape_operator * frame;
     const Mat2 inverse =
         floored(Mat2::Identity() - place.overlap * k, lowest_curvature)
             .inverse();
     const Mat2 c = k * inverse;
     follow = frame * inverse * frame.transpose();
     const Mat2 even = 0.5 * (c + c.transpose());
-    bend = frame * even * frame.transpose();
-    trusted = frame * pace.trusted(even, particle.size()) * frame.transpose();
+    shape_operator = frame * even * frame.transpose();
+    trusted =
+        frame * control.trusted(even, particle.size()) * frame.transpose();
   }
 
   double gain(const Vec3 &z) const
@@ -121,7 +122,7 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
   Frame frame;
   frame.col(0) = first.normalized();
   frame.col(1) = area.cross(first).normalized();
-  const Mat2 bend = frame.transpose() * model.bend * frame;
+  const Mat2 shape_operator = frame.transpose() * model.shape_operator * frame;
   // The point of the model need not lie in this plane.
   const Vec3 above =
       area * ((corner[0] - model.point).dot(area) / area.squaredNorm());
@@ -136,7 +137,7 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
   const double w1 = place.cross(second).dot(area) * over,
                w2 = first.cross(place).dot(area) * over;
   const bool is_summit =
-      smallest_eigenvalue(bend) > -level_curvature * model.least;
+      smallest_eigenvalue(shape_operator) > -level_curvature * model.least;
   Ascent ascent;
   if (w1 >= 0. && w2 >= 0. && w1 + w2 <= 1.)
     ascent = {{1. - w1 - w2, w1, w2}, step, model.gain(step), is_summit};
@@ -309,7 +310,7 @@ WallContactPoint climb(ParticleView &particle, const FacetMesh &mesh,
   WallContactPoint place =
       place_at(particle, mesh, start.triangle, first, start.on_particle);
   place.is_found = place.is_found && !goal.is_too_deep(place);
-  for (int step = 0; step < pace.most_steps && place.is_found; ++step)
+  for (int step = 0; step < control.most_steps && place.is_found; ++step)
   {
     if (goal.is_out_of_reach(place))
       break;
@@ -333,7 +334,7 @@ WallContactPoint climb(ParticleView &particle, const FacetMesh &mesh,
     const WallContactPoint next = climbed(particle, mesh, place, model, ascent);
     // The flattest hills are climbed by many steps, to where no depth is left.
     if (ascent.gain < no_gain * particle.size() && ascent.is_summit &&
-        (step + 1 == pace.most_steps || !next.is_found))
+        (step + 1 == control.most_steps || !next.is_found))
       return place;
     place = next;
   }

@@ -88,7 +88,7 @@ template <class Climb>
 WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
 {
   ContactBatch &batch = all.batch;
-  if (batch.slack[k] >= kernel::closed_slack)
+  if (batch.overlap_offset[k] >= kernel::closed_offset)
     return {};
   const ForceContext &context = all.context;
   const ParticleSystem &particles = context.particles;
@@ -104,7 +104,7 @@ WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
   {
     all.events.n_ended += batch.is_touching(k);
     all.events.has_displaced |= !all.can_wait || batch.is_touching(k);
-    batch.slack[k] = kernel::closed_slack;
+    batch.overlap_offset[k] = kernel::closed_offset;
     return {};
   }
   const bool is_elsewhere = (place.on_particle - start).norm() > jump;
@@ -112,7 +112,7 @@ WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
   if (is_elsewhere && !place.has_switched && batch.side_a.is_known(k))
   {
     all.events.n_jumps += batch.is_touching(k);
-    batch.slack[k] = std::max(0., place.overlap - batch.overlap[k]);
+    batch.overlap_offset[k] = std::max(0., place.overlap - batch.overlap[k]);
   }
   note_displaced(all, k, place, is_elsewhere);
   note_place(context, batch, k, place.on_particle,
@@ -180,10 +180,10 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
 {
   FacetContactPoint &contact_point = walls.candidates.contact_point[k];
   double &reactivation = walls.candidates.reactivation[k];
-  const double travelled =
-      context.particles.travelled[row_of(batch.a[k])] + walls.travelled;
+  const double path_length =
+      context.particles.path_length[row_of(batch.a[k])] + walls.path_length;
   walls.overlap[k] = 0.;
-  if (travelled < reactivation)
+  if (path_length < reactivation)
     return;
   const WallContactPoint place =
       follow({context, batch, events, true}, k,
@@ -202,7 +202,7 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
     return;
   }
   walls.overlap[k] = place.overlap;
-  reactivation = batch.is_touching(k) ? 0. : travelled - place.overlap;
+  reactivation = batch.is_touching(k) ? 0. : path_length - place.overlap;
   const FacetContactPoint now{place.triangle, place.weight, place.normal};
   walls.rows[k] = facet_row(walls.mesh.surface, now, contact_point);
   contact_point = now;

@@ -55,8 +55,8 @@ void PlaneBoundary::find_candidates(const BoundarySearch &search)
   const EngineParameters &parameters = input.context.parameters;
   input.layout = wall_layout(parameters, material, particles);
   if (input.layout.has_contact_points)
-    search.events += renew_planes(input, {planes, search.rigid_travelled},
-                                  supports, batch, search.retired);
+    search.events += renew_planes(input, {planes, search.rigid_path}, supports,
+                                  batch, search.retired);
   else
     rebuild_planes(particles, planes,
                    {input.layout, parameters.geometry.wall_geometry,

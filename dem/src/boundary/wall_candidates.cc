@@ -81,7 +81,7 @@ void rebuild_planes(const ParticleSystem &particles,
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (planes[p].is_active &&
           (particles.position(i) - planes[p].point).dot(planes[p].normal) <
-              wall_bound(particles, i, search.geometry) + search.margin)
+              wall_bound(particles, i, search.geometry) + search.skin)
         keys.emplace_back(static_cast<std::int32_t>(i),
                           static_cast<std::int32_t>(p));
   rebuild_walls(particles, keys, search.layout, batch, retired);
@@ -97,7 +97,7 @@ void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
       if (nearest_on_drum(drum, static_cast<DrumPart>(part),
                           particles.position(i))
               .distance <
-          wall_bound(particles, i, search.geometry) + search.margin)
+          wall_bound(particles, i, search.geometry) + search.skin)
         keys.emplace_back(
             static_cast<std::int32_t>(i),
             n_drum_parts * static_cast<std::int32_t>(particles.id[i]) + part);
@@ -108,7 +108,7 @@ double facet_reach(const ParticleSystem &particles, std::size_t particle,
                    const WallSearch &search)
 {
   return search.reach * wall_bound(particles, particle, search.geometry) +
-         search.margin;
+         search.skin;
 }
 
 FacetCandidates near_facets(const ParticleSystem &particles,

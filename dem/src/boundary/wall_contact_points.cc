@@ -13,9 +13,9 @@ namespace
 {
 constexpr double far = std::numeric_limits<double>::infinity();
 constexpr DirectionGrid nodes = RadiusMap::nodes;
-/// Where a surface bends between nodes against the rule of
+/// Where a surface curves between nodes against the rule of
 /// NodeGaps::may_hide(), by this part of the radius at most.
-constexpr double fine_slack = 0.02;
+constexpr double fine_tolerance = 0.02;
 /// Two places on a particle nearer than this are one [rad].
 constexpr double one_place = 0.03;
 
@@ -32,18 +32,18 @@ Vec3 node_point(const MappedParticlePose &particle, int node)
 }
 
 /// Calls call(node) for every node whose distance from a wall is least among
-/// its neighbours', where the surface between them may come within `margin`
+/// its neighbours', where the surface between them may come within `skin`
 /// [m]; `distance(point, within)` is that of a point, and may be infinite
 /// beyond `within`.
 template <class Distance, class Call>
-void for_nearest_nodes(const MappedParticlePose &particle, double margin,
+void for_nearest_nodes(const MappedParticlePose &particle, double skin,
                        const Distance &distance, const Call &call)
 {
   const RadiusMap &map = particle.particle.map;
   const double scale = particle.particle.body.scale;
-  const double slack = fine_slack * mean_radius(particle.particle.body);
-  // The node next to a place is farther by no more than the surface bends.
-  const double range = margin + slack + scale * map.sag();
+  const double tolerance = fine_tolerance * mean_radius(particle.particle.body);
+  // The node next to a place is farther by no more than the surface curves.
+  const double range = skin + tolerance + scale * map.sag();
   NodeGaps gaps;
   std::vector<int> seen;
   for (int block = 0; block < RadiusMap::blocks.size(); ++block)
@@ -64,7 +64,7 @@ void for_nearest_nodes(const MappedParticlePose &particle, double margin,
   gaps.close();
   for (const int node : seen)
     if (gaps.at(node) < range && gaps.is_least(node) &&
-        gaps.at(node) - gaps.may_hide(node) < margin + slack)
+        gaps.at(node) - gaps.may_hide(node) < skin + tolerance)
       call(node);
 }
 
@@ -74,7 +74,7 @@ class Places
 public:
   Places(const MappedParticlePose &of, double within,
          std::span<const WallContactPoint> old)
-      : particle(of), margin(within), known(old)
+      : particle(of), skin(within), known(old)
   {
   }
 
@@ -83,8 +83,8 @@ public:
     const double size = mean_radius(particle.particle.body);
     if (!place.is_found)
       ++found.n_lost;
-    else if (place.overlap > -margin &&
-             place.overlap < deepest_overlap * size && !is_listed(place))
+    else if (place.overlap > -skin && place.overlap < deepest_overlap * size &&
+             !is_listed(place))
       found.places.push_back(place);
   }
 
@@ -107,7 +107,7 @@ private:
   }
 
   const MappedParticlePose &particle;
-  double margin;
+  double skin;
   std::span<const WallContactPoint> known;
   WallSearchResult found;
 };
@@ -283,14 +283,14 @@ bool is_one_place(const WallContactPoint &one, const WallContactPoint &other)
 WallSearchResult find_on_facets(const MappedParticlePose &particle,
                                 const FacetMesh &mesh,
                                 std::span<const std::int32_t> triangles,
-                                double margin,
+                                double skin,
                                 std::span<const WallContactPoint> known)
 {
-  Places places(particle, margin, known);
+  Places places(particle, skin, known);
   ParticleView view = exact_view(particle);
   const MeshDistance nearby(mesh.surface, triangles);
   const double range =
-      margin + fine_slack * mean_radius(particle.particle.body) +
+      skin + fine_tolerance * mean_radius(particle.particle.body) +
       particle.particle.body.scale * particle.particle.map.sag();
   const auto distance = [&nearby](const Vec3 &x, double within)
   {
@@ -298,7 +298,7 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
     nearby.nearest(x, within, least);
     return least;
   };
-  for_nearest_nodes(particle, margin, distance,
+  for_nearest_nodes(particle, skin, distance,
                     [&](int node)
                     {
                       const Vec3 x = node_point(particle, node);
@@ -329,14 +329,14 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
 }
 
 WallSearchResult find_on_drum(const MappedParticlePose &particle,
-                              const Drum &drum, DrumPart part, double margin,
+                              const Drum &drum, DrumPart part, double skin,
                               std::span<const WallContactPoint> known)
 {
-  Places places(particle, margin, known);
+  Places places(particle, skin, known);
   ParticleView view = exact_view(particle);
   const auto distance = [&](const Vec3 &x, double)
   { return nearest_on_drum(drum, part, x).distance; };
-  for_nearest_nodes(particle, margin, distance,
+  for_nearest_nodes(particle, skin, distance,
                     [&](int node)
                     {
                       WallContactPoint start;

@@ -78,7 +78,7 @@ PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
                       const Climb &climb, const Search &search)
 {
   PairList list;
-  list.clear = std::max(on.input.margin, on.gap);
+  list.clear = std::max(on.input.skin, on.gap);
   list.events.n_scans = 1;
   const MappedParticlePose particle = posed(on.input, i);
   ParticleView view(particle.particle.body, particle.position,
@@ -95,12 +95,12 @@ PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
     const auto is_near = [&]
     {
       const WallContactPoint now = climb(view, start);
-      return now.is_found && now.overlap > -on.input.margin;
+      return now.is_found && now.overlap > -on.input.skin;
     };
     if (on.batch.is_touching(k) || is_near())
       list.keep(row);
   }
-  if (on.gap < on.input.margin)
+  if (on.gap < on.input.skin)
     add(search(particle, places_of(list)), on.input, list);
   return list;
 }
@@ -119,7 +119,7 @@ PairList list_smooth(const ParticleOnWall &on, const PairKey &key,
       { return refine_on_drum(particle, drum.drum, part, start); },
       [&](const MappedParticlePose &particle,
           const std::vector<WallContactPoint> &known) {
-        return find_on_drum(particle, drum.drum, part, on.input.margin, known);
+        return find_on_drum(particle, drum.drum, part, on.input.skin, known);
       });
 }
 
@@ -141,7 +141,7 @@ PairList list_lifter(const ParticleOnWall &on, const PairKey &key,
           const std::vector<WallContactPoint> &known)
       {
         return find_on_facets(particle, lifter.mesh(), lifter.all(),
-                              on.input.margin, known);
+                              on.input.skin, known);
       });
 }
 
@@ -159,7 +159,7 @@ PairList list_facets(const ParticleOnWall &on, const PairKey &key,
         return find_on_facets(
             particle, facets.mesh,
             facets.candidates.triangles_of(facets.row_of_particle(key.first)),
-            on.input.margin, known);
+            on.input.skin, known);
       });
 }
 
@@ -215,8 +215,8 @@ PairList list_support(const ContactPointSearchInput &input, const PairKey &key,
   const double distance =
       (particles.position(i) - plane.point).dot(plane.normal);
   PairList list;
-  list.clear = std::max(input.margin,
-                        distance - particles.shape[i].circumscribed_radius);
+  list.clear =
+      std::max(input.skin, distance - particles.shape[i].circumscribed_radius);
   list.events.n_scans = 1;
   for (const std::size_t k : alive_first(batch, old))
   {
@@ -228,12 +228,12 @@ PairList list_support(const ContactPointSearchInput &input, const PairKey &key,
             : surface_point(particles.shape[i], contact_point.on_a)
                       .position.dot(normal) -
                   distance;
-    if (contact_point.overlap > -input.margin)
+    if (contact_point.overlap > -input.skin)
       list.keep({static_cast<std::int32_t>(k), contact_point, {}});
   }
-  if (list.clear == input.margin)
+  if (list.clear == input.skin)
     list.add(find_supports(input.maps.particle(particles, i), normal,
-                           {distance - input.margin, distance},
+                           {distance - input.skin, distance},
                            list.contact_points()),
              input.is_first);
   return list;
@@ -260,15 +260,14 @@ ContactPointEvents renew_planes(const ContactPointSearchInput &input,
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (planes[p].is_active &&
           (particles.position(i) - planes[p].point).dot(planes[p].normal) <
-              particles.shape[i].circumscribed_radius +
-                  far_margins * input.margin)
+              particles.shape[i].circumscribed_radius + far_skins * input.skin)
         keys.emplace_back(static_cast<std::int32_t>(i),
                           static_cast<std::int32_t>(p));
   listed = merged(keys, listed);
-  const auto travelled = [&](const PairKey &key)
-  { return particles.travelled[row_of(key.first)] + walls.travelled; };
+  const auto path_length = [&](const PairKey &key)
+  { return particles.path_length[row_of(key.first)] + walls.path_length; };
   return renew(
-      input, Watch{listed, travelled, itself},
+      input, Watch{listed, path_length, itself},
       [&](const CandidatePair &pair, const OldRows &old)
       {
         return list_support(input, pair.key, planes[row_of(pair.key.second)],
@@ -293,15 +292,16 @@ ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
   std::vector<PairKey> keys;
   for (std::int32_t i = 0; row_of(i) < particles.size(); ++i)
     for (std::int32_t part = 0; part < n_drum_parts; ++part)
-      if (gap({i, part}) < far_margins * asked.margin)
+      if (gap({i, part}) < far_skins * asked.skin)
         keys.emplace_back(i, part);
   const ContactPointSearchInput input = first_check(asked, listed);
   listed = merged(keys, listed);
-  const auto travelled = [&](const PairKey &key)
-  { return particles.travelled[row_of(key.first)] + drum.travelled; };
+  const auto path_length = [&](const PairKey &key)
+  { return particles.path_length[row_of(key.first)] + drum.path_length; };
   return renew(
       input,
-      Watch{listed, travelled, [](std::int32_t b) { return b % n_drum_parts; }},
+      Watch{listed, path_length,
+            [](std::int32_t b) { return b % n_drum_parts; }},
       [&](const CandidatePair &pair, const OldRows &old)
       {
         const ParticleOnWall on{input, batch, old, gap(pair.key)};

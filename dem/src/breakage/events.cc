@@ -308,7 +308,7 @@ bool carry_out(const ForceContext &context, ParticleSystem &particles,
   event.removed_volume = result.removed_volume;
   event.width = result.width;
   event.depth = result.depth;
-  particles.travelled[i] += result.depth;
+  particles.path_length[i] += result.depth;
   event.kinetic_energy = replace_body(context, particles, i, result.body);
   event.equivalent_radius = particles.radius(i);
   event.released_energy = reset_all(context, contacts, request.particle);

@@ -26,7 +26,7 @@ void visit_layout(Layout &layout, const Visit &visit)
   visit(layout.has_sides);
   visit(layout.has_partners);
   visit(layout.has_damage);
-  visit(layout.has_turn);
+  visit(layout.has_reversal);
   visit(layout.has_peak);
   visit(layout.has_contact_points);
 }

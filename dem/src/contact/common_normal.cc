@@ -16,7 +16,7 @@ SurfacePoint surface_point(const ParticleShape &body, const Vec3 &direction)
   SurfacePoint point;
   point.position = body.scale * direction;
   point.normal = direction;
-  point.bend =
+  point.shape_operator =
       (Mat3::Identity() - direction * direction.transpose()) / body.scale;
   return point;
 }
@@ -36,24 +36,24 @@ SurfacePoint surface_point(const RadialExpansion &at)
   point.normal = slope / steepness;
   const Mat3 across =
       Mat3::Identity() - point.normal * point.normal.transpose();
-  point.bend = across * hessian * across / steepness;
+  point.shape_operator = across * hessian * across / steepness;
   return point;
 }
 
 NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
-                                 double size, const NewtonStepControl &pace)
+                                 double size, const NewtonStepControl &control)
 {
   const Frame frame = tangents(a.normal);
   const Vec3 d = a.position - b.position;
   const double overlap = d.dot(a.normal);
   const Vec2 t = frame.transpose() * d, m = frame.transpose() * b.normal;
-  const Mat2 shape_operator_a = frame.transpose() * a.bend * frame;
-  const Mat2 shape_operator_b = frame.transpose() * b.bend * frame;
+  const Mat2 shape_operator_a = frame.transpose() * a.shape_operator * frame;
+  const Mat2 shape_operator_b = frame.transpose() * b.shape_operator * frame;
   const Mat2 lens = shape_operator_a + shape_operator_b;
   NormalStep steps;
   steps.is_lens = lens.trace() > 0. && lens.determinant() > 0.;
-  const Mat2 system =
-      pace.trusted(lens, size) - overlap * shape_operator_b * shape_operator_a;
+  const Mat2 system = control.trusted(lens, size) -
+                      overlap * shape_operator_b * shape_operator_a;
   const Vec2 along_a = system.partialPivLu().solve(-m - shape_operator_b * t);
   const Vec2 along_b = along_a - overlap * shape_operator_a * along_a + t;
   steps.on_a = frame * along_a;
@@ -67,7 +67,7 @@ NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
 SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation)
 {
   return {rotation * point.position, rotation * point.normal,
-          rotation * point.bend * rotation.transpose()};
+          rotation * point.shape_operator * rotation.transpose()};
 }
 
 namespace
@@ -78,13 +78,14 @@ constexpr double surely_less = 1e-6;
 
 ContactPoint climb(const ParticleShape &a, const ParticleShape &b,
                    const RelativePose &pose, const ContactPoint &start,
-                   const NewtonStepControl &pace)
+                   const NewtonStepControl &control)
 {
   const double size = std::min(mean_radius(a), mean_radius(b));
   double first_apart = 0.;
   ContactPoint contact_point = start;
   contact_point.is_found = false;
-  for (int step = 0; step < pace.most_steps && !contact_point.is_found; ++step)
+  for (int step = 0; step < control.most_steps && !contact_point.is_found;
+       ++step)
   {
     const SurfacePoint on_a = surface_point(a, contact_point.on_a);
     SurfacePoint on_b =
@@ -92,9 +93,9 @@ ContactPoint climb(const ParticleShape &a, const ParticleShape &b,
     on_b.position += pose.position;
     if (step == 0)
       first_apart = (on_b.position - on_a.position).norm();
-    const NormalStep newton = step_to_common_normal(on_a, on_b, size, pace);
-    const Vec3 along_a = shortened(newton.on_a, pace.longest_step * size);
-    const Vec3 along_b = shortened(newton.on_b, pace.longest_step * size);
+    const NormalStep newton = step_to_common_normal(on_a, on_b, size, control);
+    const Vec3 along_a = shortened(newton.on_a, control.longest_step * size);
+    const Vec3 along_b = shortened(newton.on_b, control.longest_step * size);
     contact_point.on_a = (on_a.position + along_a).normalized();
     contact_point.on_b =
         (pose.rotation.transpose() * (on_b.position + along_b - pose.position))
@@ -131,10 +132,13 @@ public:
     on_b = place.on_particle;
     // D(y) with grad D = -n and -grad grad D = K (I - D K)^-1.
     const Frame frame = tangents(place.normal);
-    const Mat2 bend = frame.transpose() * particle.at(on_b).bend * frame;
-    const Mat2 depth = bend * floored(Mat2::Identity() - place.overlap * bend,
-                                      lowest_curvature)
-                                  .inverse();
+    const Mat2 shape_operator =
+        frame.transpose() * particle.at(on_b).shape_operator * frame;
+    const Mat2 depth =
+        shape_operator *
+        floored(Mat2::Identity() - place.overlap * shape_operator,
+                lowest_curvature)
+            .inverse();
     return {place.overlap, -place.normal,
             -(frame * (0.5 * (depth + depth.transpose())) * frame.transpose())};
   }
@@ -169,10 +173,10 @@ ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
                     const RelativePose &pose, const ContactPoint &start)
 {
   ContactPoint contact_point = climb(a, b, pose, start, usual_step_control);
-  for (const NewtonStepControl &pace :
+  for (const NewtonStepControl &control :
        {careful_step_control, flat_step_control})
     if (!contact_point.is_found)
-      contact_point = climb(a, b, pose, start, pace);
+      contact_point = climb(a, b, pose, start, control);
   if (contact_point.is_found)
     return contact_point;
   const ContactPoint deepest = deepest_point(a, b, pose, start);
@@ -182,27 +186,29 @@ ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
 namespace
 {
 Support refine_along(const ParticleShape &body, const Vec3 &normal,
-                     const Vec3 &start, const NewtonStepControl &pace)
+                     const Vec3 &start, const NewtonStepControl &control)
 {
   double first_height = 0.;
   const double size = mean_radius(body);
   const Frame frame = tangents(normal);
   Support support;
   support.direction = start;
-  for (int step = 0; step < pace.most_steps && !support.is_found; ++step)
+  for (int step = 0; step < control.most_steps && !support.is_found; ++step)
   {
     const SurfacePoint at = surface_point(body, support.direction);
-    const Mat2 bend = frame.transpose() * at.bend * frame;
-    const Vec2 along =
-        pace.trusted(bend, size).llt().solve(-frame.transpose() * at.normal);
-    const Vec3 climb = shortened(frame * along, pace.longest_step * size);
+    const Mat2 shape_operator = frame.transpose() * at.shape_operator * frame;
+    const Vec2 along = control.trusted(shape_operator, size)
+                           .llt()
+                           .solve(-frame.transpose() * at.normal);
+    const Vec3 climb = shortened(frame * along, control.longest_step * size);
     support.direction = (at.position + climb).normalized();
     if (step == 0)
       first_height = at.position.dot(normal);
-    support.height = at.position.dot(normal) + 0.5 * along.dot(bend * along);
-    support.is_found = bend.trace() > 0. && bend.determinant() > 0. &&
-                       at.normal.dot(normal) > 0. &&
-                       along.norm() < converged * size;
+    support.height =
+        at.position.dot(normal) + 0.5 * along.dot(shape_operator * along);
+    support.is_found =
+        shape_operator.trace() > 0. && shape_operator.determinant() > 0. &&
+        at.normal.dot(normal) > 0. && along.norm() < converged * size;
   }
   if (support.height < first_height - surely_less * size)
     support.is_found = false;
@@ -213,8 +219,9 @@ Support refine_along(const ParticleShape &body, const Vec3 &normal,
 Support find_support(const ParticleShape &body, const Vec3 &normal,
                      const Vec3 &start)
 {
-  for (const NewtonStepControl &pace : {usual_step_control, flat_step_control})
-    if (const Support support = refine_along(body, normal, start, pace);
+  for (const NewtonStepControl &control :
+       {usual_step_control, flat_step_control})
+    if (const Support support = refine_along(body, normal, start, control);
         support.is_found)
       return support;
   const Summit top =

@@ -297,7 +297,7 @@ void damage_side(const Task &task, std::int64_t k, const Damage &damage,
     }
 }
 
-/// With the energy of the shear spring, and swings that do not count let pass.
+/// With the energy of the shear spring, and cycles that do not count left out.
 void count_turns(const Task &task, std::int64_t k, Damage &damage)
 {
   const Contacts &contacts = task.contacts;
@@ -307,10 +307,10 @@ void count_turns(const Task &task, std::int64_t k, Damage &damage)
     damage.energy +=
         0.5 * dot(shear, shear) * load(contacts.shear_compliance + k);
   }
-  const Simd before = load(contacts.turn + k);
-  store(turn_of_energy(before, damage.energy, task.hysteresis),
-        contacts.turn + k);
-  damage.rise = counted_rise(before, load(contacts.turn + k));
+  const Simd before = load(contacts.reversal + k);
+  store(reversal_of_energy(before, damage.energy, task.hysteresis),
+        contacts.reversal + k);
+  damage.rise = counted_rise(before, load(contacts.reversal + k));
 }
 
 /// Rises beyond the peak count many times.
@@ -348,7 +348,7 @@ void find_damage(const Task &task, std::int64_t k, const Loading &last,
   Damage damage{last.overlap, last.energy - last.energy_before, last.energy,
                 SimdMask(!task.keeps_factors) && last.overlap <= 0. &&
                     last.energy_before > 0.};
-  if (contacts.turn)
+  if (contacts.reversal)
     count_turns(task, k, damage);
   if (contacts.peak)
     repeat_peaks(task, k, damage);

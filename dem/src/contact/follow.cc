@@ -17,9 +17,9 @@ std::size_t particle_of(const ContactBatch &batch, std::size_t k, bool is_a)
 
 /// Sets the overlap from which contact k counts, so that a new place takes up
 /// no more energy than the old one had.
-void renew_slack(ContactBatch &batch, std::size_t k, double overlap)
+void renew_overlap_offset(ContactBatch &batch, std::size_t k, double overlap)
 {
-  batch.slack[k] = std::max(0., overlap - batch.overlap[k]);
+  batch.overlap_offset[k] = std::max(0., overlap - batch.overlap[k]);
 }
 
 /// It stays open until the lists are made anew.
@@ -27,7 +27,7 @@ void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
 {
   sum.n_ended += batch.is_touching(k);
   sum.has_displaced = true;
-  batch.slack[k] = kernel::closed_slack;
+  batch.overlap_offset[k] = kernel::closed_offset;
 }
 
 /// Where contact k is looked for first; `towards` if it was nowhere yet.
@@ -82,7 +82,7 @@ void relocate_pair(const ForceContext &context, ContactBatch &batch,
     sum.n_jumps += batch.is_touching(k);
     sum.has_displaced = true;
     batch.displaced[k] = 1;
-    renew_slack(batch, k, found.overlap);
+    renew_overlap_offset(batch, k, found.overlap);
   }
   place_pair(context, batch, k, found);
 }
@@ -105,9 +105,9 @@ void relocate_wall(const ForceContext &context, ContactBatch &batch,
     sum.n_jumps += batch.is_touching(k);
     sum.has_displaced = true;
     batch.displaced[k] = 1;
-    renew_slack(batch, k,
-                found.height -
-                    wall.normal.dot(wall.point - particles.position(i)));
+    renew_overlap_offset(
+        batch, k,
+        found.height - wall.normal.dot(wall.point - particles.position(i)));
   }
   renew_side(context, batch, k, true, found.direction);
 }

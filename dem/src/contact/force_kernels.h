@@ -23,11 +23,11 @@ inline constexpr int load_row = 8, at_moment = 3;
 struct ParticleSystem
 {
   const double *state;
-  const double *travelled; ///< Particles::travelled, null: spheres
-  double gaps_travelled;   ///< Travel::gaps, of any two spheres [m]
-  double cell_travelled;   ///< Travel::cell, of any two images [m]
-  double *load;            ///< ParticleLoad
-  double *halo;            ///< ParticleLoad, rows of PairLoads
+  const double *path_length; ///< ParticleSystem::path_length, null: spheres
+  double gap_path;           ///< PathLengths::gaps, of any two spheres [m]
+  double cell_path;          ///< PathLengths::cell, of any two images [m]
+  double *load;              ///< ParticleLoad
+  double *halo;              ///< ParticleLoad, rows of PairLoads
 };
 
 template <class Number>
@@ -59,10 +59,10 @@ struct Contacts
   Side side_a, side_b;
   const double *normal_prefactor, *shear_prefactor;
   Narrow *torsion_angle;
-  double *slack; ///< null unless contacts follow their surfaces
+  double *overlap_offset; ///< null unless contacts follow their surfaces
   double *factor_a, *factor_b;
   const Narrow *corner_a, *corner_b;
-  Narrow *turn;
+  Narrow *reversal;
   double *peak;
   std::uint8_t *event;
   double *normal_energy; ///< of laws that attract; else null
@@ -103,9 +103,9 @@ inline constexpr int wall_row = 16;
 /// particle towards it is not looked at.
 inline constexpr double far_wall = 1e3;
 
-/// ContactBatch::slack from here on: the contact has lost its place and stays
-/// open until the lists are made anew [m].
-inline constexpr double closed_slack = 1e9;
+/// ContactBatch::overlap_offset from here on: the contact has lost its place
+/// and stays open until the lists are made anew [m].
+inline constexpr double closed_offset = 1e9;
 
 /// What a loop reads besides the contacts; coefficients are of its batch.
 struct Task

@@ -49,8 +49,8 @@ struct NormalStep
 
 /// One Newton step of two points to the common normal. With d = x_A - x_B, t
 /// its part across n = n_A and m = n_A + n_B: a - delta K_A a - b = -t and
-/// K_A a + K_B b = -m, with K_A + K_B as the pace trusts it for particles of
-/// this size [m].
+/// K_A a + K_B b = -m, with K_A + K_B as the step control trusts it for
+/// particles of this size [m].
 NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
-                                 double size, const NewtonStepControl &pace);
+                                 double size, const NewtonStepControl &control);
 } // namespace dem

@@ -13,9 +13,9 @@ double depth(const ContactBatch &batch, std::size_t k)
 {
   const double counted = batch.overlap[k];
   if (!batch.layout.has_contact_points ||
-      batch.slack[k] >= kernel::closed_slack)
+      batch.overlap_offset[k] >= kernel::closed_offset)
     return counted;
-  return counted + batch.slack[k];
+  return counted + batch.overlap_offset[k];
 }
 } // namespace
 

@@ -18,7 +18,7 @@ kernel::Task pair_task(SurfaceOwner &owner)
   task.normal_factor = prefactors.normal;
   task.shear_factor = prefactors.tangential;
   task.is_radial = task.reads_surface &&
-                   parameters.geometry.geometry == ContactGeometry::radial;
+                   traits(parameters.geometry.geometry).is_along_branch;
   return task;
 }
 
@@ -34,6 +34,7 @@ kernel::Loop pair_loop(const ContactBatch &batch)
 BatchLayout pair_layout(const EngineParameters &parameters,
                         const ParticleSystem &particles)
 {
+  const GeometryTraits geometry = traits(parameters.geometry.geometry);
   BatchLayout layout;
   layout.law = law_of(parameters.particle);
   layout.has_attraction = layout.law.entry().attracts;
@@ -41,13 +42,11 @@ BatchLayout pair_layout(const EngineParameters &parameters,
   layout.has_sides = particles.has_shapes || particles.has_materials;
   layout.has_partners = true;
   layout.has_prefactors = layout.has_sides;
-  layout.has_contact_points =
-      layout.has_sides &&
-      parameters.geometry.geometry == ContactGeometry::surface;
+  layout.has_contact_points = layout.has_sides && geometry.has_common_normal;
   layout.has_damage =
-      particles.has_shapes &&
-      may_break(parameters.breakage, parameters.geometry.geometry);
-  layout.has_turn = layout.has_damage && parameters.breakage.needs_turn();
+      particles.has_shapes && may_break(parameters.breakage, geometry);
+  layout.has_reversal =
+      layout.has_damage && parameters.breakage.needs_reversal();
   layout.has_peak = layout.has_damage && parameters.breakage.repetitions > 1.;
   return layout;
 }

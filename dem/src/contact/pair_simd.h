@@ -7,16 +7,16 @@ namespace dem::kernel
 {
 namespace
 {
-/// How far the particles of each pair have travelled, both together.
-Simd travel_of_pairs(const Task &task, std::int64_t k)
+/// Path length of the particles of each pair, both together.
+Simd path_of_pairs(const Task &task, std::int64_t k)
 {
-  const double *travelled = task.particles.travelled;
-  if (!travelled)
-    return Simd(task.particles.gaps_travelled);
+  const double *path_length = task.particles.path_length;
+  if (!path_length)
+    return Simd(task.particles.gap_path);
   const std::int32_t *a = task.contacts.a + k, *b = task.contacts.b + k;
   const Simd both([=](auto lane)
-                  { return travelled[a[lane]] + travelled[b[lane]]; });
-  return both + task.particles.cell_travelled;
+                  { return path_length[a[lane]] + path_length[b[lane]]; });
+  return both + task.particles.cell_path;
 }
 
 /// Contacts that cannot touch yet. Nothing of them changes, whatever the lanes
@@ -24,21 +24,21 @@ Simd travel_of_pairs(const Task &task, std::int64_t k)
 SimdMask inactive(const Task &task, std::int64_t k)
 {
   const Simd reactivation = load(task.contacts.reactivation + k);
-  const SimdMask sleeps = reactivation > 0.;
-  return any(sleeps) ? sleeps && travel_of_pairs(task, k) < reactivation
-                     : sleeps;
+  const SimdMask is_inactive = reactivation > 0.;
+  return any(is_inactive) ? is_inactive && path_of_pairs(task, k) < reactivation
+                          : is_inactive;
 }
 
-/// Lets those that are awake, and apart by more than 0, sleep until their
-/// particles have travelled so far.
-void deactivate(const Task &task, std::int64_t k, const SimdMask &is_awake,
+/// Active contacts that are apart by more than 0 become inactive until their
+/// particles have moved so far.
+void deactivate(const Task &task, std::int64_t k, const SimdMask &is_active,
                 const Simd &apart)
 {
   const Simd reactivation = load(task.contacts.reactivation + k);
-  const SimdMask is_open = is_awake && apart > 0.;
-  if (any(is_open || (is_awake && reactivation > 0.)))
-    store(select(is_awake,
-                 select(is_open, travel_of_pairs(task, k) + apart, Simd(0.)),
+  const SimdMask is_open = is_active && apart > 0.;
+  if (any(is_open || (is_active && reactivation > 0.)))
+    store(select(is_active,
+                 select(is_open, path_of_pairs(task, k) + apart, Simd(0.)),
                  reactivation),
           task.contacts.reactivation + k);
 }
@@ -94,7 +94,7 @@ struct PairGeometry
 
 PairGeometry locate_pairs(const Task &task, std::int64_t k,
                           const ParticleSimd &a, const ParticleSimd &b,
-                          const SimdMask &is_awake)
+                          const SimdMask &is_active)
 {
   const SimdQuad ball_a = a.quad(at_position), ball_b = b.quad(at_position);
   SimdVector branch = ball_b.vector - ball_a.vector;
@@ -115,7 +115,7 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k,
   {
     const SimdVector on_a = side_direction(a, pair.normal);
     const SimdVector on_b = side_direction(b, -pair.normal);
-    const SimdMask is_looked_at = is_apart && is_awake;
+    const SimdMask is_looked_at = is_apart && is_active;
     refresh_side(task, task.contacts.side_a, k, 0, on_a, is_looked_at);
     refresh_side(task, task.contacts.side_b, k, 1, on_b, is_looked_at);
     if (task.is_radial)
@@ -132,7 +132,7 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k,
   const Simd depth = pair.radius_a + pair.radius_b - distance;
   pair.gap = -depth;
   pair.overlap =
-      select(is_apart && is_awake, stdx::max(depth, Simd(0.)), Simd(0.));
+      select(is_apart && is_active, stdx::max(depth, Simd(0.)), Simd(0.));
   return pair;
 }
 
@@ -233,20 +233,20 @@ template <class Law>
                                     const Target &target)
 {
   const Contacts &contacts = task.contacts;
-  const SimdMask is_awake = !inactive(task, k);
-  if (!any(is_awake))
+  const SimdMask is_active = !inactive(task, k);
+  if (!any(is_active))
     return;
   const ParticleSimd a(task.particles.state, contacts.a + k),
       b(task.particles.state, contacts.b + k);
-  const PairGeometry pair = locate_pairs(task, k, a, b, is_awake);
+  const PairGeometry pair = locate_pairs(task, k, a, b, is_active);
   Simd overlap = pair.overlap, apart = pair.gap;
   if constexpr (Law::attracts)
   {
-    const SimdMask is_there = is_awake && pair.inverse_distance > 0.;
+    const SimdMask is_there = is_active && pair.inverse_distance > 0.;
     overlap = select(is_there, Simd(-pair.gap), Simd(-task.range));
     apart = pair.gap - task.range;
   }
-  deactivate(task, k, is_awake, apart);
+  deactivate(task, k, is_active, apart);
   const Simd overlap_before = load(contacts.overlap + k);
   if (!any_alive<Law>(task, k, overlap + task.range, overlap_before))
     return; // all is zero and stays so

@@ -16,7 +16,8 @@ SupportGeometry known_place(const Task &task, std::int64_t k,
   const std::int32_t *row = task.contacts.b + k;
   const Simd depth([&task, row](auto lane)
                    { return task.wall_overlap[row[lane]]; });
-  const SimdMask is_open = load(task.contacts.slack + k) >= closed_slack;
+  const SimdMask is_open =
+      load(task.contacts.overlap_offset + k) >= closed_offset;
   const SimdMask is_there = is_valid && !is_open;
   SupportGeometry geometry;
   geometry.overlap =

@@ -86,12 +86,12 @@ kernel::Contacts contacts_view(ContactBatch &batch)
           batch.normal_prefactor.data(),
           batch.shear_prefactor.data(),
           batch.torsion_angle.data(),
-          batch.slack.data(),
+          batch.overlap_offset.data(),
           batch.factor_a.data(),
           batch.factor_b.data(),
           batch.corner_a.data(),
           batch.corner_b.data(),
-          batch.turn.data(),
+          batch.reversal.data(),
           batch.peak.data(),
           batch.event.data(),
           batch.normal_energy.data(),
@@ -134,9 +134,9 @@ kernel::ParticleSystem particles_view(const ForceContext &context)
 {
   ParticleSystem &particles = context.particles;
   return {numbers(particles.state),
-          particles.has_shapes ? particles.travelled.data() : nullptr,
-          context.gaps_travelled,
-          context.cell_travelled,
+          particles.has_shapes ? particles.path_length.data() : nullptr,
+          context.gap_path,
+          context.cell_path,
           numbers(particles.load),
           nullptr};
 }

@@ -141,11 +141,13 @@ SimdShapeOperator shape_operator_of(const Side &side, std::int64_t k,
                                     const SimdSurface &at,
                                     const SimdFrame &frame)
 {
-  SimdShapeOperator bend;
-  bend.first = tangent_of(at, frame.first);
-  bend.second = tangent_of(at, frame.second);
-  const SimdVector along_first = side_hessian_times(side, k, bend.first.flat);
-  const SimdVector along_second = side_hessian_times(side, k, bend.second.flat);
+  SimdShapeOperator shape_operator;
+  shape_operator.first = tangent_of(at, frame.first);
+  shape_operator.second = tangent_of(at, frame.second);
+  const SimdVector along_first =
+      side_hessian_times(side, k, shape_operator.first.flat);
+  const SimdVector along_second =
+      side_hessian_times(side, k, shape_operator.second.flat);
   const Simd inverse = 1. / at.radius;
   const auto entry =
       [&](const SimdTangent &t, const SimdTangent &u, const SimdVector &h_t)
@@ -154,10 +156,11 @@ SimdShapeOperator shape_operator_of(const Side &side, std::int64_t k,
         dot(h_t, u.flat) - t.along * u.slope - t.slope * u.along;
     return (dot(t.flat, u.flat) - inverse * second) * inverse / at.steepness;
   };
-  bend.matrix = {entry(bend.first, bend.first, along_first),
-                 entry(bend.first, bend.second, along_first),
-                 entry(bend.second, bend.second, along_second)};
-  return bend;
+  shape_operator.matrix = {
+      entry(shape_operator.first, shape_operator.first, along_first),
+      entry(shape_operator.first, shape_operator.second, along_first),
+      entry(shape_operator.second, shape_operator.second, along_second)};
+  return shape_operator;
 }
 
 /// Where the Newton step of a set of lanes leads.

@@ -37,9 +37,10 @@ void follow_side(const Task &task, const Side &side, std::int64_t k, int which,
                           table.value[lane]);
 }
 
-SimdVector planar_in_body(const SimdShapeOperator &bend, const SimdPlanar &v)
+SimdVector planar_in_body(const SimdShapeOperator &shape_operator,
+                          const SimdPlanar &v)
 {
-  return v.x * bend.first.vector + v.y * bend.second.vector;
+  return v.x * shape_operator.first.vector + v.y * shape_operator.second.vector;
 }
 
 SimdVector planar_in_world(const SimdFrame &frame, const SimdPlanar &v)
@@ -56,15 +57,17 @@ void relocate(const Task &task, std::int64_t k, const SimdMask &is_lost,
       task.surfaces.relocate(task.surfaces.owner, k + lane, &sum);
 }
 
-/// Overlap that counts: `slack` was there when the contact was found, and is
-/// given back as the contact opens.
+/// Overlap that counts: `overlap_offset` was there when the contact was found,
+/// and is given back as the contact opens.
 Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap)
 {
   const Simd depth = stdx::max(overlap, Simd(0.));
-  const Simd slack = load(task.contacts.slack + k);
-  const SimdMask is_given_back = slack > depth && slack < closed_slack;
-  store(select(is_given_back, depth, slack), task.contacts.slack + k);
-  return stdx::max(depth - slack, Simd(0.));
+  const Simd overlap_offset = load(task.contacts.overlap_offset + k);
+  const SimdMask is_given_back =
+      overlap_offset > depth && overlap_offset < closed_offset;
+  store(select(is_given_back, depth, overlap_offset),
+        task.contacts.overlap_offset + k);
+  return stdx::max(depth - overlap_offset, Simd(0.));
 }
 
 /// Contacts of one set of lanes as they lie, at their common normals.
@@ -122,7 +125,7 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
                                      const SimdMask &is_valid, RangeSum &sum)
 {
   const Contacts &contacts = task.contacts;
-  const SimdMask is_open = load(contacts.slack + k) >= closed_slack;
+  const SimdMask is_open = load(contacts.overlap_offset + k) >= closed_offset;
   SurfacePair pair = approach_pair(task, k, a, b);
   const SimdMask is_lost = is_valid && !is_open && !pair.step.is_sound;
   if (any(is_lost))
@@ -184,7 +187,7 @@ ContactMotion<Simd> surface_motion(const ParticleSimd &a, const ParticleSimd &b,
   return motion;
 }
 
-/// How far particles may travel before an open place is followed again: so
+/// How far particles may move before an open place is followed again: so
 /// little that it is found from where it was.
 Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
                      const ParticleSimd &b)
@@ -201,14 +204,14 @@ template <class Law>
                                             const Target &target)
 {
   const Contacts &contacts = task.contacts;
-  const SimdMask is_awake = valid_lanes(n_valid) && !inactive(task, k);
-  if (!any(is_awake))
+  const SimdMask is_active = valid_lanes(n_valid) && !inactive(task, k);
+  if (!any(is_active))
     return;
   const ParticleSimd a(task.particles.state, contacts.a + k),
       b(task.particles.state, contacts.b + k);
   const SurfaceGeometry pair =
-      locate_surface_pairs(task, k, a, b, is_awake, target.sum);
-  deactivate(task, k, is_awake, until_looked_at(pair, a, b));
+      locate_surface_pairs(task, k, a, b, is_active, target.sum);
+  deactivate(task, k, is_active, until_looked_at(pair, a, b));
   const Simd overlap_before = load(contacts.overlap + k);
   if (!any(pair.overlap > 0. || overlap_before > 0.))
     return; // all is zero and stays so
@@ -242,7 +245,7 @@ struct SurfaceAtWall
 {
   SimdSurface on_a;
   SimdFrame frame;
-  SimdShapeOperator bend;
+  SimdShapeOperator shape_operator;
   SimdPlanar step;
   Simd overlap; ///< where the step leads; < 0: a gap
   SimdMask is_sound;
@@ -258,15 +261,15 @@ SurfaceAtWall approach_wall(const Task &task, std::int64_t k,
   SurfaceAtWall at;
   at.on_a = locate_surface(side, k, a);
   at.frame = across(normal);
-  at.bend = shape_operator_of(side, k, at.on_a, at.frame);
+  at.shape_operator = shape_operator_of(side, k, at.on_a, at.frame);
   const SimdPlanar m = in_frame(at.frame, at.on_a.normal);
-  const SimdMatrix &bend = at.bend.matrix;
-  const Simd determinant = bend.determinant();
-  at.is_sound = bend.xx > 0. && determinant > 0. &&
+  const SimdMatrix &shape_operator = at.shape_operator.matrix;
+  const Simd determinant = shape_operator.determinant();
+  at.is_sound = shape_operator.xx > 0. && determinant > 0. &&
                 load(side.radius + k) > 0. && dot(at.on_a.normal, normal) > 0.;
   const Simd inverse = 1. / select(at.is_sound, determinant, Simd(1.));
-  at.step = {inverse * (bend.xy * m.y - bend.yy * m.x),
-             inverse * (bend.xy * m.x - bend.xx * m.y)};
+  at.step = {inverse * (shape_operator.xy * m.y - shape_operator.yy * m.x),
+             inverse * (shape_operator.xy * m.x - shape_operator.xx * m.y)};
   at.is_sound = at.is_sound && is_short(at.step, at.on_a.radius);
   at.overlap =
       dot(a.vector(at_position) + at.on_a.arm - wall.vector(at_point), normal) -
@@ -286,7 +289,8 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
                                const SimdMask &is_valid, RangeSum &sum)
 {
   const SimdVector normal = wall.vector(at_normal);
-  const SimdMask is_open = load(task.contacts.slack + k) >= closed_slack;
+  const SimdMask is_open =
+      load(task.contacts.overlap_offset + k) >= closed_offset;
   SurfaceAtWall at = approach_wall(task, k, a, wall);
   const SimdQuad sphere = a.quad(at_position);
   const Simd distance = dot(wall.vector(at_point) - sphere.vector, normal);
@@ -310,7 +314,7 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
   if (!task.adds_loads_only)
     follow_side(task, task.contacts.side_a, k, 0,
                 at.on_a.radius * at.on_a.direction +
-                    planar_in_body(at.bend, at.step),
+                    planar_in_body(at.shape_operator, at.step),
                 is_there);
   return geometry;
 }

@@ -26,10 +26,10 @@ void note_corner(const ParticleSystem &particles, ContactBatch &batch,
 
 /// Whether contacts of this geometry may break particles.
 inline bool may_break(const BreakageParameters &breakage,
-                      ContactGeometry geometry)
+                      const GeometryTraits &geometry)
 {
-  return breakage.is_active && (breakage.contacts == EventContacts::all ||
-                                geometry != ContactGeometry::sphere);
+  return breakage.is_active &&
+         (breakage.contacts == EventContacts::all || geometry.reads_shape);
 }
 
 /// Forgets the surface of side A or B of contact k.

@@ -27,10 +27,10 @@ WallContactPoint depth_of(ParticleView &particle, const Vec3 &point,
       place.is_found = true;
       break;
     }
-    const Mat2 bend = frame.transpose() * at.bend * frame;
+    const Mat2 shape_operator = frame.transpose() * at.shape_operator * frame;
     // Beyond the centre of curvature the nearest point is another one.
-    const Mat2 system =
-        floored(Mat2::Identity() - place.overlap * bend, lowest_curvature);
+    const Mat2 system = floored(
+        Mat2::Identity() - place.overlap * shape_operator, lowest_curvature);
     const Vec3 along = frame * Vec2(-(system.inverse() * aside));
     place.on_particle = particle.towards(
         at.position +

@@ -17,8 +17,8 @@ kernel::Task wall_task(SurfaceOwner &owner, const Walls &walls)
   task.normal_factor = unit.normal;
   task.shear_factor = unit.tangential;
   task.is_radial =
-      task.reads_surface && owner.context.parameters.geometry.wall_geometry ==
-                                ContactGeometry::radial;
+      task.reads_surface &&
+      traits(owner.context.parameters.geometry.wall_geometry).is_along_branch;
   task.walls = reinterpret_cast<const double *>(walls.rows.data());
   task.wall_overlap = walls.overlap.data();
   task.wall_extra = walls.extra.data();
@@ -45,18 +45,19 @@ BatchLayout wall_layout(const EngineParameters &parameters,
   const bool scales = layout.law.entry().scales_with_curvature;
   layout.has_attraction = layout.law.entry().attracts;
   layout.has_rolling = wall.rolling_friction > 0.;
-  const ContactGeometry geometry = parameters.geometry.wall_geometry;
+  const GeometryTraits geometry = traits(parameters.geometry.wall_geometry);
   layout.has_damage =
       particles.has_shapes && may_break(parameters.breakage, geometry);
-  layout.has_turn = layout.has_damage && parameters.breakage.needs_turn();
+  layout.has_reversal =
+      layout.has_damage && parameters.breakage.needs_reversal();
   layout.has_peak = layout.has_damage && parameters.breakage.repetitions > 1.;
-  layout.has_sides = layout.has_damage ||
-                     (particles.has_shapes &&
-                      (geometry != ContactGeometry::sphere || scales)) ||
-                     (particles.has_materials && scales);
+  layout.has_sides =
+      layout.has_damage ||
+      (particles.has_shapes && (geometry.reads_shape || scales)) ||
+      (particles.has_materials && scales);
   layout.has_prefactors = layout.has_sides && scales;
   layout.has_contact_points =
-      particles.has_shapes && geometry == ContactGeometry::surface;
+      particles.has_shapes && geometry.has_common_normal;
   return layout;
 }
 

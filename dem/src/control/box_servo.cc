@@ -10,9 +10,9 @@ namespace dem
 {
 namespace
 {
-/// Steps that a wall takes through the search margin at least: lists are made
-/// for more than one of them.
-constexpr double steps_in_margin = 10.;
+/// Steps that a wall takes through the skin of the lists at least: lists are
+/// made for more than one of them.
+constexpr double steps_in_skin = 10.;
 
 double face_area(const Vec3 &size, int axis)
 {
@@ -208,10 +208,9 @@ void BoxServo::update(Engine &engine, double time_step)
     if (follows_load && d < 2)
       wanted -= parameters.yielding * rate_of_load(engine) * moved.length /
                 moved.n_moving;
-    const double fastest =
-        std::min(parameters.speed_share[d] * parameters.max_speed,
-                 engine.parameters().geometry.usual_skin /
-                     (steps_in_margin * time_step));
+    const double fastest = std::min(
+        parameters.speed_share[d] * parameters.max_speed,
+        engine.parameters().geometry.usual_skin / (steps_in_skin * time_step));
     // A wall that is as fast as it may be would only sum up its delay.
     if (follows_load && std::abs(wanted) < fastest)
       summed[d] += 0.5 * time_step / parameters.response_time * error;

@@ -165,8 +165,8 @@ Fastest note_speeds(const Motion &motion, const Places &places,
       (1. + motion.steepness) * stdx::sqrt(square) +
       particles.reach * stdx::sqrt(dot(particles.spin, particles.spin));
   speeds.closing = largest(closing);
-  if (motion.travelled)
-    add_to(motion.travelled, places, motion.drift * closing);
+  if (motion.path_length)
+    add_to(motion.path_length, places, motion.drift * closing);
   return speeds;
 }
 

@@ -15,7 +15,7 @@ struct Motion
 {
   double *state, *load; ///< ParticleState, ParticleLoad
   const double *frame;  ///< TurningFrame; null: spheres
-  double *travelled;    ///< Particles::travelled, null: spheres
+  double *path_length;  ///< ParticleSystem::path_length, null: spheres
   bool has_tensors;     ///< particles turn with their whole tensors
   double *damped;       ///< WorkColumns, null without local damping
   double *lifted;       ///< null without gravity

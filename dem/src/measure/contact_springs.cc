@@ -80,7 +80,8 @@ Stand true_stand(const ParticleSystem &particles, const ContactBatch &batch,
                       particles.position(static_cast<std::size_t>(batch.a[k]));
   const double depth = (a.position - branch - b.position).dot(a.normal);
   return {a.normal, shortened(a.position, 0.5, depth, a.normal),
-          shortened(b.position, 0.5, depth, -a.normal), depth - batch.slack[k]};
+          shortened(b.position, 0.5, depth, -a.normal),
+          depth - batch.overlap_offset[k]};
 }
 
 /// Along the branch, by spheres or local radii; no overlap if centres coincide.
@@ -136,7 +137,7 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
   const ParticleMaterial &particle = engine.parameters().particle;
   const ElasticityTable elasticity(engine.parameters());
   const bool is_radial =
-      engine.parameters().geometry.geometry == ContactGeometry::radial;
+      traits(engine.parameters().geometry.geometry).is_along_branch;
   const double range = batch.layout.law.range();
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
@@ -195,7 +196,7 @@ Vec3 wall_lever(const Engine &engine, const ContactBatch &batch, std::size_t k,
   if (batch.layout.has_contact_points && batch.side_a.is_known(k))
     return point_of(particles, batch.a[k], batch.side_a, k).position;
   const bool is_radial =
-      engine.parameters().geometry.wall_geometry == ContactGeometry::radial;
+      traits(engine.parameters().geometry.wall_geometry).is_along_branch;
   return (is_radial ? reach_of(particles, batch.a[k], batch.side_a, k, normal)
                     : particles.radius(static_cast<std::size_t>(batch.a[k]))) *
          normal;
@@ -211,9 +212,9 @@ Vec3 lever_at_wall(const ContactBatch &batch, const Vec3 &to_surface,
 }
 
 /// Overlap of contact k that carries nothing [m].
-double slack_of(const ContactBatch &batch, std::size_t k)
+double overlap_offset_of(const ContactBatch &batch, std::size_t k)
 {
-  return batch.layout.has_contact_points ? batch.slack[k] : 0.;
+  return batch.layout.has_contact_points ? batch.overlap_offset[k] : 0.;
 }
 
 /// How a particle and a wall meet at one contact.
@@ -253,7 +254,7 @@ void add_planes(const Engine &engine, const Foresight &ahead,
     const Vec3 lever = wall_lever(engine, batch, k, -plane.normal);
     const double depth =
         (plane.point - particles.position(i) - lever).dot(plane.normal);
-    const double gap = slack_of(batch, k) - depth;
+    const double gap = overlap_offset_of(batch, k) - depth;
     const Vec3 velocity = plane.velocity - particles.velocity(i);
     const double closing = ahead.horizon * velocity.norm();
     if (gap >= closing)
@@ -291,7 +292,7 @@ void add_drum(const Engine &engine, const Foresight &ahead,
     const Vec3 velocity =
         drum(engine).velocity_at(part, at.point) - particles.velocity(i);
     const double depth = reach - at.distance;
-    const double overlap = depth - slack_of(batch, k),
+    const double overlap = depth - overlap_offset_of(batch, k),
                  grown = overlap + ahead.horizon * velocity.norm();
     if (grown <= 0.)
       continue;
@@ -335,8 +336,8 @@ void add_facets(const Engine &engine, const FacetBoundary &facets,
     const FacetContactPoint &contact_point = facets.candidates.contact_point[k];
     if (!batch.is_touching(k) || contact_point.triangle < 0)
       continue;
-    const double depth =
-        batch.overlap[k] + slack_of(batch, k) - contact_point.shares.extra;
+    const double depth = batch.overlap[k] + overlap_offset_of(batch, k) -
+                         contact_point.shares.extra;
     const Vec3 lever =
         lever_at_wall(batch, wall_lever(engine, batch, k, contact_point.normal),
                       depth, contact_point.normal);

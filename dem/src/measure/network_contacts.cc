@@ -97,7 +97,7 @@ ContactFrame pair_contact_frame(const Engine &engine, std::size_t k)
              b = static_cast<std::size_t>(pairs.b[k]);
   const Vec3 normal = particles.branch(a, b).normalized();
   double radius = particles.radius(a);
-  if (engine.parameters().geometry.geometry == ContactGeometry::radial &&
+  if (traits(engine.parameters().geometry.geometry).is_along_branch &&
       pairs.side_a.is_known(k))
   {
     const Vec3 u = particles.orientation(a).conjugate() * normal;

@@ -25,8 +25,8 @@ void note_corners(const ParticleSystem &particles, ContactBatch &batch)
       note_corner(particles, batch, k, true);
     if (batch.layout.has_partners && batch.side_b.is_known(k))
       note_corner(particles, batch, k, false);
-    if (batch.layout.has_turn)
-      batch.turn[k] = static_cast<Narrow>(batch.stored_energy(k));
+    if (batch.layout.has_reversal)
+      batch.reversal[k] = static_cast<Narrow>(batch.stored_energy(k));
   }
 }
 } // namespace dem

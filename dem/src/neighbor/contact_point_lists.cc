@@ -6,9 +6,9 @@ namespace dem
 {
 namespace
 {
-/// Particles are searched for places within so many margins: what is not listed
-/// yet tells how long the list is good for.
-constexpr double reach_margins = 2.;
+/// Particles are searched for places within so many times the skin: what is not
+/// listed yet tells how long the list is good for.
+constexpr double reach_skins = 2.;
 
 /// Gap between the points of two surfaces where an old contact is [m].
 double gap_at(const ParticleSystem &particles, const PairKey &pair,
@@ -37,11 +37,11 @@ PairList list_pair(const ContactPointSearchInput &input,
       separate(mapped,
                candidates.between.isZero(0.) ? pose.position.normalized()
                                              : candidates.between,
-               input.margin);
+               input.skin);
   PairList list;
   list.between = separation.normal;
-  list.clear = std::max(separation.gap, input.margin);
-  if (separation.gap > input.margin)
+  list.clear = std::max(separation.gap, input.skin);
+  if (separation.gap > input.skin)
     return list;
   list.events.n_scans = 1;
   for (const std::size_t k : alive_first(batch, old))
@@ -50,19 +50,18 @@ PairList list_pair(const ContactPointSearchInput &input,
     contact_point.overlap = batch.is_touching(k)
                                 ? batch.overlap[k]
                                 : -gap_at(particles, pair, pose, contact_point);
-    if (contact_point.overlap > -input.margin)
+    if (contact_point.overlap > -input.skin)
       list.keep({static_cast<std::int32_t>(k), contact_point, {}});
   }
   ContactPointSearch search = find_contact_points(
-      mapped, separation, reach_margins * input.margin, list.contact_points());
+      mapped, separation, reach_skins * input.skin, list.contact_points());
   list.events.n_lost = search.n_lost;
-  // The places are complete until the next one comes within the margin.
+  // The places are complete until the next one comes within the skin.
   const auto beyond = std::ranges::find_if(
       search.contact_points, [&](const ContactPoint &contact_point)
-      { return contact_point.overlap <= -input.margin; });
-  list.clear = beyond == search.contact_points.end()
-                   ? reach_margins * input.margin
-                   : -beyond->overlap;
+      { return contact_point.overlap <= -input.skin; });
+  list.clear = beyond == search.contact_points.end() ? reach_skins * input.skin
+                                                     : -beyond->overlap;
   search.contact_points.erase(beyond, search.contact_points.end());
   list.add(search.contact_points, input.is_first);
   return list;
@@ -96,23 +95,23 @@ ContactPointEvents::operator+=(const ContactPointEvents &part)
 }
 
 void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
-                                    const Travel &travel, ContactBatch &batch,
-                                    Dissipation &retired)
+                                    const PathLengths &paths,
+                                    ContactBatch &batch, Dissipation &retired)
 {
   const ParticleSystem &particles = input.context.particles;
-  const double range = far_margins * input.margin;
-  if (reach < travel.centres + input.margin)
+  const double range = far_skins * input.skin;
+  if (reach < paths.centres + input.skin)
   {
     pairs = merged(near_spheres(particles, range), pairs);
-    reach = travel.centres + range;
+    reach = paths.centres + range;
   }
-  const auto travelled = [&particles](const PairKey &key)
+  const auto path_length = [&particles](const PairKey &key)
   {
-    return particles.travelled[row_of(key.first)] +
-           particles.travelled[row_of(key.second)];
+    return particles.path_length[row_of(key.first)] +
+           particles.path_length[row_of(key.second)];
   };
   events += renew(
-      input, Watch{pairs, travelled, itself},
+      input, Watch{pairs, path_length, itself},
       [&](const CandidatePair &pair, const OldRows &old)
       { return list_pair(input, pair, batch, old); },
       batch, retired, [](const Arrangement &) {});

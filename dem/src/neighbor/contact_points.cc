@@ -12,9 +12,9 @@ namespace dem
 {
 namespace
 {
-/// Where a map bends between its nodes against the rule of
+/// Where a map curves between its nodes against the rule of
 /// NodeGaps::may_hide(), by this part of the radius at most.
-constexpr double fine_slack = 0.02;
+constexpr double fine_tolerance = 0.02;
 /// Two places on a particle nearer than this are one [rad].
 constexpr double one_place = 0.03;
 
@@ -45,16 +45,17 @@ std::array<Ordered, 2> both_ways(const MappedPair &pair,
 
 /// Calls call(position) for every node of one particle that is nearer to the
 /// other one than its neighbours are, where the surface between them may come
-/// within `margin` [m].
+/// within `skin` [m].
 template <class Call>
-void for_nearest_nodes(const Ordered &pair, double margin, const Call &call)
+void for_nearest_nodes(const Ordered &pair, double skin, const Call &call)
 {
   const MappedParticle &sampled = pair.sampled;
   const double scale = sampled.body.scale;
-  const double slack = fine_slack * mean_radius(sampled.body);
+  const double tolerance = fine_tolerance * mean_radius(sampled.body);
   // The node next to a place is no farther than the place but for what the
-  // sharper of both surfaces bends on the way, which the other does not exceed.
-  const double range = margin + slack + 2. * scale * sampled.map.sag();
+  // sharper of both surfaces curves on the way, which the other does not
+  // exceed.
+  const double range = skin + tolerance + 2. * scale * sampled.map.sag();
   // Nothing of the field is lower along the normal than this face.
   const double face = pair.between.top_a + pair.between.gap;
   NodeList list(sampled, pair.between.normal,
@@ -69,7 +70,8 @@ void for_nearest_nodes(const Ordered &pair, double margin, const Call &call)
   for (int k = 0; k < list.size(); ++k)
     if (const int node = list.node(k);
         gap[static_cast<std::size_t>(k)] < range && gaps.is_least(node) &&
-        gap[static_cast<std::size_t>(k)] - gaps.may_hide(node) < margin + slack)
+        gap[static_cast<std::size_t>(k)] - gaps.may_hide(node) <
+            skin + tolerance)
       call(list.position(k));
 }
 
@@ -162,7 +164,7 @@ bool is_one_place(const ContactPoint &one, const ContactPoint &other)
   return (one.on_a - other.on_a).squaredNorm() < one_place * one_place;
 }
 
-Separation separate(const MappedPair &pair, const Vec3 &guess, double margin)
+Separation separate(const MappedPair &pair, const Vec3 &guess, double skin)
 {
   constexpr int most_steps = 8;
   HullGap now = hull_gap(pair, guess);
@@ -187,7 +189,7 @@ Separation separate(const MappedPair &pair, const Vec3 &guess, double margin)
   }
   // Surfaces may stand out between their nodes.
   const double rest_a = sag_of(pair.a), rest_b = sag_of(pair.b);
-  const bool is_open = best.gap > margin && best.gap - rest_a - rest_b < margin;
+  const bool is_open = best.gap > skin && best.gap - rest_a - rest_b < skin;
   best.top_a = is_open ? top_of(pair.a, best.normal) : best.top_a + rest_a;
   best.top_b =
       is_open ? top_of(pair.b, -(pair.pose.rotation.transpose() * best.normal))
@@ -196,18 +198,18 @@ Separation separate(const MappedPair &pair, const Vec3 &guess, double margin)
   return best;
 }
 
-bool may_touch(const MappedPair &pair, double margin)
+bool may_touch(const MappedPair &pair, double skin)
 {
   const Separation separation =
-      separate(pair, pair.pose.position.normalized(), margin);
-  if (separation.gap > margin)
+      separate(pair, pair.pose.position.normalized(), skin);
+  if (separation.gap > skin)
     return false;
   const auto ways = both_ways(pair, separation);
   return std::any_of(ways.begin(), ways.end(),
                      [&](const Ordered &search)
                      {
                        bool is_near = false;
-                       for_nearest_nodes(search, margin,
+                       for_nearest_nodes(search, skin,
                                          [&](const Vec3 &) { is_near = true; });
                        return is_near;
                      });
@@ -215,7 +217,7 @@ bool may_touch(const MappedPair &pair, double margin)
 
 ContactPointSearch find_contact_points(const MappedPair &pair,
                                        const Separation &separation,
-                                       double margin,
+                                       double skin,
                                        std::span<const ContactPoint> known)
 {
   ContactPointSearch found;
@@ -224,7 +226,7 @@ ContactPointSearch find_contact_points(const MappedPair &pair,
   // A corner of one may fall between the nodes of the other.
   for (const Ordered &search : both_ways(pair, separation))
     for_nearest_nodes(
-        search, margin,
+        search, skin,
         [&](const Vec3 &position)
         {
           const ContactPoint start = start_at(search, position);
@@ -233,7 +235,7 @@ ContactPointSearch find_contact_points(const MappedPair &pair,
           const ContactPoint contact_point = refine(a, b, pair.pose, start);
           if (!contact_point.is_found)
             ++found.n_lost;
-          else if (contact_point.overlap > -margin &&
+          else if (contact_point.overlap > -skin &&
                    contact_point.overlap < deepest_overlap * size &&
                    !is_listed(contact_point, known) &&
                    !is_listed(contact_point, found.contact_points))
@@ -248,9 +250,9 @@ std::vector<ContactPoint> find_supports(const MappedParticle &particle,
                                         const SupportHeights &heights,
                                         std::span<const ContactPoint> known)
 {
-  const double slack = fine_slack * mean_radius(particle.body);
+  const double tolerance = fine_tolerance * mean_radius(particle.body);
   const NodeList list(particle, normal,
-                      heights.lowest - slack - sag_of(particle));
+                      heights.lowest - tolerance - sag_of(particle));
   NodeGaps depths;
   for (int k = 0; k < list.size(); ++k)
     depths.set(list.node(k), -static_cast<float>(list.position(k).dot(normal)));
@@ -260,7 +262,7 @@ std::vector<ContactPoint> find_supports(const MappedParticle &particle,
   {
     const int node = list.node(k);
     if (!depths.is_least(node) ||
-        depths.at(node) - depths.may_hide(node) > slack - heights.lowest)
+        depths.at(node) - depths.may_hide(node) > tolerance - heights.lowest)
       continue;
     const ContactPoint start{list.position(k).normalized(), Vec3::UnitZ(), 0.,
                              false};

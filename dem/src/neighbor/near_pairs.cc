@@ -21,10 +21,9 @@ struct SizeClass
 };
 
 /// How far a particle can meet others from its centre.
-std::vector<double> reaches(const ParticleSystem &particles,
-                            ContactGeometry geometry)
+std::vector<double> reaches(const ParticleSystem &particles, bool reads_shape)
 {
-  if (geometry == ContactGeometry::sphere)
+  if (!reads_shape)
     return particles.column(&ParticleState::radius);
   std::vector<double> reach(particles.size());
   for (std::size_t i = 0; i < reach.size(); ++i)
@@ -62,7 +61,7 @@ double gap_between(const ParticleSystem &particles, ContactGeometry geometry,
   const Vec3 branch = particles.branch(i, j);
   const double distance = branch.norm();
   const double spheres = distance - particles.radius(i) - particles.radius(j);
-  if (geometry == ContactGeometry::sphere || distance == 0.)
+  if (!traits(geometry).reads_shape || distance == 0.)
     return spheres;
   const Vec3 normal = branch / distance;
   return distance - local_radius(particles, i, normal) -
@@ -86,25 +85,25 @@ double widest_range(const ParticleSystem &particles)
 }
 
 /// How far two particles may have come nearer each other in all [m].
-double travelled(const ParticleSystem &particles, const PairKey &pair,
-                 const Travel &travel)
+double path_length(const ParticleSystem &particles, const PairKey &pair,
+                   const PathLengths &paths)
 {
   return particles.has_shapes
-             ? particles.travelled[static_cast<std::size_t>(pair.first)] +
-                   particles.travelled[static_cast<std::size_t>(pair.second)] +
-                   travel.cell
-             : travel.gaps;
+             ? particles.path_length[static_cast<std::size_t>(pair.first)] +
+                   particles
+                       .path_length[static_cast<std::size_t>(pair.second)] +
+                   paths.cell
+             : paths.gaps;
 }
 
-/// All pairs whose bounding spheres come within a margin. Particles are filed
+/// All pairs whose bounding spheres come within `skin`. Particles are filed
 /// by size: classes of a factor of two with a grid each, so that the cost per
 /// particle does not grow with the ratio of sizes.
 class PairSearch
 {
 public:
-  PairSearch(const ParticleSystem &particles, ContactGeometry geometry,
-             double gap)
-      : particles(particles), margin(gap), reach(reaches(particles, geometry)),
+  PairSearch(const ParticleSystem &particles, bool reads_shape, double gap)
+      : particles(particles), skin(gap), reach(reaches(particles, reads_shape)),
         class_of(classify(reach))
   {
     classes.resize(static_cast<std::size_t>(
@@ -124,7 +123,7 @@ public:
         points.push_back(place_of(static_cast<std::size_t>(particle)));
       if (particles.cell.is_there())
         add_images(points, one.particle);
-      one.grid = CellGrid(points, one.particle, one.largest + 0.5 * margin);
+      one.grid = CellGrid(points, one.particle, one.largest + 0.5 * skin);
     }
   }
 
@@ -136,7 +135,7 @@ public:
     const auto own = static_cast<std::size_t>(class_of[i]);
     for (std::size_t c = own; c < classes.size(); ++c)
     {
-      const double range = reach[i] + classes[c].largest + margin;
+      const double range = reach[i] + classes[c].largest + skin;
       const Vec3 box = Vec3::Constant(range);
       classes[c].grid.visit_box(
           x - box, x + box,
@@ -164,7 +163,7 @@ private:
   {
     const PeriodicCell &cell = particles.cell;
     const double range =
-        2. * *std::max_element(reach.begin(), reach.end()) + margin;
+        2. * *std::max_element(reach.begin(), reach.end()) + skin;
     for (int d = 0; d < 3; ++d)
     {
       if (!cell.is_periodic(d))
@@ -199,12 +198,12 @@ private:
 
   bool is_near(std::size_t i, std::size_t j, const Vec3 &branch) const
   {
-    const double range = reach[i] + reach[j] + margin;
+    const double range = reach[i] + reach[j] + skin;
     return branch.squaredNorm() < range * range;
   }
 
   const ParticleSystem &particles;
-  double margin;
+  double skin;
   std::vector<double> reach;
   std::vector<int> class_of;
   std::vector<SizeClass> classes;
@@ -230,11 +229,13 @@ std::vector<PairKey> sorted(const std::vector<std::vector<PairKey>> &parts,
     std::sort(all.begin() + start[i], all.begin() + start[i + 1]);
   return all;
 }
-/// All pairs whose bounding spheres come within a range, sorted.
-std::vector<PairKey> within(const ParticleSystem &particles,
-                            ContactGeometry geometry, double range)
+
+/// All pairs whose circumscribed spheres, or equivalent ones where shapes are
+/// not read, come within a range, sorted.
+std::vector<PairKey> within(const ParticleSystem &particles, bool reads_shape,
+                            double range)
 {
-  const PairSearch grids(particles, geometry, range);
+  const PairSearch grids(particles, reads_shape, range);
   constexpr std::size_t part_size = 256;
   const std::size_t n = particles.size();
   std::vector<std::vector<PairKey>> parts((n + part_size - 1) / part_size);
@@ -248,19 +249,18 @@ std::vector<PairKey> within(const ParticleSystem &particles,
 } // namespace
 
 std::vector<PairKey> PairFinder::find(const ParticleSystem &particles,
-                                      ContactGeometry geometry, double margin,
-                                      const Travel &travel)
+                                      ContactGeometry geometry, double skin,
+                                      const PathLengths &paths)
 {
   // Wide enough for some rebuilds, narrow enough to be short: gaps of spheres
   // are had for less than the memory of their candidates.
   const double widening = particles.has_shapes ? 8. : 3.;
   if (particles.size() == 0)
     return {};
-  if (reach < travel.centres + margin)
-    search(
-        particles, geometry,
-        std::max(margin, std::min(widening * margin, widest_range(particles))),
-        travel);
+  if (reach < paths.centres + skin)
+    search(particles, geometry,
+           std::max(skin, std::min(widening * skin, widest_range(particles))),
+           paths);
   constexpr std::size_t part_size = 4096;
   std::vector<std::vector<PairKey>> parts((candidates.size() + part_size - 1) /
                                           part_size);
@@ -270,15 +270,15 @@ std::vector<PairKey> PairFinder::find(const ParticleSystem &particles,
          c < std::min(candidates.size(), (p + 1) * part_size); ++c)
     {
       Candidate &one = candidates[c];
-      const double now = travelled(particles, one.particles, travel);
-      if (one.least - now >= margin)
+      const double now = path_length(particles, one.particles, paths);
+      if (one.least - now >= skin)
         continue;
-      if (one.most + now >= margin)
+      if (one.most + now >= skin)
       {
         const double gap = gap_between(particles, geometry, one.particles);
         one.least = gap + now;
         one.most = gap - now;
-        if (gap >= margin)
+        if (gap >= skin)
           continue;
       }
       parts[p].push_back(one.particles);
@@ -291,7 +291,7 @@ std::vector<PairKey> PairFinder::find(const ParticleSystem &particles,
 
 PairFinder::Candidate
 PairFinder::between_spheres(const ParticleSystem &particles,
-                            const PairKey &pair, double travelled)
+                            const PairKey &pair, double path_length)
 {
   const auto i = static_cast<std::size_t>(pair.first),
              j = static_cast<std::size_t>(pair.second);
@@ -299,18 +299,19 @@ PairFinder::between_spheres(const ParticleSystem &particles,
   const double distance = particles.branch(i, j).norm();
   return {pair,
           distance - a.circumscribed_radius - b.circumscribed_radius +
-              travelled,
-          distance - a.least_radius - b.least_radius - travelled};
+              path_length,
+          distance - a.least_radius - b.least_radius - path_length};
 }
 
 void PairFinder::search(const ParticleSystem &particles,
                         ContactGeometry geometry, double range,
-                        const Travel &travel)
+                        const PathLengths &paths)
 {
   // What is known of a pair still holds.
   const std::vector<Candidate> before = std::exchange(candidates, {});
   auto known = before.begin();
-  const std::vector<PairKey> all = within(particles, geometry, range);
+  const std::vector<PairKey> all =
+      within(particles, traits(geometry).reads_shape, range);
   candidates.reserve(all.size());
   for (const PairKey &pair : all)
   {
@@ -320,14 +321,13 @@ void PairFinder::search(const ParticleSystem &particles,
         known != before.end() && known->particles == pair
             ? *known
             : between_spheres(particles, pair,
-                              travelled(particles, pair, travel)));
+                              path_length(particles, pair, paths)));
   }
-  reach = travel.centres + range;
+  reach = paths.centres + range;
 }
 
-std::vector<PairKey> near_spheres(const ParticleSystem &particles,
-                                  double margin)
+std::vector<PairKey> near_spheres(const ParticleSystem &particles, double skin)
 {
-  return within(particles, ContactGeometry::surface, margin);
+  return within(particles, true, skin);
 }
 } // namespace dem

@@ -17,8 +17,8 @@ namespace dem
 {
 namespace
 {
-/// Gaps beyond so many margins need not be known better.
-constexpr double far_margins = 3.;
+/// Gaps beyond so many times the skin need not be known better.
+constexpr double far_skins = 3.;
 
 /// One entry of the list to be.
 struct Row
@@ -71,7 +71,7 @@ private:
 struct PairList
 {
   std::vector<Row> rows;
-  double clear = 0.;           ///< travel up to which the list is complete [m]
+  double clear = 0.; ///< path length up to which the list is complete [m]
   Vec3 between = Vec3::Zero(); ///< CandidatePair::between
   bool is_new = true;          ///< else all rows stay as they are
   ContactPointEvents events;
@@ -125,7 +125,8 @@ struct PairList
 /// A contact that has come to another place, or lost its own.
 inline bool has_displaced(const ContactBatch &batch, std::size_t k)
 {
-  return batch.displaced[k] != 0 || batch.slack[k] >= kernel::closed_slack;
+  return batch.displaced[k] != 0 ||
+         batch.overlap_offset[k] >= kernel::closed_offset;
 }
 
 /// Touching contacts come first: of two at one place the other one goes.
@@ -137,7 +138,7 @@ inline std::vector<std::size_t> alive_first(const ContactBatch &batch,
     for (const std::int32_t entry : old)
       if (const std::size_t k = row_of(entry);
           batch.is_touching(k) == is_touching &&
-          batch.slack[k] < kernel::closed_slack)
+          batch.overlap_offset[k] < kernel::closed_offset)
         alive.push_back(k);
   return alive;
 }
@@ -258,7 +259,8 @@ inline void arrange(const ContactPointSearchInput &input, const Arrangement &to,
       place_pair(input.context, batch, k, contact_point);
     else
       renew_side(input.context, batch, k, true, contact_point.on_a);
-    batch.slack[k] = input.is_first ? 0. : std::max(0., contact_point.overlap);
+    batch.overlap_offset[k] =
+        input.is_first ? 0. : std::max(0., contact_point.overlap);
   }
   if (is_damage_new)
     note_corners(input.context.particles, batch);
@@ -268,7 +270,8 @@ inline void arrange(const ContactPointSearchInput &input, const Arrangement &to,
 inline bool is_same_layout(const BatchLayout &one, const BatchLayout &other)
 {
   return one.has_rolling == other.has_rolling &&
-         one.has_damage == other.has_damage && one.has_turn == other.has_turn &&
+         one.has_damage == other.has_damage &&
+         one.has_reversal == other.has_reversal &&
          one.has_peak == other.has_peak &&
          one.has_contact_points == other.has_contact_points;
 }
@@ -292,18 +295,18 @@ merged(const std::vector<PairKey> &keys,
   return pairs;
 }
 
-/// Pairs that may touch, with how far each has travelled, and what is listed
+/// Pairs that may touch, with the path length of each, and what is listed
 /// by.
-template <class Travelled>
+template <class Path>
 struct Watch
 {
   std::vector<CandidatePair> &pairs;
-  Travelled travelled;
+  Path path_length;
   SecondOf second_of;
 };
 // Clang 14 deduces no arguments of an aggregate without a guide.
-template <class Travelled>
-Watch(std::vector<CandidatePair> &, Travelled, SecondOf) -> Watch<Travelled>;
+template <class Path>
+Watch(std::vector<CandidatePair> &, Path, SecondOf) -> Watch<Path>;
 
 /// Numbers of the entries by what they are listed by; those on walls stand in
 /// that order.
@@ -325,9 +328,9 @@ inline std::int32_t itself(std::int32_t b)
 
 /// Makes the lists that are due and puts the batch in their order, then calls
 /// arranged(Arrangement) if that is another one.
-template <class Travelled, class Make, class Arranged>
+template <class Path, class Make, class Arranged>
 ContactPointEvents renew(const ContactPointSearchInput &input,
-                         const Watch<Travelled> &watch, const Make &make,
+                         const Watch<Path> &watch, const Make &make,
                          ContactBatch &batch, Dissipation &retired,
                          const Arranged &arranged)
 {
@@ -339,9 +342,9 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
       [&](const CandidatePair &pair, const OldRows &old)
       {
         const bool is_due =
-            pair.due < watch.travelled(pair.key) + input.notice ||
+            pair.due < watch.path_length(pair.key) + input.notice ||
             have_displaced(batch, old) ||
-            (pair.margin > 2. * input.margin && has_open_places(batch, old));
+            (pair.skin > 2. * input.skin && has_open_places(batch, old));
         return is_due ? make(pair, old) : unchanged(old);
       });
   ContactPointEvents events;
@@ -350,8 +353,8 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
     events += lists[p].events;
     if (lists[p].is_new)
     {
-      pairs[p].due = watch.travelled(pairs[p].key) + lists[p].clear;
-      pairs[p].margin = input.margin;
+      pairs[p].due = watch.path_length(pairs[p].key) + lists[p].clear;
+      pairs[p].skin = input.skin;
       pairs[p].between = lists[p].between;
     }
   }

@@ -208,7 +208,7 @@ void Pouring::pour(Engine &engine)
 }
 
 /// Asked now and then. Throws std::runtime_error after too long.
-bool Pouring::is_at_rest(const Engine &engine, double limit)
+bool Pouring::is_at_rest(Engine &engine, double limit)
 {
   if (engine.n_steps() % rest_interval != 0 || engine.time() == now.since)
     return false;

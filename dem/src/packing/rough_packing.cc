@@ -37,6 +37,7 @@ std::vector<Placement> shrunk_cloud(std::span<const ParticleShape> particles,
 void run_a_little(Engine &engine, double longest_step,
                   const std::function<void(double)> &steer)
 {
+  engine.synchronize();
   const SpringNetwork network = contact_springs(engine, 0.);
   const double step =
       std::min(longest_step, 0.5 * guaranteed_step(network).step);

@@ -31,7 +31,7 @@ void ParticleSystem::add(const ParticleShape &particle, const Vec3 &at,
   is_breakable.push_back(0);
   material.push_back(0);
   load.emplace_back();
-  travelled.push_back(0.);
+  path_length.push_back(0.);
   if (has_shapes && frame.size() + 1 < size())
     renew_frames();
   else if (has_shapes)

@@ -226,7 +226,7 @@ void add_integrals(detail::ClosedMesh &closed)
     closed.area += 0.5 * (b - a).cross(c - a).norm();
     moment += 0.25 * volume * (a + b + c);
   }
-  // a box has V^2 / S^3 = 1 / 216 at most; 1e-9 is a sheet
+  // a box has V^2 / S^3 = 1 / 216 at most; 1e-9 is flat
   if (!(closed.volume > 1e-9 * std::pow(closed.area, 1.5)))
     throw std::invalid_argument("mesh encloses no volume");
   closed.centroid = closed.mesh.points[0] + moment / closed.volume;

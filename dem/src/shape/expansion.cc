@@ -93,7 +93,7 @@ columns_of(std::span<const double> coefficients, int order)
                  entry.slope);
       if (m >= 2)
         set_pair(coefficients, n, m - 2, scale * zonal.slope2[n][m - 2],
-                 entry.bend);
+                 entry.second);
       entries.push_back(entry);
     }
   return entries;
@@ -108,18 +108,18 @@ RadialExpansion on_the_sphere(const Vec3 &s, const double *jet,
   const auto of = [&](kernel::Jet entry) { return jet[entry * stride]; };
   const Vec3 slope(of(kernel::jet_x), of(kernel::jet_y), of(kernel::jet_z));
   const double outward = s.dot(slope);
-  Mat3 bend;
-  bend << of(kernel::jet_xx), of(kernel::jet_xy), of(kernel::jet_xz),
+  Mat3 second;
+  second << of(kernel::jet_xx), of(kernel::jet_xy), of(kernel::jet_xz),
       of(kernel::jet_xy), -of(kernel::jet_xx), of(kernel::jet_yz),
       of(kernel::jet_xz), of(kernel::jet_yz), of(kernel::jet_zz);
   // P_t B P_t = B - s (B s)^T - (B s) s^T + (s B s) s s^T, half of it at a time
-  const Vec3 across = bend * s;
+  const Vec3 across = second * s;
   const Vec3 half = across - 0.5 * (s.dot(across) + outward) * s;
   RadialExpansion expansion;
   expansion.direction = s;
   expansion.radius = of(kernel::jet_value);
   expansion.gradient = slope - outward * s;
-  expansion.hessian = bend - s * half.transpose() - half * s.transpose() -
+  expansion.hessian = second - s * half.transpose() - half * s.transpose() -
                       outward * Mat3::Identity();
   return expansion;
 }

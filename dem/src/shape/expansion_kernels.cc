@@ -58,19 +58,19 @@ inline Simd load_reversed(const double *first)
 /// p_nm, its derivative by z and half its second one, of two degrees.
 struct Climb
 {
-  Simd value = 0., slope = 0., bend = 0.;
-  Simd value_before = 0., slope_before = 0., shape_operator_before = 0.;
+  Simd value = 0., slope = 0., second = 0.;
+  Simd value_before = 0., slope_before = 0., second_before = 0.;
 
   /// To the next degree; `start` is 1 at the order that begins with it.
   void step(const Simd &z, const Simd &fall, const Simd &start)
   {
-    const Simd next_bend = slope + z * bend - fall * shape_operator_before;
+    const Simd next_second = slope + z * second - fall * second_before;
     const Simd next_slope = value + z * slope - fall * slope_before;
     const Simd next_value = z * value - fall * value_before + start;
-    shape_operator_before = bend;
+    second_before = second;
     slope_before = slope;
     value_before = value;
-    bend = next_bend;
+    second = next_second;
     slope = next_slope;
     value = next_value;
   }
@@ -90,7 +90,7 @@ struct DegreeSums
 
 struct OrderSums
 {
-  DegreeSums value, slope, bend;
+  DegreeSums value, slope, second;
 };
 
 /// Of the orders m, m + 1, ... of the lanes.
@@ -108,7 +108,7 @@ inline OrderSums sum_degrees(const ExpansionTable &table,
     const Simd s = scale * load_reversed(series.degree[n] - m);
     sums.value.add(c, s, climb.value);
     sums.slope.add(c, s, climb.slope);
-    sums.bend.add(c, s, climb.bend);
+    sums.second.add(c, s, climb.second);
   }
   return sums;
 }
@@ -145,7 +145,7 @@ inline void add_orders(const ExpansionTable &table, const Powers &power,
   jet[jet_xy] += across(sums.value, p2, q2);
   jet[jet_xz] += along(sums.slope, p1, q1);
   jet[jet_yz] += across(sums.slope, p1, q1);
-  jet[jet_zz] += Simd(2.) * along(sums.bend, p, q);
+  jet[jet_zz] += Simd(2.) * along(sums.second, p, q);
 }
 
 /// Orders are summed by their place in a group of 8, then the 8 places: same
@@ -200,7 +200,7 @@ inline OrderSums sum_column(const ColumnEntry *&entry, const Simd &z, int n)
   {
     sums.value.add(entry->value[0], entry->value[1], value);
     sums.slope.add(entry->slope[0], entry->slope[1], value);
-    sums.bend.add(entry->bend[0], entry->bend[1], value);
+    sums.second.add(entry->second[0], entry->second[1], value);
     const Simd next = z * value - entry->fall * before;
     before = value;
     value = next;
@@ -221,7 +221,7 @@ inline void add_column(const OrderSums &sums, const PowerSteps &power, int m,
   jet[jet_xy] += twice * across(sums.value, p[2], q[2]);
   jet[jet_xz] += below * along(sums.slope, p[2], q[2]);
   jet[jet_yz] += below * across(sums.slope, p[2], q[2]);
-  jet[jet_zz] += along(sums.bend, p[2], q[2]);
+  jet[jet_zz] += along(sums.second, p[2], q[2]);
 }
 
 /// A direction per lane.

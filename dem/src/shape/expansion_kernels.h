@@ -40,7 +40,7 @@ struct ColumnEntry
 {
   double fall;               ///< of the recurrence, to p_(n+1)m
   double value[2], slope[2], ///< cosine and sine of a_nm, a_n(m-1)
-      bend[2];               ///< a_n(m-2)
+      second[2];             ///< a_n(m-2)
   double unused;             ///< fills the line
 };
 

@@ -46,11 +46,11 @@ struct Cell
   }
 
   /// No value of the cell is larger if its largest one is a maximum and second
-  /// derivatives are at most `bend`.
-  double bound(double bend) const
+  /// derivatives are at most `second`.
+  double bound(double second) const
   {
     const double d = reach();
-    return value + 0.5 * d * d * bend;
+    return value + 0.5 * d * d * second;
   }
 };
 
@@ -104,7 +104,7 @@ Cells quarters(const Cells &cells)
 /// A bound of the largest value over all directions, with cells that hold them
 /// all; it is within `tolerance` of a value that is taken.
 double upper_bound(std::span<const double> coefficients, Cells cells,
-                   const Values &value_of, double bend, double tolerance)
+                   const Values &value_of, double second, double tolerance)
 {
   double best = -std::numeric_limits<double>::infinity();
   double closed = best; // largest bound of cells that need no look
@@ -114,7 +114,7 @@ double upper_bound(std::span<const double> coefficients, Cells cells,
       best = std::max(best, cell.value);
     Cells open;
     for (const Cell &cell : cells)
-      if (const double bound = cell.bound(bend);
+      if (const double bound = cell.bound(second);
           bound > best + tolerance && level < most_levels)
         open.push_back(cell);
       else
@@ -176,27 +176,27 @@ RadiusBounds radius_bounds(std::span<const double> coefficients,
                            std::span<const double> radii,
                            std::span<const double> slopes)
 {
-  const DerivativeBounds bend = derivative_bounds(coefficients);
+  const DerivativeBounds second = derivative_bounds(coefficients);
   const double tolerance =
       radius_tolerance * *std::max_element(radii.begin(), radii.end());
   RadiusBounds bounds;
   bounds.largest = upper_bound(
       coefficients, cells_of(rule, radii),
-      [](const RadialExpansion &at) { return at.radius; }, bend.second,
+      [](const RadialExpansion &at) { return at.radius; }, second.second,
       tolerance);
   bounds.smallest = -upper_bound(
       coefficients, cells_of(rule, negative(radii)),
-      [](const RadialExpansion &at) { return -at.radius; }, bend.second,
+      [](const RadialExpansion &at) { return -at.radius; }, second.second,
       tolerance);
   // t.grad r with t carried along a great circle: its second derivative is the
   // symmetric third derivative of r but for a third of its gradient, which the
   // curvature of the sphere leaves where directions are exchanged.
   bounds.slope = std::min(
-      bend.first,
+      second.first,
       upper_bound(
           coefficients, cells_of(rule, slopes),
           [](const RadialExpansion &at) { return at.gradient.norm(); },
-          bend.third + bend.first / 3.,
+          second.third + second.first / 3.,
           slope_tolerance * *std::max_element(slopes.begin(), slopes.end())));
   return bounds;
 }

@@ -143,7 +143,7 @@ static_assert(grid.n_azimuth == 2 * grid.n_polar);
 
 /// Largest |x''| of x = r(s) s along great circles, (r'' - r) s + 2 r' t, where
 /// no node is farther from the origin than `farthest`.
-double largest_bend(const Coefficients &series, double farthest)
+double largest_second_derivative(const Coefficients &series, double farthest)
 {
   const DerivativeBounds most = derivative_bounds(series);
   const double largest = farthest + half_square * most.second;
@@ -195,7 +195,8 @@ void RadiusMap::measure_nodes()
                at(node))
                   .norm());
   }
-  rest = half_square * (series ? largest_bend(*series, farthest) : 1.);
+  rest = half_square *
+         (series ? largest_second_derivative(*series, farthest) : 1.);
   widest = 0.5 * double{diagonal} + rest;
 }
 
@@ -216,7 +217,7 @@ void RadiusMap::measure_hull()
   // that of single precision and of DirectionGrid::locate.
   constexpr double step = std::numbers::pi / sides.n_polar;
   static_assert(sides.n_azimuth == 2 * sides.n_polar);
-  hull_slack = (0.25 * step * step + 1e-4) * farthest;
+  hull_tolerance = (0.25 * step * step + 1e-4) * farthest;
 }
 
 RadiusMap::Height RadiusMap::height(const Vec3 &direction) const
@@ -229,7 +230,7 @@ RadiusMap::Height RadiusMap::height(const Vec3 &direction) const
   const int ring = std::clamp(at.ring + (at.down > 0.5), 0, sides.n_polar - 1);
   const int side =
       ring * sides.n_azimuth + (at.column + (at.right > 0.5)) % sides.n_azimuth;
-  return {(1. - at.down) * upper + at.down * lower + hull_slack,
+  return {(1. - at.down) * upper + at.down * lower + hull_tolerance,
           summit[static_cast<std::size_t>(side)]};
 }
 } // namespace dem

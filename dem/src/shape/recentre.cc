@@ -79,21 +79,21 @@ double root(const Outside &outside, double low, double high)
 double ray_length(std::span<const double> series, const Vec3 &from,
                   const Vec3 &s, double farthest)
 {
-  constexpr int n_looks = 32;
+  constexpr int n_samples = 32;
   const Outside outside(series, from, s);
   double last = 0.;
   int n_crossings = 0;
   double low = 0., high = 0.;
-  for (int k = 0; k <= n_looks; ++k)
+  for (int k = 0; k <= n_samples; ++k)
   {
-    const double t = farthest * k / n_looks;
+    const double t = farthest * k / n_samples;
     const double now = outside(t);
     if (k == 0 && !(now < 0.))
       throw std::invalid_argument("its centroid is outside its surface");
     if (k > 0 && (now < 0.) != (last < 0.))
     {
       ++n_crossings;
-      low = farthest * (k - 1) / n_looks;
+      low = farthest * (k - 1) / n_samples;
       high = t;
     }
     last = now;

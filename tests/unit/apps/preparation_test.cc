@@ -91,6 +91,7 @@ std::vector<double> after(const Case &parameters, int n_steps)
   for (int k = 0; k < n_steps; ++k)
     test.advance();
   EXPECT_EQ(test.stage(), Stage::preparation);
+  test.engine().synchronize();
   const dem::EngineEnergy energy = test.engine().energy();
   std::vector<double> all = {energy.friction, energy.rolling, energy.damping,
                              energy.elastic, energy.breakage};

@@ -26,11 +26,11 @@ std::vector<dem::ContactPoint> places(const dem::ContactBatch &pairs,
 {
   std::vector<dem::ContactPoint> found;
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (pairs.is_touching(k) ||
-        (with_waiting && pairs.slack[k] > 0. && pairs.side_a.is_known(k)))
+    if (pairs.is_touching(k) || (with_waiting && pairs.overlap_offset[k] > 0. &&
+                                 pairs.side_a.is_known(k)))
       found.push_back({pairs.side_a.contact_point(k),
                        pairs.side_b.contact_point(k),
-                       pairs.overlap[k] + pairs.slack[k], true});
+                       pairs.overlap[k] + pairs.overlap_offset[k], true});
   return found;
 }
 

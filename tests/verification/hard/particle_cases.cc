@@ -190,6 +190,7 @@ Row beside_the_limit()
   {
     for (int k = 0; k < n; ++k)
       one.advance();
+    one.engine().synchronize();
   };
   go(test, 1000);
   const std::string middle = state(test);

@@ -16,8 +16,8 @@ struct BoundarySearch
 {
   ContactPointSearchInput points; ///< of true surfaces; layout of no boundary
   double skin = 0.;               ///< how far beyond contact lists look [m]
-  double rigid_travelled = 0.;    ///< by the fastest rigid boundary [m]
-  double &sheets_left;            ///< skin left of boundaries that deform [m]
+  double rigid_path = 0.;         ///< by the fastest rigid boundary [m]
+  double &deforming_left;         ///< skin left of boundaries that deform [m]
   Dissipation &retired;           ///< takes what dropped springs held
   ContactPointEvents &events;
 };
@@ -37,6 +37,10 @@ public:
   virtual std::string kind() const = 0;
   /// Contact k in messages: "the drum".
   virtual std::string name_of(std::size_t k) const = 0;
+  /// Order in which the engine evaluates the kinds, lower first: planes 0, drum
+  /// 1, facet surfaces 2, other kinds 3 unless they choose another. Boundaries
+  /// of the same rank keep the order in which they were added.
+  virtual int rank() const { return 3; }
   /// BreakageEvent::kind and other of contact k.
   virtual int event_kind() const = 0;
   virtual std::int64_t event_other(std::size_t) const { return -1; }

@@ -22,6 +22,7 @@ public:
 
   std::string kind() const override { return kind_name; }
   std::string name_of(std::size_t) const override { return "the drum"; }
+  int rank() const override { return 1; }
   int event_kind() const override { return 3; }
   void move(double time_step) override;
   double speed() const override;

@@ -10,7 +10,7 @@ struct WallSearch;
 
 /// How far a facet surface and the particles have moved since the triangles
 /// near each particle were gathered (FacetCandidates), and since it was
-/// searched for its places. Displacements count, not paths: a sheet that
+/// searched for its places. Displacements count, not paths: a surface that
 /// trembles has moved by its amplitude. All of it is checkpoint data.
 struct FacetMotion
 {
@@ -29,10 +29,10 @@ struct FacetMotion
   std::vector<Vec3> place;    ///< in the body frame at the last search [m]
   std::vector<double> volume; ///< of the particle then; < 0: none yet [m^3]
 
-  /// Whether the candidates still hold all that can come within `margin` [m]
+  /// Whether the candidates still hold all that can come within `skin` [m]
   /// of the circumscribed sphere of any particle.
   bool covers(const ParticleSystem &particles, const FacetSurface &surface,
-              double margin) const;
+              double skin) const;
 
   /// The candidates were gathered just now; no particle has been searched.
   void start(const ParticleSystem &particles, const FacetSurface &surface,

@@ -22,7 +22,7 @@ struct PlacedFacets
 {
   FacetMesh mesh;
   FacetCandidates &candidates;
-  double travelled = 0.; ///< by the fastest vertex at each step [m]
+  double path_length = 0.; ///< by the fastest vertex at each step [m]
   std::vector<WallRow> &rows;
   std::vector<double> &overlap; ///< < 0: a gap [m]
 };

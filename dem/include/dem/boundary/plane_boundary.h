@@ -16,6 +16,7 @@ public:
 
   std::string kind() const override { return kind_name; }
   std::string name_of(std::size_t k) const override;
+  int rank() const override { return 0; }
   int event_kind() const override { return 1; }
   std::int64_t event_other(std::size_t k) const override { return batch.b[k]; }
   void move(double time_step) override;

@@ -6,14 +6,14 @@
 
 namespace dem
 {
-/// How far boundaries are looked for: wall_bound plus the margin; facets
-/// `reach` times wall_bound plus the margin.
+/// How far boundaries are looked for: wall_bound plus the skin; facets
+/// `reach` times wall_bound plus the skin.
 struct WallSearch
 {
   BatchLayout layout;
-  ContactGeometry geometry = ContactGeometry::sphere;
-  double margin = 0.; ///< [m]
-  double reach = 1.;  ///< [-]
+  ContactGeometry geometry = geometry_without_shapes;
+  double skin = 0.;  ///< [m]
+  double reach = 1.; ///< [-]
 };
 
 /// Makes the batch hold all (particle, plane) within reach, in the order

@@ -17,7 +17,7 @@ struct DrumCandidates
 {
   const Drum &drum;
   const DrumLifter &lifter;
-  double travelled = 0.; ///< by its lifter [m]
+  double path_length = 0.; ///< by its lifter [m]
   std::vector<WallRow> &rows;
 };
 
@@ -38,7 +38,7 @@ struct FacetCandidateRows
 struct PlaneCandidates
 {
   const std::vector<Plane> &planes;
-  double travelled = 0.; ///< by the fastest rigid boundary [m]
+  double path_length = 0.; ///< by the fastest rigid boundary [m]
 };
 
 /// Makes the list of the places where particles meet planes, or nearly do: what

@@ -46,7 +46,7 @@ struct BatchLayout
   bool has_sides = false;          ///< the surface of the particle(s)
   bool has_partners = false;       ///< B is a particle
   bool has_damage = false;         ///< cumulative factors and events
-  bool has_turn = false;           ///< where the counted energy turned last
+  bool has_reversal = false;       ///< where the counted energy turned last
   bool has_peak = false;           ///< the highest counted energy
   bool has_contact_points = false; ///< contacts follow their surfaces
 };
@@ -111,7 +111,7 @@ struct ContactBatch
   std::vector<std::int32_t> target;
   std::vector<double> overlap; ///< last; 0: open [m]
   /// Particle against particle: an open contact cannot touch before its
-  /// particles have travelled this far (both together), and sleeps till then
+  /// particles have moved this far (both together), and is inactive till then
   /// [m].
   std::vector<double> reactivation;
   /// Elastic, last; where a linear contact has just ended < 0 [N]
@@ -124,12 +124,12 @@ struct ContactBatch
   std::vector<Narrow>
       torsion_angle; ///< turned about the normal since mixed [rad]
   /// Overlap that the contact had when it was found: it does not count [m]
-  std::vector<double> slack;
+  std::vector<double> overlap_offset;
   std::vector<std::uint8_t> displaced;    ///< has come to another place
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<Narrow> corner_a, corner_b;
-  std::vector<Narrow> turn; ///< turn_of_energy [J]
+  std::vector<Narrow> reversal; ///< reversal_of_energy [J]
   std::vector<double> peak; ///< of the counted energy, since there is one [J]
   /// Bit 0: side A breaks, bit 1: side B, bit 2: the contact began or ended.
   std::vector<std::uint8_t> event;
@@ -224,13 +224,13 @@ void ContactBatch::visit(const BatchLayout &has, const Visit &call,
   call(has.has_prefactors, batches.normal_prefactor...);
   call(has.has_prefactors, batches.shear_prefactor...);
   call(has_two_sides, batches.torsion_angle...);
-  call(has.has_contact_points, batches.slack...);
+  call(has.has_contact_points, batches.overlap_offset...);
   call(has.has_contact_points, batches.displaced...);
   call(has.has_damage, batches.factor_a...);
   call(has.has_damage && has.has_partners, batches.factor_b...);
   call(has.has_damage, batches.corner_a...);
   call(has.has_damage && has.has_partners, batches.corner_b...);
-  call(has.has_turn, batches.turn...);
+  call(has.has_reversal, batches.reversal...);
   call(has.has_peak, batches.peak...);
   call(has.has_damage, batches.event...);
   call(has.has_attraction, batches.normal_energy...);

@@ -12,7 +12,8 @@ struct SurfacePoint
 {
   Vec3 position = Vec3::Zero(); ///< from the centre of the particle [m]
   Vec3 normal = Vec3::UnitZ();  ///< outward [-]
-  Mat3 bend = Mat3::Zero();     ///< dn = bend dx; positive if convex [1/m]
+  Mat3 shape_operator =
+      Mat3::Zero(); ///< dn = shape_operator dx; positive if convex [1/m]
 };
 
 /// The surface at a unit direction of the body frame, exact.

@@ -34,31 +34,32 @@ damage_step(const Real &factor, const Real &rise, const Real &energy,
 }
 
 /// Where the energy of a contact turned last: its maximum while it counts,
-/// minus its minimum while it has fallen and waits [J]. Lets pass swings of the
+/// minus its minimum while it has fallen and waits [J]. Lets pass cycles of the
 /// energy below the share `hysteresis` = h of it: energy that has fallen from
 /// its maximum by more than h of that counts again once it has risen from its
-/// minimum by more than h of itself, then all of the rise. Larger swings count
+/// minimum by more than h of itself, then all of the rise. Larger cycles count
 /// in full; with h = 0 all do (Eq. 4).
 template <class Real>
-DEM_SIMD_INLINE Real turn_of_energy(const Real &turn, const Real &energy,
-                                    double hysteresis)
+DEM_SIMD_INLINE Real reversal_of_energy(const Real &reversal,
+                                        const Real &energy, double hysteresis)
 {
   using std::abs;
   using std::max;
   using std::min;
-  const auto was_counting = turn >= 0.;
-  const Real extreme = abs(turn), rest = Real(1. - hysteresis);
+  const auto was_counting = reversal >= 0.;
+  const Real extreme = abs(reversal), rest = Real(1. - hysteresis);
   return select(was_counting,
                 select(energy >= rest * extreme, max(extreme, energy), -energy),
                 select(rest * energy > extreme, energy, -min(extreme, energy)));
 }
 
-/// What counts of a step that moved the turn [J]; < 0: nothing. Turns may be
-/// rounded: what one step counts too much the next counts too little.
+/// What counts of a step that moved the reversal [J]; < 0: nothing. Reversals
+/// may be rounded: what one step counts too much the next counts too little.
 template <class Real>
-DEM_SIMD_INLINE Real counted_rise(const Real &turn_before, const Real &turn)
+DEM_SIMD_INLINE Real counted_rise(const Real &reversal_before,
+                                  const Real &reversal)
 {
   using std::abs;
-  return turn - abs(turn_before);
+  return reversal - abs(reversal_before);
 }
 } // namespace dem

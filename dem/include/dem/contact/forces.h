@@ -17,9 +17,9 @@ namespace dem
 inline double wall_bound(const ParticleSystem &particles, std::size_t particle,
                          ContactGeometry geometry)
 {
-  return geometry == ContactGeometry::sphere
-             ? particles.radius(particle)
-             : particles.shape[particle].circumscribed_radius;
+  return traits(geometry).reads_shape
+             ? particles.shape[particle].circumscribed_radius
+             : particles.radius(particle);
 }
 
 /// What every force loop reads, and the particles whose force and moment it
@@ -32,14 +32,14 @@ struct ForceContext
   double time_step = 0.; ///< [s]
   /// Sum over all steps of how far the fastest particle and boundary could have
   /// closed a gap [m].
-  double travelled = 0.;
-  double stride = 0.; ///< of it, in the last step [m]
-  /// Travel::gaps: of any two spheres. Where there are shapes
-  /// Particles::travelled says it by particle.
-  double gaps_travelled = 0.;
-  double cell_travelled = 0.; ///< Travel::cell [m]
+  double path_length = 0.;
+  double step_path = 0.; ///< of it, in the last step [m]
+  /// PathLengths::gaps: of any two spheres. Where there are shapes
+  /// ParticleSystem::path_length says it by particle.
+  double gap_path = 0.;
+  double cell_path = 0.; ///< PathLengths::cell [m]
   /// By the fastest vertex of boundaries that deform, over all steps [m].
-  double sheets_travelled = 0.;
+  double deforming_path = 0.;
   /// Forces stay as the last step left them, only loads are added: after some
   /// contacts were reset.
   bool adds_loads_only = false;

@@ -18,7 +18,7 @@ public:
   void start_from(const RadialExpansion &known);
 
   /// The surface at a unit direction of the body frame; position, normal and
-  /// bend in the world.
+  /// shape_operator in the world.
   const SurfacePoint &at(const Vec3 &direction);
 
   /// Direction of the body frame towards a point of the world.

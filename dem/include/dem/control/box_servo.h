@@ -67,8 +67,8 @@ Vec3 box_stress(const Engine &engine, const SpecimenWalls &walls);
 struct ServoParameters
 {
   double response_time = 5e-4; ///< in which an error is to fall to 1/e [s]
-  /// Of one plane or the side, the fastest; none goes through the search margin
-  /// in less than ten steps [m/s].
+  /// Of one plane or the side, the fastest; none goes through the skin of the
+  /// lists in less than ten steps [m/s].
   double max_speed = 0.5;
   /// Share of `max_speed` that the planes of each axis may take: slender
   /// specimens keep their form while they are loose [-].

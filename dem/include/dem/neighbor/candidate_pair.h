@@ -9,10 +9,10 @@ namespace dem
 struct CandidatePair
 {
   PairKey key;
-  /// Travel of both together up to which no place but the listed ones can come
-  /// into contact [m].
+  /// Path length of both together up to which no place but the listed ones can
+  /// come into contact [m].
   double due = 0.;
-  double margin = 0.; ///< of the last search [m]
+  double skin = 0.; ///< of the last search [m]
   /// Between the hulls of two particles when last looked at, body frame of the
   /// first; zero: not known [-]
   Vec3 between = Vec3::Zero();

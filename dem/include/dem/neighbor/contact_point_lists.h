@@ -32,8 +32,8 @@ struct ContactPointSearchInput
   const ForceContext &context;
   const ParticleMaps &maps;
   BatchLayout layout;
-  double margin = 0.;    ///< places within it are listed [m]
-  double notice = 0.;    ///< travel until the lists are looked at again [m]
+  double skin = 0.;      ///< places within it are listed [m]
+  double notice = 0.;    ///< path length until the lists are checked again [m]
   bool is_first = false; ///< overlaps that are there now count in full
 };
 
@@ -45,8 +45,9 @@ struct ContactPointSearchInput
 class ContactPointLists
 {
 public:
-  void renew_pairs(const ContactPointSearchInput &input, const Travel &travel,
-                   ContactBatch &batch, Dissipation &retired);
+  void renew_pairs(const ContactPointSearchInput &input,
+                   const PathLengths &paths, ContactBatch &batch,
+                   Dissipation &retired);
 
   /// Particles have been added.
   void forget() { reach = -1.; }
@@ -65,6 +66,6 @@ public:
 
 private:
   std::vector<CandidatePair> pairs; ///< sorted
-  double reach = -1.; ///< Travel::centres that `pairs` is good for [m]
+  double reach = -1.; ///< PathLengths::centres that `pairs` is good for [m]
 };
 } // namespace dem

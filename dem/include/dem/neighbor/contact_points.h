@@ -33,30 +33,29 @@ struct Separation
 
 /// The widest slab between the hulls that a few steps find from a first guess
 /// (Gilbert 1966); its gap is a lower bound of that between the particles.
-/// Where this bound is below `margin` [m] and may not be tight, the tops along
+/// Where this bound is below `skin` [m] and may not be tight, the tops along
 /// the normal are found on the series.
 Separation separate(const MappedPair &pair, const Vec3 &guess,
-                    double margin = 0.);
+                    double skin = 0.);
 
-/// Whether two particles overlap or come within `margin`, as far as the nodes
+/// Whether two particles overlap or come within `skin`, as far as the nodes
 /// of their maps can tell [m].
-bool may_touch(const MappedPair &pair, double margin);
+bool may_touch(const MappedPair &pair, double skin);
 
 /// What a search for the places where two particles meet has found.
 struct ContactPointSearch
 {
-  std::vector<ContactPoint>
-      contact_points; ///< overlap > -margin, nearest first
-  int n_lost = 0;     ///< minima of the maps that led to no lens of contact
+  std::vector<ContactPoint> contact_points; ///< overlap > -skin, nearest first
+  int n_lost = 0; ///< minima of the maps that led to no lens of contact
 };
 
-/// All places where two particles meet or come within `margin` [m]: local
+/// All places where two particles meet or come within `skin` [m]: local
 /// minima of the gap over the nodes of either particle inside the slab of
 /// `separation` (of this pose), each followed to the common normal. Places
 /// beside one of the `known` ones are left out.
 ContactPointSearch
 find_contact_points(const MappedPair &pair, const Separation &separation,
-                    double margin, std::span<const ContactPoint> known = {});
+                    double skin, std::span<const ContactPoint> known = {});
 
 /// Whether two places on particle A are one.
 bool is_one_place(const ContactPoint &one, const ContactPoint &other);

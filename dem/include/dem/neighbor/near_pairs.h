@@ -12,35 +12,35 @@ namespace dem
 /// Two particles, the one with the lower number first.
 using PairKey = std::pair<std::int32_t, std::int32_t>;
 
-/// Sums over all steps of how far two particles could have come nearer [m].
-struct Travel
+/// Path lengths of a pair: sums over all steps of how far two particles can
+/// have come nearer, upper bounds [m].
+struct PathLengths
 {
   double centres = 0.; ///< their centres, and so all that is round them
   /// What the contact geometry compares, at most; where there are shapes
-  /// ParticleSystem::travelled says it by particle, and `cell` comes to it.
+  /// ParticleSystem::path_length says it by particle, and `cell` comes to it.
   double gaps = 0.;
   double cell = 0.; ///< images of a periodic cell against each other
 };
 
-/// All pairs of particles whose circumscribed spheres come within a margin [m],
-/// sorted. In a periodic cell the nearest images count; throws
+/// All pairs of particles whose circumscribed spheres come within `skin` of
+/// each other [m], sorted. In a periodic cell the nearest images count; throws
 /// std::runtime_error where the cell is so short that a particle could meet two
 /// images of another one.
-std::vector<PairKey> near_spheres(const ParticleSystem &particles,
-                                  double margin);
+std::vector<PairKey> near_spheres(const ParticleSystem &particles, double skin);
 
-/// Finds the pairs of particles with a gap below a margin: between the spheres,
+/// Finds the pairs of particles with a gap below `skin`: between the spheres,
 /// or between the radii along the branch. Keeps a wider list of candidates,
-/// each with bounds of the gap that it had and how far its particles had
-/// travelled then, so that most rebuilds need neither a grid nor a shape. What
+/// each with bounds of the gap that it had and the path length of its particles
+/// then, so that most rebuilds need neither a grid nor a shape. What
 /// it finds does not depend on what it keeps.
 class PairFinder
 {
 public:
-  /// All pairs with a gap below `margin` [m], sorted.
+  /// All pairs with a gap below `skin` [m], sorted.
   std::vector<PairKey> find(const ParticleSystem &particles,
-                            ContactGeometry geometry, double margin,
-                            const Travel &travel);
+                            ContactGeometry geometry, double skin,
+                            const PathLengths &paths);
 
   /// The particles have got other numbers or were added to.
   void forget()
@@ -53,18 +53,19 @@ private:
   struct Candidate
   {
     PairKey particles;
-    /// With t how far the two have travelled, their gap is at least
+    /// With t the path length of the two, their gap is at least
     /// `least` - t and at most `most` + t [m].
     double least = 0., most = 0.;
   };
   static Candidate between_spheres(const ParticleSystem &particles,
-                                   const PairKey &pair, double travelled);
+                                   const PairKey &pair, double path_length);
 
   void search(const ParticleSystem &particles, ContactGeometry geometry,
-              double range, const Travel &travel);
+              double range, const PathLengths &paths);
 
   std::vector<Candidate> candidates; ///< sorted
-  /// Travel::centres up to which pairs below it less that are all there [m].
+  /// PathLengths::centres up to which pairs below it less that are all there
+  /// [m].
   double reach = -1.;
 };
 } // namespace dem

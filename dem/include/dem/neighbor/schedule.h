@@ -8,11 +8,11 @@ namespace dem
 /// How fast what may meet moves in a step [m/s].
 struct StepSpeeds
 {
-  double moving = 0.;  ///< centre of a particle, the fastest
-  double closing = 0.; ///< any gap of a particle, the fastest
-  double rigid = 0.;   ///< rigid boundaries
-  double sheet = 0.;   ///< boundaries that deform
-  double cell = 0.;    ///< images of a periodic cell
+  double moving = 0.;    ///< centre of a particle, the fastest
+  double closing = 0.;   ///< any gap of a particle, the fastest
+  double rigid = 0.;     ///< rigid boundaries
+  double deforming = 0.; ///< boundaries that deform
+  double cell = 0.;      ///< images of a periodic cell
 };
 
 /// Decides when which lists of contacts are rebuilt: they hold as long as no
@@ -25,25 +25,26 @@ public:
   {
     nothing,
     displaced, ///< contacts have come to other places: lists within their skin
-    sheets,    ///< lists of boundaries that deform alone
+    deforming, ///< lists of boundaries that deform alone
     all
   };
 
-  /// One step has passed. `has_lists_of_sheets`: boundaries that deform have
+  /// One step has passed. `has_deforming_lists`: boundaries that deform have
   /// lists of their own.
   void advance(const StepSpeeds &fastest, double time_step,
-               bool has_lists_of_sheets);
+               bool has_deforming_lists);
   /// What is due now. `is_too_wide()`, asked last: narrower lists would have
   /// paid.
   template <class Ask>
-  Due due(bool has_lists_of_sheets, const Ask &is_too_wide) const
+  Due due(bool has_deforming_lists, const Ask &is_too_wide) const
   {
     if (is_stale || skin.left < 0. || is_too_wide())
       return Due::all;
     if (has_displaced)
       return Due::displaced;
-    return has_lists_of_sheets && (has_displaced_on_sheets || sheets_left < 0.)
-               ? Due::sheets
+    return has_deforming_lists &&
+                   (has_displaced_on_deforming || deforming_left < 0.)
+               ? Due::deforming
                : Due::nothing;
   }
   /// A particle has grown by this at most [m].
@@ -51,22 +52,22 @@ public:
 
   void invalidate() { is_stale = true; }
   void note_displaced() { has_displaced = true; }
-  void note_displaced_on_sheets() { has_displaced_on_sheets = true; }
+  void note_displaced_on_deforming() { has_displaced_on_deforming = true; }
 
-  /// All lists were made within the skin, or those of sheets alone.
+  /// All lists were made within the skin, or those of deforming surfaces alone.
   void lists_made();
-  void lists_of_sheets_made();
+  void deforming_lists_made();
   /// A new skin was chosen with them.
   void skin_renewed() { is_stale = false; }
 
   SkinWidth skin;
-  Travel travel;                ///< of pairs of particles
-  double travelled = 0.;        ///< ForceContext::travelled [m]
-  double stride = 0.;           ///< ForceContext::stride [m]
-  double rigid_travelled = 0.;  ///< rigid boundaries, the fastest [m]
-  double sheets_travelled = 0.; ///< those that deform, the fastest vertex [m]
-  double sheets_left = 0.;      ///< of it and particles, to the next look [m]
-  std::int64_t n_made = 0;      ///< times that lists were made
+  PathLengths paths;          ///< of pairs of particles
+  double path_length = 0.;    ///< ForceContext::path_length [m]
+  double step_path = 0.;      ///< ForceContext::step_path [m]
+  double rigid_path = 0.;     ///< rigid boundaries, the fastest [m]
+  double deforming_path = 0.; ///< those that deform, the fastest vertex [m]
+  double deforming_left = 0.; ///< of it and particles, to the next check [m]
+  std::int64_t n_made = 0;    ///< times that lists were made
 
   /// Calls call(value) for all that a checkpoint keeps.
   template <class Self, class Visit>
@@ -74,19 +75,19 @@ public:
   {
     call(self.is_stale);
     call(self.has_displaced);
-    call(self.has_displaced_on_sheets);
+    call(self.has_displaced_on_deforming);
     call(self.skin);
-    call(self.travel);
-    call(self.travelled);
-    call(self.rigid_travelled);
-    call(self.sheets_travelled);
-    call(self.sheets_left);
+    call(self.paths);
+    call(self.path_length);
+    call(self.rigid_path);
+    call(self.deforming_path);
+    call(self.deforming_left);
     call(self.n_made);
   }
 
 private:
   bool is_stale = true;
   bool has_displaced = false;
-  bool has_displaced_on_sheets = false;
+  bool has_displaced_on_deforming = false;
 };
 } // namespace dem

@@ -4,8 +4,8 @@
 
 namespace dem
 {
-/// How far beyond contact the lists look. A wide margin lists pairs that do not
-/// touch, a narrow one is used up soon: the margin is set, at each rebuild, to
+/// How far beyond contact the lists look. A wide skin lists pairs that do not
+/// touch, a narrow one is used up soon: the skin is set, at each rebuild, to
 /// where the sum of both costs is least, from what the last lists have shown.
 /// Only counts of steps and contacts enter, never a clock: runs repeat.
 struct SkinWidth

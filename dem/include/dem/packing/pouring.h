@@ -124,7 +124,7 @@ private:
   void pour(Engine &engine);
   std::vector<Placement> cloud_above(double floor,
                                      const InsertionBox &slab) const;
-  bool is_at_rest(const Engine &engine, double limit);
+  bool is_at_rest(Engine &engine, double limit);
   void settle(Engine &engine);
   void lower_tamper(Engine &engine);
   void tamp(Engine &engine);

@@ -84,7 +84,7 @@ struct BreakageParameters
   /// Rings of the rule that measures a particle anew after an event (volume,
   /// inscribed radius, depth of the chip): 2 n^2 nodes.
   int quadrature_rings = 40;
-  /// Swings of the energy below this share of it do not count [-]
+  /// Cycles of the energy below this share of it do not count [-]
   double hysteresis = 0.01;
   EventContacts contacts = EventContacts::seen;
   CriterionEnergy energy = CriterionEnergy::normal;
@@ -97,7 +97,7 @@ struct BreakageParameters
   InscribedSphereAt inscribed = InscribedSphereAt::origin;
 
   /// Whether contacts must remember where their energy turned.
-  bool needs_turn() const
+  bool needs_reversal() const
   {
     return hysteresis > 0. || energy == CriterionEnergy::with_shear;
   }

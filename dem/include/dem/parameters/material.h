@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/parameters/contact_geometry.h>
 #include <dem/parameters/overlap_limits.h>
 
 #include <array>
@@ -59,13 +60,6 @@ enum class FrictionLimit
   total    ///< with its dashpot: the impulse of friction is f that of F_n
 };
 
-enum class ContactGeometry
-{
-  sphere, ///< overlap of the equivalent spheres
-  radial, ///< overlap of the local radii along the branch (the article)
-  surface ///< the true surfaces at their common normals
-};
-
 /// How contacts are found and how soon what they know of shapes is renewed: the
 /// only place of the skin of the lists.
 struct GeometryParameters
@@ -87,8 +81,8 @@ struct GeometryParameters
 
   bool follows_surfaces() const
   {
-    return geometry == ContactGeometry::surface ||
-           wall_geometry == ContactGeometry::surface;
+    return traits(geometry).has_common_normal ||
+           traits(wall_geometry).has_common_normal;
   }
 };
 } // namespace dem

@@ -64,7 +64,7 @@ struct ParticleSystem
   bool follows_surfaces = false;
   /// How far any point of the particle, or its radius towards another particle,
   /// may have come since construction; kept in scenes with shapes [m].
-  std::vector<double> travelled;
+  std::vector<double> path_length;
 
   PeriodicCell cell; ///< not there: particles meet where they are
 
@@ -150,7 +150,7 @@ struct ParticleSystem
     call(self.is_breakable);
     call(self.material);
     call(self.load);
-    call(self.travelled);
+    call(self.path_length);
   }
 
   /// Entry k becomes entry order[k].

@@ -68,8 +68,8 @@ private:
   GridValues radius, hull;
   std::vector<std::int32_t> summit; ///< node that is highest along a side
   std::vector<float> reach;         ///< of each block
-  double hull_slack = 0.; ///< what the hull may be higher than its table
-  double farthest = 0.;   ///< node from the origin
+  double hull_tolerance = 0.; ///< what the hull may be higher than its table
+  double farthest = 0.;       ///< node from the origin
   double rest = 0., widest = 0.;
 };
 } // namespace dem

@@ -58,14 +58,15 @@ TEST(DamageStep, PrecedenceIsAChoice)
 namespace
 {
 /// Sum of what counts of a sequence of energies.
-double counted(double turn, const std::vector<double> &energies, double band)
+double counted(double reversal, const std::vector<double> &energies,
+               double band)
 {
   double sum = 0.;
   for (const double energy : energies)
   {
     const double before =
-        std::exchange(turn, turn_of_energy(turn, energy, band));
-    sum += std::max(0., counted_rise(before, turn));
+        std::exchange(reversal, reversal_of_energy(reversal, energy, band));
+    sum += std::max(0., counted_rise(before, reversal));
   }
   return sum;
 }
@@ -99,27 +100,27 @@ TEST(CountEnergy, WithoutBandEveryRiseCounts)
   EXPECT_DOUBLE_EQ(counted(1., energies, 0.), rises);
 }
 
-// What is rounded off the turn in one step counts in the next.
-TEST(CountEnergy, KeepsSlowRisesThoughTurnsAreRounded)
+// What is rounded off the reversal in one step counts in the next.
+TEST(CountEnergy, KeepsSlowRisesThoughReversalsAreRounded)
 {
   constexpr int n_steps = 1'000'000;
-  float turn = 1.f;
+  float reversal = 1.f;
   double sum = 0.;
   for (int i = 1; i <= n_steps; ++i)
   {
-    const double before = turn, energy = 1. + 1e-3 * i / n_steps;
-    turn = static_cast<float>(turn_of_energy(before, energy, 0.01));
-    sum += counted_rise<double>(before, turn);
+    const double before = reversal, energy = 1. + 1e-3 * i / n_steps;
+    reversal = static_cast<float>(reversal_of_energy(before, energy, 0.01));
+    sum += counted_rise<double>(before, reversal);
   }
   EXPECT_NEAR(sum, 1e-3, 1e-7);
 }
 
-TEST(BreakageParameters, OnlySomeChoicesNeedATurn)
+TEST(BreakageParameters, OnlySomeChoicesNeedAReversal)
 {
   BreakageParameters p;
-  EXPECT_TRUE(p.needs_turn());
+  EXPECT_TRUE(p.needs_reversal());
   p.hysteresis = 0.;
-  EXPECT_FALSE(p.needs_turn());
+  EXPECT_FALSE(p.needs_reversal());
   p.energy = CriterionEnergy::with_shear;
-  EXPECT_TRUE(p.needs_turn());
+  EXPECT_TRUE(p.needs_reversal());
 }

@@ -201,7 +201,7 @@ TEST(Candidates, MarginDoesNotChangeTheMotion)
   expect_same_motion(narrow, wide);
 }
 
-// The particles travel some 0.02 m: lists that see a tenth of a millimetre are
+// The particles move some 0.02 m: lists that see a tenth of a millimetre are
 // used up every few steps, and no search finds better ones.
 TEST(Candidates, GivenMarginIsKept)
 {

@@ -205,8 +205,8 @@ TEST(ContactPoints, EllipsoidHasItsCurvaturesAndSupports)
   const dem::SurfacePoint pole =
       dem::surface_point(particle.body, Vec3::UnitZ());
   // Truncation at order 20 leaves 1e-7 of r and 1e-4 of the curvature.
-  EXPECT_NEAR(pole.bend(0, 0), 0.008 / (0.012 * 0.012), 0.05);
-  EXPECT_NEAR(pole.bend(1, 1), 0.008 / (0.010 * 0.010), 0.05);
+  EXPECT_NEAR(pole.shape_operator(0, 0), 0.008 / (0.012 * 0.012), 0.05);
+  EXPECT_NEAR(pole.shape_operator(1, 1), 0.008 / (0.010 * 0.010), 0.05);
   for (const Vec3 &n : dem::test::random_directions(20, 3))
   {
     const double height = axes.cwiseProduct(n).norm(); // of an ellipsoid

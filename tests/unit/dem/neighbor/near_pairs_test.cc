@@ -44,22 +44,22 @@ TEST(NearPairs, AreThoseOfBruteForceForSizesNineToOne)
 {
   dem::ParticleSystem particles = cloud(600);
   dem::PairFinder finder;
-  dem::Travel travel;
+  dem::PathLengths paths;
   dem::Random random(7);
   // What is kept from call to call must not change what is found.
   for (int call = 0; call < 12; ++call)
   {
     const double margin = call % 3 == 0 ? 2e-3 : 1e-3;
     EXPECT_EQ(
-        finder.find(particles, dem::ContactGeometry::sphere, margin, travel),
+        finder.find(particles, dem::ContactGeometry::sphere, margin, paths),
         by_brute_force(particles, margin))
         << "call " << call;
     for (dem::ParticleState &particle : particles.state)
       for (int d = 0; d < 3; ++d)
         particle.position[d] +=
             5e-4 / std::sqrt(3.) * (2. * random.uniform() - 1.);
-    travel.centres += 2. * 5e-4;
-    travel.gaps += 2. * 5e-4;
+    paths.centres += 2. * 5e-4;
+    paths.gaps += 2. * 5e-4;
   }
 }
 
@@ -76,15 +76,15 @@ TEST(NearPairs, AreThoseOfBruteForceForParticlesThatMoveAtTheirOwnPace)
         random.rotation(), 2700.);
   const double slope = 1. + dem::steepness(particles);
   dem::PairFinder kept;
-  dem::Travel travel;
+  dem::PathLengths paths;
   std::size_t n_found = 0;
   for (int call = 0; call < 12; ++call)
   {
     dem::PairFinder knows_nothing;
     const auto found =
-        kept.find(particles, dem::ContactGeometry::radial, 5e-4, travel);
+        kept.find(particles, dem::ContactGeometry::radial, 5e-4, paths);
     EXPECT_EQ(found, knows_nothing.find(particles, dem::ContactGeometry::radial,
-                                        5e-4, travel))
+                                        5e-4, paths))
         << "call " << call;
     n_found += found.size();
     // Every tenth particle is quick, the others creep.
@@ -92,9 +92,9 @@ TEST(NearPairs, AreThoseOfBruteForceForParticlesThatMoveAtTheirOwnPace)
     {
       const double pace = k % 10 == 0 ? 4e-4 : 1e-5;
       particles.position(k) += pace * (random.rotation() * dem::Vec3::UnitX());
-      particles.travelled[k] += slope * pace;
+      particles.path_length[k] += slope * pace;
     }
-    travel.centres += 2. * 4e-4;
+    paths.centres += 2. * 4e-4;
   }
   EXPECT_GT(n_found, 1000u);
 }

@@ -75,6 +75,7 @@ TEST(RoughPacking, LetsGoOfTheOverlapsOfADensePacking)
             packing.room.floor.z() + packing.height + 0.01); // largest radius
   packing.engine.allow_escape();
   packing.engine.advance_deferred(1e-15);
+  packing.engine.synchronize();
   const double before = packing.deepest();
   EXPECT_GT(before, 0.005); // of a radius of the smaller ones
   relax(packing.engine, 1e-4);
