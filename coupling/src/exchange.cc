@@ -169,7 +169,18 @@ FieldView Exchange::load_on(const DeformableBody &body) const
 
 void Exchange::advance(const CoupledParticles &particles, double window)
 {
-  particles.engine.synchronize(); // steps before may have been deferred
+  struct AtTheEnd
+  {
+    dem::Engine &engine;
+    ~AtTheEnd() { engine.synchronize(); } // also where a guard stops
+  };
+  const AtTheEnd synchronized{particles.engine};
+  advance_deferred(particles, window);
+}
+
+void Exchange::advance_deferred(const CoupledParticles &particles,
+                                double window)
+{
   open_books(particles.engine);
   if (parameters.rule == ExchangeRule::every_step)
     step_together(particles, window);
@@ -179,8 +190,8 @@ void Exchange::advance(const CoupledParticles &particles, double window)
   ++window_count;
   step_count += length.steps();
   if (length.is_due(window_count))
-    length.look(gain(particles.engine, window) / gain_limit, books,
-                window_count);
+    length.update(gain(particles.engine, window) / gain_limit, books,
+                  window_count);
   check_gap(particles.engine.time());
   check_ledger(particles.engine.time());
   check_surfaces(particles.engine);
@@ -203,7 +214,6 @@ void Exchange::step_together(const CoupledParticles &particles,
             coupled.adapter->place(coupled.body->motion(), particles.engine);
         });
   particles.advance(time_step);
-  particles.engine.synchronize();
   timed(spent.transfer,
         [&]
         {
@@ -224,6 +234,7 @@ void Exchange::step_together(const CoupledParticles &particles,
 
 void Exchange::pass_window(const CoupledParticles &particles, double window)
 {
+  particles.engine.synchronize(); // its state may be saved
   const bool may_repeat = parameters.rule == ExchangeRule::iterated;
   std::vector<std::string> start;
   std::ostringstream particles_then(std::ios::binary);
@@ -437,13 +448,14 @@ void Exchange::check_ledger(double time) const
 
 /// Between two rebuilds nothing moves farther than the skin of the lists.
 /// What has crossed stays so for longer: it is looked for less often.
-void Exchange::check_surfaces(const dem::Engine &engine)
+void Exchange::check_surfaces(dem::Engine &engine)
 {
   if (engine.n_rebuilds() == surfaces_seen_at)
     return;
+  engine.synchronize();
   surfaces_seen_at = engine.n_rebuilds();
   constexpr std::int64_t crossing_interval = 8; // rebuilds
-  const auto look = [&](const dem::FacetBoundary &facets)
+  const auto check = [&](const dem::FacetBoundary &facets)
   {
     auto fault = dem::find_fold(facets.mesh());
     if (!fault)
@@ -464,7 +476,7 @@ void Exchange::check_surfaces(const dem::Engine &engine)
         [&]
         {
           for (const dem::FacetBoundary &facets : dem::surfaces(engine))
-            look(facets);
+            check(facets);
         });
 }
 

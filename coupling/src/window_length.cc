@@ -27,8 +27,8 @@ bool WindowLength::is_due(std::int64_t n_windows) const
   return is_adaptive() && n_windows % check_interval == 0;
 }
 
-void WindowLength::look(double gain_over_limit, const LedgerSums &books,
-                        std::int64_t n_windows)
+void WindowLength::update(double gain_over_limit, const LedgerSums &books,
+                          std::int64_t n_windows)
 {
   const double energy_error = books.given - books.taken;
   const double usual = books.moved * static_cast<double>(check_interval) /

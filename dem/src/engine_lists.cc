@@ -267,7 +267,7 @@ void EngineState::rebuild_pair_list()
 
 void EngineState::sort_in_space()
 {
-  // Anew when particles may have changed places with their neighbours.
+  // Again when particles may have changed places with their neighbours.
   const double diameter = 2. * system.largest_radius();
   if (schedule.n_made > 0 && schedule.path_length - path_at_sort < diameter)
     return;

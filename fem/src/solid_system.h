@@ -27,7 +27,8 @@ struct SolidParts
   const SolidSupports &supports;
   std::span<const double> mass; ///< of the nodes that do not hang [kg]
   std::span<const Eigen::Matrix3d> dashpot; ///< of the same nodes [kg/s]
-  std::span<const Eigen::Matrix3d> bedding; ///< likewise; empty: none [N/m]
+  std::span<const Eigen::Matrix3d>
+      bedding; ///< of springs to the ground; empty: none [N/m]
 };
 
 /// Lower triangle of the sum, on the unknowns of the supports.

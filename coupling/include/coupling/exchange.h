@@ -121,10 +121,12 @@ public:
 
   /// One window of so many steps [s]. Throws GuardStop after it when passes
   /// have left too large a gap, the ledger is beyond its limit, or (looked at
-  /// whenever the lists of the particles were made anew) a surface is folded,
-  /// runs through itself or has let a particle out. The engine is synchronized
-  /// when it returns (Engine::synchronize).
+  /// whenever the lists of the particles were rebuilt) a surface is folded,
+  /// runs through itself or has let a particle out.
   void advance(const CoupledParticles &particles, double window);
+  /// The same, but with every_step the last half kick of the particles may stay
+  /// pending, as after dem::Engine::advance_deferred().
+  void advance_deferred(const CoupledParticles &particles, double window);
 
   /// One step in which the particles meet a body that has been put where it is
   /// now, and came there with these velocities [m/s]; what they do to it does
@@ -186,7 +188,7 @@ private:
   void close_books(const dem::Engine &engine, double window);
   void check_ledger(double time) const;
   void check_gap(double time) const;
-  void check_surfaces(const dem::Engine &engine);
+  void check_surfaces(dem::Engine &engine);
 
   ExchangeParameters parameters;
   WindowLength length;

@@ -10,7 +10,7 @@ namespace coupling
 struct Pose
 {
   std::vector<dem::Vec3> position;          ///< of the particles, by id [m]
-  std::vector<dem::Quaternion> orientation; ///< likewise
+  std::vector<dem::Quaternion> orientation; ///< of the particles
   std::vector<dem::Vec3> planes;            ///< their points [m]
   std::vector<dem::Vec3> nodes;             ///< of membrane and plate [m]
   double radius = 0.;                       ///< of a round side [m]
@@ -22,7 +22,7 @@ Pose pose_of(const dem::Engine &engine, const TriaxialCell &cell);
 struct MeanCyclicMotion
 {
   std::vector<dem::Vec3> shift;  ///< of the particles, by id [m]
-  std::vector<dem::Vec3> turn;   ///< likewise, rotation vectors [rad]
+  std::vector<dem::Vec3> turn;   ///< of the particles, rotation vectors [rad]
   std::vector<dem::Vec3> planes; ///< [m]
   std::vector<dem::Vec3> nodes;  ///< [m]
   double widening = 0.;          ///< of a round side [m]

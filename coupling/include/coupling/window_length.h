@@ -8,7 +8,7 @@ namespace coupling
 {
 /// How many steps the particles take in a window of one pass: as many as the
 /// gain of the present contacts allows, and fewer where too much work goes
-/// astray at the interface. Plain data for the checkpoint.
+/// lost at the interface. Plain data for the checkpoint.
 class WindowLength
 {
 public:
@@ -33,8 +33,8 @@ public:
   /// limit of one pass [-]. Work counts against that of the windows since the
   /// last look, or of as many on average since the start if that is more: at
   /// rest a share of nothing would say much.
-  void look(double gain_over_limit, const LedgerSums &books,
-            std::int64_t n_windows);
+  void update(double gain_over_limit, const LedgerSums &books,
+              std::int64_t n_windows);
 
 private:
   std::int64_t longest = 1, now = 1;

@@ -127,11 +127,11 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
   const Vec3 above =
       area * ((corner[0] - model.point).dot(area) / area.squaredNorm());
   const Mat2 hill = frame.transpose() * model.trusted * frame;
-  const Vec2 climb =
+  const Vec2 shift =
       floored(hill, model.least)
           .llt()
           .solve(-(frame.transpose() * (model.normal + model.trusted * above)));
-  const Vec3 step = above + frame * climb;
+  const Vec3 step = above + frame * shift;
   const Vec3 place = model.point + step - corner[0];
   const double over = 1. / area.squaredNorm();
   const double w1 = place.cross(second).dot(area) * over,
@@ -283,7 +283,7 @@ WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
   return {};
 }
 
-/// Where a climb may lead, and how deep it must; else it is given up.
+/// Where a refinement may lead, and how deep it must; else it is given up.
 struct Goal
 {
   Vec3 centre = Vec3::Zero();
@@ -302,8 +302,8 @@ struct Goal
 };
 
 /// Up to the deepest point without a step down.
-WallContactPoint climb(ParticleView &particle, const FacetMesh &mesh,
-                       const WallContactPoint &start, const Goal &goal = {})
+WallContactPoint refine(ParticleView &particle, const FacetMesh &mesh,
+                        const WallContactPoint &start, const Goal &goal = {})
 {
   Weights first = start.weight;
   snap(first);
@@ -402,7 +402,7 @@ WallContactPoint deeper_beside(ParticleView &particle, const FacetMesh &mesh,
         // What is known of the particle here stays known if nothing is
         // there.
         ParticleView there = particle;
-        const WallContactPoint found = climb(there, mesh, start, goal);
+        const WallContactPoint found = refine(there, mesh, start, goal);
         if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
             (!best.is_found || found.overlap > best.overlap) &&
             is_one_patch(found.normal, place.normal))
@@ -415,7 +415,7 @@ WallContactPoint deeper_beside(ParticleView &particle, const FacetMesh &mesh,
 WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
                                   const WallContactPoint &start)
 {
-  WallContactPoint place = climb(particle, mesh, start);
+  WallContactPoint place = refine(particle, mesh, start);
   constexpr int most_switches = 8;
   for (int n = 0; n < most_switches && place.is_found; ++n)
   {

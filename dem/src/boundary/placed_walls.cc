@@ -82,10 +82,11 @@ void note_displaced(const Followed &all, std::size_t k,
       matters && (is_elsewhere || batch.displaced[k] == displaced_open);
 }
 
-/// Brings contact k to its place by `climb(particle, start)`; not found if it
+/// Brings contact k to its place by `refine(particle, start)`; not found if it
 /// has none any more.
-template <class Climb>
-WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
+template <class Refine>
+WallContactPoint follow(const Followed &all, std::size_t k,
+                        const Refine &refine)
 {
   ContactBatch &batch = all.batch;
   if (batch.overlap_offset[k] >= kernel::closed_offset)
@@ -99,7 +100,7 @@ WallContactPoint follow(const Followed &all, std::size_t k, const Climb &climb)
   if (batch.side_a.is_known(k))
     particle.start_from(known_expansion(batch.side_a, k));
   const Vec3 start = batch.side_a.contact_point(k);
-  const WallContactPoint place = climb(particle, start);
+  const WallContactPoint place = refine(particle, start);
   if (!place.is_found || place.overlap > 0.3 * particle.size())
   {
     all.events.n_ended += batch.is_touching(k);

@@ -71,11 +71,11 @@ struct ParticleOnWall
   double gap = 0.; ///< of its circumscribed sphere [m]
 };
 
-/// `foot(k)`: where contact k was; `climb(particle, start)`: to its place now;
+/// `foot(k)`: where contact k was; `refine(particle, start)`: to its place now;
 /// `search(particle, known)`: all others.
-template <class Foot, class Climb, class Search>
+template <class Foot, class Refine, class Search>
 PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
-                      const Climb &climb, const Search &search)
+                      const Refine &refine, const Search &search)
 {
   PairList list;
   list.clear = std::max(on.input.skin, on.gap);
@@ -94,7 +94,7 @@ PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
     start.weight = row.foot.weight;
     const auto is_near = [&]
     {
-      const WallContactPoint now = climb(view, start);
+      const WallContactPoint now = refine(view, start);
       return now.is_found && now.overlap > -on.input.skin;
     };
     if (on.batch.is_touching(k) || is_near())

@@ -158,7 +158,7 @@ void end_damage(ContactBatch &batch, std::size_t k, FactorMemory memory)
     batch.factor_b[k] = 0.;
 }
 
-/// Evaluates a contact anew; returns the energy that it gave up [J].
+/// Evaluates a contact again; returns the energy that it gave up [J].
 double reset(const ForceContext &context, ContactSet &contacts,
              const Place &place)
 {
@@ -256,7 +256,7 @@ double replace_body(const ForceContext &context, ParticleSystem &particles,
     particles.is_breakable[i] = 0;
   return before - particles.kinetic_energy(i);
 }
-/// Evaluates all contacts of a particle anew; returns the energy they gave up.
+/// Evaluates all contacts of a particle again; returns the energy they gave up.
 double reset_all(const ForceContext &context, ContactSet &contacts,
                  std::int32_t particle)
 {

@@ -72,13 +72,13 @@ SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation)
 
 namespace
 {
-/// What counts as less deep than the start, of the radius: such a climb has
-/// gone down, over to another place.
+/// What counts as less deep than the start, of the radius: such a refinement
+/// has gone down, over to another place.
 constexpr double surely_less = 1e-6;
 
-ContactPoint climb(const ParticleShape &a, const ParticleShape &b,
-                   const RelativePose &pose, const ContactPoint &start,
-                   const NewtonStepControl &control)
+ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
+                    const RelativePose &pose, const ContactPoint &start,
+                    const NewtonStepControl &control)
 {
   const double size = std::min(mean_radius(a), mean_radius(b));
   double first_apart = 0.;
@@ -172,11 +172,11 @@ ContactPoint deepest_point(const ParticleShape &a, const ParticleShape &b,
 ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
                     const RelativePose &pose, const ContactPoint &start)
 {
-  ContactPoint contact_point = climb(a, b, pose, start, usual_step_control);
+  ContactPoint contact_point = refine(a, b, pose, start, usual_step_control);
   for (const NewtonStepControl &control :
        {careful_step_control, flat_step_control})
     if (!contact_point.is_found)
-      contact_point = climb(a, b, pose, start, control);
+      contact_point = refine(a, b, pose, start, control);
   if (contact_point.is_found)
     return contact_point;
   const ContactPoint deepest = deepest_point(a, b, pose, start);
@@ -200,8 +200,8 @@ Support refine_along(const ParticleShape &body, const Vec3 &normal,
     const Vec2 along = control.trusted(shape_operator, size)
                            .llt()
                            .solve(-frame.transpose() * at.normal);
-    const Vec3 climb = shortened(frame * along, control.longest_step * size);
-    support.direction = (at.position + climb).normalized();
+    const Vec3 ascent = shortened(frame * along, control.longest_step * size);
+    support.direction = (at.position + ascent).normalized();
     if (step == 0)
       first_height = at.position.dot(normal);
     support.height =

@@ -17,12 +17,12 @@ struct LocalField
   Mat3 hessian = Mat3::Zero();
 };
 
-/// Where a climb over the surface of a particle has ended.
+/// Where a refinement over the surface of a particle has ended.
 struct Summit
 {
   Vec3 direction = Vec3::UnitZ(); ///< unit, body frame [-]
   double value = 0.;              ///< of the field there
-  bool is_found = false;          ///< the climb has converged to a maximum
+  bool is_found = false;          ///< the refinement has converged to a maximum
 };
 
 /// r and its derivatives with the scale of the body applied.
@@ -43,10 +43,10 @@ inline RadialExpansion scaled_expansion(const ParticleShape &body,
   return at;
 }
 
-/// Climbs over the directions to a maximum of field(x), x = r(s) s in the body
+/// Refines over the directions to a maximum of field(x), x = r(s) s in the body
 /// frame, and never steps down: Newton steps with the Hessian made negative,
-/// halved until the field grows. For starts from which the quick climbs over
-/// tangent planes do not arrive, such as beside the tip of a needle.
+/// halved until the field grows. For starts from which the quick refinements
+/// over tangent planes do not arrive, such as beside the tip of a needle.
 template <class Field>
 Summit refine_damped(const ParticleShape &body, const Vec3 &start,
                      const Field &field)

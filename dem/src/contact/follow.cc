@@ -22,7 +22,7 @@ void renew_overlap_offset(ContactBatch &batch, std::size_t k, double overlap)
   batch.overlap_offset[k] = std::max(0., overlap - batch.overlap[k]);
 }
 
-/// It stays open until the lists are made anew.
+/// It stays open until the lists are rebuilt.
 void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
 {
   sum.n_ended += batch.is_touching(k);

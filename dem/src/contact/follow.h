@@ -18,10 +18,10 @@ void place_pair(const ForceContext &context, ContactBatch &batch, std::size_t k,
 
 /// Looks for the common normal of contact k from where it was, as carefully as
 /// it takes; if there is none left, the contact stays open until the lists are
-/// made anew. A place aside is counted as a jump and gives no energy.
+/// rebuilt. A place aside is counted as a jump and gives no energy.
 void relocate_pair(const ForceContext &context, ContactBatch &batch,
                    std::size_t k, RangeSum &sum);
-/// Likewise the support point towards a wall.
+/// The same for the support point towards a wall.
 void relocate_wall(const ForceContext &context, ContactBatch &batch,
                    std::size_t k, const WallRow &wall, RangeSum &sum);
 } // namespace dem

@@ -88,7 +88,7 @@ struct Surfaces
   void (*renew)(void *owner, std::int64_t k, int side, const double *direction);
   /// Mixes the prefactors of contact k with this normal.
   void (*mix)(void *owner, std::int64_t k, const double *normal);
-  /// Looks anew for the place of contact k, which its steps have lost.
+  /// Searches again for the place of contact k, which its steps have lost.
   void (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
 };
 
@@ -104,7 +104,7 @@ inline constexpr int wall_row = 16;
 inline constexpr double far_wall = 1e3;
 
 /// ContactBatch::overlap_offset from here on: the contact has lost its place
-/// and stays open until the lists are made anew [m].
+/// and stays open until the lists are rebuilt [m].
 inline constexpr double closed_offset = 1e9;
 
 /// What a loop reads besides the contacts; coefficients are of its batch.

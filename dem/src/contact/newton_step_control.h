@@ -4,13 +4,13 @@
 
 #include <dem/contact/common_normal.h>
 
-/// How climbs to the places of contacts go.
+/// How refinements to contact points go.
 namespace dem
 {
 /// Of a lens, times the radius: what is flatter is climbed like this.
 inline constexpr double lowest_curvature = 0.3;
-/// Times the radius: what is flatter still is no lens, even of a climb that
-/// trusts flat ones.
+/// Times the radius: what is flatter still is no lens, even of a refinement
+/// that trusts flat ones.
 inline constexpr double least_curvature = 0.03 * lowest_curvature;
 /// Steps below this part of the radius are none.
 inline constexpr double converged = 1e-10;
@@ -18,7 +18,7 @@ inline constexpr double converged = 1e-10;
 struct NewtonStepControl
 {
   double longest_step = 0.; ///< no step leads farther, of the radius [-]
-  int most_steps = 0;       ///< a climb that takes more leads nowhere
+  int most_steps = 0;       ///< a refinement that takes more leads nowhere
   /// A lens more curved than this, over the radius, is taken as it is [-].
   double hill = lowest_curvature;
 

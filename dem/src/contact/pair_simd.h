@@ -136,7 +136,7 @@ PairGeometry locate_pairs(const Task &task, std::int64_t k,
   return pair;
 }
 
-/// Mixes the prefactors anew where the particles have turned about the normal.
+/// Mixes the prefactors again where the particles have turned about the normal.
 void refresh_prefactors(const Task &task, std::int64_t k,
                         const SimdVector &normal, const SimdMask &is_touching,
                         const Simd &spin)

@@ -48,7 +48,7 @@ SimdVector planar_in_world(const SimdFrame &frame, const SimdPlanar &v)
   return v.x * frame.first + v.y * frame.second;
 }
 
-/// Has the contacts of some lanes looked for anew, one by one.
+/// Has the contacts of some lanes searched again, one by one.
 void relocate(const Task &task, std::int64_t k, const SimdMask &is_lost,
               RangeSum &sum)
 {

@@ -56,7 +56,7 @@ inline Simd load_reversed(const double *first)
 }
 
 /// p_nm, its derivative by z and half its second one, of two degrees.
-struct Climb
+struct Recurrence
 {
   Simd value = 0., slope = 0., second = 0.;
   Simd value_before = 0., slope_before = 0., second_before = 0.;
@@ -99,16 +99,16 @@ inline OrderSums sum_degrees(const ExpansionTable &table,
 {
   const Simd z = height;
   OrderSums sums;
-  Climb climb;
+  Recurrence recurrence;
   for (int n = m; n <= series.order; ++n)
   {
-    climb.step(z, load(table.fall[n] + m), load(table.first[n] + m));
+    recurrence.step(z, load(table.fall[n] + m), load(table.first[n] + m));
     const Simd scale = load(table.scale[n] + m);
     const Simd c = scale * load(series.degree[n] + m);
     const Simd s = scale * load_reversed(series.degree[n] - m);
-    sums.value.add(c, s, climb.value);
-    sums.slope.add(c, s, climb.slope);
-    sums.second.add(c, s, climb.second);
+    sums.value.add(c, s, recurrence.value);
+    sums.slope.add(c, s, recurrence.slope);
+    sums.second.add(c, s, recurrence.second);
   }
   return sums;
 }

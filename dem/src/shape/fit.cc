@@ -156,4 +156,23 @@ ShapeFit fit_shape(const TriangleMesh &mesh, int order,
   add_misfit(closed.mesh, fit);
   return fit;
 }
+
+std::vector<double>
+fit_radius(const std::function<double(const Vec3 &)> &radius, int order)
+{
+  if (order < 0 || order > max_order)
+    throw std::invalid_argument("order " + std::to_string(order) +
+                                ": must be 0 to " + std::to_string(max_order));
+  const SphereQuadrature &rule = standard_quadrature();
+  detail::RadialSamples samples{rule.direction, {}, rule.weight};
+  for (const Vec3 &direction : rule.direction)
+  {
+    const double r = radius(direction);
+    if (!(r > 0.) || !std::isfinite(r))
+      throw std::invalid_argument("radius " + std::to_string(r) +
+                                  ": must be positive and finite");
+    samples.radius.push_back(r);
+  }
+  return detail::project(samples, order);
+}
 } // namespace dem

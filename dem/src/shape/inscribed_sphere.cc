@@ -55,8 +55,8 @@ SoftDistance soft_distance(const std::vector<Vec3> &points, const Vec3 &centre,
 }
 
 /// Uphill by damped Newton steps until they are short.
-Vec3 climb(const std::vector<Vec3> &points, Vec3 centre, double sharpness,
-           double size)
+Vec3 ascend(const std::vector<Vec3> &points, Vec3 centre, double sharpness,
+            double size)
 {
   double damping = 1. / size;
   SoftDistance here = soft_distance(points, centre, sharpness);
@@ -99,7 +99,7 @@ InscribedSphere inscribed_sphere(std::span<const double> coefficients,
   InscribedSphere sphere;
   // the rounding shrinks to 1e-4 of the radius
   for (double sharpness = 30.; sharpness < 1e5; sharpness *= 3.)
-    sphere.centre = climb(points, sphere.centre, sharpness / size, size);
+    sphere.centre = ascend(points, sphere.centre, sharpness / size, size);
   sphere.radius = nearest_distance(points, sphere.centre);
   return sphere;
 }

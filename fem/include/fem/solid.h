@@ -48,7 +48,7 @@ double shear_wave_speed(const SolidLayer &layer);
 enum class SolidSolver
 {
   direct, ///< factors, kept while the matrix stays
-  amg     ///< conjugate gradients with multigrid, kept likewise
+  amg     ///< conjugate gradients with multigrid, which is kept
 };
 
 struct SolidParameters

@@ -44,9 +44,9 @@ TEST(WindowLength, FollowsTheGain)
   WindowLength length = of_tolerance(16, 1e-3);
   ASSERT_TRUE(length.is_due(64));
   ASSERT_FALSE(length.is_due(65));
-  length.look(4., books(0.9e-3, 1.), 64);
+  length.update(4., books(0.9e-3, 1.), 64);
   EXPECT_EQ(length.steps(), 7);
-  length.look(1e4, books(0.9e-3, 1.), 128);
+  length.update(1e4, books(0.9e-3, 1.), 128);
   EXPECT_EQ(length.steps(), 1);
 }
 
@@ -55,15 +55,15 @@ TEST(WindowLength, FollowsTheGain)
 TEST(WindowLength, FollowsTheLedger)
 {
   WindowLength length = of_tolerance(16, 1e-3);
-  length.look(0., books(1.1e-3, 1.), 64);
+  length.update(0., books(1.1e-3, 1.), 64);
   EXPECT_EQ(length.steps(), 8);
-  length.look(0., books(2.2e-3, 2.), 128);
+  length.update(0., books(2.2e-3, 2.), 128);
   EXPECT_EQ(length.steps(), 4);
-  length.look(0., books(2.7e-3, 3.), 192);
+  length.update(0., books(2.7e-3, 3.), 192);
   EXPECT_EQ(length.steps(), 4);
   for (const int steps : {5, 6, 7, 8, 10, 12, 15, 16, 16})
   {
-    length.look(0., books(2.7e-3, 4.), 256);
+    length.update(0., books(2.7e-3, 4.), 256);
     EXPECT_EQ(length.steps(), steps);
   }
 }
@@ -73,10 +73,10 @@ TEST(WindowLength, FollowsTheLedger)
 TEST(WindowLength, AtRestTheMeanCounts)
 {
   WindowLength length = of_tolerance(8, 1e-3);
-  length.look(0., books(0.5e-3, 1.), 64);
-  length.look(0., books(0.5e-3 + 0.4e-3, 1. + 1e-6), 128);
+  length.update(0., books(0.5e-3, 1.), 64);
+  length.update(0., books(0.5e-3 + 0.4e-3, 1. + 1e-6), 128);
   EXPECT_EQ(length.steps(), 8); // 0.4e-3 of 0.5 J
-  length.look(0., books(0.9e-3 + 0.6e-3, 1. + 1e-6), 192);
+  length.update(0., books(0.9e-3 + 0.6e-3, 1. + 1e-6), 192);
   EXPECT_EQ(length.steps(), 4); // 0.6e-3 of 0.33 J
 }
 
@@ -85,6 +85,6 @@ TEST(WindowLength, IsCapped)
   WindowLength length = of_tolerance(50, 1e-3);
   length.cap(3);
   EXPECT_EQ(length.steps(), 3);
-  length.look(0., {}, 64);
+  length.update(0., {}, 64);
   EXPECT_EQ(length.steps(), 3);
 }

@@ -141,7 +141,7 @@ struct PressedSphere
 /// counted once (docs/theory/facets.md). `near` has the nearest points of all
 /// triangles that it overlaps, `touches` what keep_minima leaves of these; of a
 /// touch that several carry, direction, point and distance of that along the
-/// direction are set anew, `shares` gets one row per touch, or keeps more. The
+/// direction are set again, `shares` gets one row per touch, or keeps more. The
 /// number of facets and vertices is not limited.
 void share_patches(const FacetMesh &mesh, const PressedSphere &sphere,
                    const std::vector<NearestFacetPoint> &near,

@@ -29,7 +29,7 @@ struct PlacedFacets
 
 /// Brings every contact of the batch from where it was to its place, and makes
 /// its row. A contact that has lost its place stays open until the lists are
-/// made anew; one that has come to another place takes no more energy than it
+/// rebuilt; one that has come to another place takes no more energy than it
 /// had; both are counted in what is returned.
 ForceSum place_on_drum(const ForceContext &context, const PlacedDrum &walls,
                        ContactBatch &batch);

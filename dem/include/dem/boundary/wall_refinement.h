@@ -6,7 +6,7 @@
 
 namespace dem
 {
-/// Climbs from a point of the mesh (`triangle`, `weight`, `on_particle` of the
+/// Refines from a point of the mesh (`triangle`, `weight`, `on_particle` of the
 /// start) to the deepest one; where the mesh is concave and a neighbouring
 /// triangle holds a deeper place within 45 degrees, to that. Triangles are seen
 /// from their inner side alone.

@@ -44,7 +44,7 @@ struct BreakingSum
 {
   /// Events refused because the shape would have lost r > 0.
   int n_refused = 0;
-  /// Energy that contacts gave up when their surfaces were looked at anew just
+  /// Energy that contacts gave up when their surfaces were looked at again just
   /// before an event: that of the cached expansion, not of the event [J].
   double refreshed = 0.;
 };
@@ -53,8 +53,8 @@ struct BreakingSum
 /// particle, then by contact: of the two sides of a contact the one with the
 /// larger E_e / E_b breaks. A side that no longer meets the criterion after
 /// earlier events of the step is left alone. Particles change shape, mass and
-/// inertia; their contacts are evaluated anew (those that open are marked where
-/// patches keep factors), the loads of particles are not. Events go to
+/// inertia; their contacts are evaluated again (those that open are marked
+/// where patches keep factors), the loads of particles are not. Events go to
 /// `events`.
 BreakingSum break_particles(const ForceContext &context,
                             ParticleSystem &particles, ContactSet &contacts,

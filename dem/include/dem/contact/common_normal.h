@@ -62,8 +62,8 @@ struct Support
   bool is_found = false;
 };
 
-/// Climbs to the support point along a unit vector of the body frame; once more
-/// by steps for a flat one if it is not reached.
+/// Refines to the support point along a unit vector of the body frame; once
+/// more by steps for a flat one if it is not reached.
 Support find_support(const ParticleShape &body, const Vec3 &normal,
                      const Vec3 &start);
 } // namespace dem

@@ -98,7 +98,7 @@ struct Walls
   /// By row, where several facets may carry a contact: overlap beyond that with
   /// the plane of the row (FacetShares::extra) [m].
   std::span<const double> extra = {};
-  /// Finds the place of contact k anew, if they were.
+  /// Finds the place of contact k again, if they were.
   std::function<void(const ForceContext &, std::size_t)> replace = {};
 };
 
@@ -108,7 +108,7 @@ ForceSum wall_forces(const ForceContext &context, const Walls &walls,
                      ContactBatch &batch, std::vector<RangeSum> &ranges);
 
 /// Geometry and forces of contact k as they stand, no time passing: after one
-/// of its particles has changed its shape. Springs are capped anew; the energy
+/// of its particles has changed its shape. Springs are capped again; the energy
 /// that they give up is returned [J]. The loads of the particles are left
 /// wrong: all loops must run again.
 double reset_pair(const ForceContext &context, ContactBatch &batch,

@@ -5,7 +5,7 @@
 namespace dem
 {
 /// The surface of a particle in the world where it is looked at: an expansion
-/// of second order, made anew where it does not reach.
+/// of second order, rebuilt where it does not reach.
 class ParticleView
 {
 public:

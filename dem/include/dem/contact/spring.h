@@ -94,7 +94,7 @@ DEM_SIMD_INLINE Real part_before_begin(const Crossing<Real> &at)
 }
 
 /// Part of the last force of a contact that was not there for the whole step
-/// after it, likewise [-].
+/// after it, by the same rule [-].
 template <class Real>
 DEM_SIMD_INLINE Real part_after_end(const Crossing<Real> &at)
 {

@@ -102,7 +102,7 @@ public:
   /// an error at all.
   void follow_load() { follows_load = true; }
   /// Sets the speeds of the planes for the next step; the stiffness is taken
-  /// anew every 20 steps.
+  /// again every 20 steps.
   void update(Engine &engine, double time_step);
 
   void save(std::ostream &out) const; ///< bit for bit

@@ -38,7 +38,7 @@ struct ContactPointSearchInput
 };
 
 /// The list of the places where particles meet, or nearly do, by pair.
-/// Every pair is searched anew when its own particles have moved as far as the
+/// Every pair is searched again when its own particles have moved as far as the
 /// last search is good for, or when a contact of it has lost its place.
 /// Contacts keep all they carry and their order; a new one that overlaps
 /// already starts with no force.

@@ -81,7 +81,7 @@ struct BreakageParameters
   double curvature_floor_ratio = 10;   ///< beta in kappa_f = 1/(beta r_ins) [-]
   double kernel_floor = 2.5;           ///< c_lambda in lambda >= c / N_s [-]
   double kernel_scale = 1.; ///< s in lambda = s sqrt(delta R) / r [-]
-  /// Rings of the rule that measures a particle anew after an event (volume,
+  /// Rings of the rule that measures a particle again after an event (volume,
   /// inscribed radius, depth of the chip): 2 n^2 nodes.
   int quadrature_rings = 40;
   /// Cycles of the energy below this share of it do not count [-]

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace dem
@@ -60,4 +61,12 @@ TriangleMesh weld(const TriangleMesh &mesh, double tolerance = 0.);
 /// centroid or there are not two points for every coefficient.
 ShapeFit fit_shape(const TriangleMesh &mesh, int order,
                    const FitOptions &options = {});
+
+/// The series of a surface that is given by its distance from the origin [m] in
+/// every direction (unit vectors), which should be the centroid of its volume:
+/// least squares on the nodes of the standard rule. The way to add a family of
+/// shapes. Throws std::invalid_argument unless the order is 0 to max_order and
+/// every radius is positive and finite.
+std::vector<double>
+fit_radius(const std::function<double(const Vec3 &)> &radius, int order);
 } // namespace dem
