@@ -34,7 +34,7 @@ constexpr std::array<Command, 8> commands = {
       "CASE.prm [--out DIR] [--preparations DIR] [--threads N] [--resume] "
       "[--overwrite] [--until CYCLES] [--set Section/key=value ...]",
       "run the case; --resume goes on with a stopped one, --overwrite begins "
-      "it anew",
+      "it again",
       run_command, true},
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command, false},

@@ -11,10 +11,12 @@
 #include <dem/parameters/material.h>
 #include <fem/membrane.h>
 
+#include <any>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 namespace spall
@@ -59,7 +61,7 @@ struct SpecimenParameters
   SpecimenForm form = SpecimenForm::box;
   double side = 0.1;           ///< of the cube after compaction, about [m]
   double diameter = 0.1;       ///< of the cylinder after compaction, about [m]
-  double height = 0.2;         ///< likewise [m]
+  double height = 0.2;         ///< of the cylinder after compaction, about [m]
   double solid_fraction = 0.6; ///< with the size: volume of particles [-]
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/quick_7_22mm.csv";
@@ -257,7 +259,7 @@ constexpr int most_threads = 1024;
 
 struct Case
 {
-  CaseKind kind = CaseKind::dynamic_triaxial;
+  std::string kind = "dynamic_triaxial"; ///< see TestKind::name
   std::string title = "dynamic triaxial test";
   SingleParticleParameters single_particle;
   PressParameters press;
@@ -316,16 +318,27 @@ struct Case
     return geometry;
   }
 
-  /// Whether a membrane is round the particles.
-  Lateral lateral() const
+  /// Parameters of a kind of test that are no member of Case: one struct of
+  /// this type, with its defaults at first.
+  template <class T>
+  T &own()
   {
-    const bool is_rigid = kind == CaseKind::vibratory_compaction
-                              ? container.form == ContainerForm::rigid
-                              : boundary.lateral == Lateral::rigid;
-    return is_rigid ? Lateral::rigid : Lateral::membrane;
+    std::any &any = others[std::type_index(typeid(T))];
+    if (!any.has_value())
+      any = T{};
+    return *std::any_cast<T>(&any);
   }
+  /// The same; throws std::out_of_range if the kind never asked for them.
+  template <class T>
+  const T &own() const
+  {
+    return *std::any_cast<T>(&others.at(std::type_index(typeid(T))));
+  }
+
+private:
+  std::map<std::type_index, std::any> others;
 };
 
 /// A case of this kind with its defaults.
-Case default_case(CaseKind kind);
+Case default_case(const std::string &kind);
 } // namespace spall

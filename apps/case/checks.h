@@ -3,15 +3,10 @@
 #include "case/case.h"
 #include "specimen/gradation.h"
 
-#include <functional>
 #include <string>
 
 namespace spall
 {
-/// Where a value was said: "case.prm:12" by section and key, for messages.
-using Place =
-    std::function<std::string(const std::string &, const std::string &)>;
-
 /// One refusal: section, key and value as given, and what is allowed.
 struct Fault
 {
@@ -29,11 +24,22 @@ void check_shapes(const Case &c, const Place &place, const std::string &section,
                   const std::string &shapes);
 /// With Coupling/exchange = every_step nothing has steps of its own.
 void check_every_step(const Case &c, const Place &place);
+/// Windows that adapt are refused.
+void check_equal_windows(const Case &c, const Place &place);
+/// Of a test with a membrane, which the case has chosen by `choice`, such as
+/// "Boundary/lateral = membrane": its exchange must be chosen, too.
+void check_membrane(const Case &c, const Place &place,
+                    const std::string &choice);
+/// The stiffness of contacts goes into implicit steps of a membrane alone.
+void check_contact_tangent(const Case &c, const Place &place,
+                           bool has_membrane);
+/// Particles turn with one inertia where they meet: that of spheres, or their
+/// own.
+void check_inertia(const Case &c, const Place &place);
+/// Time/step = error is refused.
+void check_no_step_error(const Case &c, const Place &place);
 
 /// What no single range can say: parameters against each other and against
 /// the files they name. Throws InputError.
 void check_case(const Case &parameters, const Place &place);
-
-/// Of a vibratory_compaction case alone, all but its time and coupling.
-void check_compaction(const Case &c, const Place &place);
 } // namespace spall

@@ -57,6 +57,7 @@ void add_contact(List &list, Case &of)
             "",
             {"search_margin"}},
            c.skin, between(0., 1.));
+  list.in("Contact", {.decides_preparation = false, .may_change = true});
   list.add({"overlap_warning", "-",
             "Overlap over the radius of the smaller equivalent sphere: a "
             "warning above it, since Hertz theory no longer holds."},
@@ -65,6 +66,7 @@ void add_contact(List &list, Case &of)
             "The run fails above this overlap over radius. At 1 a wall reaches "
             "the centre of a particle."},
            c.overlap.stop, above(0., 1.));
+  list.in("Contact");
   list.add({"friction_limit", "-",
             "Normal force in the limits of friction and rolling: elastic, of "
             "the spring alone; total, with its dashpot."},

@@ -4,7 +4,7 @@ namespace spall
 {
 void add_membrane(List &list, fem::MembraneParameters &m)
 {
-  list.in("Membrane");
+  list.in("Membrane", after_preparation);
   list.add({"law", "-",
             "st_venant_kirchhoff: stretches of some tens of per cent; "
             "neo_hooke: incompressible, any stretch, with poisson_ratio 0.5."},
@@ -49,13 +49,14 @@ void add_relaxation(List &list, coupling::ExchangeParameters &rules)
       rules.max_passes, between(1, 1e4));
   list.add({"gap_limit", "m",
             "iterated: the run stops if the last pass leaves a larger gap."},
-           rules.gap_limit, above(0., 1.));
+           rules.gap_limit, above(0., 1.))
+      .may_change = true;
 }
 } // namespace
 
 void add_coupling(List &list, CouplingParameters &c)
 {
-  list.in("Coupling");
+  list.in("Coupling", after_preparation);
   list.add(
       {"exchange", "-",
        "every_step: particles and body (membrane, subgrade, elastic plate) "
@@ -93,7 +94,8 @@ void add_coupling(List &list, CouplingParameters &c)
   list.add({"ledger_limit", "-",
             "The run stops where the interface energy error exceeds this share "
             "of the work that crosses the interface."},
-           c.ledger_limit, above(0., 1e6));
+           c.ledger_limit, above(0., 1e6))
+      .may_change = true;
 }
 
 coupling::ExchangeParameters

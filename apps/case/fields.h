@@ -3,23 +3,29 @@
 #include "case/case.h"
 #include "case/parameter.h"
 
+#include <algorithm>
+
 namespace spall
 {
-struct Section
+/// A section and the kinds that have it.
+struct ListedSection : Section
 {
-  std::string name, sentence;
-  std::vector<CaseKind> kinds = {};        ///< that have it; empty: all
-  std::vector<std::string> old_names = {}; ///< deprecated, still read
+  std::vector<std::string> kinds; ///< empty: all
 
-  bool is_of(CaseKind kind) const { return is_among(kinds, kind); }
+  bool is_of(const std::string &kind) const
+  {
+    return kinds.empty() || std::ranges::find(kinds, kind) != kinds.end();
+  }
 };
 
-/// The sections of a case in the order of printing.
-const std::vector<Section> &sections();
+/// The sections of a case in the order of printing: those of the kinds, then
+/// the common ones.
+std::vector<ListedSection> sections();
 
 /// Every field of the case, listed once: reader, printers, template and
-/// docs/parameters all use this list. The case must outlive it. A new field is
-/// one line in case_fields.cc.
+/// docs/parameters, checkpoints, preparations and studies all use this list.
+/// The case must outlive it. A new field is one line in fields.cc of its
+/// section.
 std::vector<Parameter> parameters_of(Case &of);
 
 /// Sections that a material file (Material/file) may hold.

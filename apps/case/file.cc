@@ -49,7 +49,7 @@ std::string section_hint(const std::string &name,
 void check_known(const Assignment &a, const std::vector<Parameter> &list)
 {
   std::vector<std::string> names, keys;
-  for (const Section &section : sections())
+  for (const ListedSection &section : sections())
     names.push_back(section.name);
   for (const Parameter &parameter : list)
   {
@@ -146,8 +146,7 @@ bool is_preset(const Override &o)
 /// Of a kind of case. Throws InputError that names those that there are.
 std::string preset_file(const Case &parameters, const std::string &name)
 {
-  const std::string kind =
-      kind_names[static_cast<std::size_t>(parameters.kind)];
+  const std::string &kind = parameters.kind;
   std::set<std::string> known;
   for (const fs::path &data : search_folders(parameters))
   {
@@ -241,22 +240,19 @@ Override parse_override(const std::string &text)
 
 namespace
 {
-/// What the file or the command line says; the first kind if neither does, none
-/// if it is nonsense.
-std::optional<CaseKind> kind_of(const std::string &file,
-                                std::span<const Override> overrides)
+/// What the file or the command line says; the first kind if neither does. May
+/// be the name of no kind.
+std::string kind_said(const std::string &file,
+                      std::span<const Override> overrides)
 {
-  std::string name = kind_names.front();
+  std::string name = test_kinds().front().name;
   for (const Assignment &a : read_assignments(file))
     if (a.section == "Case" && a.key == "kind")
       name = a.value;
   for (const Override &o : overrides)
     if (o.section == "Case" && o.key == "kind")
       name = o.value;
-  const auto found = std::ranges::find(kind_names, name);
-  if (found == kind_names.end())
-    return std::nullopt;
-  return static_cast<CaseKind>(found - kind_names.begin());
+  return name;
 }
 
 /// Throws InputError for a section or key that cases of this kind do not have.
@@ -266,19 +262,16 @@ void check_kind(const Case &parameters, const std::vector<Parameter> &list,
   const auto refuse = [&](const auto &of_place, const std::string &what)
   {
     throw InputError(of_place.second + ": " + of_place.first +
-                     ": a case of kind " +
-                     kind_names[static_cast<std::size_t>(parameters.kind)] +
-                     " has no " + what);
+                     ": a case of kind " + parameters.kind + " has no " + what);
   };
-  for (const Section &section : sections())
+  for (const ListedSection &section : sections())
     if (!section.is_of(parameters.kind))
       for (const auto &place : places)
         if (place.first.starts_with(section.name + "/"))
           refuse(place, "section " + section.name);
   for (const Parameter &parameter : list)
-    if (!is_among(parameter.kinds, parameters.kind))
-      if (const auto place =
-              places.find(parameter.section + "/" + parameter.key);
+    if (!parameter.is_of(parameters.kind))
+      if (const auto place = places.find(parameter.name());
           place != places.end())
         refuse(*place,
                "key " + parameter.key + " in section " + parameter.section);
@@ -336,8 +329,9 @@ void choose_laws(Case &c)
 
 Case read_case(const std::string &file, std::span<const Override> overrides)
 {
-  const std::optional<CaseKind> kind = kind_of(file, overrides);
-  Case result = default_case(kind.value_or(CaseKind{}));
+  const std::string kind = kind_said(file, overrides);
+  const bool is_kind = find_kind(kind);
+  Case result = default_case(is_kind ? kind : test_kinds().front().name);
   result.file = file;
   const std::vector<Parameter> list = parameters_of(result);
   Values values;
@@ -345,7 +339,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   take_file(values, file, list);
   take_overrides(values, result, overrides, list);
 
-  if (kind) // else Case/kind itself is refused below
+  if (is_kind) // else Case/kind itself is refused below
     check_kind(result, list, values.places);
   const std::string named = get(values.handler, "Material", "file");
   if (!named.empty())

@@ -34,7 +34,7 @@ std::string without_comments(const std::string &printed);
 std::string resolved_case(const Case &parameters);
 
 /// The defaults of a kind, and what its cases have to say besides.
-Case usual_case(CaseKind kind);
+Case template_defaults(const std::string &kind);
 
 /// That as a commented case. Throws InputError.
 std::string template_case(const std::string &kind);

@@ -16,45 +16,65 @@ struct Text
   std::vector<std::string> old_keys = {};
 };
 
+/// Flags of the parameters of a section, see Parameter.
+struct Flags
+{
+  bool decides_preparation = true, may_change = false;
+};
+
+/// Parameters that only matter after the preparation.
+inline constexpr Flags after_preparation{.decides_preparation = false};
+
 /// Collects the lines of one section after the other.
 class List
 {
 public:
-  /// `only` the cases of these kinds have the keys that follow; empty: all.
-  void in(const std::string &name, const std::vector<CaseKind> &only = {})
+  /// The keys that follow belong to this section. Each flag can be changed on
+  /// the parameter that add() returns.
+  void in(const std::string &name, const Flags &usual = {})
   {
     section = name;
-    kinds = only;
+    flags = usual;
   }
-  void add(const Text &text, double &field, const Range &range)
+  /// Only cases of this kind have the keys that follow; empty: all.
+  void only_of(const std::string &name) { kind = name; }
+  Parameter &add(const Text &text, double &field, const Range &range)
   {
-    put(text, &field, range);
+    return put(text, &field, range);
   }
-  void add(const Text &text, int &field, const Range &range)
+  Parameter &add(const Text &text, int &field, const Range &range)
   {
-    put(text, &field, range);
+    return put(text, &field, range);
   }
-  void add(const Text &text, bool &field) { put(text, &field, {}); }
-  void add(const Text &text, std::string &field) { put(text, &field, {}); }
-  void add_path(const Text &text, std::string &field)
+  Parameter &add(const Text &text, bool &field)
   {
-    put(text, &field, {});
-    parameters.back().is_path = true;
+    return put(text, &field, {});
+  }
+  Parameter &add(const Text &text, std::string &field)
+  {
+    return put(text, &field, {});
+  }
+  Parameter &add_path(const Text &text, std::string &field)
+  {
+    Parameter &path = put(text, &field, {});
+    path.is_path = true;
+    return path;
   }
   /// `names` in the order of the enumeration.
   template <class Enum>
-  void add(const Text &text, Enum &field, const std::vector<std::string> &names,
-           const std::map<std::string, std::string> &old_names = {})
+  Parameter &add(const Text &text, Enum &field,
+                 const std::vector<std::string> &names,
+                 const std::map<std::string, std::string> &old_names = {})
   {
     Choice choice{names, old_names,
                   [&field] { return static_cast<std::size_t>(field); },
                   [&field](std::size_t k) { field = static_cast<Enum>(k); }};
-    put(text, std::move(choice), {});
+    return put(text, std::move(choice), {});
   }
 
   /// One of these names.
-  void add_name(const Text &text, std::string &field,
-                const std::vector<std::string> &names)
+  Parameter &add_name(const Text &text, std::string &field,
+                      const std::vector<std::string> &names)
   {
     Choice choice{names,
                   {},
@@ -65,7 +85,7 @@ public:
                         names.begin());
                   },
                   [&field, names](std::size_t k) { field = names.at(k); }};
-    put(text, std::move(choice), {});
+    return put(text, std::move(choice), {});
   }
   /// Whether the section the list is in has this key.
   bool has(std::string_view key) const
@@ -78,20 +98,27 @@ public:
   std::vector<Parameter> parameters;
 
 private:
-  void put(const Text &text, decltype(Parameter::value) value,
-           const Range &range)
+  Parameter &put(const Text &text, decltype(Parameter::value) value,
+                 const Range &range)
   {
-    parameters.push_back({section, text.key, text.unit, text.sentence,
-                          std::move(value), range, text.reason, text.old_keys,
-                          kinds});
+    return parameters.emplace_back(
+        Parameter{.section = section,
+                  .key = text.key,
+                  .unit = text.unit,
+                  .sentence = text.sentence,
+                  .value = std::move(value),
+                  .range = range,
+                  .reason = text.reason,
+                  .old_keys = text.old_keys,
+                  .kind = kind,
+                  .decides_preparation = flags.decides_preparation,
+                  .may_change = flags.may_change});
   }
 
-  std::string section;
-  std::vector<CaseKind> kinds;
+  std::string section, kind;
+  Flags flags;
 };
 
-void add_specimen(List &list, SpecimenParameters &s);
-void add_preparation(List &list, PreparationParameters &p);
 void add_membrane(List &list, fem::MembraneParameters &m);
 void add_coupling(List &list, CouplingParameters &c);
 void add_contact(List &list, Case &of);
@@ -102,11 +129,4 @@ void add_law_values(List &list, std::vector<dem::LawValues> &values);
 /// Of the section the list is in; `rolling` is the range of rolling_friction.
 void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
               const std::string &reason);
-void add_subgrade(List &list, SubgradeParameters &s);
-/// What differs from the defaults of a Case.
-void set_subgrade_defaults(Case &c);
-/// Particle, Press, Charge and Drum.
-void add_laboratory(List &list, Case &of);
-/// Container, Filling, Plate and Vibration.
-void add_compaction(List &list, Case &of);
 } // namespace spall

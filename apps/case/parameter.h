@@ -1,7 +1,5 @@
 #pragma once
 
-#include "case/kind.h"
-
 #include <functional>
 #include <limits>
 #include <map>
@@ -58,8 +56,20 @@ struct Parameter
   Range range;                            ///< of numbers
   std::string reason;                     ///< why this range, if it needs one
   std::vector<std::string> old_keys = {}; ///< deprecated, still read
-  std::vector<CaseKind> kinds = {};       ///< that have it; empty: all
-  bool is_path = false; ///< its value is a file or folder, see find_path()
+  std::string kind = {}; ///< the kind of test that has it; empty: all
+  bool is_path = false;  ///< its value is a file or folder, see find_path()
+  /// It decides the prepared particles of a kind whose preparations can be
+  /// shared (test/preparation_text.h).
+  bool decides_preparation = true;
+  /// A resumed run may have another value: it ends the run, stops it, or says
+  /// how often something is written, and changes nothing that is computed.
+  bool may_change = false;
+
+  bool is_of(const std::string &kind_of_case) const
+  {
+    return kind.empty() || kind == kind_of_case;
+  }
+  std::string name() const { return section + "/" + key; }
 };
 
 /// "a number above 0 and below 0.5", "one of membrane, rigid", ...

@@ -55,7 +55,7 @@ std::string prm_value(const std::string &value)
 void print_case(std::ostream &out, Case of)
 {
   const std::vector<Parameter> list = parameters_of(of);
-  for (const Section &section : sections())
+  for (const ListedSection &section : sections())
   {
     if (!section.is_of(of.kind))
       continue;
@@ -63,8 +63,7 @@ void print_case(std::ostream &out, Case of)
     print_comment(out, "", section.sentence);
     out << "subsection " << section.name << '\n';
     for (const Parameter &parameter : list)
-      if (parameter.section == section.name &&
-          is_among(parameter.kinds, of.kind))
+      if (parameter.section == section.name && parameter.is_of(of.kind))
       {
         print_comment(out, "  ", describe(parameter));
         const std::string value = prm_value(value_text(parameter));
@@ -128,23 +127,20 @@ std::string resolved_case(const Case &parameters)
   return out.str() + parameters_as_run(parameters);
 }
 
-Case usual_case(CaseKind kind)
+Case template_defaults(const std::string &kind)
 {
-  Case usual = default_case(kind);
-  if (kind == CaseKind::dynamic_triaxial)
-    usual.coupling.exchange = ExchangeChoice::every_step;
-  if (kind == CaseKind::subgrade)
-    usual.coupling.exchange = ExchangeChoice::one_pass;
-  return usual;
+  Case defaults = default_case(kind);
+  if (const auto set = find_kind(kind)->set_template)
+    set(defaults);
+  return defaults;
 }
 
 std::string template_case(const std::string &kind)
 {
-  const auto found = std::ranges::find(kind_names, kind);
-  if (found == kind_names.end())
+  if (!find_kind(kind))
     throw InputError("template " + kind + ": kind must be one of " +
-                     joined(kind_names) + ", or parameters");
-  Case defaults = usual_case(static_cast<CaseKind>(found - kind_names.begin()));
+                     joined(kind_names()) + ", or parameters");
+  Case defaults = template_defaults(kind);
   defaults.material = "materials/graded_aggregate.prm";
   std::ostringstream out;
   print_comment(out, "",
@@ -157,30 +153,33 @@ std::string template_case(const std::string &kind)
 
 namespace
 {
-/// The default, or those of the kinds that have it where they differ.
-std::string default_text(const Section &section,
-                         const std::vector<CaseKind> &kinds, std::size_t place)
+/// The default of a parameter by its number in the list, or those of the kinds
+/// that have it where they differ.
+std::string default_text(const ListedSection &section,
+                         const Parameter &parameter, std::size_t number)
 {
   std::vector<std::string> texts, lines;
-  for (std::size_t k = 0; k < kind_names.size(); ++k)
-    if (const auto kind = static_cast<CaseKind>(k);
-        section.is_of(kind) && is_among(kinds, kind))
+  for (const std::string &kind : kind_names())
+    if (section.is_of(kind) && parameter.is_of(kind))
     {
       Case defaults = default_case(kind);
-      texts.push_back(value_text(parameters_of(defaults)[place]));
-      lines.push_back(texts.back() + " (" + kind_names[k] + ")");
+      texts.push_back(value_text(parameters_of(defaults)[number]));
+      lines.push_back(texts.back() + " (" + kind + ")");
     }
   const bool is_one = std::ranges::all_of(texts, [&](const std::string &text)
                                           { return text == texts[0]; });
   return is_one ? texts[0] : joined(lines);
 }
 
-std::string kinds_text(const std::vector<CaseKind> &kinds)
+/// The sentence and what else counts for the key.
+std::string meaning(const ListedSection &section, const Parameter &parameter)
 {
-  std::vector<std::string> names;
-  for (const CaseKind kind : kinds)
-    names.push_back(kind_names[static_cast<std::size_t>(kind)]);
-  return names.empty() ? "" : " Kinds: " + joined(names) + ".";
+  std::string text = parameter.sentence;
+  if (section.kinds.empty() && !parameter.kind.empty())
+    text += " Kind: " + parameter.kind + ".";
+  if (parameter.may_change)
+    text += " May change with `--resume`.";
+  return text;
 }
 } // namespace
 
@@ -193,17 +192,18 @@ std::string parameter_tables()
          "do not edit. Values are SI.\n"
          "A value with `#` stands in double quotes: `set shapes = "
          "\"lot#2/shapes\"`; two double quotes inside stand for one.\n";
-  for (const Section &section : sections())
+  for (const ListedSection &section : sections())
   {
-    out << "\n## " << section.name << "\n\n"
-        << section.sentence << kinds_text(section.kinds) << "\n\n"
-        << "| key | unit | default | allowed | meaning |\n"
+    out << "\n## " << section.name << "\n\n" << section.sentence;
+    if (!section.kinds.empty())
+      out << " Kinds: " << joined(section.kinds) << ".";
+    out << "\n\n| key | unit | default | allowed | meaning |\n"
         << "|---|---|---|---|---|\n";
     for (std::size_t k = 0; k < list.size(); ++k)
       if (const Parameter &p = list[k]; p.section == section.name)
         out << "| `" << p.key << "` | " << p.unit << " | "
-            << cell(default_text(section, p.kinds, k)) << " | " << allowed(p)
-            << " | " << cell(p.sentence + kinds_text(p.kinds)) << " |\n";
+            << cell(default_text(section, p, k)) << " | " << allowed(p) << " | "
+            << cell(meaning(section, p)) << " |\n";
   }
   return out.str();
 }

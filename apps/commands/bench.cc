@@ -126,7 +126,7 @@ void describe(const dem::Engine &engine, BenchResult &result)
       dem::unbalanced_force_ratio(particles, engine.pairs());
 }
 
-/// Builds the scene anew and times it; every repeat does the same.
+/// Builds the scene again and times it; every repeat does the same.
 void time_once(const BenchOptions &options, const BenchParticles &particles,
                BenchResult &result)
 {

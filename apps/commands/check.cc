@@ -1,17 +1,13 @@
 #include "case/file.h"
 #include "commands/commands.h"
 #include "errors.h"
-#include "laboratory/recorder.h"
 #include "run/cost.h"
 #include "run/folder.h"
 #include "run/forecast.h"
-#include "run/preparation_store.h"
 #include "run/scratch_folder.h"
 #include "run/thread_choice.h"
-#include "triaxial/preparation.h"
-#include "triaxial/recorder.h"
-
-#include <dem/measure/contact_springs.h>
+#include "test/preparation_store.h"
+#include "test/recorder.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -44,10 +40,8 @@ std::filesystem::path run_folder_in(const ScratchFolder &scratch)
 /// What steps of the whole test will take with all that is written meanwhile;
 /// at the end what a run leaves is written, so that memory has been as high as
 /// it will be. Nearly all the time of that is the last frame.
-template <class Test, class Writer>
-MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
-                     const TestTimes &times,
-                     const std::function<bool()> &is_over)
+MeanStep run_a_while(const Case &parameters, Test &test, Recorder &writer,
+                     const TestTimes &times)
 {
   const auto advance = [&]
   {
@@ -60,7 +54,7 @@ MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
       return false; // particles that are packed roughly may come to that
     }
     writer.after_step(test);
-    return !is_over();
+    return test.share_done() < 1.;
   };
   MeanStep step = time_steps(test.engine(), times, parameters.threads, advance);
   const Stopwatch watch;
@@ -71,7 +65,6 @@ MeanStep run_a_while(const Case &parameters, Test &test, Writer &writer,
 }
 
 /// Takes the preparation if it is kept in the store, and says so.
-template <class Test>
 void take_kept(const std::optional<PreparationStore> &store, Test &test)
 {
   if (!store)
@@ -138,85 +131,43 @@ void print_exchange(const SetupStep &setup, int particle_steps)
   std::printf("recommended      Coupling/exchange = %s\n", advice);
 }
 
-void print_step(const Case &parameters, const Triaxial &test)
+void print_step(const Test &test)
 {
-  const dem::StepLimit limit =
-      dem::critical_step(test.engine().parameters(), test.engine().particles());
+  const SetupStep *setup = test.setup_step();
+  const dem::StepLimit &limit = test.step_limit();
   std::printf("time step        %.4g s, stable up to %.4g s (%s)\n",
-              test.setup_step().step, limit.step, limit.reason.c_str());
-  std::printf(
-      "in a corner      %.4g s (the same particle on three walls)\n",
-      dem::corner_step(test.engine().parameters(), test.engine().particles()));
-  if (test.gain())
-    print_exchange(test.setup_step(), parameters.coupling.rules.particle_steps);
+              setup ? setup->step : test.time_step(), limit.step,
+              limit.reason.c_str());
 }
 
-void check_triaxial(const Case &parameters, const std::string &preparations)
+void check_test(const Case &parameters, const std::string &preparations)
 {
-  Triaxial test(parameters);
-  print_particles(test.engine().particles());
-  print_gradation(parameters, test.engine().particles());
-  print_step(parameters, test);
-  take_kept(
-      find_store(preparations, preparation_text(parameters, test.shapes())),
-      test);
-  omp_set_num_threads(thread_candidates(parameters.threads).back());
-  const ScratchFolder scratch;
-  Recorder recorder(parameters, run_folder_in(scratch));
-  recorder.start(test);
-  const FastPreparation fast = test.fast_preparation();
-  const int n_cycles = parameters.loading.n_cycles();
-  const double duration =
-      test.period() * n_cycles + parameters.loading.consolidation_time;
-  const MeanStep step =
-      run_a_while(parameters, test, recorder, {duration, test.period()},
-                  [&test] { return test.stage() == Stage::done; });
-  print_predicted(duration, step);
-  if (!fast.is_packed)
-    std::printf("too low          the specimen was still loose after the time "
-                "for packing: --preparations DIR times one that is kept\n");
-  if (!fast.was_prepared)
-    print_preparing(test.preparation_time(), fast.step);
-  if (parameters.cycle_jump.is_on())
-  {
-    const int n = coupling::least_cycles(parameters.cycle_jump, n_cycles);
-    std::printf("with jumps       %.3g s if none is refused, for %d of %d "
-                "cycles\n",
-                step.cost / step.length *
-                    (duration - test.period() * (n_cycles - n)),
-                n, n_cycles);
-  }
-  print_memory();
-}
-
-void check_lab(const Case &parameters, const std::string &preparations)
-{
-  const std::unique_ptr<LabTest> test = make_lab_test(parameters);
+  const std::unique_ptr<Test> test = make_test(parameters);
   print_particles(test->all_particles());
   print_gradation(parameters, test->all_particles());
-  const SetupStep *setup = test->setup_step();
-  const dem::StepLimit &limit = test->step_limit();
-  std::printf("time step        %.4g s, at most %.4g s (%s)\n",
-              setup ? setup->step : first_step(parameters, limit), limit.step,
-              limit.reason.c_str());
-  if (setup && setup->gain)
+  print_step(*test);
+  if (const SetupStep *setup = test->setup_step(); setup && setup->gain)
     print_exchange(*setup, parameters.coupling.rules.particle_steps);
   test->describe();
   take_kept(find_store(preparations, test->preparation_text()), *test);
   omp_set_num_threads(thread_candidates(parameters.threads).back());
   const ScratchFolder scratch;
-  LabRecorder recorder(parameters, run_folder_in(scratch));
+  Recorder recorder(parameters, run_folder_in(scratch));
   recorder.start(*test);
-  const double preparing = test->fast_preparation();
+  const FastPreparation fast = test->fast_preparation();
   const MeanStep step =
       run_a_while(parameters, *test, recorder,
                   {test->duration(), test->period(), test->frame_interval(),
-                   [&recorder] { return recorder.n_written(); }},
-                  [&test] { return test->share_done() >= 1.; });
+                   [&recorder] { return recorder.n_written(); }});
   print_predicted(test->duration(), step);
-  if (preparing > 0.)
+  if (!fast.is_packed)
+    std::printf("too low          the specimen was still loose after the time "
+                "for packing: --preparations DIR times one that is kept\n");
+  if (fast.step > 0.)
     print_preparing(test->preparation_time(),
-                    time_particles(test->engine(), preparing));
+                    fast.cost ? *fast.cost
+                              : time_particles(test->engine(), fast.step));
+  test->describe_time(step);
   print_memory();
 }
 } // namespace
@@ -242,10 +193,7 @@ int check_command(Words words)
   report_deprecated(parameters.deprecated);
   std::printf("case             %s: %s\n", file.c_str(),
               parameters.title.c_str());
-  if (parameters.kind == CaseKind::dynamic_triaxial)
-    check_triaxial(parameters, preparations);
-  else
-    check_lab(parameters, preparations);
+  check_test(parameters, preparations);
   return 0;
 }
 } // namespace spall

@@ -91,10 +91,7 @@ int run_command(Words words)
   report_deprecated(parameters.deprecated);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
-  if (parameters.kind == CaseKind::dynamic_triaxial)
-    run_triaxial(options, parameters);
-  else
-    run_lab(options, parameters);
+  run_test(options, parameters);
   return 0;
 }
 } // namespace spall

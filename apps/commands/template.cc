@@ -11,7 +11,7 @@ int template_command(Words words)
   if (words.size() != 1)
   {
     std::string kinds;
-    for (const std::string &kind : kind_names)
+    for (const std::string &kind : kind_names())
       kinds += kind + ", ";
     throw InputError("template: needs one word, one of " + kinds +
                      "which give a commented case, or parameters (tables in "

@@ -23,6 +23,8 @@ struct ContainerParameters
   int elements_around = 36;
   double freeboard = 0.02; ///< of the flexible tube above the particles [m]
   double pressure = 0.;    ///< on the flexible tube, from outside [Pa]
+
+  bool is_flexible() const { return form == ContainerForm::flexible; }
 };
 
 /// The particles, and how they get into the container.

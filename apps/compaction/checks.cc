@@ -2,6 +2,7 @@
 
 #include "case/file.h"
 #include "case/parameter.h"
+#include "compaction/kind.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -60,6 +61,7 @@ void check_plate(const Case &c, const Place &place)
     refuse(place, {"Coupling", "exchange", "none",
                    "with Plate/form = elastic must be one of every_step, "
                    "one_pass, iterated"});
+  check_equal_windows(c, place);
   check_every_step(c, place);
   if (c.plate.load_radius > 0.5 * c.container.diameter)
     refuse(place, {"Plate", "load_radius", number_text(c.plate.load_radius),
@@ -70,6 +72,8 @@ void check_plate(const Case &c, const Place &place)
 
 void check_compaction(const Case &c, const Place &place)
 {
+  check_inertia(c, place);
+  check_contact_tangent(c, place, c.container.is_flexible());
   check_size(c, place);
   check_plate(c, place);
   check_shapes(c, place, "Filling", c.filling.shapes);
@@ -86,7 +90,9 @@ void check_compaction(const Case &c, const Place &place)
                        ": random packings stay below"});
   const double longest = 0.05 / c.vibration.frequency;
   const Lateral soft =
-      c.plate.form == PlateKind::elastic ? Lateral::membrane : c.lateral();
+      c.plate.form == PlateKind::elastic || c.container.is_flexible()
+          ? Lateral::membrane
+          : Lateral::rigid;
   const int n = c.coupling.exchange_rules(soft).particle_steps;
   if (c.time.step == StepRule::fixed && n * c.time.fixed_step > longest)
     refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
@@ -94,5 +100,8 @@ void check_compaction(const Case &c, const Place &place)
                        " must be at most a twentieth of the period of "
                        "Vibration/frequency, " +
                        number_text(longest) + " s"});
+  if (c.container.is_flexible())
+    check_membrane(c, place, "Container/form = flexible");
+  check_no_step_error(c, place);
 }
 } // namespace spall

@@ -3,8 +3,8 @@
 #include "case/parameter.h"
 #include "compaction/filling.h"
 #include "errors.h"
-#include "run/checkpoint.h"
 #include "run/rest_hint.h"
+#include "test/checkpoint.h"
 
 #include <coupling/membrane_body.h>
 #include <dem/binary.h>
@@ -27,8 +27,8 @@ Compaction::Compaction(const Case &c) : Compaction(c, make_compaction_scene(c))
 }
 
 Compaction::Compaction(const Case &c, CompactionScene its_scene)
-    : LabTest(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
-              its_scene.setup.step),
+    : Test(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
+           its_scene.setup.step),
       scene(std::move(its_scene)),
       pouring(scene.room, pouring_parameters(c.filling), scene.layers,
               static_cast<std::uint64_t>(c.filling.seed)),
@@ -51,7 +51,7 @@ const dem::Plane &Compaction::plate_plane() const
 
 bool Compaction::has_windows() const
 {
-  return parameters.lateral() == Lateral::membrane ||
+  return parameters.container.is_flexible() ||
          parameters.plate.form == PlateKind::elastic;
 }
 
@@ -190,7 +190,7 @@ void Compaction::release(double time)
 {
   now.release_time = time;
   plate->release(now.release_time - now.join_time);
-  if (parameters.lateral() == Lateral::rigid)
+  if (!parameters.container.is_flexible())
     return;
   // The mould is taken away.
   dem::Drum mould = dem::drum(engine());
@@ -244,6 +244,7 @@ void Compaction::step_joined(double time_step)
 
 void Compaction::start_vibration()
 {
+  engine().synchronize();
   now.stage = Stage::vibration;
   now.vibration_start = engine().time();
   plate->start_exciter(now.vibration_start - now.release_time);
@@ -404,7 +405,7 @@ coupling::BodyEnergy Compaction::body_energy() const
 /// What the plane does on the particles comes from its body once it has one.
 double Compaction::external_work() const
 {
-  return LabTest::external_work() -
+  return Test::external_work() -
          (joined ? plate_plane().work - now.plane_work_gone : 0.);
 }
 
@@ -430,7 +431,7 @@ void Compaction::save(std::ostream &out) const
   dem::write_value(out, now);
   dem::write_column(out, reports);
   pouring.save(out);
-  LabTest::save(out);
+  Test::save(out);
   if (joined)
     joined->save(out);
 }
@@ -449,10 +450,10 @@ void Compaction::restore(std::istream &in)
     plate->release(now.release_time - now.join_time);
     if (now.stage == Stage::vibration)
       plate->start_exciter(now.vibration_start - now.release_time);
-    if (parameters.lateral() == Lateral::membrane)
+    if (parameters.container.is_flexible())
       build_tube();
   }
-  LabTest::restore(in);
+  Test::restore(in);
   if (joined)
     joined->restore(in);
   refuse_shorter("Vibration/duration", vibrated(),

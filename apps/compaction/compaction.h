@@ -2,7 +2,7 @@
 
 #include "compaction/plate.h"
 #include "compaction/scene.h"
-#include "laboratory/test.h"
+#include "test/test.h"
 
 #include <coupling/membrane_body.h>
 #include <dem/measure/roundness_book.h>
@@ -11,7 +11,7 @@ namespace spall
 {
 /// A vibratory compaction: particles are poured into a cylinder in layers and
 /// tamped, a plate comes down on them, gets its weight, and vibrates.
-class Compaction : public LabTest
+class Compaction : public Test
 {
 public:
   enum class Stage : std::int32_t
@@ -45,7 +45,7 @@ public:
   }
   int steps_in_move() const override;
   double preparation_time() const override;
-  double fast_preparation() override;
+  FastPreparation fast_preparation() override;
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int periods) override;
   bool ends_early() const override

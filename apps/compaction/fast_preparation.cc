@@ -14,7 +14,7 @@ double Compaction::preparation_time() const
   return pouring.expected_time(engine().parameters().gravity);
 }
 
-double Compaction::fast_preparation()
+FastPreparation Compaction::fast_preparation()
 {
   double preparing = 0.;
   const auto at_plate = [this] { return plate_plane().point.z(); };
@@ -30,7 +30,7 @@ double Compaction::fast_preparation()
   release(engine().time() - parameters.plate.seating_time);
   start_vibration();
   check_contacts();
-  return preparing;
+  return {.step = preparing};
 }
 
 /// What the filling would come to, about.

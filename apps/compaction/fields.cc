@@ -1,4 +1,7 @@
 #include "case/list.h"
+#include "compaction/kind.h"
+
+#include <dem/shape/spherical_harmonics.h>
 
 namespace spall
 {
@@ -6,15 +9,17 @@ namespace
 {
 void add_container(List &list, ContainerParameters &c)
 {
-  list.in("Container");
+  list.in("Container", after_preparation);
   list.add({"form", "-",
             "rigid: a cylinder that does not move, as Wall; flexible: a tube "
             "of membrane held at both rims, which takes the place of the mould "
             "that the particles were poured into."},
            c.form, {"rigid", "flexible"});
-  list.add({"diameter", "m", "Inner diameter."}, c.diameter, above(0., 100.));
+  list.add({"diameter", "m", "Inner diameter."}, c.diameter, above(0., 100.))
+      .decides_preparation = true;
   list.add({"height", "m", "Height that the particles fill."}, c.height,
-           above(0., 100.));
+           above(0., 100.))
+      .decides_preparation = true;
   list.add({"elements_around", "-",
             "Flexible: quads round the tube, about as long as wide."},
            c.elements_around, between(8, 400));
@@ -87,7 +92,7 @@ void add_filling(List &list, FillingParameters &f)
 
 void add_plate(List &list, PlateParameters &p)
 {
-  list.in("Plate");
+  list.in("Plate", after_preparation);
   list.add({"form", "-",
             "rigid: moves along z only; tilting: rigid, moves along z and "
             "turns; elastic: bends about its axis, which is guided along z, "
@@ -135,7 +140,8 @@ void add_plate(List &list, PlateParameters &p)
   list.add({"seating_max_time", "s",
             "The run fails if they are not at rest this long after "
             "seating_time."},
-           p.seating_max_time, above(0., 1e4));
+           p.seating_max_time, above(0., 1e4))
+      .may_change = true;
   list.add({"seating_load_tolerance", "-",
             "At rest: the load of the particles on the plate differs from its "
             "static load by at most this share."},
@@ -147,7 +153,7 @@ void add_plate(List &list, PlateParameters &p)
 
 void add_vibration(List &list, VibrationParameters &v)
 {
-  list.in("Vibration");
+  list.in("Vibration", after_preparation);
   list.add({"eccentric_mass", "kg",
             "Turns at frequency: force m e (2 pi f)^2 sin(2 pi f t) along z."},
            v.eccentric_mass, between(0., 1e6));
@@ -156,6 +162,7 @@ void add_vibration(List &list, VibrationParameters &v)
       v.eccentricity, between(0., 10.));
   list.add({"frequency", "Hz", "Frequency of the exciter."}, v.frequency,
            above(0., 1e4));
+  list.in("Vibration", {.decides_preparation = false, .may_change = true});
   list.add({"duration", "s", "Duration of the vibration."}, v.duration,
            above(0., 1e6));
   list.add({"reports", "-",

@@ -1,7 +1,7 @@
 // What a vibratory compaction says of itself.
 #include "case/parameter.h"
 #include "compaction/compaction.h"
-#include "laboratory/roundness_table.h"
+#include "test/roundness_table.h"
 
 #include <dem/measure/assembly.h>
 
@@ -47,7 +47,7 @@ std::vector<std::string> Compaction::density_warnings() const
 
 std::vector<std::string> Compaction::warnings() const
 {
-  std::vector<std::string> all = LabTest::warnings();
+  std::vector<std::string> all = Test::warnings();
   if (now.stage != Stage::filling)
     for (const std::string &warning : density_warnings())
       all.push_back(warning);
@@ -56,6 +56,7 @@ std::vector<std::string> Compaction::warnings() const
 
 void Compaction::report(double due)
 {
+  engine().synchronize();
   Report report;
   report.time = vibrated();
   report.settlement = now.start_height - height();
@@ -86,8 +87,8 @@ std::vector<Quantity> Compaction::measured() const
   std::vector<Quantity> row = {
       {"stage_1", static_cast<double>(now.stage)},
       {"vibration_s", vibrated()},
-      {"settlement_m", is_vibrating ? now.start_height - height() : 0.},
-      {"density_kg_per_m3", dense},
+      {"settlement_m", is_vibrating ? now.start_height - height() : 0., true},
+      {"density_kg_per_m3", dense, true},
       {"porosity_1", 1. - dense / parameters.particle.density},
       {"plate_height_m", height()},
       {"plate_velocity_m_per_s", plate ? plate->velocity() : 0.},
@@ -107,7 +108,7 @@ std::vector<Quantity> Compaction::measured() const
 
 void Compaction::summarise(nlohmann::ordered_json &summary) const
 {
-  LabTest::summarise(summary);
+  Test::summarise(summary);
   nlohmann::ordered_json layers = nlohmann::ordered_json::array();
   for (const dem::Pouring::Layer &layer : pouring.layers())
     layers.push_back({{"mass_kg", layer.mass},

@@ -4,8 +4,8 @@
 #include "case/parameter.h"
 #include "compaction/plate.h"
 #include "errors.h"
-#include "laboratory/test.h"
 #include "specimen/obtained_gradation.h"
+#include "test/test.h"
 
 #include <coupling/triaxial_cell.h>
 #include <dem/engine_boundaries.h>
@@ -48,7 +48,7 @@ dem::EngineParameters engine_settings(const Case &parameters)
   dem::EngineParameters settings;
   settings.particle = parameters.particle;
   settings.wall = parameters.wall;
-  settings.surface = parameters.lateral() == Lateral::membrane
+  settings.surface = parameters.container.is_flexible()
                          ? parameters.membrane_contact
                          : parameters.wall;
   settings.geometry = parameters.contact_preparing(parameters.filling.safety);
@@ -100,7 +100,7 @@ void choose_first_step(const Case &parameters, CompactionScene &scene)
 {
   scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
   std::optional<fem::Membrane> tube;
-  if (parameters.lateral() == Lateral::membrane)
+  if (parameters.container.is_flexible())
     tube.emplace(make_tube(parameters));
   scene.setup = choose_step(parameters, scene.limit, scene.all.smallest_mass(),
                             tube ? &*tube : nullptr);

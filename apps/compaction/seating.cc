@@ -17,11 +17,17 @@ void Compaction::wait_for_rest()
   const double spent = engine().time() - now.release_time;
   if (spent < parameters.plate.seating_time)
     return;
-  if (joined->n_windows() % rest_interval == 0 && is_seated())
+  const bool is_asked = joined->n_windows() % rest_interval == 0;
+  if (is_asked)
+    engine().synchronize();
+  if (is_asked && is_seated())
     start_vibration();
   else if (spent >
            parameters.plate.seating_time + parameters.plate.seating_max_time)
+  {
+    engine().synchronize();
     throw RunFailure(unseated_text());
+  }
 }
 
 /// A load in balance may pass through a plate that swings: its motion would

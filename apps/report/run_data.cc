@@ -158,6 +158,23 @@ Table read_table(const std::string &path)
   return table;
 }
 
+namespace
+{
+/// By its summary, or its case where there is none.
+std::string kind_of(const RunData &run)
+{
+  if (const auto kind = run.summary.find("kind");
+      kind != run.summary.end() && kind->is_string())
+    return kind->get<std::string>();
+  constexpr std::string_view key = "set kind = ";
+  const std::size_t start = run.case_text.find(key);
+  if (start == std::string::npos)
+    return {};
+  const std::size_t from = start + key.size();
+  return run.case_text.substr(from, run.case_text.find('\n', from) - from);
+}
+} // namespace
+
 RunData read_run(const std::string &folder)
 {
   const fs::path path(folder);
@@ -186,6 +203,7 @@ RunData read_run(const std::string &folder)
     run.case_text = read_text(path / "case.prm");
   else
     run.notes.push_back("There is no case.prm.");
+  run.kind = kind_of(run);
   return run;
 }
 

@@ -24,6 +24,7 @@ struct RunData
 {
   std::string folder;
   std::string name;                   ///< short, unlike that of the other runs
+  std::string kind;                   ///< of test, by name; empty: not known
   Table loading;                      ///< rows of history.csv with stage_1 = 2
   Table events;                       ///< empty without events.csv
   Table cycles;                       ///< empty without cycles.csv

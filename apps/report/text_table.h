@@ -27,7 +27,7 @@ std::string markdown(const TextTable &table);
 std::string page_before(const std::string &command, const std::string &path,
                         const std::string &marker);
 
-/// Writes the page again with this text behind the line. Throws likewise.
+/// Writes the page again with this text behind the line. Throws the same.
 void renew_page(const std::string &command, const std::string &path,
                 const std::string &marker, const std::string &text);
 } // namespace spall

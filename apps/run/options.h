@@ -24,6 +24,5 @@ struct RunOptions
 bool is_stop_asked();
 
 /// Runs a case of its kind into its folder. Throws InputError or RunFailure.
-void run_triaxial(const RunOptions &options, const Case &parameters);
-void run_lab(const RunOptions &options, const Case &parameters);
+void run_test(const RunOptions &options, const Case &parameters);
 } // namespace spall

@@ -5,10 +5,11 @@
 
 namespace spall
 {
-void StepSchedule::begin(double length, double longest_step, std::int64_t ticks)
+void StepSchedule::begin(double length, double longest_step,
+                         std::int64_t intervals)
 {
-  tick = left = length;
-  n_ticks = ticks;
+  interval = left = length;
+  n_intervals = intervals;
   replan(longest_step);
 }
 
@@ -33,8 +34,8 @@ void StepSchedule::count()
   left -= length_of_step;
   if (--steps_left > 0)
     return;
-  ++n_ticks;
-  left = tick;
+  ++n_intervals;
+  left = interval;
   replan(longest);
 }
 } // namespace spall

@@ -80,8 +80,8 @@ dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
   return network;
 }
 
-void StepWatch::look(const dem::Engine &engine, const Surroundings &around,
-                     double present_step)
+void StepWatch::update(const dem::Engine &engine, const Surroundings &around,
+                       double present_step)
 {
   const auto start = std::chrono::steady_clock::now();
   // What the particles may reach before the next look.

@@ -47,8 +47,8 @@ public:
   /// Looks. With the rules stable and error, `longest` is then at most safety
   /// times the limit, and grows by no more than a tenth at a time. With
   /// the rule fixed a step above the limit is said in the log.
-  void look(const dem::Engine &engine, const Surroundings &around,
-            double present_step);
+  void update(const dem::Engine &engine, const Surroundings &around,
+              double present_step);
   /// Says what the present contacts allow: bound, sharp limit, which particle.
   /// Throws RunFailure where a fixed step is above the sharp limit, unless
   /// Time/allow_unstable_step says so.

@@ -1,5 +1,6 @@
 #include "specimen/obtained_gradation.h"
 
+#include "case/fields.h"
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
@@ -20,31 +21,22 @@ namespace
 /// Where a kind of test names its gradation.
 struct GradationKey
 {
-  const char *section;
-  const std::string *file;
+  std::string section, file;
 };
 
 std::optional<GradationKey> gradation_key(const Case &c)
 {
-  switch (c.kind)
-  {
-  case CaseKind::dynamic_triaxial:
-    return GradationKey{"Specimen", &c.specimen.gradation};
-  case CaseKind::los_angeles:
-    return GradationKey{"Charge", &c.charge.gradation};
-  case CaseKind::vibratory_compaction:
-    return GradationKey{"Filling", &c.filling.gradation};
-  case CaseKind::subgrade:
-    return GradationKey{"Layer", &c.subgrade.layer.gradation};
-  case CaseKind::single_particle:
-    break;
-  }
+  const std::string &section = find_kind(c.kind)->gradation_section;
+  Case any = c;
+  for (const Parameter &parameter : parameters_of(any))
+    if (parameter.section == section && parameter.key == "gradation")
+      return GradationKey{section, value_text(parameter)};
   return {};
 }
 
 Gradation read_table_of(const Case &c, const GradationKey &key)
 {
-  return read_gradation(find_path(c, key.section, "gradation", *key.file));
+  return read_gradation(find_path(c, key.section, "gradation", key.file));
 }
 
 /// The sieves of the table, and as many diameters between them as show the
@@ -99,7 +91,7 @@ std::vector<dem::ParticleShape> draw_particles(const Case &c,
   }
   catch (const std::invalid_argument &error)
   {
-    throw InputError(c.file + ": " + key.section + "/gradation = " + *key.file +
+    throw InputError(c.file + ": " + key.section + "/gradation = " + key.file +
                      ": " + error.what() + "; its largest diameter is " +
                      largest_text(table));
   }

@@ -228,7 +228,7 @@ void add_gains(const Case &parameters, const MembraneNode &node,
                SetupStep &setup)
 {
   const coupling::ExchangeParameters rules =
-      parameters.coupling.exchange_rules(parameters.lateral());
+      parameters.coupling.exchange_rules();
   setup.membrane_step = node.membrane_step;
   setup.window = coupling::window_gain(node.contact, node.mass,
                                        rules.particle_steps * setup.step);

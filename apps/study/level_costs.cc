@@ -246,7 +246,7 @@ std::vector<DefaultCost> default_costs(const StudyData &data,
                                        const std::vector<LevelCost> &map)
 {
   const Case reference = read_case(data.study.case_file, data.study.base);
-  const Case defaults = usual_case(reference.kind);
+  const Case defaults = template_defaults(reference.kind);
   std::vector<DefaultCost> prices;
   for (const LevelCost &level : map)
   {

@@ -1,11 +1,11 @@
 #include "errors.h"
 #include "report/run_data.h"
-#include "run/checkpoint.h"
 #include "run/folder.h"
 #include "run/time_left.h"
 #include "run/whole_file.h"
 #include "study/programs.h"
 #include "study/study.h"
+#include "test/checkpoint.h"
 
 #include <algorithm>
 #include <atomic>

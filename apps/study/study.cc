@@ -202,24 +202,6 @@ void check_study(const Study &study)
          "Study/spread_seeds: " + seed + " is in Study/seeds already");
 }
 
-std::string seed_key_of(CaseKind kind)
-{
-  switch (kind)
-  {
-  case CaseKind::single_particle:
-    return "Particle/seed";
-  case CaseKind::los_angeles:
-    return "Charge/seed";
-  case CaseKind::subgrade:
-    return "Layer/seed";
-  case CaseKind::vibratory_compaction:
-    return "Filling/seed";
-  case CaseKind::dynamic_triaxial:
-    break;
-  }
-  return "Specimen/seed";
-}
-
 /// Null if the case has no such key.
 const Parameter *find_key(const std::vector<Parameter> &list,
                           const SweptKey &key)
@@ -233,7 +215,7 @@ const Parameter *find_key(const std::vector<Parameter> &list,
 /// Kind and units are those of the base case.
 void take_base_case(Case base, Study &study)
 {
-  study.seed_key = seed_key_of(base.kind);
+  study.seed_key = find_kind(base.kind)->seed_key;
   const std::vector<Parameter> list = parameters_of(base);
   for (SweptKey &key : study.keys)
   {

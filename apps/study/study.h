@@ -140,8 +140,8 @@ struct PointResult
 
 /// Numbers of the points in the order in which they run: every case of as many
 /// seeds as there are jobs before the next seeds, so that cases which are
-/// compared meet a machine of the same mood, and a seed is prepared by its
-/// first case while the other jobs have seeds of their own.
+/// compared meet a machine in the same load state, and a seed is prepared by
+/// its first case while the other jobs have seeds of their own.
 std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
                                        int jobs);
 

@@ -1,8 +1,9 @@
-#include "subgrade/checks.h"
+#include "case/checks.h"
 
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "subgrade/kind.h"
 #include "subgrade/load.h"
 
 #include <algorithm>
@@ -155,6 +156,8 @@ void check_exchange(const Case &c, const Place &place)
     refuse(place, {"Coupling", "exchange", "none",
                    "must be one of every_step, one_pass, iterated; spall check "
                    "compares them"});
+  if (is_condensed || p.exchange != ExchangeChoice::one_pass)
+    check_equal_windows(c, place);
   check_every_step(c, place);
   if (!is_condensed)
     return;
@@ -184,6 +187,8 @@ void check_rows(const Case &c, const Place &place)
 
 void check_subgrade(const Case &parameters, const Place &place)
 {
+  check_inertia(parameters, place);
+  check_contact_tangent(parameters, place, false);
   check_layer(parameters, place);
   check_plate(parameters, place);
   check_ground(parameters, place);
@@ -192,5 +197,6 @@ void check_subgrade(const Case &parameters, const Place &place)
   check_pulse(parameters, place);
   check_exchange(parameters, place);
   check_rows(parameters, place);
+  check_no_step_error(parameters, place);
 }
 } // namespace spall

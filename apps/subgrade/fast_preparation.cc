@@ -11,7 +11,7 @@ double Subgrade::preparation_time() const
   return pouring.expected_time(engine().parameters().gravity);
 }
 
-double Subgrade::fast_preparation()
+FastPreparation Subgrade::fast_preparation()
 {
   double preparing = 0.;
   if (now.stage == Stage::pouring)
@@ -24,7 +24,7 @@ double Subgrade::fast_preparation()
   if (now.stage == Stage::placing)
     start_loading();
   check_contacts();
-  return preparing;
+  return {.step = preparing};
 }
 
 /// What the pouring would come to, about, as far as the plate presses on it.

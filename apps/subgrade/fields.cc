@@ -1,4 +1,5 @@
 #include "case/list.h"
+#include "subgrade/kind.h"
 
 namespace spall
 {
@@ -69,7 +70,7 @@ void add_layer(List &list, LayerParameters &l)
 
 void add_plate(List &list, LoadPlateParameters &p)
 {
-  list.in("LoadPlate");
+  list.in("LoadPlate", after_preparation);
   list.add({"form", "-", "disc, or block: a sleeper."}, p.form,
            {"disc", "block"});
   list.add({"diameter", "m", "Diameter of a disc."}, p.diameter,
@@ -92,7 +93,7 @@ void add_plate(List &list, LoadPlateParameters &p)
 
 void add_ground(List &list, GroundParameters &g)
 {
-  list.in("Subgrade");
+  list.in("Subgrade", after_preparation);
   list.add_path(
       {"mesh", "-",
        "File of gmsh (.msh) with the hexahedra of the ground in metres, "
@@ -148,7 +149,7 @@ void add_ground(List &list, GroundParameters &g)
 
 void add_pulse(List &list, PulseParameters &p)
 {
-  list.in("Pulse");
+  list.in("Pulse", after_preparation);
   list.add(
       {"form", "-",
        "haversine, sine: cycles at a frequency; train: axles that pass; "
@@ -204,7 +205,7 @@ void add_pulse(List &list, PulseParameters &p)
 
 void add_record(List &list, RecordParameters &r)
 {
-  list.in("Record");
+  list.in("Record", {.decides_preparation = false, .may_change = true});
   list.add({"row_interval", "s",
             "Time between rows of history.csv while loading; ten times that "
             "before."},
@@ -213,12 +214,14 @@ void add_record(List &list, RecordParameters &r)
            r.frame_interval, between(0., 1e6));
   list.add({"checkpoint_interval", "s", "0: only at the end."},
            r.checkpoint_interval, between(0., 1e6));
+  list.in("Record", after_preparation);
   list.add({"stress_depths", "m",
             "Below the middle of the plate, where the vertical stress of the "
             "subgrade is written; empty: nowhere."},
            r.stress_depths);
   list.add({"highest_frequency", "Hz", "Highest frequency of transfer.csv."},
-           r.highest_frequency, between(0., 1e5));
+           r.highest_frequency, between(0., 1e5))
+      .may_change = true;
   list.add(
       {"slices", "-",
        "Slices by height of the particles below the plate in profile.csv."},
@@ -226,23 +229,15 @@ void add_record(List &list, RecordParameters &r)
 }
 } // namespace
 
-void add_subgrade(List &list, SubgradeParameters &s)
+void add_subgrade(List &list, Case &of)
 {
+  SubgradeParameters &s = of.subgrade;
   add_layer(list, s.layer);
   add_plate(list, s.plate);
   add_ground(list, s.ground);
   add_pulse(list, s.pulse);
   add_record(list, s.record);
-}
-
-void set_subgrade_defaults(Case &c)
-{
-  c.title = "plate on particles on a subgrade";
-  c.coupling.rules.particle_steps = 10;
-  c.time.fixed_step = 2e-6;
-  c.time.local_damping = 0.; // waves run
-  // Particles fall and roll, as in the drum of the Los Angeles test.
-  c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::sphere;
-  c.breakage.contacts = dem::EventContacts::all;
+  list.in("GroundContact");
+  add_wall(list, s.contact, between(0., 10.), "");
 }
 } // namespace spall

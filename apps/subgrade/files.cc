@@ -1,8 +1,8 @@
 #include "case/parameter.h"
-#include "laboratory/roundness_table.h"
 #include "subgrade/poured.h"
 #include "subgrade/quad_file.h"
 #include "subgrade/subgrade.h"
+#include "test/roundness_table.h"
 
 #include <dem/binary.h>
 #include <dem/measure/assembly.h>
@@ -30,7 +30,7 @@ void add_stresses(const std::vector<std::string> &names,
 
 void Subgrade::summarise(nlohmann::ordered_json &summary) const
 {
-  LabTest::summarise(summary);
+  Test::summarise(summary);
   summary["subgrade_cells"] = mesh_size.first;
   summary["subgrade_nodes"] = mesh_size.second;
   summary["exchange_gain_1"] = setup.gain->gain;
@@ -88,13 +88,13 @@ std::string Subgrade::preparation_text() const
 void Subgrade::save_prepared(std::ostream &out) const
 {
   pouring.save(out);
-  LabTest::save(out);
+  Test::save(out);
 }
 
 void Subgrade::take_prepared(std::istream &in)
 {
   pouring.restore(in);
-  LabTest::restore(in);
+  Test::restore(in);
   set_plate_down();
 }
 
@@ -108,7 +108,7 @@ void Subgrade::save(std::ostream &out) const
   dem::write_column(out, bowl);
   record.save(out);
   pouring.save(out);
-  LabTest::save(out);
+  Test::save(out);
   joined->save(out);
 }
 
@@ -128,7 +128,7 @@ void Subgrade::restore(std::istream &in)
     build_plate(now.plate_start);
   if (now.stage >= Stage::loading)
     balance_ground();
-  LabTest::restore(in);
+  Test::restore(in);
   joined->restore(in);
 }
 

@@ -6,15 +6,6 @@ namespace spall
 {
 namespace
 {
-/// Friction among particles is Layer/friction, and that of Particle for their
-/// last rest; damping is Layer/local_damping.
-constexpr CaseKey deciding[] = {
-    {"Layer"}, {"GroundContact"}, {"Particle", "friction"}};
-
-/// Of plate and ground what makes the top of the ground counts by that.
-constexpr CaseKey later[] = {
-    {"LoadPlate"}, {"Subgrade"}, {"Pulse"}, {"Record"}};
-
 std::string digest_of(const fem::SurfaceMesh &top, std::span<const double> mass)
 {
   Digest digest;
@@ -28,19 +19,12 @@ std::string digest_of(const fem::SurfaceMesh &top, std::span<const double> mass)
 }
 } // namespace
 
-const PreparationKeys &poured_keys()
-{
-  static const PreparationKeys keys(deciding, later);
-  return keys;
-}
-
 std::string poured_text(const Case &parameters, const ShapeLibrary &shapes,
                         const fem::SurfaceMesh &top,
                         std::span<const double> mass)
 {
-  return preparation_text(parameters, poured_keys(), shapes,
-                          parameters.subgrade.layer.safety,
-                          [](const Parameter &) { return false; }) +
+  return preparation_text(parameters, shapes,
+                          parameters.subgrade.layer.safety) +
          "top of the ground = " + digest_of(top, mass) + "\n";
 }
 } // namespace spall

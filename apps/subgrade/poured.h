@@ -1,6 +1,6 @@
 #pragma once
 
-#include "run/preparation_text.h"
+#include "test/preparation_text.h"
 
 #include <fem/surface_mesh.h>
 
@@ -8,9 +8,6 @@
 
 namespace spall
 {
-/// Every key of a case of kind subgrade is in one of the two lists.
-const PreparationKeys &poured_keys();
-
 /// All that decides the poured particles: while they fall the ground is held,
 /// so of it only the mesh of its top counts, with the masses of the nodes there
 /// [kg].

@@ -47,8 +47,8 @@ double sum_down(coupling::FieldView loads)
 Subgrade::Subgrade(const Case &c) : Subgrade(c, make_particle_box(c)) {}
 
 Subgrade::Subgrade(const Case &c, ParticleBox its_scene)
-    : LabTest(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
-              first_step(c, its_scene.limit)),
+    : Test(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
+           first_step(c, its_scene.limit)),
       scene(std::move(its_scene)),
       pouring(scene.room, pouring_parameters(c), scene.layers,
               static_cast<std::uint64_t>(c.subgrade.layer.seed)),
@@ -190,7 +190,7 @@ void Subgrade::move(double time_step)
   if (now.stage == Stage::loading && stage_before == Stage::placing)
     due_now = {true, true, parameters.subgrade.record.checkpoint_interval > 0.};
   if (due_now.row && now.stage >= Stage::loading)
-    take_row();
+    note_row();
 }
 
 /// Particles and plate: what carries them is what they weigh, and no particle
@@ -210,8 +210,11 @@ void Subgrade::place(double time_step)
 {
   exchange_window(*joined, joined->particle_steps() * time_step);
   const double spent = engine().time() - now.placed_at;
-  if (joined->n_windows() % rest_interval == 0 && spent > 2. * ramp &&
-      is_at_rest())
+  const bool is_asked =
+      joined->n_windows() % rest_interval == 0 && spent > 2. * ramp;
+  if (is_asked)
+    engine().synchronize();
+  if (is_asked && is_at_rest())
     start_loading();
   else if (spent > parameters.subgrade.layer.max_time)
     throw RunFailure("plate and particles are not at rest " +
@@ -222,6 +225,7 @@ void Subgrade::place(double time_step)
 
 void Subgrade::start_loading()
 {
+  engine().synchronize();
   const LayerParameters &layer = parameters.subgrade.layer;
   const dem::ParticleSystem &all = engine().particles();
   now.loaded_at = engine().time();
@@ -396,7 +400,7 @@ std::vector<double> Subgrade::stresses() const
   return solid ? axis.stresses(solid->solid()) : std::vector<double>();
 }
 
-void Subgrade::take_row()
+void Subgrade::note_row()
 {
   const dem::ParticleSystem &all = engine().particles();
   const double time = loading_time();
@@ -488,7 +492,7 @@ coupling::BodyEnergy Subgrade::body_energy() const
 std::vector<dem::BreakageEvent> Subgrade::fresh_events()
 {
   auto events = joined->take_events();
-  const auto last = LabTest::fresh_events();
+  const auto last = Test::fresh_events();
   events.insert(events.end(), last.begin(), last.end());
   return events;
 }

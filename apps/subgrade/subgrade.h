@@ -1,9 +1,9 @@
 #pragma once
 
-#include "laboratory/test.h"
 #include "subgrade/load.h"
 #include "subgrade/record.h"
 #include "subgrade/scene.h"
+#include "test/test.h"
 
 #include <dem/measure/roundness_book.h>
 #include <fem/ground_axis.h>
@@ -14,7 +14,7 @@ namespace spall
 /// ground that is held and come to rest; the plate is set down on them and
 /// comes to rest; then the ground is let go, in balance with what lies on it,
 /// and the pulses come. Settlement and breakage count from there.
-class Subgrade : public LabTest
+class Subgrade : public Test
 {
 public:
   /// Throws InputError.
@@ -47,7 +47,7 @@ public:
   }
   void describe() const override;
   double preparation_time() const override;
-  double fast_preparation() override;
+  FastPreparation fast_preparation() override;
   int steps_in_move() const override;
 
 private:
@@ -108,7 +108,7 @@ private:
   std::vector<double> stresses() const;
   bool is_at_rest() const;
   void note_due(double before);
-  void take_row();
+  void note_row();
   fem::PlateLoad plate_load(double body_time) const;
   double loading_time() const;
   double plate_settlement() const;
@@ -121,7 +121,7 @@ private:
   double density() const;
   void note_roundness(double time); ///< of loading [s]
 
-  ParticleBox scene; ///< its engine is with LabTest
+  ParticleBox scene; ///< its engine is with Test
   dem::Pouring pouring;
   SetupStep setup;
   SubgradeLoad pulses;

@@ -24,9 +24,9 @@ void Triaxial::consolidate()
   // The first half hands over from the planes to the membrane, or from one
   // pressure to the other; the second half is rest.
   const double done =
-      static_cast<double>(pace.ticks()) + pace.share_after_step();
+      static_cast<double>(schedule.intervals()) + schedule.share_after_step();
   const double share =
-      std::min(1., 2. * done / static_cast<double>(stage_ticks));
+      std::min(1., 2. * done / static_cast<double>(stage_intervals));
   const double from = parameters.preparation.pressure,
                to = parameters.loading.confining_pressure;
   const double isotropic = std::lerp(from, to, share);
@@ -40,9 +40,10 @@ void Triaxial::consolidate()
       servo.follow(d, isotropic);
   cell->set_drive(-isotropic * area);
   step_boundaries();
-  if (pace.ticks() < stage_ticks)
+  if (schedule.intervals() < stage_intervals)
     return;
-  const bool is_first = pace.ticks() == stage_ticks && pace.is_on_sample();
+  const bool is_first =
+      schedule.intervals() == stage_intervals && schedule.is_on_sample();
   if ((is_first || in_stage % rest_interval == 0) && is_consolidated())
     begin_loading();
   else if (consolidation.time > parameters.loading.consolidation_time +
@@ -54,23 +55,25 @@ void Triaxial::consolidate()
 /// change the load by sqrt(kinetic / elastic energy).
 bool Triaxial::is_consolidated()
 {
+  engine().synchronize();
   const LoadingParameters &l = parameters.loading;
   const fem::RigidPlate &plate = cell->plate();
   consolidation.time = engine().time() - preparation.time;
   consolidation.load_error =
       std::abs(plate.resultant()) / (l.confining_pressure * area);
-  consolidation.swing = std::sqrt(plate.kinetic_energy() /
-                                  std::max(engine().energy().elastic, 1e-300));
+  consolidation.motion_error = std::sqrt(
+      plate.kinetic_energy() / std::max(engine().energy().elastic, 1e-300));
   consolidation.unbalanced_ratio =
       dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
   if (!cell->has_membrane())
   {
-    const dem::Vec3 stress = dem::box_stress(engine(), specimen.walls);
+    const dem::Vec3 stress = dem::box_stress(engine(), box);
     consolidation.side_error =
         (stress.head<2>().array() / l.confining_pressure - 1.).abs().maxCoeff();
   }
-  const double error = std::max({consolidation.load_error, consolidation.swing,
-                                 consolidation.side_error});
+  const double error =
+      std::max({consolidation.load_error, consolidation.motion_error,
+                consolidation.side_error});
   return is_rough ||
          (error < l.consolidation_stress_tolerance &&
           consolidation.unbalanced_ratio < l.consolidation_unbalanced_ratio);
@@ -84,7 +87,7 @@ std::string Triaxial::unconsolidated_text() const
   text << "specimen is not at rest within Loading/consolidation_max_time = "
        << l.consolidation_max_time << " s: load on the plate off by "
        << consolidation.load_error << " and by its motion "
-       << consolidation.swing << ", stress on rigid sides off by "
+       << consolidation.motion_error << ", stress on rigid sides off by "
        << consolidation.side_error
        << " (Loading/consolidation_stress_tolerance = "
        << l.consolidation_stress_tolerance << "), unbalanced force ratio "
@@ -107,6 +110,7 @@ void Triaxial::begin_loading()
   engine().set_breaking(parameters.breakage.is_active);
   servo.follow_load();
   watch.report(engine(), surroundings(), time_step());
+  say(consolidated_text());
   if (parameters.loading.form == LoadForm::compression)
     hold_plate();
   enter(Stage::loading);
@@ -122,10 +126,10 @@ void Triaxial::open_sides(double share)
       servo.release(engine(), d);
   if (share < 1.)
     return;
-  if (specimen.walls.is_round())
+  if (box.is_round())
     return put_side_away();
   for (std::size_t d = 0; d < 2; ++d)
-    for (const std::size_t plane : specimen.walls.planes[d])
+    for (const std::size_t plane : box.planes[d])
       if (dem::planes(engine())[plane].is_active)
         dem::deactivate_plane(engine(), plane);
 }

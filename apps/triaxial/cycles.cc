@@ -1,16 +1,21 @@
 #include "triaxial/cycles.h"
 
+#include "triaxial/triaxial.h"
+
 #include <dem/binary.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace spall
 {
 namespace
 {
+constexpr const char *cycles_file = "cycles.csv";
+
 struct CycleColumn
 {
   const char *name; ///< name_unit
@@ -68,22 +73,31 @@ double deviator(const Sample &row)
 }
 } // namespace
 
-CycleRecorder::CycleRecorder(const Case &parameters,
-                             std::filesystem::path run_folder)
-    : is_cyclic(parameters.loading.form == LoadForm::haversine),
-      folder(std::move(run_folder))
+CycleRecorder::CycleRecorder(const Case &parameters)
+    : is_cyclic(parameters.loading.form == LoadForm::haversine)
 {
 }
 
-void CycleRecorder::start()
+std::vector<TableHeader> CycleRecorder::tables() const
 {
-  if (is_cyclic)
-    file.open(folder / "cycles.csv", cycles_header());
+  if (!is_cyclic)
+    return {};
+  return {{cycles_file, cycles_header()}};
+}
+
+std::vector<TableRow> CycleRecorder::take_rows()
+{
+  return std::exchange(rows, {});
+}
+
+std::vector<NamedText> CycleRecorder::take_files()
+{
+  return std::exchange(files, {});
 }
 
 void CycleRecorder::take(const Triaxial &test, const Sample &row)
 {
-  if (test.ticks() == 0)
+  if (test.intervals() == 0)
   {
     state.start = network_state(test);
     state.skin = coupling::skin_of(test.enclosed());
@@ -92,10 +106,12 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
   }
   state.packed_end = {}; // that of a loading that goes on
   state.loop.add(row.axial_strain, deviator(row));
-  if (test.ticks() % test.ticks_per_cycle() != 0)
+  if (test.intervals() % test.intervals_per_cycle() != 0)
     return;
   end_cycle(test, row);
   begin_cycle(row);
+  if (test.is_complete())
+    state.packed_end = note_profiles(test, "end");
 }
 
 void CycleRecorder::take_peak(const Triaxial &test)
@@ -143,26 +159,21 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
   for (const NetworkState *when : {&last.rest, &last.peak})
     for (const NetworkColumn &column : network_columns)
       values.push_back(when->*column.value);
-  file.write_row(values);
+  rows.push_back({cycles_file, std::move(values)});
 }
 
-CycleRecorder::Packed
-CycleRecorder::note_profiles(const Triaxial &test,
-                             const std::string &when) const
+CycleRecorder::Packed CycleRecorder::note_profiles(const Triaxial &test,
+                                                   const std::string &when)
 {
   const dem::BoundaryProfile profile =
       coupling::boundary_profile(test.enclosed());
-  write_profile(folder / ("boundary_profile_" + when + ".csv"), profile);
+  files.push_back(
+      {"boundary_profile_" + when + ".csv", profile_table(profile)});
   const std::vector<double> areas = coupling::section_areas(test.enclosed());
-  write_sections(folder / ("sections_" + when + ".csv"), areas);
+  files.push_back({"sections_" + when + ".csv", sections_table(areas)});
   return {profile.porosity_skin, profile.porosity_inside,
           profile.coordination_skin, profile.coordination_inside,
           test.membrane() ? dem::bulge_of(areas) : 0.};
-}
-
-void CycleRecorder::finish(const Triaxial &test)
-{
-  state.packed_end = note_profiles(test, "end");
 }
 
 void CycleRecorder::add_to(nlohmann::ordered_json &summary) const
@@ -214,20 +225,13 @@ void CycleRecorder::add_to(nlohmann::ordered_json &summary) const
   }
 }
 
-void CycleRecorder::save(std::ostream &out)
+void CycleRecorder::save(std::ostream &out) const
 {
   dem::write_value(out, state);
-  if (is_cyclic)
-    dem::write_value(out, file.flushed_size());
 }
 
 void CycleRecorder::restore(std::istream &in)
 {
   dem::read_value(in, state);
-  if (!is_cyclic)
-    return;
-  std::uint64_t size = 0;
-  dem::read_value(in, size);
-  file.resume(folder / "cycles.csv", size);
 }
 } // namespace spall

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "run/csv_file.h"
+#include "case/case.h"
+#include "test/test.h"
 #include "triaxial/network_state.h"
+#include "triaxial/sample.h"
 
 #include <dem/measure/hysteresis.h>
 
@@ -30,21 +32,22 @@ struct CycleRow
 class CycleRecorder
 {
 public:
-  CycleRecorder(const Case &parameters, std::filesystem::path folder);
+  explicit CycleRecorder(const Case &parameters);
 
-  void start();
-  /// Takes in a row of the history while loading, at a tick: begins and ends
-  /// cycles, writes the profile where loading begins.
+  /// cycles.csv, of cyclic loading alone.
+  std::vector<TableHeader> tables() const;
+  std::vector<TableRow> take_rows(); ///< of it, since the last call
+  /// Profiles since the last call.
+  std::vector<NamedText> take_files();
+  /// Takes in a row of the history while loading, at a interval: begins and
+  /// ends cycles, notes the profiles where loading begins and ends.
   void take(const Triaxial &test, const Sample &row);
-  /// The tick half through a cycle.
+  /// The interval half through a cycle.
   void take_peak(const Triaxial &test);
-  /// The loading is over.
-  void finish(const Triaxial &test);
-
   /// Adds the last cycle, the contacts and the porosities.
   void add_to(nlohmann::ordered_json &summary) const;
 
-  void save(std::ostream &out); ///< and the size of the file
+  void save(std::ostream &out) const;
   void restore(std::istream &in);
 
 private:
@@ -58,8 +61,8 @@ private:
     double coordination_skin = 0., coordination_inside = 0.;
     double bulge = 0.;
   };
-  /// Writes the profiles of this moment to files, `when` in their names.
-  Packed note_profiles(const Triaxial &test, const std::string &when) const;
+  /// The profiles of this moment become files, `when` in their names.
+  Packed note_profiles(const Triaxial &test, const std::string &when);
 
   /// Plain data for the checkpoint.
   struct State
@@ -75,8 +78,8 @@ private:
   };
 
   bool is_cyclic;
-  std::filesystem::path folder;
-  CsvFile file; ///< of cyclic loading alone
   State state;
+  std::vector<TableRow> rows;
+  std::vector<NamedText> files;
 };
 } // namespace spall

@@ -40,13 +40,12 @@ double Triaxial::preparation_time() const
 FastPreparation Triaxial::fast_preparation()
 {
   if (now != Stage::preparation)
-    return {.was_prepared = true};
+    return {};
   const SpecimenParameters &s = parameters.specimen;
   const double shrink = std::cbrt(s.initial_solid_fraction / s.solid_fraction);
   const bool has_surfaces = engine().particles().follows_surfaces;
   const double target = parameters.preparation.pressure;
-  const auto stress = [this]
-  { return dem::box_stress(engine(), specimen.walls).mean(); };
+  const auto stress = [this] { return dem::box_stress(engine(), box).mean(); };
   if (has_surfaces)
     draw_gently(engine(), shrink, time_step(),
                 [&] { return stress() >= target; });
@@ -69,8 +68,9 @@ FastPreparation Triaxial::fast_preparation()
       });
   is_rough = true;
   engine().synchronize();
-  watch.look(engine(), {}, time_step());
-  result.step = time_particles(engine(), time_step());
+  watch.update(engine(), {}, time_step());
+  result.step = time_step();
+  result.cost = time_particles(engine(), time_step());
   hand_over();
   return result;
 }

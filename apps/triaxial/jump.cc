@@ -14,6 +14,26 @@ constexpr double steps_in_cycle = 100.;
 constexpr double rest_after_way = 1e-3; // [s]
 } // namespace
 
+Rewind Triaxial::rewind() const
+{
+  switch (plan.due())
+  {
+  case coupling::JumpStep::save_state:
+    return Rewind::save_state;
+  case coupling::JumpStep::restore_state:
+    return Rewind::restore_state;
+  default:
+    return Rewind::none;
+  }
+}
+
+void Triaxial::go_back(const std::function<void()> &restore_kept)
+{
+  const coupling::JumpPlan refused = plan;
+  restore_kept();
+  shorten_jump(refused);
+}
+
 void Triaxial::shorten_jump(const coupling::JumpPlan &refused)
 {
   plan.shorten(refused);
@@ -42,17 +62,17 @@ void Triaxial::begin_damage_cycles()
     coupling::calm_rattlers(engine(), mean_motion);
   }
   plan.begin();
-  pace.skip(plan.skipping() * cycle_ticks);
+  schedule.skip(plan.skipping() * cycle_intervals);
   engine().set_time(engine().time() + plan.skipping() * period());
   engine().set_repetitions(plan.repetitions());
 }
 
 void Triaxial::after_sample()
 {
-  const std::int64_t tick = pace.ticks() % cycle_ticks;
-  if (tick == 0)
+  const std::int64_t interval = schedule.intervals() % cycle_intervals;
+  if (interval == 0)
     end_cycle();
-  else if (tick == cycle_ticks / 2 && plan.is_landing())
+  else if (interval == cycle_intervals / 2 && plan.is_landing())
     extrapolate();
 }
 
@@ -108,5 +128,6 @@ void Triaxial::hold_load(double length)
     cell->set_drive(drive);
     exchange_window(window);
   }
+  engine().synchronize();
 }
 } // namespace spall

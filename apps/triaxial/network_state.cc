@@ -1,7 +1,7 @@
 #include "triaxial/network_state.h"
 
 #include "run/csv_file.h"
-#include "run/whole_file.h"
+#include "triaxial/triaxial.h"
 
 #include <limits>
 
@@ -14,8 +14,7 @@ NetworkState network_state(const Triaxial &test)
                                  {sample.axial_stress, sample.lateral_stress});
 }
 
-void write_profile(const std::filesystem::path &path,
-                   const dem::BoundaryProfile &profile)
+std::string profile_table(const dem::BoundaryProfile &profile)
 {
   const dem::LayerProfile &lateral = profile.lateral,
                           &platens = profile.platens;
@@ -36,17 +35,16 @@ void write_profile(const std::filesystem::path &path,
                           : std::numeric_limits<double>::quiet_NaN());
     text += csv_row(row);
   }
-  write_text(path, text);
+  return text;
 }
 
-void write_sections(const std::filesystem::path &path,
-                    std::span<const double> areas)
+std::string sections_table(std::span<const double> areas)
 {
   std::string text = "height_share_1,section_m2\n";
   for (std::size_t k = 0; k < areas.size(); ++k)
     text += csv_row(
         {(static_cast<double>(k) + 0.5) / static_cast<double>(areas.size()),
          areas[k]});
-  write_text(path, text);
+  return text;
 }
 } // namespace spall

@@ -1,17 +1,16 @@
 #pragma once
 
-#include "triaxial/triaxial.h"
-
 #include <coupling/network_state.h>
 
 #include <array>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace spall
 {
+class Triaxial;
+
 using coupling::NetworkState;
 
 /// A column or key of NetworkState: name, `when`, unit.
@@ -48,12 +47,9 @@ inline constexpr std::array<NetworkColumn, 16> network_columns = {
 /// While loading.
 NetworkState network_state(const Triaxial &test);
 
-/// coupling::boundary_profile() as a CSV file. Throws RunFailure.
-void write_profile(const std::filesystem::path &path,
-                   const dem::BoundaryProfile &profile);
+/// coupling::boundary_profile() as a CSV table.
+std::string profile_table(const dem::BoundaryProfile &profile);
 
-/// coupling::section_areas() over the share of the height as a CSV file. Throws
-/// RunFailure.
-void write_sections(const std::filesystem::path &path,
-                    std::span<const double> areas);
+/// coupling::section_areas() over the share of the height as a CSV table.
+std::string sections_table(std::span<const double> areas);
 } // namespace spall

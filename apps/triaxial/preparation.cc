@@ -4,49 +4,25 @@ namespace spall
 {
 namespace
 {
-/// Friction among particles is Preparation/friction until the loading
-/// boundaries are there, damping Preparation/local_damping.
-constexpr CaseKey deciding[] = {
-    {"Specimen"}, {"Preparation"}, {"Boundary", "servo_response_time"}};
-
-constexpr CaseKey later[] = {
-    {"Particle", "friction"},
-    {"Boundary", "lateral"},
-    {"Boundary", "mesh"},
-    {"Boundary", "elements_per_side"},
-    {"Boundary", "elements_around"},
-    {"Boundary", "refined"},
-    {"Boundary", "servo_yielding"},
-    {"Boundary", "servo_dead_band"},
-    {"Boundary", "plate_mass"},
-    {"Loading"},
-    {"CycleJump"},
-    {"Output"},
-};
-
 /// Of the choices that a case makes, the keys it then has no use for.
-bool is_unused(const Case &of, const Parameter &parameter)
+std::vector<std::string> unused_keys(const Case &of)
 {
-  if (CaseKey{"Preparation", "porosity"}.names(parameter))
-    return of.preparation.target == PreparationTarget::pressure;
-  const bool is_box = of.specimen.form == SpecimenForm::box;
-  if (CaseKey{"Specimen", "side"}.names(parameter))
-    return !is_box;
-  return is_box && (CaseKey{"Specimen", "diameter"}.names(parameter) ||
-                    CaseKey{"Specimen", "height"}.names(parameter));
+  // Until the loading boundaries are there, friction among particles is
+  // Preparation/friction.
+  std::vector<std::string> keys = {"Particle/friction"};
+  if (of.preparation.target == PreparationTarget::pressure)
+    keys.push_back("Preparation/porosity");
+  if (of.specimen.form == SpecimenForm::box)
+    keys.insert(keys.end(), {"Specimen/diameter", "Specimen/height"});
+  else
+    keys.push_back("Specimen/side");
+  return keys;
 }
 } // namespace
 
-const PreparationKeys &preparation_keys()
+std::string specimen_text(const Case &parameters, const ShapeLibrary &shapes)
 {
-  static const PreparationKeys keys(deciding, later);
-  return keys;
-}
-
-std::string preparation_text(const Case &parameters, const ShapeLibrary &shapes)
-{
-  return preparation_text(
-      parameters, preparation_keys(), shapes, parameters.preparation.safety,
-      [&](const Parameter &key) { return is_unused(parameters, key); });
+  return preparation_text(parameters, shapes, parameters.preparation.safety,
+                          unused_keys(parameters));
 }
 } // namespace spall

@@ -1,13 +1,9 @@
 #pragma once
 
-#include "run/preparation_text.h"
+#include "test/preparation_text.h"
 
 namespace spall
 {
-/// Every key of a triaxial test is in one of the two lists.
-const PreparationKeys &preparation_keys();
-
 /// All that decides the prepared specimen of a triaxial test.
-std::string preparation_text(const Case &parameters,
-                             const ShapeLibrary &shapes);
+std::string specimen_text(const Case &parameters, const ShapeLibrary &shapes);
 } // namespace spall

@@ -25,9 +25,9 @@ constexpr double least_friction = 1e-3, porosity_tolerance = 0.005; // [-]
 
 void Triaxial::prepare()
 {
-  servo.update(engine(), pace.step());
-  engine().advance_deferred(pace.step());
-  pace.count();
+  servo.update(engine(), schedule.step());
+  engine().advance_deferred(schedule.step());
+  schedule.count();
   ++in_stage;
   if (in_stage % rest_interval == 0 && is_prepared())
     finish_preparation();
@@ -93,9 +93,9 @@ void Triaxial::finish_preparation()
         ", Preparation/porosity = " + number_text(target.porosity) +
         " is not met with Preparation/friction = " +
         number_text(target.friction) + ": must be higher");
-  if (call_prepared)
-    call_prepared();
+  say_prepared();
   hand_over();
+  say(prepared_text());
 }
 
 std::string Triaxial::unprepared_text() const
@@ -121,7 +121,7 @@ std::string Triaxial::unprepared_text() const
 
 bool Triaxial::is_at_rest()
 {
-  preparation.stress = dem::box_stress(engine(), specimen.walls);
+  preparation.stress = dem::box_stress(engine(), box);
   preparation.unbalanced_ratio =
       dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
   const PreparationParameters &limits = parameters.preparation;
@@ -137,7 +137,7 @@ void Triaxial::save_prepared(std::ostream &out) const
 {
   dem::write_value(out, watch.state());
   dem::write_value(out, preparation);
-  engine().save(out, specimen.shapes);
+  engine().save(out, shapes);
   servo.save(out);
 }
 
@@ -148,9 +148,11 @@ void Triaxial::take_prepared(std::istream &in)
   watch.set_state(record);
   dem::read_value(in, preparation);
   preparation.is_taken = 1;
-  engine().restore(in, specimen.shapes);
+  engine().restore(in, shapes);
   servo.restore(in);
   hand_over();
+  say(prepared_text());
+  note_due();
 }
 
 /// From the walls to what closes the specimen from now on.
@@ -162,8 +164,8 @@ void Triaxial::hand_over()
 
 void Triaxial::place_boundaries()
 {
-  std::tie(lower, upper) = dem::box_corners(engine(), specimen.walls);
-  area = dem::box_section(engine(), specimen.walls);
+  std::tie(lower, upper) = dem::box_corners(engine(), box);
+  area = dem::box_section(engine(), box);
   if (refines_membrane())
     pressed = coupling::pressed_quads(lateral_mesh(parameters, lower, upper),
                                       dem::contact_network_of(engine()));
@@ -176,7 +178,7 @@ void Triaxial::place_boundaries()
                        parameters.contact.skin);
   plane_work_gone = top_plane().work;
   build_cell();
-  if (specimen.walls.is_round() && membrane())
+  if (box.is_round() && membrane())
     area = volume() / (upper.z() - lower.z()); // many flat sides
   cell->set_plate({upper.z(), 0., -parameters.preparation.pressure * area,
                    top_plane().force.z(), 0.});

@@ -45,32 +45,32 @@ int Triaxial::steps_in_window() const
       .particle_steps;
 }
 
-/// Of the particles, in a step of the pace.
-int Triaxial::steps_in_pace() const
+/// Of the particles, in a step of the schedule.
+int Triaxial::steps_in_move() const
 {
   return now == Stage::preparation ? 1 : steps_in_window();
 }
 
 double Triaxial::time_step() const
 {
-  return pace.step() / steps_in_pace();
+  return schedule.step() / steps_in_move();
 }
 
 Surroundings Triaxial::surroundings() const
 {
   return {joined.get(), cell && cell->has_membrane() ? cell : nullptr,
-          setup.window, steps_in_pace()};
+          setup.window, steps_in_move()};
 }
 
 double Triaxial::exchange_gain() const
 {
-  return joined ? joined->gain(engine(), pace.step()) : 0.;
+  return joined ? joined->gain(engine(), schedule.step()) : 0.;
 }
 
-/// Of the pace: of particles in the preparation, of windows from then on.
+/// Of the schedule: of particles in the preparation, of windows from then on.
 double Triaxial::longest_step() const
 {
-  const int n = steps_in_pace();
+  const int n = steps_in_move();
   if (watch.is_fixed())
     return n * setup.step;
   const double allowed = n * watch.state().longest;
@@ -80,51 +80,53 @@ double Triaxial::longest_step() const
 /// What is due before a step: a look at the contacts, a probe.
 void Triaxial::settle_step()
 {
-  if (watch.is_due(engine().n_steps() / steps_in_pace()))
+  if (watch.is_due(engine().n_steps() / steps_in_move()))
   {
     engine().synchronize();
-    watch.look(engine(), surroundings(), time_step());
+    watch.update(engine(), surroundings(), time_step());
     // The steps of a probe stay as they are: they are to meet.
     if (!watch.is_fixed() && probe.fine_left == 0)
-      pace.replan(longest_step());
+      schedule.replan(longest_step());
   }
   if (now != Stage::loading)
     return;
-  if (parameters.time.step == StepRule::error && pace.is_on_sample())
+  if (parameters.time.step == StepRule::error && schedule.is_on_sample())
     start_probe();
   watch.note_used(time_step());
 }
 
 /// A run may go on with other steps where a load cycle ends.
-void Triaxial::resume_pace(const TimeParameters &then, std::int64_t ticks_then)
+void Triaxial::resume_schedule(const TimeParameters &then,
+                               std::int64_t intervals_then)
 {
-  if (then.step == parameters.time.step && cycle_ticks == ticks_then &&
+  if (then.step == parameters.time.step && cycle_intervals == intervals_then &&
       (!is_fixed() || then.fixed_step == parameters.time.fixed_step))
     return;
-  if (now < Stage::loading || !pace.is_on_sample() ||
-      pace.ticks() % ticks_then != 0)
+  if (now < Stage::loading || !schedule.is_on_sample() ||
+      schedule.intervals() % intervals_then != 0)
     throw std::runtime_error(
         "is not at the end of a load cycle: Time/step, Time/fixed_step and "
         "(rules stable and error) Output/samples_per_cycle must be as before");
   probe = {};
   watch.set_state(StepWatch(parameters.time, setup.cap).state());
-  watch.look(engine(), surroundings(), setup.step);
-  pace.begin(period() / static_cast<double>(cycle_ticks), longest_step(),
-             pace.ticks() / ticks_then * cycle_ticks);
+  watch.update(engine(), surroundings(), setup.step);
+  schedule.begin(period() / static_cast<double>(cycle_intervals),
+                 longest_step(),
+                 schedule.intervals() / intervals_then * cycle_intervals);
 }
 
 /// Runs ahead with the present step, comes back, and halves the step.
 void Triaxial::start_probe()
 {
-  probe.n_coarse = std::min(probe_steps, pace.steps_to_sample());
-  probe.coarse_step = pace.step();
+  probe.n_coarse = std::min(probe_steps, schedule.steps_to_sample());
+  probe.coarse_step = schedule.step();
   probe.coarse = probe.fine = {};
   Sample energies;
   add_energies(energies);
   probe.residual_start = energies.energy_residual;
   probe.work_start = energies.external_work;
   // Restoring drops the events that nobody has taken yet.
-  held_events = take_events();
+  held_events = fresh_events();
   std::stringstream state;
   timed(probing, [&] { save(state); });
   coupling::ProbeWindow coarse;
@@ -133,13 +135,14 @@ void Triaxial::start_probe()
     load();
     gather(coarse);
   }
+  engine().synchronize();
   close_window(coarse);
   timed(probing, [&] { restore(state); });
   stopped_by.clear(); // if at all, the run comes there itself
   probe.coarse = coarse;
   probe.fine_left = 2 * probe.n_coarse;
   probe.n_extra_steps += probe.n_coarse;
-  pace.replan(0.5 * probe.coarse_step);
+  schedule.replan(0.5 * probe.coarse_step);
 }
 
 /// After a step: the finer run of a probe goes on, or is compared.
@@ -151,16 +154,17 @@ void Triaxial::follow_probe()
     gather(probe.fine);
   if (probe.fine_left > 0)
     return;
+  engine().synchronize();
   close_window(probe.fine);
   const double before = longest_step();
   const double duration =
       static_cast<double>(probe.n_coarse) * probe.coarse_step;
   adapt({parameters.time.force_tolerance, parameters.time.energy_tolerance},
         {duration, watch.state().longest, probe.fine.stored / period(),
-         static_cast<int>(cycle_ticks)},
+         static_cast<int>(cycle_intervals)},
         probe);
   // The limit of the contacts may have come down while the probe ran.
-  pace.replan(longest_step());
+  schedule.replan(longest_step());
   const double change = longest_step() / before;
   const coupling::StepErrors errors = errors_of(probe);
   if (change > 0.8 && change < 1.25)
@@ -180,11 +184,11 @@ void Triaxial::gather(coupling::ProbeWindow &window) const
   if (membrane())
     for (const dem::Vec3 &load : dem::surface(particles).load)
       window.lateral += load.norm();
-  else if (specimen.walls.is_round())
+  else if (box.is_round())
     window.lateral += dem::drum(particles).thrust;
   else
     for (std::size_t d = 0; d < 2; ++d)
-      for (const std::size_t plane : specimen.walls.planes[d])
+      for (const std::size_t plane : box.planes[d])
         window.lateral += dem::planes(particles)[plane].force.norm();
 }
 
@@ -197,7 +201,7 @@ void Triaxial::close_window(coupling::ProbeWindow &window) const
   window.stored = energies.elastic_energy + energies.membrane_strain_energy;
 }
 
-std::vector<dem::BreakageEvent> Triaxial::take_events()
+std::vector<dem::BreakageEvent> Triaxial::fresh_events()
 {
   auto events = std::exchange(held_events, {});
   const auto take = [&events](const std::vector<dem::BreakageEvent> &more)

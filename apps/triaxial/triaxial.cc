@@ -1,14 +1,14 @@
 #include "triaxial/triaxial.h"
 
-#include "run/checkpoint.h"
 #include "run/digest.h"
-#include "run/warnings.h"
+#include "test/checkpoint.h"
 #include "triaxial/preparation.h"
 
 #include <dem/binary.h>
 #include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -31,21 +31,22 @@ double haversine(double phase)
 }
 } // namespace
 
-Triaxial::Triaxial(const Case &c)
-    : parameters(c), specimen(make_specimen(c)),
-      servo(specimen.walls, servo_parameters(c)),
-      setup(choose_step(c, *specimen.engine)),
-      watch(
-          step_rule(),
-          dem::critical_step(engine().parameters(), engine().particles()).step),
-      cycle_ticks(is_fixed() ? std::llround(c.loading.period() /
-                                            (setup.step * steps_in_window()))
-                             : c.output.samples_per_cycle),
-      n_cycles(c.loading.n_cycles()), plan(c.cycle_jump, n_cycles)
+Triaxial::Triaxial(const Case &c) : Triaxial(c, make_specimen(c)) {}
+
+Triaxial::Triaxial(const Case &c, Specimen specimen)
+    : Test(c, std::move(specimen.shapes), std::move(specimen.engine), 0.),
+      box(specimen.walls), servo(box, servo_parameters(c)),
+      setup(choose_step(c, engine())),
+      cycle_intervals(is_fixed()
+                          ? std::llround(c.loading.period() /
+                                         (setup.step * steps_in_window()))
+                          : c.output.samples_per_cycle),
+      n_cycles(c.loading.n_cycles()), plan(c.cycle_jump, n_cycles), cycles(c),
+      rest(c.preparation.unbalanced_ratio)
 {
-  const std::string text = preparation_text(c, specimen.shapes);
+  watch = StepWatch(step_rule(), step_limit().step);
   Digest digest;
-  digest.add(text);
+  digest.add(preparation_text());
   preparation.hash = digest.value();
   enter(Stage::preparation);
   engine().set_breaking(false);
@@ -53,19 +54,29 @@ Triaxial::Triaxial(const Case &c)
     servo.follow(d, c.preparation.pressure);
 }
 
+std::string Triaxial::preparation_text() const
+{
+  return specimen_text(parameters, shapes);
+}
+
+void Triaxial::stop_after(int cycles_asked)
+{
+  n_cycles = std::min(cycles_asked, parameters.loading.n_cycles());
+}
+
 double Triaxial::period() const
 {
-  return is_fixed()
-             ? static_cast<double>(cycle_ticks) * setup.step * steps_in_window()
-             : parameters.loading.period();
+  return is_fixed() ? static_cast<double>(cycle_intervals) * setup.step *
+                          steps_in_window()
+                    : parameters.loading.period();
 }
 
 double Triaxial::cycle() const
 {
   if (now < Stage::loading)
     return 0.;
-  return (static_cast<double>(pace.ticks()) + pace.share_done()) /
-         static_cast<double>(cycle_ticks);
+  return (static_cast<double>(schedule.intervals()) + schedule.share_done()) /
+         static_cast<double>(cycle_intervals);
 }
 
 void Triaxial::advance()
@@ -77,14 +88,17 @@ void Triaxial::advance()
     begin_damage_cycles();
   settle_step();
   const bool is_loading = now == Stage::loading;
-  step_stage();
-  if (is_loading && pace.is_on_sample())
+  move(time_step());
+  if (schedule.is_on_sample())
+    engine().synchronize();
+  if (is_loading && schedule.is_on_sample())
     after_sample();
+  note_due();
   if (!stopped_by.empty())
     throw coupling::GuardStop(std::exchange(stopped_by, {}));
 }
 
-void Triaxial::step_stage()
+void Triaxial::move(double)
 {
   switch (now)
   {
@@ -107,14 +121,15 @@ void Triaxial::enter(Stage next)
   watch.follow(step_rule());
   const double step = longest_step();
   if (next == Stage::preparation)
-    return pace.begin(std::numeric_limits<double>::infinity(), step);
+    return schedule.begin(std::numeric_limits<double>::infinity(), step);
   if (next == Stage::loading)
-    return pace.begin(period() / static_cast<double>(cycle_ticks), step);
+    return schedule.begin(period() / static_cast<double>(cycle_intervals),
+                          step);
   // Consolidation: two halves, or as many steps as come near to its length.
   const double length = parameters.loading.consolidation_time;
-  stage_ticks =
+  stage_intervals =
       is_fixed() ? std::max<std::int64_t>(2, std::llround(length / step)) : 2;
-  pace.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
+  schedule.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
 }
 
 bool Triaxial::refines_membrane() const
@@ -149,9 +164,8 @@ void Triaxial::build_cell()
   watch.set_cap(setup.cap);
   joined = std::make_unique<coupling::Exchange>(
       c.exchange_rules(parameters.boundary.lateral));
-  std::unique_ptr<coupling::InterfaceAdapter> adapter =
-      coupling::adapter_of(*cell, specimen.walls.planes[2][1],
-                           parameters.membrane_contact, engine());
+  std::unique_ptr<coupling::InterfaceAdapter> adapter = coupling::adapter_of(
+      *cell, box.planes[2][1], parameters.membrane_contact, engine());
   joined->add(std::move(body), std::move(adapter), engine());
 }
 
@@ -166,12 +180,12 @@ coupling::CoupledParticles Triaxial::particles()
           },
           [this](std::ostream &out)
           {
-            engine().save(out, specimen.shapes);
+            engine().save(out, shapes);
             servo.save(out);
           },
           [this](std::istream &in)
           {
-            engine().restore(in, specimen.shapes);
+            engine().restore(in, shapes);
             servo.restore(in);
           }};
 }
@@ -179,9 +193,10 @@ coupling::CoupledParticles Triaxial::particles()
 void Triaxial::load()
 {
   const LoadingParameters &loading = parameters.loading;
-  const double phase = (static_cast<double>(pace.ticks() % cycle_ticks) +
-                        pace.share_after_step()) /
-                       static_cast<double>(cycle_ticks);
+  const double phase =
+      (static_cast<double>(schedule.intervals() % cycle_intervals) +
+       schedule.share_after_step()) /
+      static_cast<double>(cycle_intervals);
   if (loading.form == LoadForm::compression)
     cell->set_acceleration(plate_acceleration());
   else
@@ -190,7 +205,8 @@ void Triaxial::load()
         area);
   step_boundaries();
   // A jump may have passed the end that was asked for.
-  if (pace.ticks() >= n_cycles * cycle_ticks && pace.ticks() % cycle_ticks == 0)
+  if (schedule.intervals() >= n_cycles * cycle_intervals &&
+      schedule.intervals() % cycle_intervals == 0)
     now = Stage::done;
 }
 
@@ -208,8 +224,8 @@ double Triaxial::plate_acceleration() const
 
 void Triaxial::step_boundaries()
 {
-  exchange_window(pace.step());
-  pace.count();
+  exchange_window(schedule.step());
+  schedule.count();
   ++in_stage;
 }
 
@@ -219,7 +235,7 @@ void Triaxial::exchange_window(double window)
     cell->set_pressure(pressure);
   try
   {
-    joined->advance(particles(), window);
+    joined->advance_deferred(particles(), window);
   }
   // Once the step has been counted.
   catch (const coupling::FoldStop &stop)
@@ -235,12 +251,12 @@ void Triaxial::exchange_window(double window)
 
 const dem::Plane &Triaxial::top_plane() const
 {
-  return dem::planes(engine())[specimen.walls.planes[2][1]];
+  return dem::planes(engine())[box.planes[2][1]];
 }
 
 double Triaxial::lateral_stress() const
 {
-  const dem::Vec3 on_planes = dem::box_stress(engine(), specimen.walls);
+  const dem::Vec3 on_planes = dem::box_stress(engine(), box);
   return 0.5 * (on_planes.x() + on_planes.y()) + (membrane() ? pressure : 0.);
 }
 
@@ -276,7 +292,7 @@ Sample Triaxial::sample(double roundness) const
   s.stage = std::min(2., static_cast<double>(now));
   s.cycle = cycle();
   s.axial_stress = now == Stage::preparation
-                       ? dem::box_stress(engine(), specimen.walls).z()
+                       ? dem::box_stress(engine(), box).z()
                        : top_plane().force.z() / section();
   s.lateral_stress = lateral_stress();
   const dem::Mat3 in_membrane = coupling::membrane_stress(enclosed());
@@ -299,15 +315,6 @@ Sample Triaxial::sample(double roundness) const
   s.overlap_over_radius = engine().overlaps().recent;
   add_energies(s);
   return s;
-}
-
-std::vector<std::string> Triaxial::warnings(const EnergyBalance &loading) const
-{
-  std::vector<std::string> all;
-  add_overlap_warning(engine(), all);
-  add_step_warning(parameters.time, watch.state(), all);
-  add_energy_warning(loading, all);
-  return all;
 }
 
 void Triaxial::add_energies(Sample &s) const
@@ -343,9 +350,9 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, now);
   dem::write_value(out, in_stage);
   dem::write_value(out, parameters.time);
-  dem::write_value(out, cycle_ticks);
-  dem::write_value(out, pace);
-  dem::write_value(out, stage_ticks);
+  dem::write_value(out, cycle_intervals);
+  dem::write_value(out, schedule);
+  dem::write_value(out, stage_intervals);
   dem::write_value(out, watch.state());
   dem::write_value(out, probe);
   dem::write_value(out, preparation);
@@ -361,10 +368,13 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, plan);
   coupling::save(out, observed_from);
   coupling::save(out, mean_motion);
-  engine().save(out, specimen.shapes);
+  engine().save(out, shapes);
   servo.save(out);
   if (joined)
     joined->save(out);
+  dem::write_value(out, first_event);
+  dem::write_value(out, recorded);
+  cycles.save(out);
 }
 
 void Triaxial::restore(std::istream &in)
@@ -372,12 +382,12 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, now);
   dem::read_value(in, in_stage);
   TimeParameters time_then;
-  std::int64_t ticks_then = 0;
+  std::int64_t intervals_then = 0;
   dem::read_value(in, time_then);
   watch.follow(step_rule()); // of the stage then
-  dem::read_value(in, ticks_then);
-  dem::read_value(in, pace);
-  dem::read_value(in, stage_ticks);
+  dem::read_value(in, intervals_then);
+  dem::read_value(in, schedule);
+  dem::read_value(in, stage_intervals);
   StepRecord record;
   dem::read_value(in, record);
   dem::read_value(in, probe);
@@ -398,13 +408,16 @@ void Triaxial::restore(std::istream &in)
   const bool has_boundaries = now > Stage::preparation;
   if (has_boundaries && !joined) // a probe goes back with the one it has
     build_cell();
-  watch.set_state(record); // a new membrane would have it asked anew
-  engine().restore(in, specimen.shapes);
+  watch.set_state(record); // a new membrane would have it asked again
+  engine().restore(in, shapes);
   servo.restore(in);
   if (joined)
     joined->restore(in);
-  resume_pace(time_then, ticks_then);
-  if (now == Stage::done && pace.ticks() < n_cycles * cycle_ticks)
+  dem::read_value(in, first_event);
+  dem::read_value(in, recorded);
+  cycles.restore(in);
+  resume_schedule(time_then, intervals_then);
+  if (now == Stage::done && schedule.intervals() < n_cycles * cycle_intervals)
     now = Stage::loading;
   refuse_shorter("Loading/cycles", cycle(), parameters.loading.n_cycles());
 }

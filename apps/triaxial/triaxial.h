@@ -1,10 +1,11 @@
 #pragma once
 
-#include "run/forecast.h"
-#include "run/sample.h"
 #include "run/step_schedule.h"
-#include "run/step_watch.h"
+#include "run/time_left.h"
 #include "specimen/specimen.h"
+#include "test/test.h"
+#include "triaxial/cycles.h"
+#include "triaxial/sample.h"
 
 #include <coupling/cycle_jump.h>
 #include <coupling/exchange.h>
@@ -12,6 +13,7 @@
 #include <coupling/step_probe.h>
 #include <coupling/stress_balance.h>
 #include <coupling/triaxial_cell.h>
+#include <dem/measure/roundness_book.h>
 
 #include <functional>
 #include <iosfwd>
@@ -27,16 +29,8 @@ enum class Stage : std::int32_t
   done
 };
 
-/// What a preparation by shortcuts has come to.
-struct FastPreparation
-{
-  bool was_prepared = false; ///< before, so that nothing had to be done
-  bool is_packed = true;     ///< else still loose, and steps will cost more
-  MeanStep step = {};        ///< of the particles between the walls
-};
-
 /// The dynamic triaxial test: scene and sequence, step by step.
-class Triaxial
+class Triaxial : public Test
 {
 public:
   /// Builds the scene. Throws InputError.
@@ -46,39 +40,63 @@ public:
   /// consolidation do not come to rest in time or loading would begin with a
   /// step that is too long, coupling::GuardStop after a step that a guard
   /// stops at.
-  void advance();
+  void advance() override;
 
   Stage stage() const { return now; }
-  double time_step() const; ///< of the particles, the next one [s]
-  double window() const { return pace.step(); } ///< of the exchange [s]
-  double period() const; ///< of a load cycle, a whole number of ticks [s]
-  /// Ticks since the present stage began, and of one load cycle. Every run
-  /// meets its ticks, whatever its steps; with a fixed step each is one.
-  std::int64_t ticks() const { return pace.ticks(); }
-  bool is_on_sample() const { return pace.is_on_sample(); }
-  std::int64_t ticks_per_cycle() const { return cycle_ticks; }
-  /// Steps since the present stage began [-].
-  std::int64_t stage_steps() const { return in_stage; }
+  double share_done() const override;
+  double duration() const override; ///< without the preparation [s]
+  double
+  period() const override; ///< of a load cycle, a whole number of intervals [s]
+  std::string phase() const override;
+  std::string live_numbers() override;
+  std::string outcome() const override;
+  Due due() const override { return due_now; }
+  Due due_at_start() const override { return {}; }
+  double progress_at(double time) const override; ///< load cycles [-]
+  const char *progress_column() const override { return "cycle_1"; }
+
+  double time_step() const override; ///< of the particles, the next one [s]
+  double window() const override { return schedule.step(); }
+  int steps_in_move() const override;
+  /// Sampling intervals since the present stage began, and of one load cycle.
+  /// Every run meets its intervals, whatever its steps; with a fixed step each
+  /// is one.
+  std::int64_t intervals() const { return schedule.intervals(); }
+  std::int64_t intervals_per_cycle() const { return cycle_intervals; }
   /// Fractional load cycle; 0 before loading.
   double cycle() const;
-  /// The jumps over load cycles: whoever steps the test keeps its state where
-  /// one is due, and brings it back where one was too far.
-  const coupling::JumpPlan &jumps() const { return plan; }
-  /// Back at the state that was kept: not that far.
-  void shorten_jump(const coupling::JumpPlan &refused);
+  /// All load cycles of the case have been.
+  bool is_complete() const { return cycle() >= parameters.loading.n_cycles(); }
   /// End of this many load cycles, whatever the case says.
-  void stop_after(int cycles) { n_cycles = cycles; }
-  int last_cycle() const { return n_cycles; }
+  void stop_after(int cycles) override;
+  bool ends_early() const override { return !is_complete(); }
 
-  /// The row of history.csv now; `roundness` is the caller's last value.
+  /// A jump over load cycles keeps the state where it is due, and goes back to
+  /// it where it was too far.
+  Rewind rewind() const override;
+  void go_back(const std::function<void()> &restore) override;
+
+  /// The row of history.csv now; `roundness` is the last value of the caller.
   Sample sample(double roundness) const;
+  std::vector<Quantity> row() const override;
+  std::vector<Quantity> take_row() override;
+  std::vector<Quantity> own_ledger() const override;
+  std::vector<TableHeader> tables() const override { return cycles.tables(); }
+  std::vector<TableRow> take_table_rows() override
+  {
+    return cycles.take_rows();
+  }
+  std::vector<NamedText> take_files() override { return cycles.take_files(); }
+  FrameParts frame_parts() const override;
+  EnergyBalance energy_balance() const override;
+  EnergyBalance reported_balance() const override; ///< of the loading
+  void summarise(nlohmann::ordered_json &summary) const override;
+  void add_clocks(std::map<std::string, double> &seconds) const override;
 
   /// Once the preparation is over: what bears the boundary's load.
   coupling::StressBalance stress_balance() const;
 
-  const dem::Engine &engine() const { return *specimen.engine; }
-  dem::Engine &engine() { return *specimen.engine; }
-  const dem::SpecimenWalls &walls() const { return specimen.walls; }
+  const dem::SpecimenWalls &walls() const { return box; }
   /// Null without one, and in the preparation.
   const fem::Membrane *membrane() const
   {
@@ -88,16 +106,14 @@ public:
   {
     return {engine(), walls(), membrane()};
   }
-  /// Particles and what closes the specimen; null in the preparation.
-  const coupling::Exchange *exchange() const { return joined.get(); }
-  const SetupStep &setup_step() const { return setup; }
-  /// Of the exchange now [-]; 0 in the preparation.
-  double exchange_gain() const;
-  /// Gain of the exchange at setup; only with a membrane.
-  const std::optional<coupling::ExchangeGain> &gain() const
+  /// Only with a membrane.
+  bool has_ledger() const override
   {
-    return setup.gain;
+    return parameters.boundary.lateral == Lateral::membrane;
   }
+  /// Particles and what closes the specimen; null in the preparation.
+  const coupling::Exchange *exchange() const override { return joined.get(); }
+  const SetupStep *setup_step() const override { return &setup; }
 
   /// How the preparation stands, and in the end how it ended.
   struct Prepared
@@ -114,51 +130,47 @@ public:
   /// How the consolidation stands, and in the end how it ended.
   struct Consolidated
   {
-    double time = 0.;       ///< it took so far [s]
-    double load_error = 0.; ///< of the plate, over its load [-]
-    double swing = 0.;      ///< change of that load that its motion makes [-]
-    double side_error = 0.; ///< of the stress on rigid sides [-]
+    double time = 0.;         ///< it took so far [s]
+    double load_error = 0.;   ///< of the plate, over its load [-]
+    double motion_error = 0.; ///< change of that load that its motion makes [-]
+    double side_error = 0.;   ///< of the stress on rigid sides [-]
     double unbalanced_ratio = 0.; ///< [-]
   };
   const Consolidated &consolidated() const { return consolidation; }
-  /// What a reader of the results must know, a line each.
-  std::vector<std::string> warnings(const EnergyBalance &loading) const;
-  /// What the steps were, and what they were chosen by.
-  const StepRecord &step_record() const { return watch.state(); }
-  const coupling::ProbeState &step_probe() const { return probe; }
-  double watch_seconds() const { return watch.seconds(); }
-  /// Wall-clock of keeping and restoring states for probes [s].
-  double probe_seconds() const { return probing; }
-  /// Lines for the log since the last call.
-  std::vector<std::string> take_notes() { return watch.take_notes(); }
-  /// Breakage events since the last call.
-  std::vector<dem::BreakageEvent> take_events();
-  double plate_work() const { return cell ? cell->plate().drive_work() : 0.; }
+  void describe() const override;
+  void describe_time(const MeanStep &step) const override;
 
-  /// Is called once, when the preparation is at rest and nothing of what
-  /// follows has touched the specimen.
-  void when_prepared(std::function<void()> call)
-  {
-    call_prepared = std::move(call);
-  }
-  /// What the preparation will take in all, about [s].
-  double preparation_time() const;
-  /// Past the preparation by shortcuts, to see what steps cost: what is
-  /// measured from then on is worth nothing.
-  FastPreparation fast_preparation();
-  /// The specimen at that moment, bit for bit, and back from there into any
-  /// test of the same preparation_text(): the test goes on with the
-  /// consolidation as if it had prepared itself.
-  void save_prepared(std::ostream &out) const;
-  void take_prepared(std::istream &in); ///< throws std::runtime_error
-  const ShapeLibrary &shapes() const { return specimen.shapes; }
+  std::string preparation_text() const override;
+  bool is_preparing() const override { return now == Stage::preparation; }
+  double preparation_time() const override;
+  FastPreparation fast_preparation() override;
+  void save_prepared(std::ostream &out) const override;
+  void take_prepared(std::istream &in) override;
 
-  void save(std::ostream &out) const; ///< full state, bit for bit
-  /// Continues a saved test of the same case; throws std::runtime_error.
-  void restore(std::istream &in);
+  void save(std::ostream &out) const override;
+  void restore(std::istream &in) override;
 
 private:
-  void step_stage();
+  /// Numbers of the history that the test keeps; plain data for the checkpoint.
+  struct Recorded
+  {
+    Sample loading_start, last;        ///< rows
+    double roundness = 0.;             ///< the last one [-]
+    double worst_gain = 0.;            ///< of the exchange [-]
+    double peak_axial_stress = 0.;     ///< while loading [Pa]
+    std::int64_t checkpoint_cycle = 0; ///< of the last one that was due
+  };
+
+  Triaxial(const Case &parameters, Specimen specimen);
+  void move(double time_step) override;
+  std::vector<dem::BreakageEvent> fresh_events() override;
+  void note_due();
+  double exchange_gain() const;
+  double pressed_share() const;
+  std::string prepared_text() const;
+  std::string preparation_numbers();
+  std::string consolidated_text() const;
+  void shorten_jump(const coupling::JumpPlan &refused);
   void prepare();
   void consolidate();
   bool is_consolidated();
@@ -185,8 +197,7 @@ private:
   void build_cell();
   coupling::CoupledParticles particles();
   int steps_in_window() const;
-  int steps_in_pace() const;
-  Surroundings surroundings() const;
+  Surroundings surroundings() const override;
   void step_boundaries();
   void exchange_window(double window);
   void hold_plate();
@@ -196,7 +207,7 @@ private:
   TimeParameters step_rule() const;
   double longest_step() const;
   void settle_step();
-  void resume_pace(const TimeParameters &then, std::int64_t ticks_then);
+  void resume_schedule(const TimeParameters &then, std::int64_t intervals_then);
   void start_probe();
   void follow_probe();
   void gather(coupling::ProbeWindow &window) const;
@@ -208,18 +219,15 @@ private:
   double lateral_stress() const;
   double volume() const;
 
-  Case parameters;
   Stage now = Stage::preparation;
-  Specimen specimen;
+  dem::SpecimenWalls box;
   dem::BoxServo servo;
   SetupStep setup;
-  StepWatch watch;
-  StepSchedule pace;
+  StepSchedule schedule;
   coupling::ProbeState probe;
-  std::string stopped_by; ///< words of a guard; empty: none
-  double probing = 0.;    ///< wall-clock of going back, for probes [s]
+  double probing = 0.; ///< wall-clock of going back, for probes [s]
   std::vector<dem::BreakageEvent> held_events;
-  std::int64_t cycle_ticks = 0, stage_ticks = 0;
+  std::int64_t cycle_intervals = 0, stage_intervals = 0;
   int n_cycles = 0;
 
   std::int64_t in_stage = 0;
@@ -227,7 +235,6 @@ private:
   Consolidated consolidation;
   bool is_rough = false;     ///< packed by shortcuts: not asked for rest
   std::int64_t is_dense = 0; ///< the target porosity has been met
-  std::function<void()> call_prepared;
   std::unique_ptr<coupling::Exchange> joined;
   coupling::TriaxialCell *cell = nullptr; ///< of `joined`
   dem::Vec3 lower = dem::Vec3::Zero(), upper = dem::Vec3::Zero();
@@ -243,5 +250,12 @@ private:
   /// Of the observation before the jump.
   coupling::MeanCyclicMotion mean_motion;
   double jump_work = 0.; ///< that takes the energies over the jumps [J]
+
+  CycleRecorder cycles;
+  Recorded recorded;
+  Due due_now;
+  mutable dem::RoundnessBook known_roundness;
+  RestTime rest;      ///< of the preparation, for the progress line
+  Stopwatch run_time; ///< the same
 };
 } // namespace spall

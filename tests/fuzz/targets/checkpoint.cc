@@ -1,6 +1,6 @@
 // A checkpoint of the default case. The state after the files of the run is one
 // column of numbers and one of a text.
-#include "run/checkpoint.h"
+#include "test/checkpoint.h"
 
 #include "case/case.h"
 #include "run/binary_text.h"
@@ -33,7 +33,7 @@ std::string sound_file(const spall::Case &of)
 
 int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-  static const spall::Case of = spall::default_case(spall::CaseKind{});
+  static const spall::Case of = spall::default_case("dynamic_triaxial");
   static const std::string sound = sound_file(of);
   const std::string path =
       fuzz::scratch().write("state.bin", fuzz::changed(sound, data, size));

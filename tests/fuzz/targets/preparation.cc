@@ -1,7 +1,7 @@
 // A preparation that is kept. Its state is a column of numbers and a text.
 #include "run/binary_text.h"
-#include "run/preparation_store.h"
 #include "state_file.h"
+#include "test/preparation_store.h"
 
 #include <dem/binary.h>
 
@@ -11,7 +11,7 @@ namespace
 {
 std::string sound_file(const spall::PreparationStore &store)
 {
-  store.keep(
+  store.store(
       [](std::ostream &out)
       {
         dem::write_column(out, std::vector<double>(10, 1.));

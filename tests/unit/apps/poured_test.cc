@@ -1,4 +1,4 @@
-#include "laboratory/test.h"
+#include "test/test.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace spall;
 Case small_case()
 {
   Case c;
-  c.kind = CaseKind::subgrade;
+  c.kind = "subgrade";
   SubgradeParameters &s = c.subgrade;
   s.layer.length = s.layer.width = 0.2;
   s.layer.thickness = 0.06;
@@ -31,7 +31,7 @@ std::string text_with(const std::function<void(Case &)> &change)
 {
   Case c = small_case();
   change(c);
-  return make_lab_test(c)->preparation_text();
+  return make_test(c)->preparation_text();
 }
 
 // Held ground counts by the mesh and the masses of its top alone.

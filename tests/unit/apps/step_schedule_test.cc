@@ -6,27 +6,27 @@
 
 using spall::StepSchedule;
 
-// A fixed step: every step is a tick, and no digit is lost.
+// A fixed step: every step is a interval, and no digit is lost.
 TEST(StepSchedule, FixedStepIsKeptToTheLastBit)
 {
-  StepSchedule pace;
-  pace.begin(1e-6, 1e-6);
+  StepSchedule schedule;
+  schedule.begin(1e-6, 1e-6);
   for (int step = 0; step < 1000; ++step)
   {
-    EXPECT_EQ(pace.step(), 1e-6);
-    EXPECT_TRUE(pace.is_on_sample());
-    EXPECT_EQ(pace.share_after_step(), 1.);
-    EXPECT_EQ(pace.ticks(), step);
-    pace.count();
+    EXPECT_EQ(schedule.step(), 1e-6);
+    EXPECT_TRUE(schedule.is_on_sample());
+    EXPECT_EQ(schedule.share_after_step(), 1.);
+    EXPECT_EQ(schedule.intervals(), step);
+    schedule.count();
   }
 }
 
-// Whatever the longest step does, ticks are met and no step is longer.
+// Whatever the longest step does, intervals are met and no step is longer.
 TEST(StepSchedule, MeetsEveryTick)
 {
-  StepSchedule pace;
-  constexpr double tick = 1e-3;
-  pace.begin(tick, 3.3e-6);
+  StepSchedule schedule;
+  constexpr double interval = 1e-3;
+  schedule.begin(interval, 3.3e-6);
   double time = 0.;
   int n_on_sample = 0;
   for (int step = 0; step < 20000; ++step)
@@ -34,32 +34,33 @@ TEST(StepSchedule, MeetsEveryTick)
     const double longest = 1e-6 * (1.1 + std::sin(0.01 * step));
     if (step % 7 == 0)
     {
-      pace.replan(longest);
-      EXPECT_LE(pace.step(), longest * (1. + 1e-8));
+      schedule.replan(longest);
+      EXPECT_LE(schedule.step(), longest * (1. + 1e-8));
     }
-    EXPECT_GT(pace.step(), 0.);
-    const double share = pace.share_after_step();
-    time += pace.step();
-    pace.count();
-    EXPECT_NEAR(pace.share_done(), std::fmod(share, 1.), 1e-9);
-    if (pace.is_on_sample())
+    EXPECT_GT(schedule.step(), 0.);
+    const double share = schedule.share_after_step();
+    time += schedule.step();
+    schedule.count();
+    EXPECT_NEAR(schedule.share_done(), std::fmod(share, 1.), 1e-9);
+    if (schedule.is_on_sample())
     {
       ++n_on_sample;
       // Twenty thousand rounded sums.
-      EXPECT_NEAR(time, tick * static_cast<double>(pace.ticks()), 1e-12);
+      EXPECT_NEAR(time, interval * static_cast<double>(schedule.intervals()),
+                  1e-12);
     }
   }
-  EXPECT_EQ(n_on_sample, pace.ticks());
+  EXPECT_EQ(n_on_sample, schedule.intervals());
   EXPECT_GT(n_on_sample, 10);
 }
 
 TEST(StepSchedule, WithoutEndTheStepIsTheLongest)
 {
-  StepSchedule pace;
-  pace.begin(std::numeric_limits<double>::infinity(), 2e-6);
-  EXPECT_EQ(pace.step(), 2e-6);
-  pace.count();
-  pace.replan(1e-6);
-  EXPECT_EQ(pace.step(), 1e-6);
-  EXPECT_EQ(pace.ticks(), 0);
+  StepSchedule schedule;
+  schedule.begin(std::numeric_limits<double>::infinity(), 2e-6);
+  EXPECT_EQ(schedule.step(), 2e-6);
+  schedule.count();
+  schedule.replan(1e-6);
+  EXPECT_EQ(schedule.step(), 1e-6);
+  EXPECT_EQ(schedule.intervals(), 0);
 }

@@ -31,7 +31,7 @@ TEST(StepWatch, SeesAsFarAsTheNextLook)
     StepWatch watch(time, cap);
     Surroundings around;
     around.particle_steps = particle_steps;
-    watch.look(engine, around, step);
+    watch.update(engine, around, step);
     if (particle_steps == 1)
       EXPECT_EQ(watch.state().limit, cap);
     else
@@ -67,7 +67,7 @@ TEST(StepWatch, ResolvesImpacts)
     while (n_impacts < 5)
     {
       if (watch.is_due(engine.n_steps()))
-        watch.look(engine, {}, watch.state().longest);
+        watch.update(engine, {}, watch.state().longest);
       engine.advance(watch.state().longest);
       const bool is_up =
           engine.particles().position(0).z() > floor + 0.5 * height;

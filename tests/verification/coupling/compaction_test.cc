@@ -174,7 +174,7 @@ TEST(CompactionPlate, WorkOfItsDriveIsBooked)
 // A room of known volume: a tube that nothing deforms, up to any height.
 TEST(CompactionTube, VolumeIsThatOfThePrism)
 {
-  spall::Case c = spall::default_case(spall::CaseKind::vibratory_compaction);
+  spall::Case c = spall::default_case("vibratory_compaction");
   c.container.form = spall::ContainerForm::flexible;
   c.container.elements_around = 24;
   const fem::Membrane tube = spall::make_tube(c);

@@ -12,7 +12,7 @@ constexpr double gravity = 9.81, ball = 0.01, disc = 0.075; // [m]
 
 spall::Case plate_case(spall::PlateKind form)
 {
-  spall::Case c = spall::default_case(spall::CaseKind::vibratory_compaction);
+  spall::Case c = spall::default_case("vibratory_compaction");
   c.container.diameter = 2. * disc;
   c.plate.form = form;
   c.plate.mass = 60.;

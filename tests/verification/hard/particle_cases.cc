@@ -164,7 +164,7 @@ Row beside_the_limit()
 {
   spall::Case parameters = spall::read_case(SPALL_SMALL_CASE, {});
   parameters.time.step = spall::StepRule::stable;
-  const double limit = spall::Triaxial(parameters).setup_step().cap;
+  const double limit = spall::Triaxial(parameters).setup_step()->cap;
   parameters.time.step = spall::StepRule::fixed;
   parameters.time.fixed_step = 1.1 * limit;
   Row row;

@@ -24,7 +24,7 @@ const fem::SolidLayer soil{20e6, 0.3, 1800.};
 
 spall::Case exciter()
 {
-  spall::Case c = spall::default_case(spall::CaseKind::subgrade);
+  spall::Case c = spall::default_case("subgrade");
   spall::PulseParameters &p = c.subgrade.pulse;
   p.form = spall::PulseForm::eccentric_mass;
   p.eccentric_mass = 0.5;

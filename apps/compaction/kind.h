@@ -1,0 +1,16 @@
+#pragma once
+
+#include "case/kind.h"
+
+namespace spall
+{
+/// The vibratory compaction test.
+TestKind compaction_kind();
+
+/// The keys of its sections.
+void add_compaction(List &list, Case &of);
+/// What no single range can say. Throws InputError.
+void check_compaction(const Case &parameters, const Place &place);
+/// Its headlines, rows of the table and charts.
+const KindReport &compaction_report();
+} // namespace spall

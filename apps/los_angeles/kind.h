@@ -1,0 +1,16 @@
+#pragma once
+
+#include "case/kind.h"
+
+namespace spall
+{
+/// The Los Angeles abrasion test.
+TestKind los_angeles_kind();
+
+/// The keys of its sections.
+void add_los_angeles(List &list, Case &of);
+/// What no single range can say. Throws InputError.
+void check_los_angeles(const Case &parameters, const Place &place);
+/// Its headlines, rows of the table and charts.
+const KindReport &los_angeles_report();
+} // namespace spall

@@ -1,0 +1,74 @@
+#include "report/kind_report.h"
+
+#include "case/kind.h"
+#include "report/text.h"
+
+#include <cmath>
+#include <limits>
+
+namespace spall
+{
+const KindReport &report_of(std::span<const RunData> runs)
+{
+  const TestKind *kind = runs.empty() ? nullptr : find_kind(runs[0].kind);
+  return (kind ? *kind : test_kinds().front()).report();
+}
+
+double last(const RunData &run, const std::string &column)
+{
+  const std::vector<double> *values = run.loading.find(column);
+  return values && !values->empty() ? values->back()
+                                    : std::numeric_limits<double>::quiet_NaN();
+}
+
+double number_or_last(const RunData &run, const std::string &key,
+                      const std::string &column)
+{
+  const double value = number(run.summary, key);
+  return std::isfinite(value) ? value : last(run, column);
+}
+
+double abrasion_percent(const RunData &run)
+{
+  return number_or_last(run, "laa_percent", "laa_percent");
+}
+
+std::string text_of(const nlohmann::ordered_json &summary,
+                    const std::string &key)
+{
+  const auto place = summary.find(key);
+  if (place == summary.end() || place->is_null())
+    return "–";
+  if (place->is_string())
+    return place->get<std::string>();
+  return place->is_number_integer() ? std::to_string(place->get<long>())
+                                    : place->dump();
+}
+
+std::string number_text_of(const nlohmann::ordered_json &summary,
+                           const std::string &key, double factor, int n_digits)
+{
+  return format(factor * number(summary, key), n_digits);
+}
+
+std::string number_pair(const nlohmann::ordered_json &summary,
+                        const std::string &one, const std::string &other,
+                        double factor)
+{
+  return number_text_of(summary, one, factor) + " / " +
+         number_text_of(summary, other, factor);
+}
+
+SummaryRow text_row(const std::string &name, const std::string &key)
+{
+  return {name,
+          [key](const RunData &run) { return text_of(run.summary, key); }};
+}
+
+SummaryRow number_row(const std::string &name, const std::string &key,
+                      double factor, int n_digits)
+{
+  return {name, [=](const RunData &run)
+          { return number_text_of(run.summary, key, factor, n_digits); }};
+}
+} // namespace spall

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "report/chart.h"
+#include "report/run_data.h"
+
+#include <span>
+#include <vector>
+
+namespace spall
+{
+/// What the progress of a test is drawn over.
+struct ChartPath
+{
+  const char *column, *label;
+  double factor = 1.; ///< unit of the column in units of the label
+};
+
+/// A column of the history that is drawn over the path.
+struct PathQuantity
+{
+  const char *id, *column, *label, *caption;
+  double factor = 1.; ///< unit of the column in units of the label
+};
+
+Chart path_chart(std::span<const RunData> runs, const ChartPath &path,
+                 const PathQuantity &quantity);
+
+/// Where the external work has gone: a chart for each run.
+std::vector<Chart> path_energy_charts(std::span<const RunData> runs,
+                                      const ChartPath &path);
+} // namespace spall

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "case/kind.h"
+
+namespace spall
+{
+/// The compression of one particle between platens.
+TestKind single_particle_kind();
+
+/// The keys of its sections.
+void add_single_particle(List &list, Case &of);
+/// What no single range can say. Throws InputError.
+void check_single_particle(const Case &parameters, const Place &place);
+/// Its headlines, rows of the table and charts.
+const KindReport &single_particle_report();
+} // namespace spall

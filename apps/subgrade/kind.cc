@@ -1,0 +1,54 @@
+#include "subgrade/kind.h"
+
+#include "subgrade/subgrade.h"
+
+namespace spall
+{
+namespace
+{
+void set_defaults(Case &c)
+{
+  c.title = "plate on particles on a subgrade";
+  c.coupling.rules.particle_steps = 10;
+  c.time.fixed_step = 2e-6;
+  c.time.local_damping = 0.; // waves run
+  // Particles fall and roll, as in the drum of the Los Angeles test.
+  c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::sphere;
+  c.breakage.contacts = dem::EventContacts::all;
+}
+
+void set_template(Case &c)
+{
+  c.coupling.exchange = ExchangeChoice::one_pass;
+}
+
+std::unique_ptr<Test> make(const Case &parameters)
+{
+  return std::make_unique<Subgrade>(parameters);
+}
+} // namespace
+
+TestKind subgrade_kind()
+{
+  return {
+      .name = "subgrade",
+      .sections =
+          {{"Layer",
+            "The particles on the subgrade, in a box with rigid sides."},
+           {"LoadPlate", "The rigid body that loads the particles."},
+           {"Subgrade",
+            "The ground, its top at z = 0: elastic, or of layers that yield."},
+           {"Pulse", "What the plate or sleeper gets while loading."},
+           {"Record", "What is written, and how often."},
+           {"GroundContact", "Particle against subgrade: linear springs."}},
+      .shared_sections = {"Coupling"},
+      .add_parameters = add_subgrade,
+      .set_defaults = set_defaults,
+      .set_template = set_template,
+      .check = check_subgrade,
+      .make = make,
+      .seed_key = "Layer/seed",
+      .gradation_section = "Layer",
+      .report = subgrade_report};
+}
+} // namespace spall

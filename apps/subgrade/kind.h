@@ -1,0 +1,16 @@
+#pragma once
+
+#include "case/kind.h"
+
+namespace spall
+{
+/// Plate or sleeper on particles on a subgrade.
+TestKind subgrade_kind();
+
+/// The keys of its sections.
+void add_subgrade(List &list, Case &of);
+/// What no single range can say. Throws InputError.
+void check_subgrade(const Case &parameters, const Place &place);
+/// Its headlines, rows of the table and charts.
+const KindReport &subgrade_report();
+} // namespace spall

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "case/case.h"
+
+#include <dem/contact/narrow.h>
+#include <dem/io/vtk_output.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// Names the layout of states in files: another one, another number.
+inline constexpr std::uint64_t state_layout =
+    0x314c4c4150530a1a + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
+
+/// The files of a run at a checkpoint.
+struct Progressed
+{
+  std::map<std::string, std::uint64_t> table_sizes; ///< by file name [bytes]
+  int n_frames = 0;
+  std::vector<dem::FrameEntry> frames;
+  std::map<std::string, double> spent; ///< wall-clock by phase [s]
+};
+
+/// Writes the whole state (`save` that of the test), or leaves the last
+/// checkpoint as it was. Throws RunFailure.
+void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
+                      const std::function<void(std::ostream &)> &save,
+                      const Progressed &done);
+
+/// Whether this program could read what is at this path.
+bool is_of_this_version(const std::filesystem::path &path);
+
+/// Throws InputError if there is no checkpoint at this path.
+void require_checkpoint(const std::filesystem::path &path);
+
+/// Throws std::runtime_error if a run that is brought back has come further
+/// than the case now asks for.
+void refuse_shorter(const char *key, double done, double asked);
+
+/// Brings test and files back. Throws InputError if there is no checkpoint, it
+/// is damaged, or it belongs to a case with other parameters or other contents
+/// of the files that it names. Parameters with the flag may_change may differ,
+/// and those of TestKind::may_change.
+void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
+                     const std::function<void(std::istream &)> &restore,
+                     Progressed &done);
+} // namespace spall

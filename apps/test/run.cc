@@ -1,0 +1,190 @@
+#include "errors.h"
+#include "run/folder.h"
+#include "run/options.h"
+#include "run/overlap_news.h"
+#include "run/progress.h"
+#include "run/refusals.h"
+#include "run/thread_choice.h"
+#include "run/warnings.h"
+#include "test/checkpoint.h"
+#include "test/preparation_store.h"
+#include "test/recorder.h"
+#include "test/to_end.h"
+
+#include <chrono>
+#include <cstdio>
+#include <optional>
+
+namespace spall
+{
+namespace
+{
+void describe(Progress &progress, const Test &test)
+{
+  char line[200];
+  const dem::StepLimit &limit = test.step_limit();
+  std::snprintf(line, sizeof line,
+                "%zu particles, time step %.3g s, at most %.3g s (%s)",
+                test.all_particles().size(), test.time_step(), limit.step,
+                limit.reason.c_str());
+  progress.say(line);
+  const SetupStep *setup = test.setup_step();
+  if (!setup || !setup->gain)
+    return;
+  std::snprintf(line, sizeof line,
+                "exchange gain k dt^2/(4 m) = %.3g, stable below %.3g",
+                setup->gain->gain, setup->gain->limit);
+  progress.say(line);
+}
+
+void describe_end(Progress &progress, const Test &test)
+{
+  progress.say(spall::describe(test.reported_balance()));
+  progress.say(test.phase() + ": " + test.outcome());
+  say_warnings(progress, test.warnings());
+}
+
+void say_notes(Test &test, Progress &progress)
+{
+  for (const std::string &note : test.take_notes())
+    progress.say(note);
+}
+
+/// Where there is a store for tests of this kind, what is prepared goes there,
+/// and a new run begins with what is there.
+void use_store(const std::optional<PreparationStore> &store, Test &test,
+               Progress &progress, Recorder *new_run)
+{
+  if (!store)
+    return;
+  test.when_prepared(
+      [&]
+      {
+        progress.say(store->store([&test](std::ostream &out)
+                                  { test.save_prepared(out); }));
+      });
+  std::string said;
+  if (!new_run)
+    return;
+  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
+  {
+    progress.say("preparation taken from " + store->path().string());
+    say_notes(test, progress);
+    new_run->after_step(test);
+  }
+  else if (!said.empty())
+    progress.say(said);
+}
+
+/// What is worth a line of the log besides the notes of the test.
+class News
+{
+public:
+  explicit News(const dem::Engine &engine)
+      : refusals(engine.n_refused_events()), overlaps(engine)
+  {
+  }
+
+  void say(const dem::Engine &engine, Progress &progress)
+  {
+    for (const std::string &line :
+         {refusals.news(engine.n_refused_events(), engine.time()),
+          overlaps.news(engine)})
+      if (!line.empty())
+        progress.say(line);
+  }
+
+private:
+  Refusals refusals;
+  OverlapNews overlaps;
+};
+
+/// Rate of steps between two lines of progress.
+class StepRate
+{
+public:
+  explicit StepRate(std::int64_t n_steps) : steps_before(n_steps) {}
+
+  /// Since the last call [1/s].
+  double take(std::int64_t n_steps)
+  {
+    const Clock::time_point now = Clock::now();
+    const double rate = static_cast<double>(n_steps - steps_before) /
+                        std::chrono::duration<double>(now - before).count();
+    before = now;
+    steps_before = n_steps;
+    return rate;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point before = Clock::now();
+  std::int64_t steps_before;
+};
+
+/// Steps until the test is done or a stop is asked for.
+void run_loop(Test &test, Recorder &recorder, Progress &progress,
+              ThreadChoice &threads)
+{
+  News news(test.engine());
+  StepRate rate(test.engine().n_steps());
+  for (std::int64_t n = 1; test.share_done() < 1. && !is_stop_asked(); ++n)
+  {
+    threads.before_step();
+    test.advance();
+    threads.after_step();
+    if (const std::string note = threads.take_note(); !note.empty())
+      progress.say(note);
+    recorder.after_step(test);
+    say_notes(test, progress);
+    news.say(test.engine(), progress);
+    if (n % 64 != 0 || !progress.is_due())
+      continue;
+    test.engine().synchronize();
+    progress.show(test.phase(), test.share_done(),
+                  rate.take(test.engine().n_steps()), test.live_numbers());
+  }
+}
+} // namespace
+
+void run_test(const RunOptions &asked, const Case &parameters)
+{
+  RunOptions options = asked;
+  const std::string note = start_over_if_interrupted(options);
+  const std::filesystem::path folder = options.out;
+  const std::unique_ptr<Test> test = make_test(parameters);
+  if (options.until)
+    test->stop_after(*options.until);
+  if (options.is_resumed)
+    require_checkpoint(folder / "checkpoint" / "state.bin");
+  std::optional<PreparationStore> store;
+  if (const std::string text = test->preparation_text();
+      !options.preparations.empty() && !text.empty())
+    store.emplace(options.preparations, text);
+  prepare_run_folder(options);
+  Recorder recorder(parameters, folder);
+  Progress progress((folder / "log.txt").string());
+  if (options.is_resumed)
+  {
+    recorder.resume(*test);
+    std::filesystem::remove(folder / "summary.json"); // of where it had ended
+  }
+  else
+    recorder.start(*test);
+  if (!note.empty())
+    progress.say(note);
+  describe(progress, *test);
+  if (recorder.gradation())
+    progress.say("gradation " + gradation_line(*recorder.gradation()));
+  use_store(store, *test, progress, options.is_resumed ? nullptr : &recorder);
+  run_to_end(*test, recorder,
+             [&]
+             {
+               ThreadChoice threads(
+                   options.threads.value_or(parameters.threads));
+               run_loop(*test, recorder, progress, threads);
+               recorder.finish(*test);
+             });
+  describe_end(progress, *test);
+}
+} // namespace spall

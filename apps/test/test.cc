@@ -1,0 +1,260 @@
+#include "test/test.h"
+
+#include "case/parameter.h"
+#include "errors.h"
+#include "run/contact_places.h"
+#include "run/quantity_name.h"
+#include "run/warnings.h"
+
+#include <dem/binary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace spall
+{
+double first_step(const Case &parameters, const dem::StepLimit &limit)
+{
+  if (parameters.time.step != StepRule::fixed)
+    return parameters.time.safety * limit.step;
+  if (parameters.time.fixed_step > limit.step)
+    throw InputError(parameters.file + ": Time/fixed_step = " +
+                     number_text(parameters.time.fixed_step) +
+                     " s: must be at most " + number_text(limit.step) +
+                     " s, set by: " + limit.reason);
+  return parameters.time.fixed_step;
+}
+
+Test::Test(const Case &c, ShapeLibrary library,
+           std::unique_ptr<dem::Engine> scene)
+    : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
+      limit(dem::critical_step(owned_engine->parameters(),
+                               owned_engine->particles())),
+      watch(c.time, limit.step), step(first_step(c, limit))
+{
+}
+
+Test::Test(const Case &c, ShapeLibrary library,
+           std::unique_ptr<dem::Engine> scene, double its_step)
+    : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
+      limit(dem::critical_step(owned_engine->parameters(),
+                               owned_engine->particles())),
+      watch(c.time, limit.step), step(its_step)
+{
+}
+
+Test::Test(const Case &c, ShapeLibrary library,
+           std::unique_ptr<dem::Engine> scene, const dem::StepLimit &its_limit,
+           double its_step)
+    : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
+      limit(its_limit), watch(c.time, limit.step), step(its_step)
+{
+}
+
+void Test::advance()
+{
+  if (watch.is_due(engine().n_steps() / steps_in_move()))
+    check_contacts();
+  watch.note_used(step);
+  move(step);
+  if (!stopped_by.empty())
+    throw coupling::GuardStop(std::exchange(stopped_by, {}));
+}
+
+void Test::check_contacts()
+{
+  engine().synchronize();
+  watch.update(engine(), surroundings(), step);
+  if (!watch.is_fixed())
+    step = watch.state().longest;
+}
+
+void Test::begin_steps(const TimeParameters &rule, double cap)
+{
+  watch = StepWatch(rule, cap);
+  step = watch.is_fixed() ? rule.fixed_step : watch.state().longest;
+}
+
+void Test::change_steps(const TimeParameters &rule, double cap)
+{
+  watch.follow(rule);
+  watch.set_cap(cap);
+  step = watch.is_fixed() ? rule.fixed_step : watch.state().longest;
+}
+
+void Test::say_prepared() const
+{
+  if (call_prepared)
+    call_prepared();
+}
+
+void Test::exchange_window(coupling::Exchange &joined, double window)
+try
+{
+  joined.advance_deferred(coupling::particles_of(engine(), shapes), window);
+}
+catch (const coupling::GuardStop &stop)
+{
+  stopped_by = stop.what();
+}
+
+void Test::stop_after(int)
+{
+  throw InputError("run: --until: a case of kind " + parameters.kind +
+                   " has no turns or cycles");
+}
+
+std::vector<dem::BreakageEvent> Test::take_events()
+{
+  auto events = fresh_events();
+  if (first_event.time < 0. && !events.empty())
+    first_event = {events[0].time, events[0].force_before};
+  return events;
+}
+
+double Test::abrasion_percent() const
+{
+  const dem::ParticleSystem &all = engine().particles();
+  double now = 0., before = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all.material[i] == 0)
+    {
+      now += all.mass(i);
+      before += all.initial_mass[i];
+    }
+  return before > 0. ? 100. * (before - now) / before : 0.;
+}
+
+double Test::external_work() const
+{
+  const dem::EngineEnergy energy = engine().energy();
+  return energy.work_of("planes") + energy.work_of("drum") +
+         energy.gravity_work + body_energy().external;
+}
+
+EnergyBalance Test::energy_balance() const
+{
+  const dem::EngineEnergy e = engine().energy();
+  const coupling::BodyEnergy bodies = body_energy();
+  const double work = external_work();
+  return {work,
+          work - (e.kinetic + bodies.kinetic + e.elastic + bodies.stored +
+                  e.friction + e.rolling + e.damping + bodies.lost +
+                  e.breakage + e.non_conservative_work),
+          e.non_conservative_work};
+}
+
+std::vector<Quantity> Test::row() const
+{
+  std::vector<Quantity> all = {{"time_s", engine().time()}};
+  for (const Quantity &one : measured())
+    all.push_back(one);
+  const dem::EngineEnergy e = engine().energy();
+  const coupling::BodyEnergy bodies = body_energy();
+  const EnergyBalance balance = energy_balance();
+  const std::vector<Quantity> common = {
+      {"laa_percent", abrasion_percent(), true},
+      {"n_events_1", static_cast<double>(engine().n_events()), true},
+      {"overlap_over_radius_1", engine().overlaps().recent},
+      {"external_work_J", balance.external_work},
+      {"kinetic_energy_J", e.kinetic + bodies.kinetic},
+      {"elastic_energy_J", e.elastic + bodies.stored},
+      {"friction_dissipation_J", e.friction},
+      {"rolling_dissipation_J", e.rolling},
+      {"damping_dissipation_J", e.damping + bodies.lost},
+      {"breakage_energy_J", e.breakage},
+      {"non_conservative_work_J", balance.non_conservative_work},
+      {"energy_residual_J", balance.residual}};
+  all.insert(all.end(), common.begin(), common.end());
+  return all;
+}
+
+std::string Test::live_numbers()
+{
+  std::string numbers;
+  for (const Quantity &one : row())
+  {
+    if (!one.is_live)
+      continue;
+    const QuantityName name = quantity_name(one.name);
+    char text[80];
+    std::snprintf(text, sizeof text, "%s%s %.4g%s%s",
+                  numbers.empty() ? "" : ", ", name.words.c_str(), one.value,
+                  name.unit == "–" ? "" : " ",
+                  name.unit == "–" ? "" : name.unit.c_str());
+    numbers += text;
+  }
+  return numbers;
+}
+
+void Test::add_clocks(std::map<std::string, double> &seconds) const
+{
+  seconds["step_watch"] = watch.seconds();
+}
+
+std::vector<std::string> Test::warnings() const
+{
+  std::vector<std::string> all;
+  add_overlap_warning(engine(), all);
+  add_step_warning(parameters.time, watch.state(), all);
+  add_energy_warning(reported_balance(), all);
+  return all;
+}
+
+void Test::summarise(nlohmann::ordered_json &summary) const
+{
+  const dem::ParticleSystem &all = engine().particles();
+  summary["n_particles"] = std::ranges::count(all.material, std::uint8_t{0});
+  summary["n_breakable"] =
+      std::ranges::count(all.is_breakable, std::uint8_t{1});
+  summary["solid_volume_m3"] = solid_volume(all);
+  summary["time_step_s"] = time_step();
+  const StepRecord &steps = watch.state();
+  if (parameters.time.step == StepRule::fixed)
+    summary["step_over_limit_1"] = steps.worst_share;
+  else
+  {
+    summary["shortest_step_s"] = steps.shortest_used;
+    summary["longest_step_s"] = steps.longest_used;
+  }
+  summary["n_steps"] = engine().n_steps();
+  summary["n_rebuilds"] = engine().n_rebuilds();
+  summary["laa_percent"] = abrasion_percent();
+  summary["n_events"] = engine().n_events();
+  summary["n_refused_events"] = engine().n_refused_events();
+  summary["overlap_over_radius_1"] = engine().overlaps().largest;
+  add_contact_places(engine(), summary);
+  if (first_event.time >= 0.)
+  {
+    summary["first_event_force_N"] = first_event.force;
+    summary[std::string("first_event_") + progress_column()] =
+        progress_at(first_event.time);
+  }
+}
+
+void Test::save(std::ostream &out) const
+{
+  dem::write_value(out, step);
+  dem::write_value(out, watch.state());
+  dem::write_value(out, first_event);
+  engine().save(out, shapes);
+}
+
+void Test::restore(std::istream &in)
+{
+  dem::read_value(in, step);
+  StepRecord record;
+  dem::read_value(in, record);
+  watch.set_state(record);
+  dem::read_value(in, first_event);
+  engine().restore(in, shapes);
+}
+
+std::unique_ptr<Test> make_test(const Case &parameters)
+{
+  return find_kind(parameters.kind)->make(parameters);
+}
+} // namespace spall

@@ -1,0 +1,300 @@
+#pragma once
+
+#include "case/case.h"
+#include "run/energy_balance.h"
+#include "run/forecast.h"
+#include "run/frames.h"
+#include "run/step_watch.h"
+#include "specimen/specimen.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// What is due after a step.
+struct Due
+{
+  bool row = false, frame = false, checkpoint = false;
+};
+
+/// One column of history.csv with its value in this row.
+struct Quantity
+{
+  const char *name; ///< name_unit
+  double value = 0.;
+  bool is_live = false; ///< shown on the progress line
+};
+
+/// A table that a test writes besides history.csv, events.csv and ledger.csv,
+/// and a row of it.
+struct TableHeader
+{
+  std::string file, header; ///< header: name_unit, separated by commas
+};
+struct TableRow
+{
+  std::string file;
+  std::vector<double> values;
+};
+
+/// Result of a preparation by shortcuts.
+struct FastPreparation
+{
+  /// Step of the particles once they press on each other; 0: no preparation was
+  /// left [s].
+  double step = 0.;
+  /// Cost of such steps, if it was measured on the way.
+  std::optional<MeanStep> cost = {};
+  bool is_packed = true; ///< false: still loose, and steps will cost more
+};
+
+/// What a test asks of its recorder after a step.
+enum class Rewind
+{
+  none,
+  save_state,   ///< save test and files as they are now
+  restore_state ///< restore what was saved, by Test::go_back()
+};
+
+/// A file that a test writes besides those of every run.
+struct NamedText
+{
+  std::string name, text;
+};
+
+/// A test that is run step by step: what all kinds have in common. Run loop,
+/// recorder and `spall check` know nothing but this. A kind derives from it
+/// (docs/developer/extending.md).
+class Test
+{
+public:
+  virtual ~Test() = default;
+  Test(const Test &) = delete;
+  Test &operator=(const Test &) = delete;
+
+  // Progress.
+
+  /// Takes one step. Throws coupling::GuardStop after a step that a guard
+  /// stops at, and RunFailure where the test cannot go on.
+  virtual void advance();
+  /// Share of the whole test that is done; at 1 the test is over [-].
+  virtual double share_done() const = 0;
+  /// Length of the whole test without its preparation [s].
+  virtual double duration() const = 0;
+  /// Period of its load or motion; 0: it has none [s].
+  virtual double period() const { return 0.; }
+  /// Name of the present phase, for the progress line.
+  virtual std::string phase() const = 0;
+  /// Numbers for the progress line: by default the live quantities of row().
+  virtual std::string live_numbers();
+  /// Progress of the test at a time, in the unit of its column of events.csv.
+  virtual double progress_at(double time) const = 0;
+  /// Name of that column, name_unit.
+  virtual const char *progress_column() const = 0;
+  /// Ends the test after so many turns or cycles, whatever the case says.
+  /// Throws InputError for a test that has none.
+  virtual void stop_after(int turns);
+  /// Whether stop_after() ends the test before the case does.
+  virtual bool ends_early() const { return false; }
+  /// Lines for the log since the last call.
+  std::vector<std::string> take_notes() { return watch.take_notes(); }
+
+  // What is written.
+
+  /// What is to be written before the first step.
+  virtual Due due_at_start() const
+  {
+    return {true, engine().particles().size() > 0, false};
+  }
+  /// What is to be written after the last step.
+  virtual Due due() const = 0;
+  /// The row of history.csv now: time, measured(), counts and energies.
+  virtual std::vector<Quantity> row() const;
+  /// The same for history.csv: a test may store it as its last row.
+  virtual std::vector<Quantity> take_row() { return row(); }
+  /// Breakage events since the last call.
+  std::vector<dem::BreakageEvent> take_events();
+  /// Headers of the tables besides history, events and ledger.
+  virtual std::vector<TableHeader> tables() const { return {}; }
+  /// Rows of tables() since the last call, in order.
+  virtual std::vector<TableRow> take_table_rows() { return {}; }
+  /// Files to be written since the last call.
+  virtual std::vector<NamedText> take_files() { return {}; }
+  /// Whether the test has a ledger.csv: bodies are coupled to the particles at
+  /// some time of it.
+  virtual bool has_ledger() const { return false; }
+  /// Columns of ledger.csv besides those of every ledger.
+  virtual std::vector<Quantity> own_ledger() const { return {}; }
+  /// What a frame shows besides equivalent spheres and contacts.
+  virtual FrameParts frame_parts() const { return {nullptr, true}; }
+  /// Time between frames; 0: frames come with its motion [s].
+  virtual double frame_interval() const { return 0.; }
+  /// Results so far: three to six numbers with their units.
+  virtual std::string outcome() const = 0;
+  /// What a reader of the results must know, a line each.
+  virtual std::vector<std::string> warnings() const;
+  /// Adds the entries of this test to summary.json.
+  virtual void summarise(nlohmann::ordered_json &summary) const;
+  /// Energies since the start of the test.
+  virtual EnergyBalance energy_balance() const;
+  /// The balance in summary.json and at the end of the log: that of the whole
+  /// test unless a kind has a loading of its own.
+  virtual EnergyBalance reported_balance() const { return energy_balance(); }
+  /// Adds wall-clock of phases that the engine and the exchange do not know
+  /// [s].
+  virtual void add_clocks(std::map<std::string, double> &seconds) const;
+  /// Mass that the particles have lost over their initial mass, those of other
+  /// materials left out [%].
+  double abrasion_percent() const;
+
+  // Scene.
+
+  const dem::Engine &engine() const { return *owned_engine; }
+  dem::Engine &engine() { return *owned_engine; }
+  /// All particles that the test will have; only what does not move counts.
+  virtual const dem::ParticleSystem &all_particles() const
+  {
+    return engine().particles();
+  }
+  /// Exchange of particles and bodies; null while there is none.
+  virtual const coupling::Exchange *exchange() const { return nullptr; }
+  /// The step chosen at setup, of a test with an exchange; else null.
+  virtual const SetupStep *setup_step() const { return nullptr; }
+  /// Limit of the step at setup and its reason.
+  const dem::StepLimit &step_limit() const { return limit; }
+  /// Length of the last or next step of the particles [s].
+  virtual double time_step() const { return step; }
+  /// Steps of the particles in one advance().
+  virtual int steps_in_move() const { return 1; }
+  /// Length of a window of the exchange [s].
+  virtual double window() const { return steps_in_move() * time_step(); }
+
+  // Preparation, and its forecast by `spall check`.
+
+  /// What decides the prepared particles, a line each; empty: tests of this
+  /// kind share no preparation.
+  virtual std::string preparation_text() const { return {}; }
+  /// Whether the particles are still being prepared.
+  virtual bool is_preparing() const { return false; }
+  /// `call` is called once, when the particles are prepared.
+  void when_prepared(std::function<void()> call)
+  {
+    call_prepared = std::move(call);
+  }
+  /// Saves the prepared particles at that moment.
+  virtual void save_prepared(std::ostream &out) const { save(out); }
+  /// Restores them into any test of the same preparation_text(), which
+  /// continues as if it had prepared them itself. Throws std::runtime_error.
+  virtual void take_prepared(std::istream &in) { restore(in); }
+  /// Expected length of the preparation, in steps that cost what those of the
+  /// test do; 0: the particles need none [s].
+  virtual double preparation_time() const { return 0.; }
+  /// Continues to where a step costs what it does for most of duration(), by
+  /// shortcuts: what is measured from then on is worth nothing. Throws as
+  /// advance() does.
+  virtual FastPreparation fast_preparation() { return {}; }
+  /// Prints the lines of `spall check` that this kind has besides particles,
+  /// step, memory and time.
+  virtual void describe() const {}
+  /// The same about the time, where steps cost this much on average.
+  virtual void describe_time(const MeanStep &) const {}
+
+  // State.
+
+  /// Saves the full state, bit for bit.
+  virtual void save(std::ostream &out) const;
+  /// Restores a saved test of the same case. Throws std::runtime_error.
+  virtual void restore(std::istream &in);
+  /// What the recorder is to do with the state after the last step.
+  virtual Rewind rewind() const { return Rewind::none; }
+  /// Calls `restore_saved`, which restores the state saved before.
+  virtual void go_back(const std::function<void()> &restore_saved)
+  {
+    restore_saved();
+  }
+
+protected:
+  /// Takes the scene; the engine has all its particles.
+  Test(const Case &parameters, ShapeLibrary shapes,
+       std::unique_ptr<dem::Engine> scene);
+  /// The same with a first step that the test has chosen itself [s].
+  Test(const Case &parameters, ShapeLibrary shapes,
+       std::unique_ptr<dem::Engine> scene, double first_step);
+  /// Takes a scene that does not have all its particles yet, with the longest
+  /// step of any of them and the first step [s].
+  Test(const Case &parameters, ShapeLibrary shapes,
+       std::unique_ptr<dem::Engine> scene, const dem::StepLimit &limit,
+       double first_step);
+
+  /// Advances particles and bodies by a window [s]. Where a guard stops it,
+  /// advance() throws after move().
+  void exchange_window(coupling::Exchange &joined, double window);
+  /// Changes the rule of the steps, and the cap of StepWatch [s].
+  void change_steps(const TimeParameters &rule, double cap);
+  /// Sets them for the first steps of a test.
+  void begin_steps(const TimeParameters &rule, double cap);
+  /// Sets the step to what the contacts allow now, where a scene has changed.
+  void check_contacts();
+  /// Reports the step where loading begins. Throws as StepWatch::report.
+  void report_step()
+  {
+    engine().synchronize();
+    watch.report(engine(), surroundings(), step);
+  }
+  /// Reports that the particles are prepared, see when_prepared().
+  void say_prepared() const;
+  /// Adds a line to the log after this step.
+  void say(const std::string &line) { watch.say(line); }
+  /// Moves boundaries, particles and bodies by steps_in_move() steps of this
+  /// length [s].
+  virtual void move(double time_step) = 0;
+  /// Columns of history.csv between time and counts.
+  virtual std::vector<Quantity> measured() const { return {}; }
+  /// Work of gravity and of what is outside on particles and bodies [J].
+  virtual double external_work() const;
+  /// Energy of the bodies that are coupled to the particles.
+  virtual coupling::BodyEnergy body_energy() const { return {}; }
+  /// What moves around the particles, for the limit of the step.
+  virtual Surroundings surroundings() const { return {}; }
+  /// Breakage events since the last call, of engine and exchange.
+  virtual std::vector<dem::BreakageEvent> fresh_events()
+  {
+    return engine().take_events();
+  }
+
+  Case parameters;
+  ShapeLibrary shapes;
+
+private:
+  std::unique_ptr<dem::Engine> owned_engine;
+  dem::StepLimit limit;
+
+protected:
+  StepWatch watch;
+  std::string stopped_by; ///< words of a guard; empty: none
+  struct FirstEvent
+  {
+    double time = -1., force = 0.; ///< time < 0: none so far [s], [N]
+  };
+  FirstEvent first_event;
+
+private:
+  std::function<void()> call_prepared;
+  double step = 0.; ///< [s]
+};
+
+/// The fixed step, or the longest for the lightest particle on one wall. Throws
+/// InputError if the fixed one is longer.
+double first_step(const Case &parameters, const dem::StepLimit &limit);
+
+/// The scene of a case. Throws InputError.
+std::unique_ptr<Test> make_test(const Case &parameters);
+} // namespace spall

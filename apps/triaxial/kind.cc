@@ -1,0 +1,55 @@
+#include "triaxial/kind.h"
+
+#include "triaxial/triaxial.h"
+
+namespace spall
+{
+namespace
+{
+void set_defaults(Case &c)
+{
+  // Long particles with the rolling friction of the material never come to
+  // rest with radii along the branch.
+  c.specimen.shapes = "shapes/limestone_blocky";
+  c.particle.rolling_friction = 0.5;
+  // Without it a sheet rings between the particles: docs/verification/
+  // error_of_boundary.md.
+  c.membrane.mass_damping = 200.;
+}
+
+void set_template(Case &c)
+{
+  c.coupling.exchange = ExchangeChoice::every_step;
+}
+
+std::unique_ptr<Test> make(const Case &parameters)
+{
+  return std::make_unique<Triaxial>(parameters);
+}
+} // namespace
+
+TestKind triaxial_kind()
+{
+  return {.name = "dynamic_triaxial",
+          .sections = {{"Specimen", "The particles and the room they fill."},
+                       {"Preparation",
+                        "Compaction of the random cloud by servo walls."},
+                       {"Boundary", "What holds the specimen."},
+                       {"Loading", "Confinement, and what the top plate does."},
+                       {"CycleJump", "Many cycles without simulating each."},
+                       {"Output", "What is written, and how often."}},
+          .shared_sections = {"MembraneContact", "Membrane", "Coupling"},
+          .add_parameters = add_triaxial,
+          .set_defaults = set_defaults,
+          .set_template = set_template,
+          .check = check_triaxial,
+          .make = make,
+          .seed_key = "Specimen/seed",
+          .gradation_section = "Specimen",
+          // The step may change where a cycle ends: Triaxial::restore() looks.
+          .may_change = {"Time/step", "Time/fixed_step", "Time/safety",
+                         "Time/impact_error", "Time/force_tolerance",
+                         "Time/energy_tolerance"},
+          .report = triaxial_report};
+}
+} // namespace spall

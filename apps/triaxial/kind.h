@@ -1,0 +1,16 @@
+#pragma once
+
+#include "case/kind.h"
+
+namespace spall
+{
+/// The dynamic triaxial test.
+TestKind triaxial_kind();
+
+/// The keys of its sections.
+void add_triaxial(List &list, Case &of);
+/// What no single range can say. Throws InputError.
+void check_triaxial(const Case &parameters, const Place &place);
+/// Its headlines, rows of the table and charts.
+const KindReport &triaxial_report();
+} // namespace spall

@@ -1,0 +1,116 @@
+// What a triaxial test writes, and when.
+#include "triaxial/triaxial.h"
+
+#include <dem/engine_boundaries.h>
+
+#include <algorithm>
+
+namespace spall
+{
+namespace
+{
+constexpr std::int64_t preparation_interval = 1000; // steps between rows
+
+std::vector<Quantity> quantities_of(const Sample &sample)
+{
+  std::vector<Quantity> row;
+  for (const SampleColumn &column : sample_columns)
+    row.push_back({column.name, sample.*column.value});
+  return row;
+}
+} // namespace
+
+/// After a step. Rows, frames and checkpoints of the loading come at the
+/// ends of sampling intervals.
+void Triaxial::note_due()
+{
+  due_now = {};
+  if (now < Stage::loading)
+  {
+    due_now.row = in_stage % preparation_interval == 0;
+    return;
+  }
+  if (!schedule.is_on_sample())
+    return;
+  const OutputParameters &output = parameters.output;
+  const std::int64_t n = cycle_intervals, interval = schedule.intervals();
+  const auto is_due = [&](std::int64_t times) {
+    return times > 0 && (interval * times) / n != ((interval - 1) * times) / n;
+  };
+  due_now.row = interval == 0 || is_due(output.samples_per_cycle);
+  due_now.frame = interval == 0 || is_due(output.frames_per_cycle);
+  if (interval % n != 0)
+  {
+    if (is_due(2))
+      cycles.take_peak(*this);
+    return;
+  }
+  // Jumps may pass the cycle that a checkpoint is due at.
+  const std::int64_t cycle_now = interval / n, every = output.checkpoint_every;
+  if (every == 0 || cycle_now / every == recorded.checkpoint_cycle / every)
+    return;
+  due_now.checkpoint = true;
+  recorded.checkpoint_cycle = cycle_now;
+}
+
+std::vector<Quantity> Triaxial::row() const
+{
+  return quantities_of(sample(recorded.roundness));
+}
+
+std::vector<Quantity> Triaxial::take_row()
+{
+  const bool is_loading = now >= Stage::loading;
+  if (recorded.roundness == 0. ||
+      (is_loading && schedule.intervals() % cycle_intervals == 0))
+    recorded.roundness = known_roundness.mean(engine().particles());
+  recorded.last = sample(recorded.roundness);
+  if (membrane())
+    recorded.worst_gain = std::max(recorded.worst_gain, exchange_gain());
+  if (is_loading)
+  {
+    recorded.peak_axial_stress =
+        std::max(recorded.peak_axial_stress, recorded.last.axial_stress);
+    if (schedule.intervals() == 0)
+      recorded.loading_start = recorded.last;
+    cycles.take(*this, recorded.last);
+  }
+  return quantities_of(recorded.last);
+}
+
+std::vector<Quantity> Triaxial::own_ledger() const
+{
+  const double plate_work = cell ? cell->plate().drive_work() : 0.;
+  return {{"membrane_work_J", engine().energy().work_of("facets")},
+          {"plate_work_J", plate_work},
+          {"energy_residual_J", recorded.last.energy_residual}};
+}
+
+FrameParts Triaxial::frame_parts() const
+{
+  const bool is_at_an_end =
+      now >= Stage::loading && (schedule.intervals() == 0 || is_complete());
+  const SurfaceFrames asked = parameters.output.surfaces;
+  return {membrane(), asked == SurfaceFrames::all ||
+                          (asked == SurfaceFrames::ends && is_at_an_end)};
+}
+
+EnergyBalance Triaxial::energy_balance() const
+{
+  Sample energies;
+  add_energies(energies);
+  return {energies.external_work, energies.energy_residual,
+          energies.non_conservative_work};
+}
+
+EnergyBalance Triaxial::reported_balance() const
+{
+  return loading_balance(recorded.loading_start, recorded.last);
+}
+
+void Triaxial::add_clocks(std::map<std::string, double> &seconds) const
+{
+  Test::add_clocks(seconds);
+  seconds["step_probe"] = probing;
+}
+} // namespace spall
