@@ -54,6 +54,7 @@ coupling::SlowState Triaxial::slow_state() const
 /// The cycle to come stands for those that are skipped and for itself.
 void Triaxial::begin_damage_cycles()
 {
+  engine().synchronize();
   if (plan.due() == coupling::JumpStep::save_state)
   {
     mean_motion = coupling::mean_motion_between(
@@ -78,6 +79,7 @@ void Triaxial::after_sample()
 
 void Triaxial::end_cycle()
 {
+  engine().synchronize();
   engine().set_repetitions(1.);
   plan.take(slow_state());
   if (plan.observed() == 0)
@@ -89,6 +91,7 @@ void Triaxial::end_cycle()
 /// energies over.
 void Triaxial::extrapolate()
 {
+  engine().synchronize();
   Sample before, after;
   add_energies(before);
   const double time = engine().time(), strain = slow_state().strain,

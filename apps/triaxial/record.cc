@@ -42,7 +42,10 @@ void Triaxial::note_due()
   if (interval % n != 0)
   {
     if (is_due(2))
+    {
+      engine().synchronize();
       cycles.take_peak(*this);
+    }
     return;
   }
   // Jumps may pass the cycle that a checkpoint is due at.

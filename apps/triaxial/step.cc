@@ -121,6 +121,7 @@ void Triaxial::start_probe()
   probe.n_coarse = std::min(probe_steps, schedule.steps_to_sample());
   probe.coarse_step = schedule.step();
   probe.coarse = probe.fine = {};
+  engine().synchronize();
   Sample energies;
   add_energies(energies);
   probe.residual_start = energies.energy_residual;

@@ -89,8 +89,6 @@ void Triaxial::advance()
   settle_step();
   const bool is_loading = now == Stage::loading;
   move(time_step());
-  if (schedule.is_on_sample())
-    engine().synchronize();
   if (is_loading && schedule.is_on_sample())
     after_sample();
   note_due();
