@@ -82,8 +82,9 @@ public:
 
   // Progress.
 
-  /// Takes one step. Throws coupling::GuardStop after a step that a guard
-  /// stops at, and RunFailure where the test cannot go on.
+  /// Takes one step. The last half kick of the particles may stay pending
+  /// (dem::Engine::synchronize). Throws coupling::GuardStop after a step that a
+  /// guard stops at, and RunFailure where the test cannot go on.
   virtual void advance();
   /// Share of the whole test that is done; at 1 the test is over [-].
   virtual double share_done() const = 0;

@@ -23,7 +23,8 @@ protected:
   static void SetUpTestSuite() { add_test_kind(incline_kind()); }
   void SetUp() override
   {
-    folder = fs::path(testing::TempDir()) / "incline";
+    folder = fs::path(testing::TempDir()) /
+             testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder);
     fs::create_directories(folder);
   }

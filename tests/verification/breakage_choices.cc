@@ -129,6 +129,7 @@ void run_small(const Choice &choice, const std::string &file)
     test.advance();
     damage.add(test.take_events());
   }
+  test.engine().synchronize();
   const Sample end = test.sample(0.);
   std::printf("| %s | %zu | %zu | %.4f | %.3g | %.3g | %.2f | %.2f |\n",
               choice.name, damage.n, damage.n_two, end.laa,
@@ -234,6 +235,7 @@ double gain_rate(const std::string &file, const Span &cycles,
   {
     const double time = test.engine().time();
     test.advance();
+    test.engine().synchronize();
     gains.look(test.engine());
     seconds_at_risk += (test.engine().time() - time) * n_at_risk(test.engine());
   }
@@ -287,6 +289,7 @@ void rest(const Rest &keys, const std::string &file)
   Triaxial test(case_with(file, overrides));
   while (test.stage() != Stage::loading)
     test.advance();
+  test.engine().synchronize();
   test.take_events();
   std::printf("| %s | %s | %s | %s |", keys.geometry, keys.lateral,
               keys.damping, keys.hysteresis);
@@ -300,6 +303,7 @@ void rest(const Rest &keys, const std::string &file)
       test.advance();
       damage.add(test.take_events());
     }
+    test.engine().synchronize();
     const double now =
         factors(test.engine()) + static_cast<double>(damage.n - damage.n_two);
     const double seconds = test.engine().time() - time;

@@ -35,6 +35,7 @@ void run_to(Triaxial &test, Stage stage)
 {
   while (test.stage() < stage)
     test.advance();
+  test.engine().synchronize();
 }
 
 /// What the plates carry across by friction, mean of xx and yy [Pa].
@@ -84,6 +85,7 @@ Means consolidate(Triaxial &test, double plate_mass)
   const double rest = test.engine().time() + 0.08;
   while (test.engine().time() < rest)
     test.advance();
+  test.engine().synchronize();
   const PlateMotion first = plate_motion(test);
   Means means;
   int n = 0;
@@ -92,6 +94,7 @@ Means consolidate(Triaxial &test, double plate_mass)
     test.advance();
     if (step % 20 != 0)
       continue;
+    test.engine().synchronize();
     ++n;
     const coupling::StressBalance now = test.stress_balance();
     means.stress.particles += now.particles;
@@ -189,6 +192,7 @@ TEST(Cylinder, ParticlesBearTheRigidSides)
     run_to(test, Stage::consolidation);
     for (int step = 0; step < 200; ++step)
       test.advance();
+    test.engine().synchronize();
     EXPECT_LT(residual(test.stress_balance()), 1e-9 * pressure) << form;
   }
 }
