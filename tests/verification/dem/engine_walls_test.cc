@@ -270,8 +270,9 @@ TEST(EngineWalls, AParticleThatHasComeThroughIsNamed)
       dem::add_plane(engine, Vec3(0.1, 0., 0.), -Vec3::UnitX());
     support::add_sphere(engine, 0.01, Vec3(0.099, 0., 0.));
     EXPECT_NO_THROW(engine.advance(1e-9));
-    engine.particles().position(0).x() = 0.109;                // most of it
-    dem::add_plane(engine, Vec3(-0.2, 0., 0.), Vec3::UnitX()); // lists anew
+    engine.particles().position(0).x() = 0.109; // most of it
+    dem::add_plane(engine, Vec3(-0.2, 0., 0.),
+                   Vec3::UnitX()); // lists are rebuilt
     EXPECT_NO_THROW(engine.advance(1e-9));
     engine.particles().position(0).x() = 0.111;
     dem::add_plane(engine, Vec3(-0.3, 0., 0.), Vec3::UnitX());
