@@ -70,5 +70,5 @@ archer=$(find /usr/lib/llvm-*/lib /usr/lib -maxdepth 2 -name 'libarcher.so*' \
 export OMP_NUM_THREADS=2 OMP_TOOL_LIBRARIES=$archer
 export TSAN_OPTIONS="ignore_noninstrumented_modules=1"
 run_tests build_tsan "ThreadSanitizer, two threads" \
-  '*Loops*:EngineCheckpoint*:NearPairs*:PlaceLists*' unit_dem_engine || status=1
+  '*Loops*:EngineCheckpoint*:NearPairs*:PointListRenewal*' unit_dem_engine || status=1
 exit $status

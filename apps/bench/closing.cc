@@ -97,7 +97,7 @@ bool is_at_rest(const ClosedBox &reached)
 void take_closed(const dem::Engine &engine, const dem::BoxPlanes &box,
                  Packing &packing)
 {
-  take_places(engine, packing);
+  take_positions(engine, packing);
   dem::Vec3 lower;
   for (int d = 0; d < 3; ++d)
     lower[d] =

@@ -42,7 +42,7 @@ void set_velocities(dem::Engine &engine,
         velocities[static_cast<std::size_t>(particles.id[k])];
 }
 
-void take_places(const dem::Engine &engine, Packing &packing)
+void take_positions(const dem::Engine &engine, Packing &packing)
 {
   const dem::ParticleSystem &particles = engine.particles();
   packing.orientation.resize(particles.size());

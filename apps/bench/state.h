@@ -28,7 +28,7 @@ void set_velocities(dem::Engine &engine,
                     const std::vector<dem::Vec3> &velocities); ///< [m/s]
 
 /// Positions and orientations into the packing.
-void take_places(const dem::Engine &engine, Packing &packing);
+void take_positions(const dem::Engine &engine, Packing &packing);
 
 /// FNV-1a over the bytes of all positions: equal if they are, bit for bit.
 std::uint64_t position_checksum(const dem::Engine &engine);

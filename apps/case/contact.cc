@@ -30,8 +30,8 @@ void add_contact(List &list, Case &of)
   list.add(
       {"geometry", "-",
        "sphere: overlap of the equivalent spheres; radial: of the local radii "
-       "along the branch; surface: of the true surfaces, at every place "
-       "where they meet, with the inertia tensors of the particles."},
+       "along the branch; surface: of the true surfaces, at every contact "
+       "point, with the inertia tensors of the particles."},
       c.geometry, {"sphere", "radial", "surface"}, {{"ball", "sphere"}});
   list.add({"wall_geometry", "-",
             "The same for particles on platens, rigid sides, the membrane and "

@@ -32,7 +32,7 @@ void note(const Assignment &a, const std::string &what, const std::string &old,
           const std::string &present, std::vector<std::string> &notes)
 {
   const std::string line =
-      a.place + ": deprecated " + what + " " + old + ": use " + present;
+      a.location + ": deprecated " + what + " " + old + ": use " + present;
   if (std::ranges::find(notes, line) == notes.end())
     notes.push_back(line);
 }

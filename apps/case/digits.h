@@ -16,9 +16,10 @@ inline std::string in_four_digits(double value)
   return text.str();
 }
 
-inline std::string in_four_digits(const Eigen::Vector3d &place)
+inline std::string in_four_digits(const Eigen::Vector3d &position)
 {
-  return "(" + in_four_digits(place.x()) + ", " + in_four_digits(place.y()) +
-         ", " + in_four_digits(place.z()) + ")";
+  return "(" + in_four_digits(position.x()) + ", " +
+         in_four_digits(position.y()) + ", " + in_four_digits(position.z()) +
+         ")";
 }
 } // namespace spall

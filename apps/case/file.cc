@@ -22,7 +22,7 @@ namespace spall
 namespace
 {
 namespace fs = std::filesystem;
-using Places = std::map<std::string, std::string>; ///< Section/key -> place
+using SourceLocations = std::map<std::string, std::string>; ///< Section/key
 
 std::string hint(const std::string &word, const std::vector<std::string> &known)
 {
@@ -59,7 +59,7 @@ void check_known(const Assignment &a, const std::vector<Parameter> &list)
       return;
   }
   const std::string start =
-      a.place + ": " + a.section + "/" + a.key + " = " + a.value + ": ";
+      a.location + ": " + a.section + "/" + a.key + " = " + a.value + ": ";
   if (keys.empty())
     throw InputError(start + "no section of this name" +
                      section_hint(a.section, names));
@@ -68,7 +68,7 @@ void check_known(const Assignment &a, const std::vector<Parameter> &list)
 }
 
 /// Every parameter as text; what is allowed is checked on assignment, with
-/// the place of the value.
+/// the location of the value.
 void declare(dealii::ParameterHandler &handler,
              const std::vector<Parameter> &list)
 {
@@ -101,7 +101,7 @@ void set(dealii::ParameterHandler &handler, const Assignment &a)
 struct Values
 {
   dealii::ParameterHandler handler;
-  Places places;
+  SourceLocations locations;
   std::vector<std::string> deprecated;
 };
 
@@ -112,12 +112,12 @@ std::string take(Values &values, Assignment a,
   use_present_names(a, list, values.deprecated);
   check_known(a, list);
   std::string name = a.section + "/" + a.key;
-  values.places[name] = a.place;
+  values.locations[name] = a.location;
   set(values.handler, a);
   return name;
 }
 
-/// Checks the names of a file, remembers its places, takes its values.
+/// Checks the names of a file, remembers its locations, takes its values.
 /// deal.II's own parser knows no quotes.
 void take_file(Values &values, const std::string &file,
                const std::vector<Parameter> &list)
@@ -126,7 +126,7 @@ void take_file(Values &values, const std::string &file,
   for (const Assignment &a : read_assignments(file))
     if (const std::string name = take(values, a, list);
         !names.insert(name).second)
-      throw InputError(a.place + ": " + a.section + "/" + a.key + " = " +
+      throw InputError(a.location + ": " + a.section + "/" + a.key + " = " +
                        a.value + ": " + name +
                        " is set twice, by its deprecated and its present name");
 }
@@ -193,7 +193,7 @@ std::vector<Parameter> of_material(const std::vector<Parameter> &list,
   for (Assignment a : read_assignments(file))
     if (use_present_names(a, list, notes); !is_material_section(a.section))
       throw InputError(
-          a.place + ": " + a.section + "/" + a.key + " = " + a.value +
+          a.location + ": " + a.section + "/" + a.key + " = " + a.value +
           ": a material file has only the sections Particle, Wall, "
           "MembraneContact and Breakage");
   return result;
@@ -205,8 +205,8 @@ void assign_all(Values &values, const std::vector<Parameter> &list)
   for (const Parameter &parameter : list)
   {
     const std::string name = parameter.section + "/" + parameter.key;
-    const auto place = values.places.find(name);
-    if (place == values.places.end())
+    const auto location = values.locations.find(name);
+    if (location == values.locations.end())
       continue; // the default stays
     const std::string text =
         get(values.handler, parameter.section, parameter.key);
@@ -216,7 +216,7 @@ void assign_all(Values &values, const std::vector<Parameter> &list)
     }
     catch (const std::invalid_argument &error)
     {
-      throw InputError(place->second + ": " + name + " = " + text + ": " +
+      throw InputError(location->second + ": " + name + " = " + text + ": " +
                        error.what());
     }
   }
@@ -257,23 +257,23 @@ std::string kind_said(const std::string &file,
 
 /// Throws InputError for a section or key that cases of this kind do not have.
 void check_kind(const Case &parameters, const std::vector<Parameter> &list,
-                const Places &places)
+                const SourceLocations &locations)
 {
-  const auto refuse = [&](const auto &of_place, const std::string &what)
+  const auto refuse = [&](const auto &of_source, const std::string &what)
   {
-    throw InputError(of_place.second + ": " + of_place.first +
+    throw InputError(of_source.second + ": " + of_source.first +
                      ": a case of kind " + parameters.kind + " has no " + what);
   };
   for (const ListedSection &section : sections())
     if (!section.is_of(parameters.kind))
-      for (const auto &place : places)
-        if (place.first.starts_with(section.name + "/"))
-          refuse(place, "section " + section.name);
+      for (const auto &location : locations)
+        if (location.first.starts_with(section.name + "/"))
+          refuse(location, "section " + section.name);
   for (const Parameter &parameter : list)
     if (!parameter.is_of(parameters.kind))
-      if (const auto place = places.find(parameter.name());
-          place != places.end())
-        refuse(*place,
+      if (const auto location = locations.find(parameter.name());
+          location != locations.end())
+        refuse(*location,
                "key " + parameter.key + " in section " + parameter.section);
 }
 
@@ -340,13 +340,13 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   take_overrides(values, result, overrides, list);
 
   if (is_kind) // else Case/kind itself is refused below
-    check_kind(result, list, values.places);
+    check_kind(result, list, values.locations);
   const std::string named = get(values.handler, "Material", "file");
   if (!named.empty())
   {
     const std::string material = find_path(result, "Material", "file", named);
     const std::vector<Parameter> allowed = of_material(list, material);
-    values.places.clear();
+    values.locations.clear();
     take_file(values, material, allowed);
     take_file(values, file, list); // the case wins
     take_overrides(values, result, overrides, list);
@@ -359,9 +359,9 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   check_case(result,
              [&](const std::string &section, const std::string &key)
              {
-               const auto place = values.places.find(section + "/" + key);
-               return place == values.places.end() ? file + " (default)"
-                                                   : place->second;
+               const auto location = values.locations.find(section + "/" + key);
+               return location == values.locations.end() ? file + " (default)"
+                                                         : location->second;
              });
   return result;
 }

@@ -13,7 +13,7 @@ class List;
 class Test;
 
 /// Where a value of a case was set: "case.prm:12" by section and key.
-using Place =
+using SourceLocation =
     std::function<std::string(const std::string &, const std::string &)>;
 
 /// A section of a case file.
@@ -41,7 +41,8 @@ struct TestKind
   void (*set_template)(Case &defaults) = nullptr;
   /// Checks its parameters against each other and against the files they name.
   /// Throws InputError.
-  void (*check)(const Case &parameters, const Place &place) = nullptr;
+  void (*check)(const Case &parameters,
+                const SourceLocation &location) = nullptr;
   /// Builds the scene. Throws InputError.
   std::unique_ptr<Test> (*make)(const Case &parameters) = nullptr;
   std::string seed_key; ///< Section/key of the seed of its particles

@@ -37,7 +37,7 @@ constexpr Range below(double lower, double upper)
   return {lower, upper, false, true};
 }
 
-/// An enumeration by name; the place in the list is the value.
+/// An enumeration by name; the index in the list is the value.
 struct Choice
 {
   std::vector<std::string> names;

@@ -94,9 +94,9 @@ public:
 private:
   [[noreturn]] void refuse(const std::string &what) const
   {
-    throw InputError(place() + ": " + what);
+    throw InputError(location() + ": " + what);
   }
-  std::string place() const { return file + ":" + std::to_string(line); }
+  std::string location() const { return file + ":" + std::to_string(line); }
 
   void open(const std::string &name)
   {
@@ -123,7 +123,7 @@ private:
       return false;
     const auto value = quoted_value(trim(text.substr(equal + 1)));
     if (value)
-      add({section, trim(text.substr(4, equal - 4)), *value, place()});
+      add({section, trim(text.substr(4, equal - 4)), *value, location()});
     return value.has_value();
   }
 
@@ -131,7 +131,7 @@ private:
   {
     const std::size_t equal = rest.find('=');
     const Assignment a{section, trim(rest.substr(0, equal)),
-                       trim(rest.substr(equal + 1)), place()};
+                       trim(rest.substr(equal + 1)), location()};
     if (a.value.ends_with('\\'))
       refuse(a.section + "/" + a.key + " = " + a.value +
              ": a value is one line");

@@ -6,11 +6,11 @@
 
 namespace spall
 {
-/// One `set key = value` of a case, with the place that says it.
+/// One `set key = value` of a case, with its location.
 struct Assignment
 {
   std::string section, key, value;
-  std::string place; ///< "case.prm:12", "case.json" or "--set"
+  std::string location; ///< "case.prm:12", "case.json" or "--set"
 };
 
 /// Past the three bytes that some editors put before the first line.

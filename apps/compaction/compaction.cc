@@ -89,7 +89,7 @@ void Compaction::fill(double time_step)
   hand_over(height_above_layers());
 }
 
-/// What a layer that finds no place or no rest depends on.
+/// What a layer without free positions or without rest depends on.
 void Compaction::steer_filling(double time_step)
 {
   const FillingParameters &f = parameters.filling;
@@ -97,7 +97,7 @@ void Compaction::steer_filling(double time_step)
   {
     pouring.steer(engine(), time_step);
   }
-  catch (const dem::NoPlace &error)
+  catch (const dem::NoFreePosition &error)
   {
     throw RunFailure(std::string(error.what()) + ": Filling/solid_fraction = " +
                      number_text(f.solid_fraction) +

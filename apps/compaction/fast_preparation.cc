@@ -37,11 +37,12 @@ FastPreparation Compaction::fast_preparation()
 void Compaction::pack()
 {
   const std::vector<dem::ParticleShape> &bodies = scene.all.shape;
-  const auto places =
+  const auto placements =
       dense_packing(bodies, scene.room, parameters.container.height,
                     parameters.filling.solid_fraction);
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    engine().add_particle(bodies[i], places[i].position, places[i].orientation);
+    engine().add_particle(bodies[i], placements[i].position,
+                          placements[i].orientation);
   relax(engine(), time_step());
   // Strokes on every layer pack denser than one press would.
   engine().set_friction(slippery);

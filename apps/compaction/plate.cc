@@ -138,16 +138,16 @@ CompactionPlate::CompactionPlate(const Case &c, double height,
                      coupling::ParticleSide::outside, engine);
 }
 
-void CompactionPlate::add_rigid(const dem::Vec3 &place, std::size_t plane,
+void CompactionPlate::add_rigid(const dem::Vec3 &position, std::size_t plane,
                                 coupling::Exchange &joined, dem::Engine &engine)
 {
   fem::PlateBodyParameters parameters;
   parameters.mass = plate.mass;
-  parameters.centre = place;
+  parameters.centre = position;
   parameters.moves = {false, false, true};
   parameters.turns = {false, false, false};
   auto lid = std::make_unique<coupling::RigidBody>(
-      parameters, coupling::Field{place},
+      parameters, coupling::Field{position},
       coupling::RigidDrive{[this](double time) { return drive.load(time); },
                            {}});
   body = lid.get();
@@ -251,15 +251,15 @@ double CompactionPlate::velocity() const
 /// Slopes of the mean plane of a disc, which is round the z axis [-].
 std::array<double, 2> CompactionPlate::slopes() const
 {
-  const coupling::FieldView place = body->motion().position;
+  const coupling::FieldView position = body->motion().position;
   std::array<double, 2> slope{};
   for (int axis = 0; axis < 2; ++axis)
   {
     double rise = 0., square = 0.;
     for (std::size_t k = 0; k < shares.size(); ++k)
     {
-      rise += shares[k] * place[k](axis) * place[k].z();
-      square += shares[k] * place[k](axis) * place[k](axis);
+      rise += shares[k] * position[k](axis) * position[k].z();
+      square += shares[k] * position[k](axis) * position[k](axis);
     }
     slope[static_cast<std::size_t>(axis)] = square > 0. ? rise / square : 0.;
   }

@@ -56,7 +56,7 @@ public:
   const coupling::SolidBody *elastic() const { return solid; }
 
 private:
-  void add_rigid(const dem::Vec3 &place, std::size_t plane,
+  void add_rigid(const dem::Vec3 &position, std::size_t plane,
                  coupling::Exchange &joined, dem::Engine &engine);
   std::unique_ptr<coupling::DeformableBody>
   make_tilting(const fem::SurfaceMesh &face, double radius);

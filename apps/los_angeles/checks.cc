@@ -7,27 +7,28 @@
 
 namespace spall
 {
-void check_los_angeles(const Case &c, const Place &place)
+void check_los_angeles(const Case &c, const SourceLocation &location)
 {
-  check_inertia(c, place);
+  check_inertia(c, location);
   const Gradation curve =
-      check_gradation(c, place, "Charge", c.charge.gradation);
-  check_shapes(c, place, "Charge", c.charge.shapes);
+      check_gradation(c, location, "Charge", c.charge.gradation);
+  check_shapes(c, location, "Charge", c.charge.shapes);
   if (c.wall.rolling_friction > 0.)
-    refuse(place,
+    refuse(location,
            {"Wall", "rolling_friction", number_text(c.wall.rolling_friction),
             "must be 0: the rolling law takes walls not to turn"});
   const DrumParameters &d = c.drum;
   if (d.lifter_height > 0.29 * d.radius)
-    refuse(place, {"Drum", "lifter_height", number_text(d.lifter_height),
-                   "must be at most 0.29 Drum/radius = " +
-                       number_text(0.29 * d.radius) +
-                       " (the charge is put between the lifter and the axis)"});
+    refuse(
+        location,
+        {"Drum", "lifter_height", number_text(d.lifter_height),
+         "must be at most 0.29 Drum/radius = " + number_text(0.29 * d.radius) +
+             " (the charge is put between the lifter and the axis)"});
   if (std::min(2. * d.radius, d.length) < 4. * curve.diameter.back())
-    refuse(place, {"Drum", "radius", number_text(d.radius),
-                   "the drum must be four times as wide and long as the "
-                   "largest particle of the gradation, " +
-                       largest_text(curve)});
-  check_no_step_error(c, place);
+    refuse(location, {"Drum", "radius", number_text(d.radius),
+                      "the drum must be four times as wide and long as the "
+                      "largest particle of the gradation, " +
+                          largest_text(curve)});
+  check_no_step_error(c, location);
 }
 } // namespace spall

@@ -83,7 +83,7 @@ place_charge(const Case &parameters,
         bodies, {-corner, corner, parameters.contact.follows_surfaces()},
         random);
   }
-  catch (const dem::NoPlace &error)
+  catch (const dem::NoFreePosition &error)
   {
     throw InputError(
         parameters.file + ": " + error.what() + " between lifter and axis: " +
@@ -107,7 +107,7 @@ struct LosAngeles::Scene
     dem::Random random(static_cast<std::uint64_t>(parameters.charge.seed));
     const std::vector<dem::ParticleShape> bodies =
         make_charge(parameters, shapes, random);
-    const std::vector<dem::Placement> places =
+    const std::vector<dem::Placement> placements =
         place_charge(parameters, bodies, random);
     dem::EngineParameters settings = engine_settings(parameters);
     double smallest = bodies[0].inscribed_radius;
@@ -117,7 +117,8 @@ struct LosAngeles::Scene
     engine = std::make_unique<dem::Engine>(settings);
     const auto n_balls = static_cast<std::size_t>(parameters.charge.balls);
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      engine->add_particle(bodies[i], places[i].position, places[i].orientation,
+      engine->add_particle(bodies[i], placements[i].position,
+                           placements[i].orientation,
                            i < n_balls ? steel : std::uint8_t{0});
     const DrumParameters &d = parameters.drum;
     dem::Drum drum;

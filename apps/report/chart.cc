@@ -23,8 +23,8 @@ std::string px(double value)
 {
   std::string text = format_fixed(value, 1);
   // Paths want a plain minus.
-  if (const auto place = text.find("\u2212"); place != std::string::npos)
-    text.replace(place, std::string("\u2212").size(), "-");
+  if (const auto position = text.find("\u2212"); position != std::string::npos)
+    text.replace(position, std::string("\u2212").size(), "-");
   return text;
 }
 
@@ -143,11 +143,11 @@ Axis axis_of(const Chart &chart, std::vector<double> Curve::*values,
                 : nice_axis(range.low, range.high, n);
 }
 
-/// Share of the axis below a value; not finite where it has no place.
+/// Share of the axis below a value; not finite where it has no position.
 double share_below(const Axis &axis, double value)
 {
-  const double place = axis.is_log ? std::log10(value) : value;
-  return (place - axis.low) / (axis.high - axis.low);
+  const double position = axis.is_log ? std::log10(value) : value;
+  return (position - axis.low) / (axis.high - axis.low);
 }
 
 /// Where the data go on the page.
@@ -255,12 +255,12 @@ std::string draw_line(const Curve &curve, const Frame &frame)
 
 std::string draw_marker(double x, double y, const Curve &curve)
 {
-  const std::string place = "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) +
-                            "\" r=\"" + px(curve.marker_size);
+  const std::string position = "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) +
+                               "\" r=\"" + px(curve.marker_size);
   if (curve.marker == Marker::ring)
-    return place + "\" fill=\"#fff\" stroke=\"" + curve.colour +
+    return position + "\" fill=\"#fff\" stroke=\"" + curve.colour +
            "\" stroke-width=\"0.9\"/>\n";
-  return place + "\" fill=\"" + curve.colour + "\"/>\n";
+  return position + "\" fill=\"" + curve.colour + "\"/>\n";
 }
 
 std::string draw_curve(const Curve &curve, const Frame &frame)
@@ -279,7 +279,7 @@ std::string draw_curve(const Curve &curve, const Frame &frame)
   return out;
 }
 
-/// Places the entries row by row from `left`; moves the top of the plot down.
+/// Draws the entries row by row from `left`; moves the top of the plot down.
 std::string draw_legend(const Chart &chart, Frame &frame)
 {
   const auto n_named =

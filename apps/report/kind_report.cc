@@ -36,13 +36,13 @@ double abrasion_percent(const RunData &run)
 std::string text_of(const nlohmann::ordered_json &summary,
                     const std::string &key)
 {
-  const auto place = summary.find(key);
-  if (place == summary.end() || place->is_null())
+  const auto found = summary.find(key);
+  if (found == summary.end() || found->is_null())
     return "–";
-  if (place->is_string())
-    return place->get<std::string>();
-  return place->is_number_integer() ? std::to_string(place->get<long>())
-                                    : place->dump();
+  if (found->is_string())
+    return found->get<std::string>();
+  return found->is_number_integer() ? std::to_string(found->get<long>())
+                                    : found->dump();
 }
 
 std::string number_text_of(const nlohmann::ordered_json &summary,

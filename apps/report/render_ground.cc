@@ -28,7 +28,7 @@ constexpr double drawn_settlement = 0.04;
 
 using Nodes = std::vector<std::array<double, 3>>;
 
-/// Cells with the places of their nodes before any load and what they have
+/// Cells with the positions of their nodes before any load and what they have
 /// moved [m].
 struct Ground
 {

@@ -130,8 +130,8 @@ void name_apart(std::vector<RunData> &runs)
 
 const std::vector<double> *Table::find(const std::string &name) const
 {
-  const auto place = std::find(names.begin(), names.end(), name);
-  return place == names.end() ? nullptr : &columns[place - names.begin()];
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? nullptr : &columns[found - names.begin()];
 }
 
 Table read_table(const std::string &path)
@@ -238,9 +238,9 @@ std::vector<std::size_t> cycle_ends(const Table &loading)
 
 double number(const nlohmann::ordered_json &summary, const std::string &key)
 {
-  const auto place = summary.find(key);
-  if (place == summary.end() || !place->is_number())
+  const auto found = summary.find(key);
+  if (found == summary.end() || !found->is_number())
     return std::numeric_limits<double>::quiet_NaN();
-  return place->get<double>();
+  return found->get<double>();
 }
 } // namespace spall

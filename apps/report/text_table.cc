@@ -63,11 +63,11 @@ std::string page_before(const std::string &command, const std::string &path,
   std::ifstream file(path, std::ios::binary);
   std::ostringstream before;
   before << file.rdbuf();
-  const std::size_t place = before.str().find(marker + "\n");
-  if (!file || place == std::string::npos)
+  const std::size_t offset = before.str().find(marker + "\n");
+  if (!file || offset == std::string::npos)
     throw InputError(command + ": --page " + path +
                      ": must be a file with the line " + marker);
-  return before.str().substr(0, place) + marker + "\n";
+  return before.str().substr(0, offset) + marker + "\n";
 }
 
 void renew_page(const std::string &command, const std::string &path,

@@ -20,7 +20,7 @@ struct MemoryUse
 
 MemoryUse memory_use();
 
-/// Place of processor_seconds among the times of a run, which are carried over
+/// Name of processor_seconds among the times of a run, which are carried over
 /// restarts together.
 inline constexpr const char *processor_time = "processor";
 /// The same without the preparation: cases that share a specimen can be

@@ -15,12 +15,12 @@ ScratchFolder::ScratchFolder()
       std::filesystem::temp_directory_path(status) / "spall.XXXXXX";
   if (status || !mkdtemp(name.data()))
     throw InputError("TMPDIR: must be a folder to write into");
-  place = name;
+  location = name;
 }
 
 ScratchFolder::~ScratchFolder()
 {
   std::error_code status; // what stays behind is only temporary
-  std::filesystem::remove_all(place, status);
+  std::filesystem::remove_all(location, status);
 }
 } // namespace spall

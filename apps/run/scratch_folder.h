@@ -15,9 +15,9 @@ public:
   ScratchFolder(const ScratchFolder &) = delete;
   ScratchFolder &operator=(const ScratchFolder &) = delete;
 
-  const std::filesystem::path &path() const { return place; }
+  const std::filesystem::path &path() const { return location; }
 
 private:
-  std::filesystem::path place;
+  std::filesystem::path location;
 };
 } // namespace spall

@@ -41,9 +41,9 @@ void add_inertia(const dem::Mat3 &inertia, std::vector<ShapeFact> &facts)
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
     {
-      const std::string place = {axes[i], axes[j]};
-      facts.push_back({"inertia_" + place + "_m5",
-                       "inertia " + place + ", unit density", "m^5",
+      const std::string component = {axes[i], axes[j]};
+      facts.push_back({"inertia_" + component + "_m5",
+                       "inertia " + component + ", unit density", "m^5",
                        inertia(i, j)});
     }
   const Eigen::SelfAdjointEigenSolver<dem::Mat3> solver(inertia,

@@ -6,18 +6,18 @@
 
 namespace spall
 {
-void check_single_particle(const Case &c, const Place &place)
+void check_single_particle(const Case &c, const SourceLocation &location)
 {
   const SingleParticleParameters &p = c.single_particle;
   if (!p.shape.empty())
     find_path(c, "Particle", "shape", p.shape);
   if (p.seed == 0 && p.axis_x == 0. && p.axis_y == 0. && p.axis_z == 0.)
-    refuse(place, {"Particle", "axis_z", "0",
-                   "must not be zero along with axis_x and axis_y"});
+    refuse(location, {"Particle", "axis_z", "0",
+                      "must not be zero along with axis_x and axis_y"});
   if (c.press.displacement >= p.diameter)
-    refuse(place,
+    refuse(location,
            {"Press", "displacement", number_text(c.press.displacement),
             "must be below Particle/diameter = " + number_text(p.diameter)});
-  check_no_step_error(c, place);
+  check_no_step_error(c, location);
 }
 } // namespace spall

@@ -28,7 +28,7 @@ constexpr const char *about_units =
     "diameters are in m, so those of a table in mm must be divided by 1000";
 
 void add_row(Gradation &curve, const std::string &text,
-             const std::string &place)
+             const std::string &location)
 {
   const std::size_t comma = text.find(',');
   double diameter = 0., passing = 0.;
@@ -41,11 +41,11 @@ void add_row(Gradation &curve, const std::string &text,
   }
   catch (const std::invalid_argument &)
   {
-    throw InputError(place + ": \"" + text +
+    throw InputError(location + ": \"" + text +
                      "\": a row is two numbers with decimal points, "
                      "diameter_m,passing_1");
   }
-  const std::string row = place + ": \"" + text + "\": ";
+  const std::string row = location + ": \"" + text + "\": ";
   if (diameter <= 0.)
     throw InputError(row + "the diameter must be above 0");
   if (diameter > largest_allowed)
@@ -63,11 +63,11 @@ void add_row(Gradation &curve, const std::string &text,
   curve.passing.push_back(passing);
 }
 
-[[noreturn]] void refuse_header(const std::string &place,
+[[noreturn]] void refuse_header(const std::string &location,
                                 const std::string &text)
 {
   const bool is_in_mm = text.find("mm") != std::string::npos;
-  throw InputError(place + ": \"" + text +
+  throw InputError(location + ": \"" + text +
                    "\": the header must be diameter_m,passing_1" +
                    (is_in_mm ? std::string("; ") + about_units : ""));
 }
@@ -99,16 +99,16 @@ Gradation read_gradation(const std::string &path)
   int n_lines = 0;
   for (std::string line; std::getline(in, line);)
   {
-    const std::string place = path + ":" + std::to_string(++n_lines);
+    const std::string location = path + ":" + std::to_string(++n_lines);
     const std::string text = strip(line);
     if (text.empty() || text.starts_with('#'))
       continue;
     if (has_header)
-      add_row(curve, text, place);
+      add_row(curve, text, location);
     else if (text == "diameter_m,passing_1")
       has_header = true;
     else
-      refuse_header(place, text);
+      refuse_header(location, text);
   }
   if (curve.diameter.size() < 2)
     throw InputError(path + ": a gradation needs at least two rows");

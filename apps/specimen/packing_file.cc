@@ -62,7 +62,7 @@ std::string trimmed(const std::string &text)
 
 /// Takes a row `# box LX LY LZ`; other comments are left alone.
 void take_comment(Packing &packing, const std::string &row,
-                  const std::string &place)
+                  const std::string &location)
 {
   const std::string text = trimmed(row.substr(1));
   if (!text.starts_with("box"))
@@ -76,13 +76,13 @@ void take_comment(Packing &packing, const std::string &row,
   {
   }
   if (sides.size() != 3 || !(std::min({sides[0], sides[1], sides[2]}) > 0.))
-    throw InputError(place + ": \"" + row +
+    throw InputError(location + ": \"" + row +
                      "\": must be # box LX LY LZ, three numbers above 0");
   packing.box = {sides[0], sides[1], sides[2]};
 }
 
 void add_particle(Packing &packing, const std::string &row,
-                  const std::string &place, bool is_turned)
+                  const std::string &location, bool is_turned)
 {
   std::vector<double> v;
   try
@@ -93,18 +93,19 @@ void add_particle(Packing &packing, const std::string &row,
   {
   }
   if (v.size() != (is_turned ? 8 : 4))
-    throw InputError(place + ": \"" + row + "\": a row is " +
+    throw InputError(location + ": \"" + row + "\": a row is " +
                      (is_turned ? "eight" : "four") + " numbers, " +
                      (is_turned ? turned_header : plain_header));
   if (v[3] <= 0.)
-    throw InputError(place + ": \"" + row + "\": the radius must be above 0");
+    throw InputError(location + ": \"" + row +
+                     "\": the radius must be above 0");
   packing.position.emplace_back(v[0], v[1], v[2]);
   packing.radius.push_back(v[3]);
   if (!is_turned)
     return;
   const dem::Quaternion q(v[4], v[5], v[6], v[7]);
   if (!(std::abs(q.norm() - 1.) < 1e-9))
-    throw InputError(place + ": \"" + row +
+    throw InputError(location + ": \"" + row +
                      "\": the quaternion must have length 1");
   packing.orientation.push_back(q);
 }
@@ -142,21 +143,21 @@ Packing read_packing(const std::string &path)
   int n_lines = 0;
   for (std::string line; std::getline(in, line);)
   {
-    const std::string place = path + ":" + std::to_string(++n_lines);
+    const std::string location = path + ":" + std::to_string(++n_lines);
     const std::string row = trimmed(line);
     if (row.empty())
       continue;
     if (row.starts_with('#'))
-      take_comment(packing, row, place);
+      take_comment(packing, row, location);
     else if (has_header)
-      add_particle(packing, row, place, is_turned);
+      add_particle(packing, row, location, is_turned);
     else if (row == plain_header || row == turned_header)
     {
       has_header = true;
       is_turned = row == turned_header;
     }
     else
-      throw InputError(place + ": \"" + row.substr(0, 80) +
+      throw InputError(location + ": \"" + row.substr(0, 80) +
                        "\": the header must be " + plain_header + " or " +
                        turned_header);
   }

@@ -135,13 +135,13 @@ Specimen make_specimen(const Case &parameters)
   const dem::Vec3 lower = dem::Vec3::Zero(), upper = cloud_size(s, volume);
   const bool is_round = s.form == SpecimenForm::cylinder;
   const bool sees_surfaces = parameters.contact.follows_surfaces();
-  std::vector<dem::Placement> places;
+  std::vector<dem::Placement> placements;
   try
   {
-    places = dem::insert_particles(
+    placements = dem::insert_particles(
         particles, {lower, upper, sees_surfaces, is_round}, random);
   }
-  catch (const dem::NoPlace &error)
+  catch (const dem::NoFreePosition &error)
   {
     throw InputError(parameters.file + ": " + error.what() +
                      ": Specimen/initial_solid_fraction = " +
@@ -151,8 +151,8 @@ Specimen make_specimen(const Case &parameters)
   engine.geometry.usual_skin = 0.25 * smallest;
   specimen.engine = std::make_unique<dem::Engine>(engine);
   for (std::size_t i = 0; i < particles.size(); ++i)
-    specimen.engine->add_particle(particles[i], places[i].position,
-                                  places[i].orientation);
+    specimen.engine->add_particle(particles[i], placements[i].position,
+                                  placements[i].orientation);
   if (is_round)
     specimen.walls = dem::add_cylinder(*specimen.engine, lower, upper);
   else

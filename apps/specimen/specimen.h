@@ -46,7 +46,7 @@ fem::SurfaceMesh lateral_mesh(const Case &parameters, const dem::Vec3 &lower,
 /// What the engine needs from the case, with the settings of preparation.
 dem::EngineParameters engine_parameters(const Case &parameters);
 
-/// Reads gradation and shapes, draws and places the particles. Throws
+/// Reads gradation and shapes, draws and inserts the particles. Throws
 /// InputError.
 Specimen make_specimen(const Case &parameters);
 

@@ -78,10 +78,10 @@ Evidence evidence_of(const StudyData &data, const Expectation &expected,
                      const std::string &key, const std::string &where_key,
                      const std::string &where_value)
 {
-  Cut cut(place_of(data.study, key));
+  Cut cut(index_of(data.study, key));
   if (!where_key.empty())
   {
-    cut.where_key = place_of(data.study, where_key);
+    cut.where_key = index_of(data.study, where_key);
     cut.where_value = where_value;
   }
   const auto outcome = static_cast<std::size_t>(
@@ -203,7 +203,7 @@ Verdict judge_answers(const Evidence &one, const Evidence &other)
               in_words(estimate_of(b), 0.)};
 }
 
-/// Place of the level from which a rise or fall goes on otherwise; none where
+/// Index of the level from which a rise or fall goes on otherwise; none where
 /// it is no inner one.
 std::optional<std::size_t> turn_of(const std::vector<Level> &levels,
                                    const Expectation &expected)

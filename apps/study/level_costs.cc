@@ -17,7 +17,7 @@ constexpr double fine_share = 0.5;
 
 using BySeed = std::map<std::string, double>;
 
-std::size_t place_of_outcome(const Study &study, const std::string &outcome)
+std::size_t index_of_outcome(const Study &study, const std::string &outcome)
 {
   return static_cast<std::size_t>(std::ranges::find(study.outcomes, outcome) -
                                   study.outcomes.begin());
@@ -98,7 +98,7 @@ LevelCost level_cost(const StudyData &data, std::size_t key,
       std::ranges::find(study.controls, value) != study.controls.end();
   for (const std::string &cost : study.costs)
   {
-    const std::size_t o = place_of_outcome(study, cost);
+    const std::size_t o = index_of_outcome(study, cost);
     const Estimate ratio =
         estimate_of(in_pairs(of_level(data, o, level), of_reference(data, o),
                              [](double a, double b) { return a / b; }));
@@ -123,7 +123,7 @@ LevelCost level_cost(const StudyData &data, std::size_t key,
 bool saves_over(const StudyData &data, const LevelCost &one,
                 const LevelCost *other)
 {
-  const std::size_t o = place_of_outcome(data.study, data.study.costs.front());
+  const std::size_t o = index_of_outcome(data.study, data.study.costs.front());
   return estimate_of(
              in_pairs(of_level(data, o, one),
                       other ? of_level(data, o, *other) : of_reference(data, o),

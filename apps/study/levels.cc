@@ -77,7 +77,7 @@ std::vector<Cut> series_of(const StudyData &data, std::size_t key)
   return series;
 }
 
-std::size_t place_of(const Study &study, const std::string &key_name)
+std::size_t index_of(const Study &study, const std::string &key_name)
 {
   const auto found = std::ranges::find(study.keys, key_name, &SweptKey::name);
   if (found == study.keys.end())
@@ -100,14 +100,14 @@ bool is_beside_base(const StudyData &data, std::size_t key,
 std::vector<std::size_t> drawn_cases(const StudyData &data, std::size_t key,
                                      const std::string &value)
 {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (std::size_t p = 0; p < data.points.size(); ++p)
     if (data.points[p].values[key] == value && data.results[p].is_done &&
         Cut(key).takes(data.points[p]) &&
         (data.study.combine != Combine::grid ||
          is_beside_base(data, key, data.points[p])))
-      places.push_back(p);
-  return places;
+      indices.push_back(p);
+  return indices;
 }
 
 std::vector<Level> levels_of(const StudyData &data, const Cut &cut,

@@ -12,7 +12,7 @@ namespace spall
 struct Level
 {
   std::string value;
-  double x = 0.; ///< the value as a number, or its place
+  double x = 0.; ///< the value as a number, or its index
   std::vector<double> samples;
 
   double mean() const;      ///< NaN without samples
@@ -35,20 +35,20 @@ struct Cut
 /// in a grid of two keys, with each value of the other; else all of them.
 std::vector<Cut> series_of(const StudyData &data, std::size_t key);
 
-/// Place of a key among those of the study. Throws std::logic_error.
-std::size_t place_of(const Study &study, const std::string &key_name);
+/// Index of a key among those of the study. Throws std::logic_error.
+std::size_t index_of(const Study &study, const std::string &key_name);
 
 /// Whether all other keys of the point are as in the base case; true of all
 /// points where none is the base case.
 bool is_beside_base(const StudyData &data, std::size_t key,
                     const StudyPoint &point);
 
-/// Places of the cases that are done and have this value of the key, in a grid
+/// Indices of the cases that are done and have this value of the key, in a grid
 /// with all other keys as in the base case: those that curves are drawn of.
 std::vector<std::size_t> drawn_cases(const StudyData &data, std::size_t key,
                                      const std::string &value);
 
-/// Levels of the key in order of their values; `outcome` is a place in
+/// Levels of the key in order of their values; `outcome` is an index in
 /// Study::outcomes. Values that are all numbers are sorted.
 std::vector<Level> levels_of(const StudyData &data, const Cut &cut,
                              std::size_t outcome);

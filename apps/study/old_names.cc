@@ -7,10 +7,10 @@ namespace spall
 {
 namespace
 {
-void replace_old_names(Override &setting, const std::string &place,
+void replace_old_names(Override &setting, const std::string &location,
                        const std::vector<Parameter> &list, Study &study)
 {
-  Assignment a{setting.section, setting.key, setting.value, place};
+  Assignment a{setting.section, setting.key, setting.value, location};
   use_present_names(a, list, study.deprecated);
   setting = {a.section, a.key, a.value};
 }
@@ -29,7 +29,7 @@ void replace_old_names(Study &study)
     for (std::string &value : swept.values)
     {
       setting = {swept.section, swept.key, value};
-      replace_old_names(setting, swept.place, list, study);
+      replace_old_names(setting, swept.location, list, study);
       value = setting.value;
     }
     swept.section = setting.section;

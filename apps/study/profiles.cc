@@ -61,14 +61,14 @@ bool is_upright(const Profile &profile)
 
 /// Rows that one of the cases does not have are left out: they would be of
 /// other specimens.
-void add_level(const Rows &rows, const std::string &name, std::size_t place,
+void add_level(const Rows &rows, const std::string &name, std::size_t index,
                bool is_upright, Chart &chart)
 {
   Curve means, bars;
   means.name = name;
-  means.colour = bars.colour = palette_colour(place);
-  means.dash = palette_dash(place);
-  if (place >= palette_size)
+  means.colour = bars.colour = palette_colour(index);
+  means.dash = palette_dash(index);
+  if (index >= palette_size)
     means.line_width *= 2.;
   bars.line_width = 0.6;
   const double gap = std::numeric_limits<double>::quiet_NaN();
@@ -81,7 +81,7 @@ void add_level(const Rows &rows, const std::string &name, std::size_t place,
                  y = estimate_of(rows.y[row]).mean;
     means.x.push_back(x);
     means.y.push_back(y);
-    if (row % stride != place % stride)
+    if (row % stride != index % stride)
       continue;
     const double spread =
         standard_deviation(is_upright ? rows.x[row] : rows.y[row]);
@@ -107,10 +107,10 @@ Chart profile_chart(const StudyData &data, std::size_t key,
                   ") for values of " + swept.name() +
                   ": means of the cases and one standard deviation.",
               axis_label(profile.x), axis_label(profile.y)};
-  std::size_t place = 0;
+  std::size_t index = 0;
   for (const Level &level : levels_of(data, Cut(key), 0))
     add_level(rows_of(data, key, level.value, profile, folder),
-              swept.with_unit(level.value), place++, is_upright(profile),
+              swept.with_unit(level.value), index++, is_upright(profile),
               chart);
   if (chart.curves.empty())
     chart.notes.push_back("no case of this sweep has " + profile.file +

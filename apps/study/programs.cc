@@ -36,7 +36,7 @@ public:
     for (std::atomic<pid_t> &one : running)
       if (pid_t nobody = 0; one.compare_exchange_strong(nobody, id))
       {
-        place = &one;
+        slot = &one;
         break;
       }
     if (is_stopped) // meanwhile
@@ -44,14 +44,14 @@ public:
   }
   ~Registered()
   {
-    if (place)
-      *place = 0;
+    if (slot)
+      *slot = 0;
   }
   Registered(const Registered &) = delete;
   Registered &operator=(const Registered &) = delete;
 
 private:
-  std::atomic<pid_t> *place = nullptr;
+  std::atomic<pid_t> *slot = nullptr;
 };
 } // namespace
 

@@ -109,9 +109,9 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
     if (series[n].where_key)
       look.name = data.study.keys[*series[n].where_key].with_unit(
           series[n].where_value);
-    const double place =
+    const double offset =
         static_cast<double>(n) - 0.5 * static_cast<double>(series.size() - 1);
-    add_levels(levels_of(data, series[n], outcome), along, place * gap, look,
+    add_levels(levels_of(data, series[n], outcome), along, offset * gap, look,
                chart);
   }
   if (chart.curves.empty())

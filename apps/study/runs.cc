@@ -212,14 +212,14 @@ void find_folders(std::vector<StudyPoint> &points, const fs::path &folder)
 std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
                                        int jobs)
 {
-  std::map<std::string, std::size_t> place_of_seed;
+  std::map<std::string, std::size_t> index_of_seed;
   for (const StudyPoint &point : points)
-    place_of_seed.try_emplace(point.seed, place_of_seed.size());
+    index_of_seed.try_emplace(point.seed, index_of_seed.size());
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {},
                            [&](std::size_t k) {
-                             return place_of_seed.at(points[k].seed) /
+                             return index_of_seed.at(points[k].seed) /
                                     static_cast<std::size_t>(jobs);
                            });
   return order;

@@ -21,7 +21,7 @@ std::vector<std::string> list_of(const Assignment &a)
   return values;
 }
 
-/// The enumerator with the place of the value among the names.
+/// The enumerator with the position of the value among the names.
 template <typename Choice>
 Choice choice_of(const Assignment &a, const std::vector<std::string> &names,
                  const std::string &allowed)
@@ -110,7 +110,7 @@ void take_sweep(const Assignment &a, Study &study)
   study.keys.push_back({a.key.substr(0, slash),
                         a.key.substr(slash + 1),
                         list_of(a),
-                        a.place,
+                        a.location,
                         {}});
 }
 
@@ -140,7 +140,8 @@ void take_variant(const Assignment &a, Study &study)
     variant.settings.push_back(one);
   }
   if (study.variants.empty())
-    study.keys.insert(study.keys.begin(), {variant_key, "", {}, a.place, {}});
+    study.keys.insert(study.keys.begin(),
+                      {variant_key, "", {}, a.location, {}});
   study.keys.front().values.push_back(variant.name);
   study.variants.push_back(variant);
 }
@@ -220,7 +221,7 @@ void take_base_case(Case base, Study &study)
   for (SweptKey &key : study.keys)
   {
     if (!study.seeds.empty() && key.name() == study.seed_key)
-      throw InputError(key.place + ": Sweep/" + key.name() +
+      throw InputError(key.location + ": Sweep/" + key.name() +
                        ": Study/seeds sets it already: must be one of them");
     if (const Parameter *parameter = find_key(list, key))
       key.unit = parameter->unit;
@@ -243,7 +244,7 @@ Row values_in(const Study &study, Case parameters, const std::string &variant)
     }
     const Parameter *found = find_key(list, key);
     if (!found)
-      throw InputError(key.place + ": Sweep/" + key.name() +
+      throw InputError(key.location + ": Sweep/" + key.name() +
                        ": no parameter of this name");
     values.push_back(same_text(value_text(*found)));
   }
@@ -329,13 +330,13 @@ bool is_swept(const Study &study, const Row &row, const Row &base,
 }
 
 /// A fault of a setting of this study, with its line where it has one.
-std::string place_fault(const Study &study, const std::string &fault)
+std::string locate_fault(const Study &study, const std::string &fault)
 {
   constexpr std::string_view start = "--set: ";
   if (fault.starts_with(start))
     for (const SweptKey &key : study.keys)
       if (!key.is_variant() && fault.find(key.name() + " = ") == start.size())
-        return key.place + ": Sweep: " + fault.substr(start.size());
+        return key.location + ": Sweep: " + fault.substr(start.size());
   return study.file + ": " + fault;
 }
 
@@ -367,7 +368,7 @@ StudyPoint make_point(const Study &study, const Row &row, const Row &base,
   }
   catch (const InputError &error)
   {
-    throw InputError(place_fault(study, error.what()));
+    throw InputError(locate_fault(study, error.what()));
   }
   return point;
 }
@@ -425,9 +426,9 @@ void check_conditions(const Study &study, const std::vector<StudyPoint> &points)
       const std::string &key = condition.first, &value = condition.second;
       if (value.empty())
         continue;
-      const std::size_t place = place_of(study, key);
+      const std::size_t index = index_of(study, key);
       if (std::ranges::none_of(points, [&](const StudyPoint &point)
-                               { return point.values[place] == value; }))
+                               { return point.values[index] == value; }))
         throw InputError(study.file + ": Expect/" + e.name + ": " + key + "=" +
                          value + ": no case of the study has it");
     }

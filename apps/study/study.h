@@ -18,8 +18,8 @@ struct SweptKey
 {
   std::string section, key; ///< key is empty for variants
   std::vector<std::string> values;
-  std::string place; ///< in the study file
-  std::string unit;  ///< of the key, "-" if none; empty for variants
+  std::string location; ///< in the study file
+  std::string unit;     ///< of the key, "-" if none; empty for variants
 
   bool is_variant() const { return section == variant_key; }
   /// Of a figure.
@@ -109,7 +109,7 @@ struct StudyPoint
   std::string seed;
   std::vector<int> sweeps; ///< keys that it is a point of
   bool is_base = false;    ///< no key has another value than the base case
-  std::string folder;      ///< name in that of the study, by its place at first
+  std::string folder;      ///< name in that of the study, by its index at first
   std::vector<Override> overrides;
   std::string resolved; ///< the case as it will be run
 };

@@ -9,8 +9,8 @@ namespace spall
 {
 void refuse(const Assignment &a, const std::string &allowed)
 {
-  throw InputError(a.place + ": " + a.section + "/" + a.key + " = " + a.value +
-                   ": " + allowed);
+  throw InputError(a.location + ": " + a.section + "/" + a.key + " = " +
+                   a.value + ": " + allowed);
 }
 
 std::vector<std::string> words_of(const std::string &text, char separator)

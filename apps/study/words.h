@@ -9,7 +9,7 @@
 /// The text of a study file in pieces.
 namespace spall
 {
-/// Throws InputError: place, section, key, value and what is allowed.
+/// Throws InputError: location, section, key, value and what is allowed.
 [[noreturn]] void refuse(const Assignment &a, const std::string &allowed);
 
 /// What stands between separators, without the blanks around it; nothing empty.

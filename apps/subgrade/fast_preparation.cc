@@ -35,10 +35,11 @@ void Subgrade::pack()
   const std::vector<dem::ParticleShape> &bodies = scene.all.shape;
   const double height =
       solid_volume(scene.all) / (scene.room.section() * l.solid_fraction);
-  const auto places =
+  const auto placements =
       dense_packing(bodies, scene.room, height, l.initial_solid_fraction);
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    engine().add_particle(bodies[i], places[i].position, places[i].orientation);
+    engine().add_particle(bodies[i], placements[i].position,
+                          placements[i].orientation);
   relax(engine(), time_step());
   press(engine(), pouring.tamper(), p.mass * gravity + p.static_load,
         time_step());

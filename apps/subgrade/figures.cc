@@ -128,7 +128,7 @@ Chart profile_chart(std::span<const RunData> runs)
     particles.push_back(part_of(table, 0.));
     ground.push_back(part_of(table, 1.));
   }
-  // Height is drawn upward: the columns change places.
+  // Height is drawn upward: the columns are exchanged.
   const auto add = [&](const std::vector<Table> &tables,
                        const std::string &column, const std::string &name,
                        std::size_t style)

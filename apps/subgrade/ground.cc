@@ -127,8 +127,8 @@ fem::Solid make_ground(const Case &c)
   const GroundParameters &g = c.subgrade.ground;
   const std::vector<GroundLayer> layers = parse_ground_layers(g.layers);
   fem::Solid ground(soil_of(g, layers), ground_mesh(c));
-  ground.set_initial_stress([&](const Eigen::Vector3d &place)
-                            { return weight_stress(layers, -place.z()); });
+  ground.set_initial_stress([&](const Eigen::Vector3d &position)
+                            { return weight_stress(layers, -position.z()); });
   constexpr std::array<std::int32_t, 6> sides = {fem::z_lower, fem::x_lower,
                                                  fem::x_upper, fem::y_lower,
                                                  fem::y_upper, slanted_side};

@@ -30,7 +30,7 @@ constexpr double slope = 0.5 * std::numbers::sqrt2;
                    ": " + what);
 }
 
-/// A face of the surface with what its place is judged by.
+/// A face of the surface with the data that its position is checked by.
 struct Side
 {
   std::array<Vector, 4> corners;

@@ -14,7 +14,7 @@ void Subgrade::begin_pouring()
                 step_limit().step);
 }
 
-/// What a layer that finds no place or no rest depends on.
+/// What a layer without free positions or without rest depends on.
 void Subgrade::steer_pouring(double time_step)
 {
   const LayerParameters &l = parameters.subgrade.layer;
@@ -22,7 +22,7 @@ void Subgrade::steer_pouring(double time_step)
   {
     pouring.steer(engine(), time_step);
   }
-  catch (const dem::NoPlace &error)
+  catch (const dem::NoFreePosition &error)
   {
     throw RunFailure(std::string(error.what()) +
                      ": Layer/initial_solid_fraction = " +

@@ -98,16 +98,16 @@ void Subgrade::build_ground()
     top = reduced->mesh();
     body = std::move(reduced);
   }
-  const auto place = [this](std::int32_t node) -> const dem::Vec3 &
+  const auto position = [this](std::int32_t node) -> const dem::Vec3 &
   { return top.nodes[static_cast<std::size_t>(node)]; };
   for (std::int32_t k = 0; k < static_cast<std::int32_t>(top.nodes.size()); ++k)
   {
-    if (place(k).norm() < place(middle).norm())
+    if (position(k).norm() < position(middle).norm())
       middle = k;
-    if (std::abs(place(k).y()) < 1e-9) // on a line of the mesh
+    if (std::abs(position(k).y()) < 1e-9) // on a line of the mesh
       cut.push_back(k);
   }
-  std::ranges::sort(cut, {}, [&](std::int32_t k) { return place(k).x(); });
+  std::ranges::sort(cut, {}, [&](std::int32_t k) { return position(k).x(); });
   bowl.assign(cut.size(), 0.);
   area = fem::area_shares(top);
   ground = &joined->add(std::move(body), top, "subgrade",

@@ -2,7 +2,7 @@
 
 #include "case/parameter.h"
 #include "errors.h"
-#include "run/contact_places.h"
+#include "run/contact_point_events.h"
 #include "run/quantity_name.h"
 #include "run/warnings.h"
 
@@ -226,7 +226,7 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
   summary["overlap_over_radius_1"] = engine().overlaps().largest;
-  add_contact_places(engine(), summary);
+  add_contact_point_events(engine(), summary);
   if (first_event.time >= 0.)
   {
     summary["first_event_force_N"] = first_event.force;

@@ -7,23 +7,23 @@ namespace spall
 {
 namespace
 {
-void check_specimen(const Case &c, const Place &place)
+void check_specimen(const Case &c, const SourceLocation &location)
 {
   const SpecimenParameters &s = c.specimen;
   if (s.initial_solid_fraction >= s.solid_fraction)
-    refuse(place, {"Specimen", "initial_solid_fraction",
-                   number_text(s.initial_solid_fraction),
-                   "must be below Specimen/solid_fraction = " +
-                       number_text(s.solid_fraction)});
-  const Gradation curve = check_gradation(c, place, "Specimen", s.gradation);
+    refuse(location, {"Specimen", "initial_solid_fraction",
+                      number_text(s.initial_solid_fraction),
+                      "must be below Specimen/solid_fraction = " +
+                          number_text(s.solid_fraction)});
+  const Gradation curve = check_gradation(c, location, "Specimen", s.gradation);
   const double largest = curve.diameter.back();
   const auto check_size = [&](const std::string &key, double size)
   {
     if (size < 2. * largest)
-      refuse(place, {"Specimen", key, number_text(size),
-                     "must be at least twice the largest particle of the "
-                     "gradation, " +
-                         largest_text(curve)});
+      refuse(location, {"Specimen", key, number_text(size),
+                        "must be at least twice the largest particle of the "
+                        "gradation, " +
+                            largest_text(curve)});
   };
   if (s.form == SpecimenForm::box)
     check_size("side", s.side);
@@ -32,47 +32,47 @@ void check_specimen(const Case &c, const Place &place)
     check_size("diameter", s.diameter);
     check_size("height", s.height);
   }
-  check_shapes(c, place, "Specimen", s.shapes);
+  check_shapes(c, location, "Specimen", s.shapes);
 }
 
-void check_cycle_jump(const Case &c, const Place &place)
+void check_cycle_jump(const Case &c, const SourceLocation &location)
 {
   if (c.cycle_jump.is_on() && c.loading.form == LoadForm::compression)
-    refuse(place,
+    refuse(location,
            {"CycleJump", "tolerance", number_text(c.cycle_jump.tolerance),
             "must be 0 with Loading/form = compression, which has no "
             "cycles"});
 }
 
-void check_time(const Case &c, const Place &place)
+void check_time(const Case &c, const SourceLocation &location)
 {
   const double sample = c.loading.period() / c.output.samples_per_cycle;
   const int n = c.coupling.exchange_rules(c.boundary.lateral).particle_steps;
   if (c.time.step == StepRule::fixed && n * c.time.fixed_step > sample)
-    refuse(place, {"Time", "fixed_step", number_text(c.time.fixed_step),
-                   "a window of " + std::to_string(n) +
-                       " must be at most one sample of history.csv, " +
-                       number_text(sample) +
-                       " s (the period of Loading over "
-                       "Output/samples_per_cycle)"});
+    refuse(location, {"Time", "fixed_step", number_text(c.time.fixed_step),
+                      "a window of " + std::to_string(n) +
+                          " must be at most one sample of history.csv, " +
+                          number_text(sample) +
+                          " s (the period of Loading over "
+                          "Output/samples_per_cycle)"});
   if (c.output.frames_per_cycle > c.output.samples_per_cycle)
-    refuse(place, {"Output", "frames_per_cycle",
-                   std::to_string(c.output.frames_per_cycle),
-                   "must be at most Output/samples_per_cycle = " +
-                       std::to_string(c.output.samples_per_cycle)});
+    refuse(location, {"Output", "frames_per_cycle",
+                      std::to_string(c.output.frames_per_cycle),
+                      "must be at most Output/samples_per_cycle = " +
+                          std::to_string(c.output.samples_per_cycle)});
 }
 } // namespace
 
-void check_triaxial(const Case &c, const Place &place)
+void check_triaxial(const Case &c, const SourceLocation &location)
 {
-  check_inertia(c, place);
-  check_specimen(c, place);
+  check_inertia(c, location);
+  check_specimen(c, location);
   if (c.boundary.lateral == Lateral::membrane)
   {
-    check_contact_tangent(c, place, true);
-    check_membrane(c, place, "Boundary/lateral = membrane");
+    check_contact_tangent(c, location, true);
+    check_membrane(c, location, "Boundary/lateral = membrane");
   }
-  check_cycle_jump(c, place);
-  check_time(c, place);
+  check_cycle_jump(c, location);
+  check_time(c, location);
 }
 } // namespace spall

@@ -159,12 +159,12 @@ double coordination_change(const RunData &run)
 
 std::string prepared_stress(const nlohmann::ordered_json &summary)
 {
-  const auto place = summary.find("preparation");
-  if (place == summary.end() || !place->is_object() ||
-      !place->contains("stress_Pa") || !(*place)["stress_Pa"].is_array())
+  const auto found = summary.find("preparation");
+  if (found == summary.end() || !found->is_object() ||
+      !found->contains("stress_Pa") || !(*found)["stress_Pa"].is_array())
     return "–";
   std::string out;
-  for (const nlohmann::ordered_json &stress : (*place)["stress_Pa"])
+  for (const nlohmann::ordered_json &stress : (*found)["stress_Pa"])
     out += (out.empty() ? "" : " / ") +
            (stress.is_number() ? format(1e-3 * stress.get<double>(), 3) : "–");
   return out;
@@ -173,9 +173,9 @@ std::string prepared_stress(const nlohmann::ordered_json &summary)
 double in_preparation(const nlohmann::ordered_json &summary,
                       const std::string &key)
 {
-  const auto place = summary.find("preparation");
-  return place != summary.end() && place->is_object()
-             ? number(*place, key)
+  const auto found = summary.find("preparation");
+  return found != summary.end() && found->is_object()
+             ? number(*found, key)
              : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -44,9 +44,9 @@ fem::SurfaceMesh square(double side)
           {{0, 1, 2, 3}}};
 }
 
-void add_ball(dem::Engine &engine, double radius, const dem::Vec3 &place)
+void add_ball(dem::Engine &engine, double radius, const dem::Vec3 &position)
 {
-  engine.add_particle(dem::make_sphere(radius), place,
+  engine.add_particle(dem::make_sphere(radius), position,
                       dem::Quaternion::Identity());
 }
 

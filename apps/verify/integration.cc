@@ -59,10 +59,11 @@ double bounce_error(int n_steps)
                   speed / omega * std::sin(omega * time));
 }
 
-/// Place [m] and angle [rad] of the slow rocking mode after a period and more.
+/// Position [m] and angle [rad] of the slow rocking mode after a period and
+/// more.
 struct Rocking
 {
-  double place = 0., angle = 0.;
+  double position = 0., angle = 0.;
 };
 
 Rocking rock(int n_steps)
@@ -86,7 +87,9 @@ std::vector<Row> orders()
   return {{"order, translation (bounce)", "-", 2.,
            order(bounce_error(400), bounce_error(800)), 0.01},
           {"order, translation (rocking)", "-", 2.,
-           order(coarse.place - middle.place, middle.place - fine.place), 0.01},
+           order(coarse.position - middle.position,
+                 middle.position - fine.position),
+           0.01},
           {"order, rotation (rocking)", "-", 2.,
            order(coarse.angle - middle.angle, middle.angle - fine.angle),
            0.01}};
@@ -238,7 +241,8 @@ double worst_change(double time_step)
   return worst;
 }
 
-// Whatever the step: round-off of places of 1 cm, overlaps being micrometres.
+// Whatever the step: round-off of positions of 1 cm, overlaps being
+// micrometres.
 std::vector<Row> linear_impacts()
 {
   std::vector<Row> rows;

@@ -64,9 +64,9 @@ ReferenceTable::ReferenceTable(const std::string &file) : path(find_file(file))
 
 double ReferenceTable::value(std::size_t row, const std::string &column) const
 {
-  const auto place = std::ranges::find(headings, column);
-  if (place == headings.end())
+  const auto found = std::ranges::find(headings, column);
+  if (found == headings.end())
     throw InputError(path + ": no column " + column);
-  return rows[row][static_cast<std::size_t>(place - headings.begin())];
+  return rows[row][static_cast<std::size_t>(found - headings.begin())];
 }
 } // namespace spall::verify

@@ -45,10 +45,10 @@ double relative(double error, double scale)
 void add_share(std::array<dem::FarShare, 4> &shares, std::int32_t node,
                double weight)
 {
-  std::size_t place = 0;
-  while (shares[place].body >= 0 && shares[place].body != node)
-    ++place;
-  shares[place] = {node, shares[place].weight + weight};
+  std::size_t slot = 0;
+  while (shares[slot].body >= 0 && shares[slot].body != node)
+    ++slot;
+  shares[slot] = {node, shares[slot].weight + weight};
 }
 
 using Edge = std::pair<std::int32_t, std::int32_t>;

@@ -44,7 +44,8 @@ std::vector<char> touched(const dem::Engine &engine)
 }
 
 /// (x, y, z, 1) of a particle.
-Eigen::Vector4d place_of(const dem::ParticleSystem &particles, std::size_t k)
+Eigen::Vector4d homogeneous_position(const dem::ParticleSystem &particles,
+                                     std::size_t k)
 {
   return particles.position(k).homogeneous();
 }
@@ -61,7 +62,7 @@ Eigen::Matrix<double, 3, 4> affine_motion(const dem::ParticleSystem &particles,
   {
     if (!is_touched[k])
       continue;
-    const Eigen::Vector4d at = place_of(particles, k);
+    const Eigen::Vector4d at = homogeneous_position(particles, k);
     square += at * at.transpose();
     right += mean_motion.shift[static_cast<std::size_t>(particles.id[k])] *
              at.transpose();
@@ -145,7 +146,7 @@ void calm_rattlers(const dem::Engine &engine, MeanCyclicMotion &mean_motion)
     if (is_touched[k])
       continue;
     const auto id = static_cast<std::size_t>(particles.id[k]);
-    mean_motion.shift[id] = affine * place_of(particles, k);
+    mean_motion.shift[id] = affine * homogeneous_position(particles, k);
     mean_motion.turn[id] = Vec3::Zero();
   }
 }

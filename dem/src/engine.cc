@@ -216,12 +216,12 @@ bool EngineState::run_contacts(const ForceContext &all)
     exchange_factors();
   system.cell.force = sum.cell_force;
   lost += sum.lost;
-  count_places(sum);
+  count_contact_point_events(sum);
   note_overlap(sum.overlap_ratio);
   return sum.wants_breakage;
 }
 
-void EngineState::count_places(const ForceSum &sum)
+void EngineState::count_contact_point_events(const ForceSum &sum)
 {
   contact_points.events.n_jumps += sum.n_jumps;
   contact_points.events.n_ended += sum.n_ended;

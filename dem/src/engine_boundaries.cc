@@ -40,7 +40,7 @@ void EngineState::meet_walls(double time_step)
       if (std::exchange(sum.has_displaced, false))
         schedule.note_displaced_on_deforming();
     }
-    count_places(sum);
+    count_contact_point_events(sum);
   }
 }
 

@@ -17,16 +17,16 @@ using Library = std::vector<std::shared_ptr<const Coefficients>>;
 void save_body(std::ostream &out, const ParticleShape &body,
                const Library &library)
 {
-  std::int32_t place = is_sphere;
+  std::int32_t index = is_sphere;
   if (body.series)
   {
     const auto found = std::find(library.begin(), library.end(), body.series);
-    place = found == library.end()
+    index = found == library.end()
                 ? is_own
                 : static_cast<std::int32_t>(found - library.begin());
   }
-  write_value(out, place);
-  if (place == is_own)
+  write_value(out, index);
+  if (index == is_own)
     write_column(out, *body.series);
   for (const double value :
        {body.scale, body.volume, body.inscribed_radius, body.corner_radius,
@@ -38,20 +38,20 @@ void save_body(std::ostream &out, const ParticleShape &body,
 
 void restore_body(std::istream &in, ParticleShape &body, const Library &library)
 {
-  std::int32_t place = is_sphere;
-  read_value(in, place);
+  std::int32_t index = is_sphere;
+  read_value(in, index);
   body.series.reset();
-  if (place == is_own)
+  if (index == is_own)
   {
     Coefficients own;
     read_column(in, own);
     body.series = std::make_shared<const Coefficients>(std::move(own));
   }
-  else if (place != is_sphere)
+  else if (index != is_sphere)
   {
-    if (place < 0 || static_cast<std::size_t>(place) >= library.size())
+    if (index < 0 || static_cast<std::size_t>(index) >= library.size())
       throw std::runtime_error("checkpoint names a shape that is not there");
-    body.series = library[static_cast<std::size_t>(place)];
+    body.series = library[static_cast<std::size_t>(index)];
   }
   for (double *value :
        {&body.scale, &body.volume, &body.inscribed_radius, &body.corner_radius,

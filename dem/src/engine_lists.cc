@@ -36,7 +36,7 @@ double fastest_point(const std::vector<std::unique_ptr<Boundary>> &boundaries,
   return fastest;
 }
 
-/// From here on particles are put in order of place: neighbours lie near each
+/// From here on particles are put in spatial order: neighbours lie near each
 /// other in the caches, and few loads go to particles of other ranges of
 /// contacts and other threads.
 constexpr std::size_t sorted_from = 128;
@@ -49,15 +49,15 @@ SkinWidth::Cost cost_of_list(const GeometryTraits &geometry)
 
 /// Throws std::runtime_error with the first particle whose position, velocity,
 /// spin or orientation is no finite number, before a list or a grid turns it
-/// into a place in memory.
+/// into an index.
 [[noreturn]] void report_not_finite(const ParticleSystem &particles,
                                     double time)
 {
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const ParticleState &state = particles.state[i];
-    const bool has_place = state.position.allFinite();
-    if (has_place && state.velocity.allFinite() && state.spin.allFinite() &&
+    const bool has_position = state.position.allFinite();
+    if (has_position && state.velocity.allFinite() && state.spin.allFinite() &&
         particles.orientation(i).coeffs().allFinite())
       continue;
     char text[200];
@@ -65,14 +65,14 @@ SkinWidth::Cost cost_of_list(const GeometryTraits &geometry)
                   "particle %lld has %s that is no finite number at %.8g s: "
                   "the step is too long, or an input is no number",
                   static_cast<long long>(particles.id[i]),
-                  has_place ? "a velocity or a spin" : "a position", time);
+                  has_position ? "a velocity or a spin" : "a position", time);
     throw std::runtime_error(text);
   }
   throw std::runtime_error("some particle moves by no finite number");
 }
 
 /// Throws std::runtime_error where particles leap, before they are lost to all
-/// lists and their places to numbers.
+/// lists and their contact points to numbers.
 void require_sane(double fastest, double time_step,
                   const ParticleSystem &system)
 {
@@ -197,8 +197,8 @@ void EngineState::rebuild_lists()
   schedule.skin_renewed();
 }
 
-/// What is left of the skin stays: but for pairs whose places have displaced,
-/// lists are as good as they were.
+/// What is left of the skin stays: but for pairs whose contact points have
+/// displaced, lists are as good as they were.
 void EngineState::renew_lists()
 {
   const PhaseTimer timer(spent.search);
@@ -210,7 +210,7 @@ void EngineState::renew_lists()
   schedule.lists_made();
 }
 
-/// The lists of places on boundaries that deform alone.
+/// The lists of contact points on boundaries that deform alone.
 void EngineState::renew_deforming_lists()
 {
   const PhaseTimer timer(spent.search);
@@ -237,8 +237,8 @@ EngineState::contact_point_search(const ForceContext &still,
                                   const BatchLayout &layout) const
 {
   // Searched farther than the next look at the lists needs, so that only
-  // particles that move are searched again then. Three times as far: places
-  // that are born between two searches are found too late.
+  // particles that move are searched again then. Three times as far: contact
+  // points that are born between two searches are found too late.
   constexpr double reserve = 2.;
   return {still,
           maps,
@@ -267,7 +267,7 @@ void EngineState::rebuild_pair_list()
 
 void EngineState::sort_in_space()
 {
-  // Again when particles may have changed places with their neighbours.
+  // Again when particles may have moved past their neighbours.
   const double diameter = 2. * system.largest_radius();
   if (schedule.n_made > 0 && schedule.path_length - path_at_sort < diameter)
     return;
@@ -278,11 +278,11 @@ void EngineState::sort_in_space()
   pair_finder.forget();
   reorder_column(work.damped, order);
   reorder_column(work.lifted, order);
-  const std::vector<std::int32_t> place = places(order);
-  contact_points.renumber(place);
-  renumber_pairs(place, pair_batch);
+  const std::vector<std::int32_t> new_row = new_rows(order);
+  contact_points.renumber(new_row);
+  renumber_pairs(new_row, pair_batch);
   for (const auto &boundary : walls)
-    boundary->renumber(place, follows_walls());
+    boundary->renumber(new_row, follows_walls());
 }
 
 double EngineState::branch_steepness() const

@@ -95,7 +95,7 @@ private:
   bool evaluate_contacts(double time_step);
   void meet_walls(double time_step);
   bool run_contacts(const ForceContext &all);
-  void count_places(const ForceSum &sum);
+  void count_contact_point_events(const ForceSum &sum);
   void note_overlap(double ratio);
   std::string deepest_contact() const;
   void exchange_factors();

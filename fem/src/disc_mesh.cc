@@ -21,13 +21,13 @@ SolidMesh mirrored(SolidMesh mesh, int axis)
   std::vector<std::int32_t> image;
   for (std::size_t k = 0, n = mesh.nodes.size(); k < n; ++k)
   {
-    Eigen::Vector3d place = mesh.nodes[k];
-    const bool is_shared = std::abs(place(axis)) < tolerance;
+    Eigen::Vector3d position = mesh.nodes[k];
+    const bool is_shared = std::abs(position(axis)) < tolerance;
     image.push_back(
         static_cast<std::int32_t>(is_shared ? k : mesh.nodes.size()));
-    place(axis) = -place(axis);
+    position(axis) = -position(axis);
     if (!is_shared)
-      mesh.nodes.push_back(place);
+      mesh.nodes.push_back(position);
   }
   const auto of = [&](std::int32_t node)
   { return image[static_cast<std::size_t>(node)]; };

@@ -69,24 +69,24 @@ ReturnedStress return_stress(const DruckerPrager &law, const Voigt &trial)
   const double excess = shear + law.friction * mean - law.strength;
   if (excess <=
       round_off * (shear + law.friction * std::abs(mean) + law.strength))
-    return {trial, YieldPlace::inside, 0.};
+    return {trial, YieldRegion::inside, 0.};
   const double multiplier =
       excess /
       (law.shear_modulus + law.bulk_modulus * law.friction * law.dilatancy);
   if (const double left = shear - law.shear_modulus * multiplier; left >= 0.)
     return {left / shear * deviator +
                 (mean - law.bulk_modulus * law.dilatancy * multiplier) * unit,
-            YieldPlace::cone, multiplier};
-  return {law.strength / law.friction * unit, YieldPlace::apex, 0.};
+            YieldRegion::cone, multiplier};
+  return {law.strength / law.friction * unit, YieldRegion::apex, 0.};
 }
 
 VoigtMatrix consistent_tangent(const DruckerPrager &law, const Voigt &trial,
                                const ReturnedStress &result)
 {
   const double k = law.bulk_modulus, g = law.shear_modulus;
-  if (result.place == YieldPlace::inside)
+  if (result.region == YieldRegion::inside)
     return elasticity(k, g);
-  if (result.place == YieldPlace::apex)
+  if (result.region == YieldRegion::apex)
     return VoigtMatrix::Zero();
   const Voigt deviator = trial - mean_of(trial) * unit;
   const double shear = shear_of(deviator);

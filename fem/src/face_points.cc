@@ -30,13 +30,14 @@ std::vector<FacePoint> face_points(const SolidMesh &mesh,
   std::array<Eigen::Vector3d, 4> corners;
   for (std::size_t v = 0; v < 4; ++v)
     corners[v] = mesh.nodes[static_cast<std::size_t>(face.corners[v])];
-  std::vector<double> places;
+  std::vector<double> abscissae;
   for (int part = 0; part < n_parts; ++part)
     for (const double side : {-1., 1.})
-      places.push_back((2. * part + 1. + side / std::sqrt(3.)) / n_parts - 1.);
+      abscissae.push_back((2. * part + 1. + side / std::sqrt(3.)) / n_parts -
+                          1.);
   std::vector<FacePoint> points;
-  for (const double t : places)
-    for (const double s : places)
+  for (const double t : abscissae)
+    for (const double s : abscissae)
     {
       points.push_back(point_at(corners, s, t));
       points.back().area /= n_parts * n_parts;

@@ -22,10 +22,10 @@ void hand_over(const std::vector<HangingNode> &hanging, std::span<Value> values,
 } // namespace
 
 Followers::Followers(std::vector<HangingNode> of_mesh, std::size_t n_nodes)
-    : hanging(std::move(of_mesh)), place(n_nodes, -1)
+    : hanging(std::move(of_mesh)), index_of(n_nodes, -1)
 {
   for (std::size_t k = 0; k < hanging.size(); ++k)
-    place[static_cast<std::size_t>(hanging[k].node)] =
+    index_of[static_cast<std::size_t>(hanging[k].node)] =
         static_cast<std::int32_t>(k);
 }
 

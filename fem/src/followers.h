@@ -15,12 +15,12 @@ class Followers
 public:
   Followers(std::vector<HangingNode> of_mesh, std::size_t n_nodes);
 
-  bool is_hanging(std::size_t node) const { return place[node] >= 0; }
+  bool is_hanging(std::size_t node) const { return index_of[node] >= 0; }
   /// Of a node that hangs.
   std::span<const std::pair<std::int32_t, double>>
   parents(std::size_t node) const
   {
-    return hanging[static_cast<std::size_t>(place[node])].parents;
+    return hanging[static_cast<std::size_t>(index_of[node])].parents;
   }
 
   /// Motion of the hanging nodes from that of their parents.
@@ -34,6 +34,6 @@ public:
 
 private:
   std::vector<HangingNode> hanging;
-  std::vector<std::int32_t> place; ///< of a node in `hanging` or -1
+  std::vector<std::int32_t> index_of; ///< of a node in `hanging` or -1
 };
 } // namespace fem

@@ -44,15 +44,15 @@ void GmshWords::refuse(const std::string &what) const
 
 void GmshWords::skip_blanks()
 {
-  for (; place < text.size() && blanks.find(text[place]) != blanks.npos;
-       ++place)
-    line += text[place] == '\n' ? 1 : 0;
+  for (; offset < text.size() && blanks.find(text[offset]) != blanks.npos;
+       ++offset)
+    line += text[offset] == '\n' ? 1 : 0;
 }
 
 bool GmshWords::has_more()
 {
   skip_blanks();
-  return place < text.size();
+  return offset < text.size();
 }
 
 std::string_view GmshWords::word()
@@ -60,9 +60,9 @@ std::string_view GmshWords::word()
   if (!has_more())
     refuse("ends too early: is the file cut off?");
   const std::size_t end =
-      std::min(text.find_first_of(blanks, place), text.size());
-  const std::string_view found = text.substr(place, end - place);
-  place = end;
+      std::min(text.find_first_of(blanks, offset), text.size());
+  const std::string_view found = text.substr(offset, end - offset);
+  offset = end;
   return found;
 }
 
@@ -99,13 +99,13 @@ std::int64_t GmshWords::count()
 
 void GmshWords::skip_past(const std::string &wanted)
 {
-  std::size_t found = text.find(wanted, place);
+  std::size_t found = text.find(wanted, offset);
   while (found != text.npos && found > 0 && text[found - 1] != '\n')
     found = text.find(wanted, found + 1);
   if (found == text.npos)
     refuse("no " + wanted + " after it: is the file cut off?");
-  line += std::count(text.begin() + std::ptrdiff_t(place),
+  line += std::count(text.begin() + std::ptrdiff_t(offset),
                      text.begin() + std::ptrdiff_t(found), '\n');
-  place = found + wanted.size();
+  offset = found + wanted.size();
 }
 } // namespace fem

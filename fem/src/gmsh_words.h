@@ -33,7 +33,7 @@ private:
   void skip_blanks();
 
   std::string_view text;
-  std::size_t place = 0;
+  std::size_t offset = 0;
   std::int64_t line = 1;
 };
 } // namespace fem

@@ -65,9 +65,9 @@ void PlasticCells::set_initial_stress(
 {
   initial.clear();
   for (const Cell &cell : cells)
-    for (const Eigen::Vector3d &place :
-         point_places(corners_of(mesh, cell.number)))
-      initial.push_back(stress(place));
+    for (const Eigen::Vector3d &region :
+         point_positions(corners_of(mesh, cell.number)))
+      initial.push_back(stress(region));
 }
 
 void PlasticCells::add_initial_stress(std::span<const Voigt> stress)
@@ -102,7 +102,7 @@ void PlasticCells::respond(std::span<const Eigen::Vector3d> u,
       const ReturnedStress result = return_stress(law, trial);
       next.stress[at] = result.stress - initial[at];
       next.strain[at] = last.strain[at];
-      if (result.place != YieldPlace::inside)
+      if (result.region != YieldRegion::inside)
         next.strain[at] += elastic_strain(law, trial - result.stress);
     }
   }
@@ -148,11 +148,11 @@ void PlasticCells::soften(std::span<const Eigen::Vector3d> u,
     {
       const Voigt trial = elastic_trial(k, q, motion, last);
       const ReturnedStress stress = return_stress(law, trial);
-      if (stress.place == YieldPlace::inside)
+      if (stress.region == YieldRegion::inside)
         continue;
       flows = true;
       const double kept =
-          stress.place == YieldPlace::apex ? apex_stiffness : 0.;
+          stress.region == YieldRegion::apex ? apex_stiffness : 0.;
       const VoigtMatrix change = consistent_tangent(law, trial, stress) -
                                  (1. - kept) * elasticity(law);
       soft.stiffness += points.volume[q] * points.strain[q].transpose() *

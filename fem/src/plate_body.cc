@@ -168,9 +168,9 @@ void PlateBody::end_step(const PlateLoad &drive, const PlateLoad &reaction,
   kick(0.5 * time_step);
 }
 
-Vector PlateBody::velocity_at(const Vector &place) const
+Vector PlateBody::velocity_at(const Vector &position) const
 {
-  return now.velocity + spin().cross(place - now.centre);
+  return now.velocity + spin().cross(position - now.centre);
 }
 
 Vector PlateBody::moved(const Vector &start) const

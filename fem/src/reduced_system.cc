@@ -15,31 +15,32 @@ struct Blocks
   SparseMatrix ii, oi, oo; ///< ii and oo: lower triangles
 };
 
-/// New place of every unknown: the rows of the interface, or the rest.
-struct Places
+/// New index of every unknown: the rows of the interface, or the rest.
+struct Numbering
 {
   std::vector<bool> is_interface;
-  std::vector<int> place;
+  std::vector<int> new_index;
   int n_interface = 0, n_rest = 0;
 };
 
-Places make_places(std::size_t n_unknowns, std::span<const InterfaceRow> rows)
+Numbering make_numbering(std::size_t n_unknowns,
+                         std::span<const InterfaceRow> rows)
 {
-  Places places{std::vector<bool>(n_unknowns, false),
-                std::vector<int>(n_unknowns, 0)};
+  Numbering numbering{std::vector<bool>(n_unknowns, false),
+                      std::vector<int>(n_unknowns, 0)};
   for (const InterfaceRow &row : rows)
   {
     const auto k = static_cast<std::size_t>(row.unknown);
-    places.is_interface[k] = true;
-    places.place[k] = places.n_interface++;
+    numbering.is_interface[k] = true;
+    numbering.new_index[k] = numbering.n_interface++;
   }
   for (std::size_t k = 0; k < n_unknowns; ++k)
-    if (!places.is_interface[k])
-      places.place[k] = places.n_rest++;
-  return places;
+    if (!numbering.is_interface[k])
+      numbering.new_index[k] = numbering.n_rest++;
+  return numbering;
 }
 
-Blocks split(const SparseMatrix &lower, const Places &places)
+Blocks split(const SparseMatrix &lower, const Numbering &numbering)
 {
   std::vector<Eigen::Triplet<double>> ii, oi, oo;
   for (int column = 0; column < lower.outerSize(); ++column)
@@ -47,19 +48,19 @@ Blocks split(const SparseMatrix &lower, const Places &places)
     {
       const auto r = static_cast<std::size_t>(entry.row());
       const auto c = static_cast<std::size_t>(column);
-      const int row = places.place[r], col = places.place[c];
-      if (places.is_interface[r] && places.is_interface[c])
+      const int row = numbering.new_index[r], col = numbering.new_index[c];
+      if (numbering.is_interface[r] && numbering.is_interface[c])
         ii.emplace_back(std::max(row, col), std::min(row, col), entry.value());
-      else if (places.is_interface[c])
+      else if (numbering.is_interface[c])
         oi.emplace_back(row, col, entry.value());
-      else if (places.is_interface[r])
+      else if (numbering.is_interface[r])
         oi.emplace_back(col, row, entry.value());
       else
         oo.emplace_back(std::max(row, col), std::min(row, col), entry.value());
     }
-  Blocks blocks{SparseMatrix(places.n_interface, places.n_interface),
-                SparseMatrix(places.n_rest, places.n_interface),
-                SparseMatrix(places.n_rest, places.n_rest)};
+  Blocks blocks{SparseMatrix(numbering.n_interface, numbering.n_interface),
+                SparseMatrix(numbering.n_rest, numbering.n_interface),
+                SparseMatrix(numbering.n_rest, numbering.n_rest)};
   blocks.ii.setFromTriplets(ii.begin(), ii.end());
   blocks.oi.setFromTriplets(oi.begin(), oi.end());
   blocks.oo.setFromTriplets(oo.begin(), oo.end());
@@ -105,16 +106,17 @@ MatrixXd constraint_modes(const SparseFactor &inside, const SparseMatrix &oi)
   return modes;
 }
 
-Eigen::VectorXd rest_mass(const SolidParts &parts, const Places &places)
+Eigen::VectorXd rest_mass(const SolidParts &parts, const Numbering &numbering)
 {
-  Eigen::VectorXd mass(places.n_rest);
+  Eigen::VectorXd mass(numbering.n_rest);
   for (std::size_t k = 0; k < parts.mass.size(); ++k)
     for (int c = 0; c < 3; ++c)
     {
       const std::int32_t unknown = parts.supports.unknown(k, c);
       if (unknown >= 0 &&
-          !places.is_interface[static_cast<std::size_t>(unknown)])
-        mass(places.place[static_cast<std::size_t>(unknown)]) = parts.mass[k];
+          !numbering.is_interface[static_cast<std::size_t>(unknown)])
+        mass(numbering.new_index[static_cast<std::size_t>(unknown)]) =
+            parts.mass[k];
     }
   return mass;
 }
@@ -137,26 +139,26 @@ interface_rows(const SolidSupports &supports,
 ReducedSystem reduce(const SolidParts &parts, double stiffness_damping,
                      std::span<const InterfaceRow> rows, int n_inner_modes)
 {
-  const Places places = make_places(parts.supports.n_unknowns(), rows);
-  const Blocks stiffness = split(assemble(parts, {0., 0., 1.}), places);
+  const Numbering numbering = make_numbering(parts.supports.n_unknowns(), rows);
+  const Blocks stiffness = split(assemble(parts, {0., 0., 1.}), numbering);
   const SparseFactor inside(stiffness.oo);
   const MatrixXd constraint = constraint_modes(inside, stiffness.oi);
   InnerModes inner;
-  inner.shapes = MatrixXd(places.n_rest, 0);
+  inner.shapes = MatrixXd(numbering.n_rest, 0);
   if (n_inner_modes > 0)
-    inner = slowest_modes(inside, rest_mass(parts, places), n_inner_modes);
+    inner = slowest_modes(inside, rest_mass(parts, numbering), n_inner_modes);
 
   ReducedSystem system;
-  system.mass = project(split(assemble(parts, {1., 0., 0.}), places),
+  system.mass = project(split(assemble(parts, {1., 0., 0.}), numbering),
                         constraint, inner.shapes);
   system.stiffness =
       whole(stiffness.ii) + stiffness.oi.transpose() * constraint;
   system.stiffness =
       0.5 * (system.stiffness + system.stiffness.transpose()).eval();
   system.inner_stiffness = inner.frequencies.cwiseAbs2();
-  MatrixXd damping = project(split(assemble(parts, {0., 1., 0.}), places),
+  MatrixXd damping = project(split(assemble(parts, {0., 1., 0.}), numbering),
                              constraint, inner.shapes);
-  const Index n = places.n_interface, m = inner.shapes.cols();
+  const Index n = numbering.n_interface, m = inner.shapes.cols();
   damping.topLeftCorner(n, n) += stiffness_damping * system.stiffness;
   damping.bottomRightCorner(m, m).diagonal() +=
       stiffness_damping * system.inner_stiffness;

@@ -82,19 +82,19 @@ double checked_determinant(const Eigen::Matrix3d &j, const CellCorners &corners)
 }
 } // namespace
 
-std::array<Vector, 8> point_places(const CellCorners &corners)
+std::array<Vector, 8> point_positions(const CellCorners &corners)
 {
   const std::array<Vector, 8> points = gauss_points();
-  std::array<Vector, 8> places;
+  std::array<Vector, 8> positions;
   for (std::size_t q = 0; q < 8; ++q)
   {
-    places[q] = Vector::Zero();
+    positions[q] = Vector::Zero();
     for (std::size_t v = 0; v < 8; ++v)
-      places[q] += 0.125 * (1. + sign(v, 0) * points[q].x()) *
-                   (1. + sign(v, 1) * points[q].y()) *
-                   (1. + sign(v, 2) * points[q].z()) * corners[v];
+      positions[q] += 0.125 * (1. + sign(v, 0) * points[q].x()) *
+                      (1. + sign(v, 1) * points[q].y()) *
+                      (1. + sign(v, 2) * points[q].z()) * corners[v];
   }
-  return places;
+  return positions;
 }
 
 PointGradients point_gradients(const CellCorners &corners)

@@ -39,7 +39,7 @@ struct PointGradients
 PointGradients point_gradients(const CellCorners &corners);
 CellPoints mean_dilatation_points(const CellCorners &corners);
 std::array<Eigen::Vector3d, 8>
-point_places(const CellCorners &corners); ///< [m]
+point_positions(const CellCorners &corners); ///< [m]
 
 /// Lumped masses rho int N_v dV of the corners [kg].
 std::array<double, 8> cell_mass(const CellCorners &corners, double density);

@@ -29,8 +29,8 @@ def ground(changes, *message):
     """A case with these changes and what must be said about it."""
     case = {section: dict(entries) for section, entries in SOUND.items()}
     name = "subgrade"
-    for place, text in changes.items():
-        section, key = place.split("/")
+    for name_of_key, text in changes.items():
+        section, key = name_of_key.split("/")
         case.setdefault(section, {})[key] = text
         name += "_" + key + "_" + str(text).replace("/", "_")
     last = list(changes)[-1]

@@ -21,7 +21,7 @@ HALVED = ("Boundary/refined=pressed",)
 KINDS = {"plain": ((), 1e-3, 1e-6), "halved": (HALVED, 1e-3, 1e-6),
          "rubber": (RUBBER, 1e-3, 1e-6),
          "implicit_rubber": (IMPLICIT + RUBBER, 1e-2, 1e-2)}
-# Peaks of the same membrane; particles fall into other places by and by.
+# Peaks of the same membrane; particle positions diverge with time.
 PAIRS = (("implicit_rubber", "rubber"),)
 NEAR = 0.1
 

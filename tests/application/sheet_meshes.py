@@ -33,7 +33,7 @@ def equal_faults(mine, its):
     faults = [f"{key}: {mine[key]}, {its[key]} without a file"
               for key in ("exchange_gain_1", "exchange_gain_limit_1")
               if abs(mine[key] / its[key] - 1.) > 1e-9]
-    # Particles fall into other places by and by, as nodes have other numbers.
+    # Particle positions diverge with time, as nodes have other numbers.
     peak = "peak_axial_stress_Pa"
     return faults + ([] if abs(mine[peak] / its[peak] - 1.) < 0.1 else [
         f"peak {mine[peak]}, {its[peak]} without a file"])

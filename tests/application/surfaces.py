@@ -14,7 +14,7 @@ from triaxial_runs import rows, run, summary
 
 SURFACES = ("Contact/geometry=surface", "Contact/wall_geometry=surface",
             "Particle/rolling_friction=0", "Breakage/is_active=false",
-            # A particle lies on several places of a wall: a stiffer mount.
+            # A particle has several contact points on a wall: a stiffer mount.
             "Time/fixed_step=7e-7",
             # Surfaces must not overlap in the cloud.
             "Specimen/initial_solid_fraction=0.12",
@@ -40,7 +40,7 @@ def faults(folder):
     if not 2.5 < result["coordination_start_1"] < 6.:
         found.append(f"coordination {result['coordination_start_1']}")
     if "contact_places" not in result:
-        found.append("nothing said of places")
+        found.append("no entry contact_places")
     return found
 
 

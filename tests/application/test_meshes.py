@@ -89,12 +89,12 @@ def gmsh(nodes, cells, volume=lambda k: 1):
     return text + "$EndElements\n"
 
 
-def block(x, y, z, place=lambda *at: at):
+def block(x, y, z, position=lambda *at: at):
     """Nodes and cells of a block with its mesh lines at these x, y and z, each
-    node put to its place."""
+    node moved to its position."""
     def number(i, j, k):
         return i + len(x) * (j + len(y) * k)
-    nodes = [place(a, b, c) for c in z for b in y for a in x]
+    nodes = [position(a, b, c) for c in z for b in y for a in x]
     # Turned so that Spall numbers the nodes as those of its own block.
     corners = ((0, 1, 0), (1, 1, 0), (1, 1, 1), (0, 1, 1),
                (0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1))
@@ -106,9 +106,9 @@ def block(x, y, z, place=lambda *at: at):
 
 def second_order_quad():
     """A .msh file (format 2) of one quad of eight nodes."""
-    places = ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1))
+    corners = ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1))
     text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n"
-    for k, (x, y) in enumerate(places, 1):
+    for k, (x, y) in enumerate(corners, 1):
         text += f"{k} {x} {y} 0\n"
     return text + "$EndNodes\n$Elements\n1\n1 16 2 1 1 " \
         "1 2 3 4 5 6 7 8\n$EndElements\n"
@@ -125,7 +125,7 @@ def extruded(quads, points, z):
 
 def box_sheet(across, heights):
     """A .msh file with the quads of the four sides of an upright box with its
-    mesh lines at these places along x and y, and at these heights."""
+    mesh lines at these positions along x and y, and at these heights."""
     low, high = across[0], across[-1]
     ring = [(x, low) for x in across[:-1]] + [(high, y) for y in across[:-1]]
     ring += [(x, high) for x in across[:0:-1]] + \

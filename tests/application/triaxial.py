@@ -5,7 +5,7 @@
     triaxial.py SPALL --write     writes the references anew
 
 A packing of a hundred particles is chaotic: one unit in the ninth digit of a
-modulus changes what depends on the last place of single particles. So numbers of
+modulus changes what depends on the last position of single particles. So numbers of
 the packing are compared widely, and what is a promise of the method (balance,
 energy, rest, sums) is held to its own limit.
 """

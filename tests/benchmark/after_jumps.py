@@ -4,7 +4,7 @@
     after_jumps.py EVERY,JUMP [EVERY,JUMP ...]
 
 Each pair names the folders of two runs of one specimen, one with jumps over
-load cycles. For each place after the landing, strain and abrasion of that cycle
+load cycles. For each position after the landing, strain and abrasion of that cycle
 over those of the other run at the same time, means over all jumps (sums over
 sums); the other run is taken over eight cycles before and after. `wear`: the
 cycles that stand for many.
@@ -27,15 +27,15 @@ def cycles_of(folder):
                 for row in csv.DictReader(file)]
 
 
-def places(cycles):
+def positions(cycles):
     """`wear`, or how many cycles after it; none before the first jump."""
-    place = None
+    position = None
     for _, stands_for, _ in cycles[1:]:
         if stands_for > 1:
-            place = 0
-        elif place is not None:
-            place += 1
-        yield "wear" if place == 0 else place
+            position = 0
+        elif position is not None:
+            position += 1
+        yield "wear" if position == 0 else position
 
 
 def main():
@@ -45,13 +45,13 @@ def main():
     for pair in sys.argv[1:]:
         every, jump = map(cycles_of, pair.split(","))
         of_cycle = {cycle: values for cycle, _, values in every}
-        for place, before, (cycle, stands_for, values) in zip(
-                places(jump), jump, jump[1:]):
-            if place is None:
+        for position, before, (cycle, stands_for, values) in zip(
+                positions(jump), jump, jump[1:]):
+            if position is None:
                 continue
             first = max(min(of_cycle), before[0] - BESIDE)
             last = min(max(of_cycle), cycle + BESIDE)
-            count = sums.setdefault(place, [0, [0., 0.], [0., 0.]])
+            count = sums.setdefault(position, [0, [0., 0.], [0., 0.]])
             count[0] += 1
             for k in range(len(COLUMNS)):
                 count[1][k] += (values[k] - before[2][k]) / stands_for
@@ -59,10 +59,10 @@ def main():
                                 (last - first))
     shown = ["wear", *(n for n in range(1, SHOWN + 1) if n in sums)]
     print(table(["cycle after the wear", "cycles", "strain", "abrasion"],
-                [[str(place), str(sums[place][0]),
+                [[str(position), str(sums[position][0]),
                   *(f"{mine / other:.2f}"
-                    for mine, other in zip(*sums[place][1:]))]
-                 for place in shown if place in sums]))
+                    for mine, other in zip(*sums[position][1:]))]
+                 for position in shown if position in sums]))
 
 
 if __name__ == "__main__":

@@ -192,8 +192,8 @@ Meeting exactly(const Pairs &pairs, const dem::Engine &engine, std::size_t c)
   return {};
 }
 
-/// Of the places where two particles touch, the deepest, and how many there
-/// are; particle A is in no other pair.
+/// Of the contact points where two particles touch, the deepest, and how many
+/// there are; particle A is in no other pair.
 struct Touch
 {
   std::size_t deepest = 0;
@@ -246,7 +246,7 @@ Errors cache_errors(const Pairs &pairs, dem::ContactGeometry geometry,
   {
     const Meeting exact = exactly(pairs, engine, touch.deepest);
     const double overlap = engine.pairs().overlap[touch.deepest];
-    // Beyond what any cache may be wrong by, it is another place.
+    // Beyond what any cache may be wrong by, it is another contact point.
     if (std::abs(overlap - exact.overlap) > 1e-4 * diameter)
       ++errors.n_lost;
     else if (touch.n == 1)

@@ -30,7 +30,7 @@ Meeting on_branch(const MappedPair &pair, double radius_a, double radius_b)
 /// A surface as a height along an axis over the plane across it.
 struct HeightField
 {
-  Vec2 place;     ///< in the plane [m]
+  Vec2 position;  ///< in the plane [m]
   double height;  ///< [m]
   Vec2 slope;     ///< [-]
   Mat2 second;    ///< derivatives [1/m]
@@ -50,7 +50,7 @@ HeightField height_field(const dem::ParticleShape &body, const Vec3 &direction,
   const Vec3 u = up * axes.col(2);
   const double along = p.normal.dot(u);
   HeightField field;
-  field.place = {p.position.dot(axes.col(0)), p.position.dot(axes.col(1))};
+  field.position = {p.position.dot(axes.col(0)), p.position.dot(axes.col(1))};
   field.height = p.position.dot(u);
   field.slope = {-p.normal.dot(axes.col(0)) / along,
                  -p.normal.dot(axes.col(1)) / along};
@@ -62,15 +62,15 @@ HeightField height_field(const dem::ParticleShape &body, const Vec3 &direction,
   return field;
 }
 
-/// The direction in which the surface is over a place of the plane, by the
+/// The direction in which the surface is over a point of the plane, by the
 /// second-order height there.
-Vec3 direction_over(const HeightField &field, const Vec2 &place,
+Vec3 direction_over(const HeightField &field, const Vec2 &position,
                     const Mat3 &rotation, const Axes &axes, double up)
 {
-  const Vec2 move = place - field.place;
+  const Vec2 move = position - field.position;
   const double height = field.height + field.slope.dot(move) +
                         0.5 * move.dot(field.second * move);
-  const Vec3 point = place.x() * axes.col(0) + place.y() * axes.col(1) +
+  const Vec3 point = position.x() * axes.col(0) + position.y() * axes.col(1) +
                      up * height * axes.col(2);
   return (rotation.transpose() * point).normalized();
 }
@@ -118,8 +118,8 @@ Meeting by_heights(const MappedPair &pair, int n_corrections)
   for (int k = 0; k < n_corrections; ++k)
   {
     const Mat2 second = made_concave(a.second + b.second, size);
-    // Both heights about the place of A.
-    const Vec2 apart = a.place - b.place;
+    // Both heights about the point of A.
+    const Vec2 apart = a.position - b.position;
     const Vec2 gradient = a.slope + b.slope + b.second * apart;
     Vec2 move = -second.inverse() * gradient;
     if (const double longest = 0.35 * size; move.norm() > longest)
@@ -127,21 +127,21 @@ Meeting by_heights(const MappedPair &pair, int n_corrections)
     const double sum = a.height + b.height + b.slope.dot(apart) +
                        0.5 * apart.dot(b.second * apart) + gradient.dot(move) +
                        0.5 * move.dot(second * move);
-    const Vec2 place = a.place + move, slope = a.slope + a.second * move;
+    const Vec2 position = a.position + move, slope = a.slope + a.second * move;
     result.overlap = sum - distance;
     result.normal =
         (axes.col(2) - slope.x() * axes.col(0) - slope.y() * axes.col(1))
             .normalized();
-    result.arm = place.x() * axes.col(0) + place.y() * axes.col(1) +
+    result.arm = position.x() * axes.col(0) + position.y() * axes.col(1) +
                  (a.height + a.slope.dot(move) +
                   0.5 * move.dot(a.second * move) - 0.5 * result.overlap) *
                      axes.col(2);
     if (k + 1 == n_corrections)
       break;
     a = height_field(pair.a.body,
-                     direction_over(a, place, Mat3::Identity(), axes, 1.),
+                     direction_over(a, position, Mat3::Identity(), axes, 1.),
                      Mat3::Identity(), axes, 1.);
-    b = height_field(pair.b.body, direction_over(b, place, turn, axes, -1.),
+    b = height_field(pair.b.body, direction_over(b, position, turn, axes, -1.),
                      turn, axes, -1.);
   }
   return result;
@@ -187,7 +187,7 @@ std::optional<MappedPair> bring_together(const MappedPair &from)
   MappedPair pair = from;
   double distance = pair.pose.position.norm();
   dem::ContactPoint contact_point;
-  // Careful while far: another place may come nearer first.
+  // Careful while far: another point may come nearer first.
   for (int step = 0; step < 200; ++step)
   {
     pair.pose.position = distance * along;

@@ -26,19 +26,20 @@ Meeting by_radii(const dem::MappedPair &pair);
 /// over the plane across the branch; 1 or more.
 Meeting by_heights(const dem::MappedPair &pair, int n_corrections);
 
-/// The deepest place that a search from nothing finds; margin
+/// The deepest contact point that a search from nothing finds; margin
 /// as in dem::find_contact_points() [m].
 Meeting by_search(const dem::MappedPair &pair, double margin);
 
-/// The place that Newton steps from a start find.
+/// The contact point that Newton steps from a start find.
 Meeting by_refinement(const dem::MappedPair &pair,
                       const dem::ContactPoint &start);
 
-/// The deepest place of a search. Its is_found is false without any.
+/// The deepest contact point of a search. Its is_found is false without any.
 dem::ContactPoint deepest_contact_point(const dem::MappedPair &pair,
                                         double margin);
 
-/// B moves along the branch until its deepest place just touches A. Nothing if
-/// the search loses the place on the way: flat faces have no lens of contact.
+/// B moves along the branch until its deepest contact point just touches A.
+/// Nothing if the search loses the contact point on the way: flat faces have no
+/// lens of contact.
 std::optional<dem::MappedPair> bring_together(const dem::MappedPair &from);
 } // namespace spall

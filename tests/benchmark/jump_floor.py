@@ -8,7 +8,7 @@ Each file is that of a run of every cycle. The first twenty cycles and the last
 ones are taken as they are; of every so many between only some are looked at,
 and between these the growth follows the power law through their rates. No jump,
 wear or landing is there, so what is off is what growth in bursts hides from any
-extrapolation: mean and standard deviation over all places at which the looks
+extrapolation: mean and standard deviation over all cycles at which the looks
 may begin.
 """
 import csv

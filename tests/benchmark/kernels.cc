@@ -162,7 +162,8 @@ void breakage_event(State &state)
 }
 BENCHMARK(breakage_event)->Apply(orders)->Unit(benchmark::kMicrosecond);
 
-/// What the search for places looks up, of a shape that has just changed.
+/// What the search for contact points looks up, of a shape that has just
+/// changed.
 void radius_map(State &state)
 {
   const dem::ParticleShape body = cube_of_order(state);

@@ -39,9 +39,9 @@ def lattice(n, random_numbers):
     particles = []
     for k in range(2 * n ** 3):
         i, shift = k // 2, 0.5 * (k % 2)
-        place = (i % n, i // n % n, i // n ** 2)
+        site = (i % n, i // n % n, i // n ** 2)
         radius = MEAN_RADIUS * (1. + SCATTER * random_numbers.uniform(-1., 1.))
-        particles.append([first + cell * (p + shift) for p in place] + [radius])
+        particles.append([first + cell * (p + shift) for p in site] + [radius])
     random_numbers.shuffle(particles)
     return particles, 2. * first + cell * (n - 0.5)
 

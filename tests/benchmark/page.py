@@ -86,7 +86,7 @@ def scenes_table(options, _):
 
 
 def particles_rows(options, label, packing, steps, folder, settle=()):
-    """Spheres, and particles in their place once the box is closed round them."""
+    """Spheres, and particles at their positions once the box is closed round them."""
     name = packing.name.removesuffix(".gz")
     closed = pathlib.Path(folder) / f"closed_{name}"
     shapes, rows = ["--shapes", SHAPES], []
@@ -174,7 +174,7 @@ def replace(name, text):
     page, n = re.subn(pattern, lambda m: m[1] + text + "\n" + m[2], page,
                       flags=re.S)
     if n != 1:
-        raise SystemExit(f"{PAGE}: no place for the table {name}")
+        raise SystemExit(f"{PAGE}: no marker for the table {name}")
     PAGE.write_text(page, encoding="utf-8")
 
 

@@ -2,7 +2,7 @@
 
 The scenes of `spall bench`: at rest, after a jolt, and flowing out after the
 wall at +x has moved to 1.6 sides (5000 steps of 4e-6 s before the warm-up).
-Each input is changed in three places only: it writes down its state when the
+Each input is changed in three respects only: it writes down its state when the
 timed steps begin, and a collapse has its wall elsewhere and flows first.
 """
 import pathlib

@@ -62,13 +62,13 @@ std::unique_ptr<dem::Engine> lattice(int n, ParticleSystem kind,
   for (int k = 0; k < 2 * side * side * side; ++k)
   {
     const int m = k / 2;
-    const dem::Vec3 place(m % side, m / side % side, m / side / side);
-    engine->add_particle(
-        body,
-        dem::Vec3::Constant(0.5 * nearest) +
-            cell * (place + dem::Vec3::Constant(0.5 * (k % 2))),
-        kind == ParticleSystem::shapes ? random.rotation()
-                                       : dem::Quaternion::Identity());
+    const dem::Vec3 site(m % side, m / side % side, m / side / side);
+    engine->add_particle(body,
+                         dem::Vec3::Constant(0.5 * nearest) +
+                             cell * (site + dem::Vec3::Constant(0.5 * (k % 2))),
+                         kind == ParticleSystem::shapes
+                             ? random.rotation()
+                             : dem::Quaternion::Identity());
   }
   dem::add_box(*engine, dem::Vec3::Zero(),
                dem::Vec3::Constant(nearest + cell * (side - 0.5)));

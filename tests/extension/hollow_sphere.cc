@@ -21,9 +21,9 @@ void HollowSphere::find_candidates(const dem::BoundarySearch &search)
   dem::rebuild_walls(particles, near, layout, batch, search.retired);
 }
 
-void HollowSphere::renumber(const std::vector<std::int32_t> &place, bool)
+void HollowSphere::renumber(const std::vector<std::int32_t> &new_row, bool)
 {
-  dem::renumber_planes(place, batch);
+  dem::renumber_planes(new_row, batch);
 }
 
 dem::ForceSum HollowSphere::meet(const dem::ForceContext &context)

@@ -119,15 +119,16 @@ void set_defaults(Case &c)
   c.time.step = StepRule::stable;
 }
 
-void check(const Case &c, const Place &place)
+void check(const Case &c, const SourceLocation &location)
 {
   const double angle =
       c.own<InclineParameters>().angle * std::numbers::pi / 180.;
   if (std::tan(angle) > 3.5 * c.wall.friction)
-    refuse(place, {"Wall", "friction", number_text(c.wall.friction),
-                   "must be at least 2/7 of the tangent of Incline/angle: the "
-                   "sphere would slip"});
-  check_no_step_error(c, place);
+    refuse(location,
+           {"Wall", "friction", number_text(c.wall.friction),
+            "must be at least 2/7 of the tangent of Incline/angle: the "
+            "sphere would slip"});
+  check_no_step_error(c, location);
 }
 
 const KindReport &report()

@@ -36,7 +36,7 @@ def paths_in(line):
 def is_there(root, path):
     pattern = re.sub(r"\b[A-Z]{2,}\b", "*", path).strip("/")
     room, rest = pattern.split("/", 1) if "/" in pattern else (pattern, "*")
-    return any(any(root.glob(place)) for place in
+    return any(any(root.glob(one)) for one in
                (pattern, f"{room}/include/{pattern}", f"{room}/src/{rest}"))
 
 

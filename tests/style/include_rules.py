@@ -147,8 +147,8 @@ def faults(root):
                 match = INCLUDE.match(line)
                 fault = match and fault_of(root, path, *match.groups())
                 if fault:
-                    place = path.relative_to(root)
-                    found.append(f"{place}:{number}: {fault}")
+                    name = path.relative_to(root)
+                    found.append(f"{name}:{number}: {fault}")
     return found
 
 

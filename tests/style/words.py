@@ -26,6 +26,7 @@ CODE = {
     "watched": "candidate", "asleep": "inactive", "strayed": "escaped",
     "hasten": "fast preparation", "crowd": "dense packing",
     "knob": "parameter", "polish": "refine",
+    "places": "contact points, positions, rows",
 }
 # In the code of dem alone: words of membranes and of tests elsewhere.
 DEM = {
@@ -34,6 +35,7 @@ DEM = {
     "sheets": "deforming surfaces", "pace": "step control",
     "bend": "shape operator", "sleep": "inactive", "sleeps": "inactive",
     "awake": "active", "swing": "reversal", "swings": "reversals",
+    "place": "contact point",
 }
 HISTORY = ("docs/changes/", "docs/decisions/", "docs/pictures/",
            "docs/developer/glossary.md", "tests/style/words.py",
@@ -45,7 +47,8 @@ TEXT_ENDINGS = (".py", ".prm", ".md", ".sh")
 ALLOWED = re.compile(r"deprecated|old_columns|old_names|[Bb]allast stones?\b|"
                      r'\{"[A-Za-z_]+"\}\}|'
                      r'^\s*\{"[a-z_A-Z]+", "[a-z_A-Z]+"\},$|'
-                     r"min_ball_radius|Stone/|LLVMFuzzerTestOneInput")
+                     r"min_ball_radius|Stone/|LLVMFuzzerTestOneInput|"
+                     r"contact_places\b|place_plane|in place\b|the place of")
 PART = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 
 
@@ -87,13 +90,18 @@ def self_check():
             'list.add(text, field, "", {"stone_steps"}},\n'
             '            {"stone_steps"}},\n')
         (root / "apps").mkdir()
-        (root / "dem/b.cc").write_text("double slack = 0.;\n")
-        (root / "apps/b.cc").write_text("double slack = 0.;\n")
+        (root / "dem/b.cc").write_text(
+            "double slack = 0.;\nint one_place;\nplace_plane(); // in place\n")
+        (root / "apps/b.cc").write_text(
+            "double slack = 0.;\nstruct WallPlaces;\n"
+            'summary["contact_places"] = events;\n// in place of it\n')
         (root / "docs/a.md").write_text("A spot on a stone.\nBallast stones.\n")
         found = list(faults(root))
     expected = ["dem/a.h:1: stone: use particle",
                 "dem/a.h:2: spot: use contact point",
                 "dem/b.cc:1: slack: use overlap offset",
+                "dem/b.cc:2: place: use contact point",
+                "apps/b.cc:2: places: use contact points, positions, rows",
                 "docs/a.md:1: stone: use particle"]
     return [] if found == expected else [f"found {found}"]
 

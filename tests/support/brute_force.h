@@ -6,8 +6,8 @@
 #include <cmath>
 #include <ctime>
 
-/// What the tools share that hold the search for places of true surfaces
-/// against a brute force.
+/// What the tools share that hold the search for contact points of true
+/// surfaces against a brute force.
 namespace support
 {
 /// A particle of ball radius 1 with its map.
@@ -28,7 +28,7 @@ struct MappedBody
 struct Tally
 {
   int n = 0, n_several = 0;
-  int n_missed = 0;  ///< the brute force has found a deeper place
+  int n_missed = 0;  ///< the brute force has found a deeper contact point
   int n_beaten = 0;  ///< the search has
   double worst = 0.; ///< error of the overlap where they agree
   double seconds = 0.;

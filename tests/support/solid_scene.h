@@ -45,12 +45,12 @@ inline void stand_in_a_half_space(fem::Solid &solid)
   solid.absorb(fem::z_lower);
 }
 
-/// The node at this place; -1 if there is none.
+/// The node at this position; -1 if there is none.
 inline std::int32_t node_at(const fem::SolidMesh &mesh,
-                            const Eigen::Vector3d &place)
+                            const Eigen::Vector3d &position)
 {
   for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
-    if ((mesh.nodes[k] - place).norm() < 1e-9 * (1. + place.norm()))
+    if ((mesh.nodes[k] - position).norm() < 1e-9 * (1. + position.norm()))
       return static_cast<std::int32_t>(k);
   return -1;
 }

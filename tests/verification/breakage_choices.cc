@@ -178,12 +178,12 @@ public:
 
   void look(const dem::Engine &engine)
   {
-    std::size_t place = 0;
+    std::size_t column_index = 0;
     for (const dem::ContactBatch *batch :
          {&engine.pairs(), &dem::on_planes(engine), &dem::on_facets(engine)})
     {
-      gather(*batch, batch->factor_a, place++);
-      gather(*batch, batch->factor_b, place++);
+      gather(*batch, batch->factor_a, column_index++);
+      gather(*batch, batch->factor_b, column_index++);
     }
   }
 
@@ -195,9 +195,9 @@ private:
   };
 
   void gather(const dem::ContactBatch &batch, const std::vector<double> &factor,
-              std::size_t place)
+              std::size_t column_index)
   {
-    Column &old = before[place];
+    Column &old = before[column_index];
     if (old.a == batch.a && old.b == batch.b)
       for (std::size_t k = 0; k < std::min(batch.size(), factor.size()); ++k)
         total += std::max(0., factor[k] - old.factor[k]);

@@ -119,30 +119,30 @@ std::vector<Start> nearest_nodes(const Pair &pair)
   return starts;
 }
 
-/// The place downhill of this one where the distance is least; its value is the
+/// The point downhill of this one where the distance is least; its value is the
 /// overlap < 0.
-Start nearest_from(const Pair &pair, Start place)
+Start nearest_from(const Pair &pair, Start point)
 {
-  place.value =
-      -compass(place.at, 0.03,
+  point.value =
+      -compass(point.at, 0.03,
                [&](const std::array<Vec3, 2> &s) { return pair.distance(s); });
-  return place;
+  return point;
 }
 
-/// The point of A downhill of this place that is deepest below the surface of
+/// The point of A downhill of this one that is deepest below the surface of
 /// B, and the one of B nearest to it; its value is the depth.
 Start deepest_from(const Pair &pair, const Start &from)
 {
   const auto nearest_on_b = [&](const Vec3 &s)
   {
-    Start place{0., {s, from.at[1]}};
+    Start point{0., {s, from.at[1]}};
     std::array<Vec3, 1> t = {from.at[1]};
-    place.value = compass(t, 0.01,
+    point.value = compass(t, 0.01,
                           [&](const std::array<Vec3, 1> &at) {
                             return pair.distance({s, at[0]});
                           });
-    place.at[1] = t[0];
-    return place;
+    point.at[1] = t[0];
+    return point;
   };
   std::array<Vec3, 1> on_a = {from.at[0]};
   const double least = compass(
@@ -155,7 +155,7 @@ Start deepest_from(const Pair &pair, const Start &from)
   return {-least, nearest_on_b(on_a[0]).at};
 }
 
-constexpr double apart = 0.15; ///< between nodes or places of their own [rad]
+constexpr double apart = 0.15; ///< between nodes or contact points [rad]
 
 bool are_beside(const Vec3 &one, const Vec3 &other)
 {
@@ -199,36 +199,36 @@ Start downhill(const Pair &pair, const Start &start, bool is_apart)
   return is_apart ? nearest_from(pair, start) : deepest_from(pair, start);
 }
 
-/// The best place from the best nodes: nearest, or deepest.
-Start best_place(const Pair &pair, const std::vector<Start> &nodes,
+/// The best point from the best nodes: nearest, or deepest.
+Start best_point(const Pair &pair, const std::vector<Start> &nodes,
                  bool is_apart)
 {
   const std::size_t n_starts = is_apart ? 8 : 4;
   Start best{-1e9, {}};
   for (const Start &start : distinct_starts(nodes, n_starts))
   {
-    const Start place = downhill(pair, start, is_apart);
-    if (place.value > best.value)
-      best = place;
+    const Start point = downhill(pair, start, is_apart);
+    if (point.value > best.value)
+      best = point;
   }
   return best;
 }
 
-/// Whether a place of the brute force is one of those of the search.
-bool is_among(const Start &place,
+/// Whether a contact point of the brute force is one of those of the search.
+bool is_among(const Start &point,
               const std::vector<dem::ContactPoint> &contact_points)
 {
   return std::any_of(contact_points.begin(), contact_points.end(),
                      [&](const dem::ContactPoint &contact_point)
-                     { return are_beside(contact_point.on_a, place.at[0]); });
+                     { return are_beside(contact_point.on_a, point.at[0]); });
 }
 
-/// Further places, beside the deepest, and how many of them are missed.
+/// Further contact points, beside the deepest, and how many of them are missed.
 struct Further
 {
   int n = 0, n_missed = 0;
   double largest = -1.;   ///< missed overlap over the diameter
-  std::size_t n_most = 0; ///< places of one pair, by the search
+  std::size_t n_most = 0; ///< contact points of one pair, by the search
   int n_beyond = 0;       ///< pairs with more than are followed
 
   void look(const Pair &pair, const std::vector<Start> &nodes, bool is_apart,
@@ -239,30 +239,30 @@ struct Further
     std::vector<Start> seen;
     for (const Start &start : least_starts(nodes, 0.08 * diameter(pair)))
     {
-      const Start place = downhill(pair, start, is_apart);
+      const Start point = downhill(pair, start, is_apart);
       const auto is_known = [&](const Start &other)
-      { return are_beside(other.at[0], place.at[0]); };
-      if (place.value < (is_apart ? -margin : 0.) ||
+      { return are_beside(other.at[0], point.at[0]); };
+      if (point.value < (is_apart ? -margin : 0.) ||
           (!contact_points.empty() &&
-           are_beside(contact_points.front().on_a, place.at[0])) ||
+           are_beside(contact_points.front().on_a, point.at[0])) ||
           std::any_of(seen.begin(), seen.end(), is_known))
         continue;
-      seen.push_back(place);
+      seen.push_back(point);
       ++n;
-      if (is_among(place, contact_points))
+      if (is_among(point, contact_points))
         continue;
       ++n_missed;
-      largest = std::max(largest, place.value / diameter(pair));
+      largest = std::max(largest, point.value / diameter(pair));
       const dem::ContactPoint polished = dem::refine(
-          pair.a, pair.b, pair.pose, {place.at[0], place.at[1], 0., true});
+          pair.a, pair.b, pair.pose, {point.at[0], point.at[1], 0., true});
       std::fprintf(stderr,
-                   "further place, %s: brute force %.3e, search from "
+                   "further contact point, %s: brute force %.3e, search from "
                    "there %s %.3e, %.2f rad from it\n",
                    is_apart ? "apart" : "overlapping",
-                   place.value / diameter(pair),
+                   point.value / diameter(pair),
                    polished.is_found ? "found" : "lost",
                    polished.overlap / diameter(pair),
-                   (polished.on_a - place.at[0]).norm());
+                   (polished.on_a - point.at[0]).norm());
     }
   }
   static double diameter(const Pair &pair)
@@ -298,9 +298,9 @@ dem::MappedPair approach(const dem::MappedPair &from, double overlap)
   return pair;
 }
 
-/// What each of two places is for the other: where the brute force gets from
-/// the place of the search, and the polishing of the search from that of the
-/// brute force.
+/// What each of two contact points is for the other: where the brute force gets
+/// from the contact point of the search, and the polishing of the search from
+/// that of the brute force.
 void report(int number, const Pair &pair, const dem::ContactPoint &found,
             const Start &exact)
 {
@@ -336,7 +336,7 @@ void compare(int number, const dem::MappedPair &pair, Tally &tally,
   const Pair both{pair.a.body, pair.b.body, pair.pose};
   const std::vector<Start> nodes = nearest_nodes(both);
   const bool is_apart = found.overlap <= 0.;
-  const Start exact = best_place(both, nodes, is_apart);
+  const Start exact = best_point(both, nodes, is_apart);
   further.look(both, nodes, is_apart, 0.02 * size,
                search_result.contact_points);
   if (!tally.add(exact.value / (2. * size), found.overlap / (2. * size)))
@@ -382,21 +382,22 @@ int main(int argc, char **argv)
                      overlap),
             tallies[is_apart ? 0 : 1], further[is_apart ? 0 : 1]);
   }
-  std::printf(
-      "| pairs | number | search misses the nearest place | brute force "
-      "misses it | worst error of the others over the diameter | more "
-      "than one place | us per search |\n"
-      "|---|---|---|---|---|---|---|\n");
+  std::printf("| pairs | number | search misses the nearest contact point | "
+              "brute force "
+              "misses it | worst error of the others over the diameter | more "
+              "than one contact point | us per search |\n"
+              "|---|---|---|---|---|---|---|\n");
   for (std::size_t k = 0; k < 2; ++k)
     std::printf("| %s | %d | %d | %d | %.1e | %.1f %% | %.0f |\n",
                 k == 0 ? "apart" : "overlapping", tallies[k].n,
                 tallies[k].n_missed, tallies[k].n_beaten, tallies[k].worst,
                 100. * tallies[k].n_several / std::max(1, tallies[k].n),
                 1e6 * tallies[k].seconds / std::max(1, tallies[k].n));
-  std::printf("\n| pairs | further places | of them missed | largest missed "
-              "over the diameter | most places of one pair | pairs with more "
-              "than %zu |\n|---|---|---|---|---|---|\n",
-              dem::most_contact_points);
+  std::printf(
+      "\n| pairs | further contact points | of them missed | largest missed "
+      "over the diameter | most contact points of one pair | pairs with more "
+      "than %zu |\n|---|---|---|---|---|---|\n",
+      dem::most_contact_points);
   for (std::size_t k = 0; k < 2; ++k)
   {
     std::printf("| %s | %d | %d | ", k == 0 ? "apart" : "overlapping",

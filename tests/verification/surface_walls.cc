@@ -217,7 +217,7 @@ double deepest(const Solid &particle, const std::vector<Piece> &pieces,
   return best;
 }
 
-/// A wall, a place above it and the way to it.
+/// A wall, a point above it and the way to it.
 struct Scene
 {
   const char *name;
@@ -275,8 +275,9 @@ void approach(const Scene &scene, dem::MappedParticlePose &particle,
   for (int step = 0; step < 600; ++step)
   {
     const dem::WallSearchResult found = search(scene, particle, 0.2 * size);
-    const double now =
-        found.places.empty() ? -0.2 * size : found.places.front().overlap;
+    const double now = found.contact_points.empty()
+                           ? -0.2 * size
+                           : found.contact_points.front().overlap;
     if (now > overlap - 1e-4 * size)
       return;
     particle.position += std::max(0.3 * (overlap - now), 1e-4 * size) * way;
@@ -290,11 +291,12 @@ void compare(const Scene &scene, const dem::MappedParticlePose &particle,
   const double before = processor_time();
   const dem::WallSearchResult found = search(scene, particle, 0.02 * size);
   tally.seconds += processor_time() - before;
-  tally.n_several += found.places.size() > 1;
+  tally.n_several += found.contact_points.size() > 1;
   const Solid solid(particle.particle.body, particle.position,
                     particle.rotation);
-  const double overlap =
-      found.places.empty() ? -1e3 : found.places.front().overlap;
+  const double overlap = found.contact_points.empty()
+                             ? -1e3
+                             : found.contact_points.front().overlap;
   tally.add(deepest(solid, scene.pieces, size) / (2. * size),
             overlap / (2. * size));
 }
@@ -316,10 +318,11 @@ int main(int argc, char **argv)
       make_scene("inside of a box", support::box_corner(6.)),
       make_scene("steps", support::stepped_wall(1.1, 8)),
       make_scene("bulged mesh", support::flat_wall(1.2, 8, 0.35))};
-  std::printf(
-      "| wall | number | search misses the deepest place | brute force misses "
-      "it | worst error of the others over the diameter | more than one place "
-      "| us per search |\n|---|---|---|---|---|---|---|\n");
+  std::printf("| wall | number | search misses the deepest contact point | "
+              "brute force misses "
+              "it | worst error of the others over the diameter | more than "
+              "one contact point "
+              "| us per search |\n|---|---|---|---|---|---|---|\n");
   dem::Random random(std::stoull(argv[2]));
   for (const Scene &scene : scenes)
   {

@@ -57,14 +57,14 @@ void DrumBoundary::find_candidates(const BoundarySearch &search)
                               listed, batch, search.retired);
 }
 
-void DrumBoundary::renumber(const std::vector<std::int32_t> &place,
+void DrumBoundary::renumber(const std::vector<std::int32_t> &new_row,
                             bool follows_surfaces)
 {
-  renumber_candidates(place, listed);
+  renumber_candidates(new_row, listed);
   if (follows_surfaces)
-    renumber_drum_places(place, batch, rows);
+    renumber_drum_contacts(new_row, batch, rows);
   else
-    renumber_planes(place, batch);
+    renumber_planes(new_row, batch);
 }
 
 ForceSum DrumBoundary::meet(const ForceContext &context)
@@ -75,7 +75,7 @@ ForceSum DrumBoundary::meet(const ForceContext &context)
     return {};
   }
   lifter.turn(drum);
-  return place_on_drum(context, placed(), batch);
+  return relocate_on_drum(context, followed(), batch);
 }
 
 Walls DrumBoundary::walls(const ForceContext &context)
@@ -87,7 +87,7 @@ Walls DrumBoundary::walls(const ForceContext &context)
           overlap,
           {},
           [this](const ForceContext &still, std::size_t k)
-          { place_again(still, placed(), batch, k); }};
+          { relocate_again(still, followed(), batch, k); }};
 }
 
 void DrumBoundary::apply_loads(double time_step)

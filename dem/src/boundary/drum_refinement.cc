@@ -38,35 +38,37 @@ WallContactPoint refine_at(const NewtonStepControl &control,
                            ParticleView &particle, const Drum &drum,
                            DrumPart part, const WallContactPoint &start)
 {
-  WallContactPoint place = start;
-  place.is_found = false;
+  WallContactPoint contact_point = start;
+  contact_point.is_found = false;
   double first_overlap = 0.;
-  for (int step = 0; step < control.most_steps && !place.is_found; ++step)
+  for (int step = 0; step < control.most_steps && !contact_point.is_found;
+       ++step)
   {
-    const SurfacePoint &at = particle.at(place.on_particle);
+    const SurfacePoint &at = particle.at(contact_point.on_particle);
     if (part == DrumPart::cylinder &&
         out_of_axis(drum, at.position).norm() < 0.1 * drum.radius)
       break; // no side of the cylinder is nearer than another
     const SurfacePoint wall = smooth_drum(drum, part, at.position);
     const NormalStep newton =
         step_to_common_normal(at, wall, particle.size(), control);
-    place.normal = -wall.normal;
-    place.point = wall.position;
-    place.overlap = (at.position - wall.position).dot(place.normal);
+    contact_point.normal = -wall.normal;
+    contact_point.point = wall.position;
+    contact_point.overlap =
+        (at.position - wall.position).dot(contact_point.normal);
     if (step == 0)
-      first_overlap = place.overlap;
-    place.is_found = newton.is_lens &&
-                     newton.on_a.norm() < converged * particle.size() &&
-                     at.normal.dot(place.normal) > 0.;
-    if (!place.is_found)
-      place.on_particle = particle.towards(
+      first_overlap = contact_point.overlap;
+    contact_point.is_found = newton.is_lens &&
+                             newton.on_a.norm() < converged * particle.size() &&
+                             at.normal.dot(contact_point.normal) > 0.;
+    if (!contact_point.is_found)
+      contact_point.on_particle = particle.towards(
           at.position +
           shortened(newton.on_a, control.longest_step * particle.size()));
   }
-  // It has gone down, over to another place.
-  if (place.overlap < first_overlap - surely_less * particle.size())
-    place.is_found = false;
-  return place;
+  // The overlap decreased: another contact point.
+  if (contact_point.overlap < first_overlap - surely_less * particle.size())
+    contact_point.is_found = false;
+  return contact_point;
 }
 
 /// The same without a step down, on the series.
@@ -89,18 +91,18 @@ WallContactPoint refine_on_drum_damped(const ParticleView &particle,
     return field;
   };
   const Summit top = refine_damped(particle.shape(), start.on_particle, depth);
-  WallContactPoint place = start;
-  place.on_particle = top.direction;
+  WallContactPoint contact_point = start;
+  contact_point.on_particle = top.direction;
   const double radius =
       scaled_expansion(particle.shape(), top.direction).radius;
   const DrumPoint at =
       nearest_on_drum(drum, part, particle.in_world(radius * top.direction));
-  place.normal = at.normal;
-  place.point = at.point;
-  place.overlap = -at.distance;
-  place.is_found = top.is_found && (part != DrumPart::cylinder ||
-                                    at.distance < 0.9 * drum.radius);
-  return place;
+  contact_point.normal = at.normal;
+  contact_point.point = at.point;
+  contact_point.overlap = -at.distance;
+  contact_point.is_found = top.is_found && (part != DrumPart::cylinder ||
+                                            at.distance < 0.9 * drum.radius);
+  return contact_point;
 }
 } // namespace
 
@@ -109,10 +111,10 @@ WallContactPoint refine_on_drum(ParticleView &particle, const Drum &drum,
 {
   for (const NewtonStepControl &control :
        {usual_step_control, flat_step_control})
-    if (const WallContactPoint place =
+    if (const WallContactPoint contact_point =
             refine_at(control, particle, drum, part, start);
-        place.is_found)
-      return place;
+        contact_point.is_found)
+      return contact_point;
   return refine_on_drum_damped(particle, drum, part, start);
 }
 } // namespace dem

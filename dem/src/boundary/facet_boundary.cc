@@ -1,6 +1,6 @@
 #include <dem/binary.h>
 #include <dem/boundary/facet_boundary.h>
-#include <dem/boundary/placed_walls.h>
+#include <dem/boundary/followed_walls.h>
 #include <dem/boundary/renumber.h>
 #include <dem/boundary/wall_candidates.h>
 #include <dem/boundary/wall_point_lists.h>
@@ -179,23 +179,23 @@ void FacetBoundary::find_candidates(const BoundarySearch &all)
                              batch, all.retired);
 }
 
-void FacetBoundary::renumber(const std::vector<std::int32_t> &place,
+void FacetBoundary::renumber(const std::vector<std::int32_t> &new_row,
                              bool follows_surfaces)
 {
   if (!follows_surfaces)
   {
-    renumber_facets(place, candidates, batch);
+    renumber_facets(new_row, candidates, batch);
     return;
   }
-  renumber_facet_places(place, candidates, batch);
-  renumber_candidates(place, near_particles);
+  renumber_facet_contacts(new_row, candidates, batch);
+  renumber_candidates(new_row, near_particles);
   watch = {}; // rows take other numbers
 }
 
 ForceSum FacetBoundary::meet(const ForceContext &context)
 {
   if (follows_surfaces(context))
-    return place_on_facets(
+    return relocate_on_facets(
         context, {mesh(), candidates, context.deforming_path, rows, overlap},
         batch);
   find_facets(context, mesh(), batch, candidates, rows, extra);
@@ -212,7 +212,7 @@ Walls FacetBoundary::walls(const ForceContext &context)
           {},
           [this](const ForceContext &still, std::size_t k)
           {
-            place_again(
+            relocate_again(
                 still,
                 {mesh(), candidates, still.deforming_path, rows, overlap},
                 batch, k);

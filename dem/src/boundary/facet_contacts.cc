@@ -143,9 +143,9 @@ void find_nearest_points(const ForceContext &context, const FacetMesh &mesh,
 }
 
 /// Where the touch presses; takes no memory once the contact_point has grown.
-void place_contact_point(const NearestFacetPoint &touch,
-                         const FacetShares &shares,
-                         FacetContactPoint &contact_point)
+void set_contact_point(const NearestFacetPoint &touch,
+                       const FacetShares &shares,
+                       FacetContactPoint &contact_point)
 {
   contact_point.triangle = touch.nearest.triangle;
   contact_point.weight = touch.nearest.weight;
@@ -185,7 +185,7 @@ WallRow move_slot(const FacetSurface &surface, const NearestFacetPoint &touch,
   const Vec3 normal_before = contact_point.normal;
   const Vec3 velocity_before =
       is_touching ? velocity_on(surface, contact_point) : Vec3(Vec3::Zero());
-  place_contact_point(touch, shares, contact_point);
+  set_contact_point(touch, shares, contact_point);
   WallRow row = wall_at(surface, contact_point);
   if (is_touching)
   {

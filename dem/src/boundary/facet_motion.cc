@@ -14,7 +14,7 @@ std::size_t index(std::int32_t number)
   return static_cast<std::size_t>(number);
 }
 
-/// Calls call(k, place) for the vertices of a row as the particle sees them
+/// Calls call(k, position) for the vertices of a row as the particle sees them
 /// [m].
 template <class Call>
 void for_vertices(const FacetMotion &watch, const ParticleSystem &particles,
@@ -75,7 +75,7 @@ void FacetMotion::start(const ParticleSystem &particles,
                  vertex.end());
     row_start.push_back(static_cast<std::int32_t>(vertex.size()));
   }
-  place.assign(vertex.size(), Vec3::Zero());
+  vertex_position.assign(vertex.size(), Vec3::Zero());
   volume.assign(candidates.particle.size(), -1.);
 }
 
@@ -84,7 +84,8 @@ void FacetMotion::note(const ParticleSystem &particles,
                        std::size_t row)
 {
   for_vertices(*this, particles, surface, particle, row,
-               [this](std::size_t k, const Vec3 &now) { place[k] = now; });
+               [this](std::size_t k, const Vec3 &now)
+               { vertex_position[k] = now; });
   volume[row] = particles.shape[index(particle)].volume;
 }
 
@@ -98,8 +99,10 @@ double FacetMotion::moved(const ParticleSystem &particles,
     return std::numeric_limits<double>::infinity();
   double square = 0.;
   for_vertices(*this, particles, surface, particle, row,
-               [&](std::size_t k, const Vec3 &now)
-               { square = std::max(square, (now - place[k]).squaredNorm()); });
+               [&](std::size_t k, const Vec3 &now) {
+                 square =
+                     std::max(square, (now - vertex_position[k]).squaredNorm());
+               });
   return std::sqrt(square);
 }
 } // namespace dem

@@ -49,17 +49,17 @@ struct DepthModel
   double least = 0.;   ///< curvature that a step trusts [1/m]
   double longest = 0.; ///< step that it may be asked for [m]
 
-  DepthModel(ParticleView &particle, const WallContactPoint &place)
-      : point(place.point), normal(place.normal),
+  DepthModel(ParticleView &particle, const WallContactPoint &contact_point)
+      : point(contact_point.point), normal(contact_point.normal),
         least(control.hill / particle.size()),
         longest(control.longest_step * particle.size())
   {
-    const SurfacePoint &at = particle.at(place.on_particle);
+    const SurfacePoint &at = particle.at(contact_point.on_particle);
     on_particle = at.position;
     const Frame frame = tangents(normal);
     const Mat2 k = frame.transpose() * at.shape_operator * frame;
     const Mat2 inverse =
-        floored(Mat2::Identity() - place.overlap * k, lowest_curvature)
+        floored(Mat2::Identity() - contact_point.overlap * k, lowest_curvature)
             .inverse();
     const Mat2 c = k * inverse;
     follow = frame * inverse * frame.transpose();
@@ -132,10 +132,10 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
           .llt()
           .solve(-(frame.transpose() * (model.normal + model.trusted * above)));
   const Vec3 step = above + frame * shift;
-  const Vec3 place = model.point + step - corner[0];
+  const Vec3 from_corner = model.point + step - corner[0];
   const double over = 1. / area.squaredNorm();
-  const double w1 = place.cross(second).dot(area) * over,
-               w2 = first.cross(place).dot(area) * over;
+  const double w1 = from_corner.cross(second).dot(area) * over,
+               w2 = first.cross(from_corner).dot(area) * over;
   const bool is_summit =
       smallest_eigenvalue(shape_operator) > -level_curvature * model.least;
   Ascent ascent;
@@ -150,17 +150,17 @@ Ascent best_on_triangle(const DepthModel &model, const Corners &corner)
 }
 
 /// The same point of the mesh as one of another triangle.
-Weights carried(const FacetMesh &mesh, const WallContactPoint &place,
+Weights carried(const FacetMesh &mesh, const WallContactPoint &contact_point,
                 std::int32_t to)
 {
   const auto &from =
-      mesh.surface.triangles[static_cast<std::size_t>(place.triangle)];
+      mesh.surface.triangles[static_cast<std::size_t>(contact_point.triangle)];
   const auto &into = mesh.surface.triangles[static_cast<std::size_t>(to)];
   Weights weight{};
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t d = 0; d < 3; ++d)
       if (into[d] == from[c])
-        weight[d] = place.weight[c];
+        weight[d] = contact_point.weight[c];
   return weight;
 }
 
@@ -175,13 +175,14 @@ void for_round(const FacetTopology &topology, std::int32_t vertex,
     call(topology.row_triangle[static_cast<std::size_t>(r)]);
 }
 
-/// A triangle at the edge or vertex of the place into which the depth grows; -1
-/// if there is none.
-std::int32_t way_on(const FacetMesh &mesh, const WallContactPoint &place)
+/// A triangle at the edge or vertex of the contact point into which the depth
+/// grows; -1 if there is none.
+std::int32_t way_on(const FacetMesh &mesh,
+                    const WallContactPoint &contact_point)
 {
-  const auto own = static_cast<std::size_t>(place.triangle);
+  const auto own = static_cast<std::size_t>(contact_point.triangle);
   const auto &corner = mesh.surface.triangles[own];
-  const auto &w = place.weight;
+  const auto &w = contact_point.weight;
   std::int32_t best = -1;
   double steepest = level;
   for (std::size_t c = 0; c < 3; ++c)
@@ -197,7 +198,8 @@ std::int32_t way_on(const FacetMesh &mesh, const WallContactPoint &place)
                     const Vec3 along = end - at;
                     const double length = along.norm();
                     const double rise =
-                        length > 0. ? -place.normal.dot(along) / length : 0.;
+                        length > 0. ? -contact_point.normal.dot(along) / length
+                                    : 0.;
                     if (rise > steepest)
                     {
                       steepest = rise;
@@ -222,7 +224,7 @@ std::int32_t way_on(const FacetMesh &mesh, const WallContactPoint &place)
     {
       const Vec3 into = (end - from) - (end - from).dot(side) * side;
       const double length = into.norm();
-      if (-place.normal.dot(into) > level * length && length > 0.)
+      if (-contact_point.normal.dot(into) > level * length && length > 0.)
         best = other;
     }
   }
@@ -242,11 +244,11 @@ void snap(Weights &weight)
     w /= sum;
 }
 
-/// The place at another point of the mesh; the point of the particle is looked
-/// for from `on_particle` on.
-WallContactPoint place_at(ParticleView &particle, const FacetMesh &mesh,
-                          std::int32_t triangle, const Weights &weight,
-                          const Vec3 &on_particle)
+/// The point of the particle nearest to another point of the mesh; the point of
+/// the particle is looked for from `on_particle` on.
+WallContactPoint contact_point_at(ParticleView &particle, const FacetMesh &mesh,
+                                  std::int32_t triangle, const Weights &weight,
+                                  const Vec3 &on_particle)
 {
   WallContactPoint to =
       depth_of(particle, point_at(corners_of(mesh.surface, triangle), weight),
@@ -258,8 +260,8 @@ WallContactPoint place_at(ParticleView &particle, const FacetMesh &mesh,
 
 /// A part of the step, if it does not lead down.
 WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
-                         const WallContactPoint &place, const DepthModel &model,
-                         const Ascent &ascent)
+                         const WallContactPoint &contact_point,
+                         const DepthModel &model, const Ascent &ascent)
 {
   const double length = ascent.step.norm();
   // By the model it is deeper there; if it is not, half way.
@@ -268,16 +270,17 @@ WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
   {
     Weights weight;
     for (std::size_t c = 0; c < 3; ++c)
-      weight[c] = part == 1. ? ascent.weight[c]
-                             : place.weight[c] +
-                                   part * (ascent.weight[c] - place.weight[c]);
+      weight[c] = part == 1.
+                      ? ascent.weight[c]
+                      : contact_point.weight[c] +
+                            part * (ascent.weight[c] - contact_point.weight[c]);
     snap(weight);
     const WallContactPoint next =
-        place_at(particle, mesh, place.triangle, weight,
-                 particle.towards(model.on_particle +
-                                  part * (model.follow * ascent.step)));
-    if (next.is_found &&
-        (length < surely_up * particle.size() || next.overlap >= place.overlap))
+        contact_point_at(particle, mesh, contact_point.triangle, weight,
+                         particle.towards(model.on_particle +
+                                          part * (model.follow * ascent.step)));
+    if (next.is_found && (length < surely_up * particle.size() ||
+                          next.overlap >= contact_point.overlap))
       return next;
   }
   return {};
@@ -290,14 +293,14 @@ struct Goal
   double radius = std::numeric_limits<double>::infinity();
   double depth = -std::numeric_limits<double>::infinity();
 
-  bool is_out_of_reach(const WallContactPoint &place) const
+  bool is_out_of_reach(const WallContactPoint &contact_point) const
   {
-    return (place.point - centre).squaredNorm() > radius * radius;
+    return (contact_point.point - centre).squaredNorm() > radius * radius;
   }
   /// From the centre: no depth grows faster than the way, grad D = -n.
-  bool is_too_deep(const WallContactPoint &place) const
+  bool is_too_deep(const WallContactPoint &contact_point) const
   {
-    return place.overlap + radius < depth;
+    return contact_point.overlap + radius < depth;
   }
 };
 
@@ -307,39 +310,43 @@ WallContactPoint refine(ParticleView &particle, const FacetMesh &mesh,
 {
   Weights first = start.weight;
   snap(first);
-  WallContactPoint place =
-      place_at(particle, mesh, start.triangle, first, start.on_particle);
-  place.is_found = place.is_found && !goal.is_too_deep(place);
-  for (int step = 0; step < control.most_steps && place.is_found; ++step)
+  WallContactPoint contact_point = contact_point_at(
+      particle, mesh, start.triangle, first, start.on_particle);
+  contact_point.is_found =
+      contact_point.is_found && !goal.is_too_deep(contact_point);
+  for (int step = 0; step < control.most_steps && contact_point.is_found;
+       ++step)
   {
-    if (goal.is_out_of_reach(place))
+    if (goal.is_out_of_reach(contact_point))
       break;
-    const DepthModel model(particle, place);
-    const Ascent ascent =
-        best_on_triangle(model, corners_of(mesh.surface, place.triangle));
+    const DepthModel model(particle, contact_point);
+    const Ascent ascent = best_on_triangle(
+        model, corners_of(mesh.surface, contact_point.triangle));
     if (ascent.step.norm() < converged * particle.size())
     {
-      const std::int32_t next = way_on(mesh, place);
+      const std::int32_t next = way_on(mesh, contact_point);
       if (next < 0)
       {
-        place.is_found = ascent.is_summit &&
-                         place.normal.dot(normal_of(
-                             corners_of(mesh.surface, place.triangle))) > 0.;
-        return place;
+        contact_point.is_found =
+            ascent.is_summit &&
+            contact_point.normal.dot(normal_of(
+                corners_of(mesh.surface, contact_point.triangle))) > 0.;
+        return contact_point;
       }
-      place.weight = carried(mesh, place, next);
-      place.triangle = next;
+      contact_point.weight = carried(mesh, contact_point, next);
+      contact_point.triangle = next;
       continue;
     }
-    const WallContactPoint next = climbed(particle, mesh, place, model, ascent);
+    const WallContactPoint next =
+        climbed(particle, mesh, contact_point, model, ascent);
     // The flattest hills are climbed by many steps, to where no depth is left.
     if (ascent.gain < no_gain * particle.size() && ascent.is_summit &&
         (step + 1 == control.most_steps || !next.is_found))
-      return place;
-    place = next;
+      return contact_point;
+    contact_point = next;
   }
-  place.is_found = false;
-  return place;
+  contact_point.is_found = false;
+  return contact_point;
 }
 
 /// Calls call(triangle) once for every other triangle that has a corner of one.
@@ -373,41 +380,41 @@ bool may_be_deeper(const DepthModel &model, const Corners &corner, double gain)
                      { return -model.normal.dot(end - model.point) > gain; });
 }
 
-/// A deeper place of the same patch on a triangle beside; not found if there is
-/// none.
+/// A deeper contact point of the same patch on a triangle beside; not found if
+/// there is none.
 WallContactPoint deeper_beside(ParticleView &particle, const FacetMesh &mesh,
-                               const WallContactPoint &place)
+                               const WallContactPoint &contact_point)
 {
   const double gain = 1e-10 * particle.size();
-  const DepthModel model(particle, place);
+  const DepthModel model(particle, contact_point);
   WallContactPoint best;
-  for_beside(
-      mesh, place.triangle,
-      [&](std::int32_t other)
-      {
-        const Corners corner = corners_of(mesh.surface, other);
-        if (!may_be_deeper(model, corner, gain))
-          return;
-        const Ascent ascent = best_on_triangle(model, corner);
-        if (ascent.gain < gain)
-          return;
-        WallContactPoint start = place;
-        start.triangle = other;
-        start.weight = ascent.weight;
-        start.on_particle =
-            particle.towards(model.on_particle + model.follow * ascent.step);
-        // Farther away the model was wrong.
-        const Goal goal{model.point + ascent.step, 0.5 * ascent.step.norm(),
-                        place.overlap};
-        // What is known of the particle here stays known if nothing is
-        // there.
-        ParticleView there = particle;
-        const WallContactPoint found = refine(there, mesh, start, goal);
-        if (found.is_found && found.overlap > place.overlap + 0.1 * gain &&
-            (!best.is_found || found.overlap > best.overlap) &&
-            is_one_patch(found.normal, place.normal))
-          best = found;
-      });
+  for_beside(mesh, contact_point.triangle,
+             [&](std::int32_t other)
+             {
+               const Corners corner = corners_of(mesh.surface, other);
+               if (!may_be_deeper(model, corner, gain))
+                 return;
+               const Ascent ascent = best_on_triangle(model, corner);
+               if (ascent.gain < gain)
+                 return;
+               WallContactPoint start = contact_point;
+               start.triangle = other;
+               start.weight = ascent.weight;
+               start.on_particle = particle.towards(model.on_particle +
+                                                    model.follow * ascent.step);
+               // Farther away the model was wrong.
+               const Goal goal{model.point + ascent.step,
+                               0.5 * ascent.step.norm(), contact_point.overlap};
+               // What is known of the particle here stays known if nothing is
+               // there.
+               ParticleView there = particle;
+               const WallContactPoint found = refine(there, mesh, start, goal);
+               if (found.is_found &&
+                   found.overlap > contact_point.overlap + 0.1 * gain &&
+                   (!best.is_found || found.overlap > best.overlap) &&
+                   is_one_patch(found.normal, contact_point.normal))
+                 best = found;
+             });
   return best;
 }
 } // namespace
@@ -415,16 +422,17 @@ WallContactPoint deeper_beside(ParticleView &particle, const FacetMesh &mesh,
 WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
                                   const WallContactPoint &start)
 {
-  WallContactPoint place = refine(particle, mesh, start);
+  WallContactPoint contact_point = refine(particle, mesh, start);
   constexpr int most_switches = 8;
-  for (int n = 0; n < most_switches && place.is_found; ++n)
+  for (int n = 0; n < most_switches && contact_point.is_found; ++n)
   {
-    const WallContactPoint deeper = deeper_beside(particle, mesh, place);
+    const WallContactPoint deeper =
+        deeper_beside(particle, mesh, contact_point);
     if (!deeper.is_found)
       break;
-    place = deeper;
-    place.has_switched = true;
+    contact_point = deeper;
+    contact_point.has_switched = true;
   }
-  return place;
+  return contact_point;
 }
 } // namespace dem

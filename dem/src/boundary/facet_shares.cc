@@ -25,34 +25,34 @@ struct Piece
 
 /// Where the entry of an edge or a vertex stands; forgets in as many steps as
 /// there are entries, and takes no memory once it has grown.
-class PlaceTable
+class IndexTable
 {
 public:
   void grow(std::size_t n)
   {
-    if (place.size() < n)
-      place.resize(n, none);
+    if (index.size() < n)
+      index.resize(n, none);
   }
-  bool has(std::size_t key) const { return place[key] != none; }
+  bool has(std::size_t key) const { return index[key] != none; }
   std::size_t at(std::size_t key) const
   {
-    return static_cast<std::size_t>(place[key]);
+    return static_cast<std::size_t>(index[key]);
   }
   void set(std::size_t key, std::size_t where)
   {
-    place[key] = static_cast<std::int32_t>(where);
+    index[key] = static_cast<std::int32_t>(where);
     used.push_back(key);
   }
   void clear()
   {
     for (const std::size_t key : used)
-      place[key] = none;
+      index[key] = none;
     used.clear();
   }
 
 private:
   static constexpr std::int32_t none = -1;
-  std::vector<std::int32_t> place;
+  std::vector<std::int32_t> index;
   std::vector<std::size_t> used;
 };
 
@@ -61,8 +61,8 @@ struct Workspace
 {
   std::vector<Piece> pieces;
   /// Pieces by edge (three times the lower facet plus its edge) and vertex.
-  PlaceTable of_edge, of_vertex;
-  PlaceTable shares; ///< by vertex
+  IndexTable of_edge, of_vertex;
+  IndexTable shares; ///< by vertex
 
   void start(const FacetSurface &surface)
   {
@@ -105,7 +105,7 @@ Piece &piece_at(const FacetMesh &mesh, const Piece &proposed, Workspace &work)
   const std::size_t fresh = work.pieces.size();
   if (n_zero > 0)
   {
-    PlaceTable &table = n_zero == 1 ? work.of_edge : work.of_vertex;
+    IndexTable &table = n_zero == 1 ? work.of_edge : work.of_vertex;
     const std::size_t key =
         n_zero == 1
             ? edge_number(mesh, t, (zero + 1) % 3)
@@ -214,16 +214,16 @@ std::size_t patch_of(const Piece &piece,
 }
 
 /// The share of a vertex, a new one if it has none.
-VertexShare &share_of(std::int32_t vertex, PlaceTable &places,
+VertexShare &share_of(std::int32_t vertex, IndexTable &table,
                       FacetShares &shares)
 {
   const auto key = static_cast<std::size_t>(vertex);
-  if (!places.has(key))
+  if (!table.has(key))
   {
-    places.set(key, shares.of.size());
+    table.set(key, shares.of.size());
     shares.of.push_back({vertex});
   }
-  return shares.of[places.at(key)];
+  return shares.of[table.at(key)];
 }
 
 /// What the pieces of one patch come to.

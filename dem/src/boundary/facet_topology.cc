@@ -65,7 +65,7 @@ void check_vertices(const FacetSurface &surface, std::size_t facet)
     throw std::invalid_argument(message.str());
 }
 
-/// Of finite place and with an area: a facet thinner than this part of its
+/// At a finite position and with an area: a facet thinner than this part of its
 /// longest side cannot tell which of its neighbours is nearer.
 void check_area(const FacetSurface &surface, std::size_t facet)
 {

@@ -64,10 +64,10 @@ void PlaneBoundary::find_candidates(const BoundarySearch &search)
                    batch, search.retired);
 }
 
-void PlaneBoundary::renumber(const std::vector<std::int32_t> &place, bool)
+void PlaneBoundary::renumber(const std::vector<std::int32_t> &new_row, bool)
 {
-  renumber_planes(place, batch);
-  renumber_candidates(place, supports);
+  renumber_planes(new_row, batch);
+  renumber_candidates(new_row, supports);
 }
 
 ForceSum PlaneBoundary::meet(const ForceContext &)

@@ -9,23 +9,23 @@ namespace dem
 {
 namespace
 {
-std::int32_t moved(const std::vector<std::int32_t> &place,
+std::int32_t moved(const std::vector<std::int32_t> &new_row,
                    std::int32_t particle)
 {
-  return place[static_cast<std::size_t>(particle)];
+  return new_row[static_cast<std::size_t>(particle)];
 }
 
 /// Renames the particles; returns the order of the contacts by (particle,
 /// part), each with its number from before.
 template <class PartOf>
-std::vector<std::int32_t> place_order(const std::vector<std::int32_t> &place,
-                                      ContactBatch &batch,
-                                      const PartOf &part_of)
+std::vector<std::int32_t>
+renumbered_order(const std::vector<std::int32_t> &new_row, ContactBatch &batch,
+                 const PartOf &part_of)
 {
   std::vector<std::int32_t> order(batch.size());
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t k = 0; k < batch.size(); ++k)
-    batch.a[k] = moved(place, batch.a[k]);
+    batch.a[k] = moved(new_row, batch.a[k]);
   const auto key = [&](std::int32_t k)
   { return std::pair(batch.a[static_cast<std::size_t>(k)], part_of(k)); };
   std::stable_sort(order.begin(), order.end(),
@@ -35,22 +35,22 @@ std::vector<std::int32_t> place_order(const std::vector<std::int32_t> &place,
 }
 } // namespace
 
-void renumber_planes(const std::vector<std::int32_t> &place,
+void renumber_planes(const std::vector<std::int32_t> &new_row,
                      ContactBatch &batch)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
-    batch.a[k] = moved(place, batch.a[k]);
+    batch.a[k] = moved(new_row, batch.a[k]);
   batch.rearrange(batch.layout, batch.by_pair());
 }
 
-void renumber_facets(const std::vector<std::int32_t> &place,
+void renumber_facets(const std::vector<std::int32_t> &new_row,
                      FacetCandidates &candidates, ContactBatch &batch)
 {
   std::vector<std::int32_t> &particle = candidates.particle;
   for (std::int32_t &one : particle)
-    one = moved(place, one);
+    one = moved(new_row, one);
   for (std::size_t k = 0; k < batch.size(); ++k)
-    batch.a[k] = moved(place, batch.a[k]);
+    batch.a[k] = moved(new_row, batch.a[k]);
   std::vector<std::int32_t> rows(particle.size());
   std::iota(rows.begin(), rows.end(), 0);
   std::sort(rows.begin(), rows.end(),
@@ -73,12 +73,13 @@ void renumber_facets(const std::vector<std::int32_t> &place,
   candidates.reactivation.clear();
 }
 
-void renumber_drum_places(const std::vector<std::int32_t> &place,
-                          ContactBatch &batch, std::vector<WallRow> &rows)
+void renumber_drum_contacts(const std::vector<std::int32_t> &new_row,
+                            ContactBatch &batch, std::vector<WallRow> &rows)
 {
   const auto part_of = [&batch](std::int32_t k)
   { return batch.b[static_cast<std::size_t>(k)] % n_drum_parts; };
-  const std::vector<std::int32_t> order = place_order(place, batch, part_of);
+  const std::vector<std::int32_t> order =
+      renumbered_order(new_row, batch, part_of);
   std::vector<WallRow> fresh(order.size() *
                              static_cast<std::size_t>(n_drum_parts));
   std::vector<std::int32_t> b;
@@ -94,11 +95,11 @@ void renumber_drum_places(const std::vector<std::int32_t> &place,
   rows = std::move(fresh);
 }
 
-void renumber_facet_places(const std::vector<std::int32_t> &place,
-                           FacetCandidates &candidates, ContactBatch &batch)
+void renumber_facet_contacts(const std::vector<std::int32_t> &new_row,
+                             FacetCandidates &candidates, ContactBatch &batch)
 {
-  const std::vector<std::int32_t> order =
-      place_order(place, batch, [](std::int32_t) { return std::int32_t{0}; });
+  const std::vector<std::int32_t> order = renumbered_order(
+      new_row, batch, [](std::int32_t) { return std::int32_t{0}; });
   reorder_column(candidates.contact_point, order);
   reorder_column(candidates.reactivation, order);
   batch.rearrange(batch.layout, order);

@@ -245,8 +245,8 @@ std::string describe(const SurfaceFault &fault)
          << fault.first;
     break;
   }
-  text << " at (" << fault.place.x() << ", " << fault.place.y() << ", "
-       << fault.place.z() << ") m";
+  text << " at (" << fault.position.x() << ", " << fault.position.y() << ", "
+       << fault.position.z() << ") m";
   return text.str();
 }
 } // namespace dem

@@ -16,8 +16,8 @@ constexpr DirectionGrid nodes = RadiusMap::nodes;
 /// Where a surface curves between nodes against the rule of
 /// NodeGaps::may_hide(), by this part of the radius at most.
 constexpr double fine_tolerance = 0.02;
-/// Two places on a particle nearer than this are one [rad].
-constexpr double one_place = 0.03;
+/// Two contact points on a particle nearer than this are one [rad].
+constexpr double same_point_angle = 0.03;
 
 ParticleView exact_view(const MappedParticlePose &particle)
 {
@@ -42,7 +42,8 @@ void for_nearest_nodes(const MappedParticlePose &particle, double skin,
   const RadiusMap &map = particle.particle.map;
   const double scale = particle.particle.body.scale;
   const double tolerance = fine_tolerance * mean_radius(particle.particle.body);
-  // The node next to a place is farther by no more than the surface curves.
+  // The node next to a contact point is farther by no more than the surface
+  // curves.
   const double range = skin + tolerance + scale * map.sag();
   NodeGaps gaps;
   std::vector<int> seen;
@@ -69,41 +70,43 @@ void for_nearest_nodes(const MappedParticlePose &particle, double skin,
 }
 
 /// Keeps what a search finds, once.
-class Places
+class ContactPointCollector
 {
 public:
-  Places(const MappedParticlePose &of, double within,
-         std::span<const WallContactPoint> old)
+  ContactPointCollector(const MappedParticlePose &of, double within,
+                        std::span<const WallContactPoint> old)
       : particle(of), skin(within), known(old)
   {
   }
 
-  void add(const WallContactPoint &place)
+  void add(const WallContactPoint &contact_point)
   {
     const double size = mean_radius(particle.particle.body);
-    if (!place.is_found)
+    if (!contact_point.is_found)
       ++found.n_lost;
-    else if (place.overlap > -skin && place.overlap < deepest_overlap * size &&
-             !is_listed(place))
-      found.places.push_back(place);
+    else if (contact_point.overlap > -skin &&
+             contact_point.overlap < deepest_overlap * size &&
+             !is_listed(contact_point))
+      found.contact_points.push_back(contact_point);
   }
 
   WallSearchResult take()
   {
     std::stable_sort(
-        found.places.begin(), found.places.end(),
+        found.contact_points.begin(), found.contact_points.end(),
         [](const WallContactPoint &one, const WallContactPoint &other)
         { return one.overlap > other.overlap; });
     return std::move(found);
   }
 
 private:
-  bool is_listed(const WallContactPoint &place) const
+  bool is_listed(const WallContactPoint &contact_point) const
   {
-    const auto is_same = [&place](const WallContactPoint &other)
-    { return is_one_place(place, other); };
+    const auto is_same = [&contact_point](const WallContactPoint &other)
+    { return is_one_contact_point(contact_point, other); };
     return std::any_of(known.begin(), known.end(), is_same) ||
-           std::any_of(found.places.begin(), found.places.end(), is_same);
+           std::any_of(found.contact_points.begin(), found.contact_points.end(),
+                       is_same);
   }
 
   const MappedParticlePose &particle;
@@ -273,10 +276,11 @@ void for_deepest_vertices(const MappedParticlePose &particle,
 }
 } // namespace
 
-bool is_one_place(const WallContactPoint &one, const WallContactPoint &other)
+bool is_one_contact_point(const WallContactPoint &one,
+                          const WallContactPoint &other)
 {
   return (one.on_particle - other.on_particle).squaredNorm() <
-             one_place * one_place &&
+             same_point_angle * same_point_angle &&
          is_one_patch(one.normal, other.normal);
 }
 
@@ -286,7 +290,7 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
                                 double skin,
                                 std::span<const WallContactPoint> known)
 {
-  Places places(particle, skin, known);
+  ContactPointCollector contact_points(particle, skin, known);
   ParticleView view = exact_view(particle);
   const MeshDistance nearby(mesh.surface, triangles);
   const double range =
@@ -310,7 +314,7 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
                       start.on_particle = view.towards(x);
                       start.triangle = at.triangle;
                       start.weight = at.weight;
-                      places.add(refine_on_facets(view, mesh, start));
+                      contact_points.add(refine_on_facets(view, mesh, start));
                     });
   for_deepest_vertices(
       particle, mesh, triangles, range,
@@ -323,27 +327,27 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
             mesh.surface.position[static_cast<std::size_t>(v[corner])]);
         start.triangle = triangle;
         start.weight[corner] = 1.;
-        places.add(refine_on_facets(view, mesh, start));
+        contact_points.add(refine_on_facets(view, mesh, start));
       });
-  return places.take();
+  return contact_points.take();
 }
 
 WallSearchResult find_on_drum(const MappedParticlePose &particle,
                               const Drum &drum, DrumPart part, double skin,
                               std::span<const WallContactPoint> known)
 {
-  Places places(particle, skin, known);
+  ContactPointCollector contact_points(particle, skin, known);
   ParticleView view = exact_view(particle);
   const auto distance = [&](const Vec3 &x, double)
   { return nearest_on_drum(drum, part, x).distance; };
-  for_nearest_nodes(particle, skin, distance,
-                    [&](int node)
-                    {
-                      WallContactPoint start;
-                      start.on_particle =
-                          view.towards(node_point(particle, node));
-                      places.add(refine_on_drum(view, drum, part, start));
-                    });
-  return places.take();
+  for_nearest_nodes(
+      particle, skin, distance,
+      [&](int node)
+      {
+        WallContactPoint start;
+        start.on_particle = view.towards(node_point(particle, node));
+        contact_points.add(refine_on_drum(view, drum, part, start));
+      });
+  return contact_points.take();
 }
 } // namespace dem

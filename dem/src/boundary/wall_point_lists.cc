@@ -1,4 +1,4 @@
-#include "../neighbor/place_lists.h"
+#include "../neighbor/point_list_renewal.h"
 
 #include <dem/boundary/drum_contacts.h>
 #include <dem/boundary/wall_contact_points.h>
@@ -17,7 +17,7 @@ MappedParticlePose posed(const ContactPointSearchInput &input, std::size_t i)
           particles.rotation(i)};
 }
 
-/// A place on a wall in the form that the lists keep.
+/// A contact point on a wall in the form that the lists keep.
 WallContactPoint foot_at(const FacetContactPoint &at)
 {
   WallContactPoint foot;
@@ -32,33 +32,35 @@ FacetContactPoint on_facets(const WallContactPoint &foot)
   return {foot.triangle, foot.weight, foot.normal, {}};
 }
 
-std::vector<WallContactPoint> places_of(const PairList &list)
+std::vector<WallContactPoint> contact_points_of(const PairList &list)
 {
-  std::vector<WallContactPoint> places;
+  std::vector<WallContactPoint> contact_points;
   for (const Row &row : list.rows)
   {
-    WallContactPoint place;
-    place.on_particle = row.contact_point.on_a;
-    place.normal = row.foot.normal;
-    places.push_back(place);
+    WallContactPoint contact_point;
+    contact_point.on_particle = row.contact_point.on_a;
+    contact_point.normal = row.foot.normal;
+    contact_points.push_back(contact_point);
   }
-  return places;
+  return contact_points;
 }
 
 void add(const WallSearchResult &found, const ContactPointSearchInput &input,
          PairList &list)
 {
   list.events.n_lost += found.n_lost;
-  for (const WallContactPoint &place : found.places)
+  for (const WallContactPoint &contact_point : found.contact_points)
   {
-    if (list.rows.size() >= most_wall_places)
+    if (list.rows.size() >= most_wall_contact_points)
     {
       ++list.events.n_unlisted;
       continue;
     }
-    list.events.n_late += place.overlap > 0. && !input.is_first;
-    list.rows.push_back(
-        {-1, {place.on_particle, Vec3::UnitZ(), place.overlap, true}, place});
+    list.events.n_late += contact_point.overlap > 0. && !input.is_first;
+    list.rows.push_back({-1,
+                         {contact_point.on_particle, Vec3::UnitZ(),
+                          contact_point.overlap, true},
+                         contact_point});
   }
 }
 
@@ -71,8 +73,8 @@ struct ParticleOnWall
   double gap = 0.; ///< of its circumscribed sphere [m]
 };
 
-/// `foot(k)`: where contact k was; `refine(particle, start)`: to its place now;
-/// `search(particle, known)`: all others.
+/// `foot(k)`: where contact k was; `refine(particle, start)`: to its contact
+/// point now; `search(particle, known)`: all others.
 template <class Foot, class Refine, class Search>
 PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
                       const Refine &refine, const Search &search)
@@ -101,7 +103,7 @@ PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
       list.keep(row);
   }
   if (on.gap < on.input.skin)
-    add(search(particle, places_of(list)), on.input, list);
+    add(search(particle, contact_points_of(list)), on.input, list);
   return list;
 }
 

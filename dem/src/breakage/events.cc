@@ -24,7 +24,7 @@ struct Request
 };
 
 /// Names one contact of the particle that broke.
-struct Place
+struct ContactIndex
 {
   int batch = 0; ///< as batch_of
   std::size_t contact = 0;
@@ -52,7 +52,7 @@ double cap_curvature(const ContactBatch &batch, std::size_t k, bool is_side_a,
 {
   if (choice == CapCurvature::own)
     return (is_side_a ? batch.side_a : batch.side_b).curvature[k].gaussian();
-  // The slope of the cap is the one place that knows the other surface.
+  // The slope of the cap alone depends on the other surface.
   const double slope = (is_side_a ? batch.corner_a : batch.corner_b)[k];
   return std::pow(cap_slope(1.) / slope, 2);
 }
@@ -118,9 +118,10 @@ std::vector<Request> collect(ContactSet &contacts,
 
 /// Touching contacts of the particle, in order of batch and number; its surface
 /// is forgotten at all of its contacts.
-std::vector<Place> forget_surface(ContactSet &contacts, std::int32_t particle)
+std::vector<ContactIndex> forget_surface(ContactSet &contacts,
+                                         std::int32_t particle)
 {
-  std::vector<Place> found;
+  std::vector<ContactIndex> found;
   const auto forget = [&](int number, std::size_t k, bool is_a)
   {
     ContactBatch &batch = batch_of(contacts, number);
@@ -160,15 +161,15 @@ void end_damage(ContactBatch &batch, std::size_t k, FactorMemory memory)
 
 /// Evaluates a contact again; returns the energy that it gave up [J].
 double reset(const ForceContext &context, ContactSet &contacts,
-             const Place &place)
+             const ContactIndex &index)
 {
-  ContactBatch &batch = batch_of(contacts, place.batch);
-  const std::size_t k = place.contact;
+  ContactBatch &batch = batch_of(contacts, index.batch);
+  const std::size_t k = index.contact;
   const double released =
-      place.batch == 0
+      index.batch == 0
           ? reset_pair(context, batch, k)
           : reset_wall(context,
-                       boundary_of(contacts, place.batch).walls(context), batch,
+                       boundary_of(contacts, index.batch).walls(context), batch,
                        k);
   if (batch.layout.has_damage && !batch.is_touching(k))
     end_damage(batch, k, context.parameters.breakage.memory);
@@ -261,8 +262,8 @@ double reset_all(const ForceContext &context, ContactSet &contacts,
                  std::int32_t particle)
 {
   double released = 0.;
-  for (const Place &place : forget_surface(contacts, particle))
-    released += reset(context, contacts, place);
+  for (const ContactIndex &index : forget_surface(contacts, particle))
+    released += reset(context, contacts, index);
   return released;
 }
 

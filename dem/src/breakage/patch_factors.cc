@@ -10,10 +10,10 @@ namespace
 /// The patch of a direction of the body frame.
 std::size_t patch_at(const Triple<double> &on_body)
 {
-  const DirectionGrid::Place place =
+  const DirectionGrid::Position position =
       PatchFactors::patches.locate({on_body.x, on_body.y, on_body.z});
-  const int ring = place.ring + (place.down >= 0.5);
-  const int column = place.column + (place.right >= 0.5);
+  const int ring = position.ring + (position.down >= 0.5);
+  const int column = position.column + (position.right >= 0.5);
   return static_cast<std::size_t>(
       std::clamp(ring, 0, PatchFactors::patches.n_polar - 1) *
           PatchFactors::patches.n_azimuth +

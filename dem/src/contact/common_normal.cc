@@ -73,7 +73,7 @@ SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation)
 namespace
 {
 /// What counts as less deep than the start, of the radius: such a refinement
-/// has gone down, over to another place.
+/// has gone down, over to another contact point.
 constexpr double surely_less = 1e-6;
 
 ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
@@ -125,21 +125,21 @@ public:
 
   LocalField operator()(const Vec3 &x)
   {
-    const WallContactPoint place = depth_of(particle, x, on_b);
-    if (!place.is_found)
+    const WallContactPoint contact_point = depth_of(particle, x, on_b);
+    if (!contact_point.is_found)
       return {-std::numeric_limits<double>::infinity(), Vec3::Zero(),
               Mat3::Zero()};
-    on_b = place.on_particle;
+    on_b = contact_point.on_particle;
     // D(y) with grad D = -n and -grad grad D = K (I - D K)^-1.
-    const Frame frame = tangents(place.normal);
+    const Frame frame = tangents(contact_point.normal);
     const Mat2 shape_operator =
         frame.transpose() * particle.at(on_b).shape_operator * frame;
     const Mat2 depth =
         shape_operator *
-        floored(Mat2::Identity() - place.overlap * shape_operator,
+        floored(Mat2::Identity() - contact_point.overlap * shape_operator,
                 lowest_curvature)
             .inverse();
-    return {place.overlap, -place.normal,
+    return {contact_point.overlap, -contact_point.normal,
             -(frame * (0.5 * (depth + depth.transpose())) * frame.transpose())};
   }
 

@@ -16,8 +16,8 @@ using ParticleSimd = SimdRows<particle_row>;
 /// Simd that are contacts; the others only fill the set.
 SimdMask valid_lanes(int n_valid)
 {
-  const Simd place([](auto lane) { return static_cast<double>(lane); });
-  return place < static_cast<double>(n_valid);
+  const Simd number([](auto lane) { return static_cast<double>(lane); });
+  return number < static_cast<double>(n_valid);
 }
 
 /// Direction of one side of a block of contacts in the frame of its particle.

@@ -6,7 +6,8 @@ namespace dem
 {
 namespace
 {
-/// A place farther than this part of the radius from the last is another one.
+/// A contact point farther than this part of the radius from the last is
+/// another one.
 constexpr double jump = 0.05;
 
 /// The particle on one side of contact k.
@@ -15,8 +16,8 @@ std::size_t particle_of(const ContactBatch &batch, std::size_t k, bool is_a)
   return row_of(is_a ? batch.a[k] : batch.b[k]);
 }
 
-/// Sets the overlap from which contact k counts, so that a new place takes up
-/// no more energy than the old one had.
+/// Sets the overlap from which contact k counts, so that a new contact point
+/// takes up no more energy than the old one had.
 void renew_overlap_offset(ContactBatch &batch, std::size_t k, double overlap)
 {
   batch.overlap_offset[k] = std::max(0., overlap - batch.overlap[k]);
@@ -52,8 +53,8 @@ ContactPoint contact_point_of(const ContactBatch &batch, std::size_t k)
           true};
 }
 
-void place_pair(const ForceContext &context, ContactBatch &batch, std::size_t k,
-                const ContactPoint &contact_point)
+void renew_sides(const ForceContext &context, ContactBatch &batch,
+                 std::size_t k, const ContactPoint &contact_point)
 {
   renew_side(context, batch, k, true, contact_point.on_a);
   renew_side(context, batch, k, false, contact_point.on_b);
@@ -84,7 +85,7 @@ void relocate_pair(const ForceContext &context, ContactBatch &batch,
     batch.displaced[k] = 1;
     renew_overlap_offset(batch, k, found.overlap);
   }
-  place_pair(context, batch, k, found);
+  renew_sides(context, batch, k, found);
 }
 
 void relocate_wall(const ForceContext &context, ContactBatch &batch,

@@ -13,12 +13,12 @@ RelativePose relative_pose(const ParticleSystem &particles, std::size_t a,
 ContactPoint contact_point_of(const ContactBatch &batch, std::size_t k);
 
 /// Evaluates both sides of contact k there.
-void place_pair(const ForceContext &context, ContactBatch &batch, std::size_t k,
-                const ContactPoint &contact_point);
+void renew_sides(const ForceContext &context, ContactBatch &batch,
+                 std::size_t k, const ContactPoint &contact_point);
 
 /// Looks for the common normal of contact k from where it was, as carefully as
 /// it takes; if there is none left, the contact stays open until the lists are
-/// rebuilt. A place aside is counted as a jump and gives no energy.
+/// rebuilt. A jump to another contact point is counted, and adds no energy.
 void relocate_pair(const ForceContext &context, ContactBatch &batch,
                    std::size_t k, RangeSum &sum);
 /// The same for the support point towards a wall.

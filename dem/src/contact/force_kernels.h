@@ -88,12 +88,13 @@ struct Surfaces
   void (*renew)(void *owner, std::int64_t k, int side, const double *direction);
   /// Mixes the prefactors of contact k with this normal.
   void (*mix)(void *owner, std::int64_t k, const double *normal);
-  /// Searches again for the place of contact k, which its steps have lost.
+  /// Searches again for the contact point of contact k, which its steps have
+  /// lost.
   void (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
 };
 
 /// Simd that are worked on in turn make one block for every instruction set,
-/// and losses are summed by place in the block: same digits everywhere.
+/// and losses are summed by position in the block: same digits everywhere.
 inline constexpr std::int64_t lane_block = 8;
 
 /// WallRow in numbers.
@@ -103,8 +104,8 @@ inline constexpr int wall_row = 16;
 /// particle towards it is not looked at.
 inline constexpr double far_wall = 1e3;
 
-/// ContactBatch::overlap_offset from here on: the contact has lost its place
-/// and stays open until the lists are rebuilt [m].
+/// ContactBatch::overlap_offset from here on: the contact has lost its contact
+/// point and stays open until the lists are rebuilt [m].
 inline constexpr double closed_offset = 1e9;
 
 /// What a loop reads besides the contacts; coefficients are of its batch.
@@ -134,7 +135,7 @@ struct Task
   double cell_length[3], cell_rate[3]; ///< PeriodicCell; 0: not periodic
   bool adds_loads_only;       ///< forces are taken as the last step left them
   const double *walls;        ///< WallRow
-  const double *wall_overlap; ///< by row; null unless places are found before
+  const double *wall_overlap; ///< by row; null unless found before
   const double *wall_extra;   ///< Walls::extra; null if there is none
 };
 
@@ -145,11 +146,11 @@ using Loop = void (*)(const Task &task, std::int64_t first, std::int64_t last,
 /// The loops of one law by geometry; null where the law has none.
 struct Loops
 {
-  Loop pairs;         ///< spheres, or radii along the branch
-  Loop walls;         ///< the same on planes
-  Loop surface_pairs; ///< true surfaces at their common normals
-  Loop surface_walls; ///< true surfaces at their support points
-  Loop placed_walls;  ///< true surfaces whose places were found before
+  Loop pairs;          ///< spheres, or radii along the branch
+  Loop walls;          ///< the same on planes
+  Loop surface_pairs;  ///< true surfaces at their common normals
+  Loop surface_walls;  ///< true surfaces at their support points
+  Loop followed_walls; ///< true surfaces whose contact points were found before
 };
 
 /// The loops of the laws by number, of one instruction set.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fetch_ahead.h"
-#include "placed_simd.h"
+#include "followed_wall_simd.h"
 #include "surface_simd.h"
 
 /// The loops over contacts of one law, for units that are compiled once per
@@ -13,7 +13,7 @@ namespace
 constexpr int n_parts = lane_block / n_lanes;
 using BlockLosses = Losses<Simd>[n_parts];
 
-/// What the lanes have lost, place by place in the block.
+/// Dissipation of the lanes, summed by position in the block.
 void sum_losses(const BlockLosses &lost, Dissipation &sum)
 {
   for (int part = 0; part < n_parts; ++part)
@@ -65,7 +65,7 @@ constexpr Loops loops_of()
   {
     loops.surface_pairs = run_range<advance_surface_pairs<Law>>;
     loops.surface_walls = run_range<advance_surface_walls<Law>>;
-    loops.placed_walls = run_range<advance_placed_walls<Law>>;
+    loops.followed_walls = run_range<advance_followed_walls<Law>>;
   }
   return loops;
 }

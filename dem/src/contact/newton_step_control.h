@@ -34,8 +34,8 @@ struct NewtonStepControl
 inline constexpr NewtonStepControl usual_step_control{0.1, 40};
 /// Where long steps leap to and fro over a lens.
 inline constexpr NewtonStepControl careful_step_control{0.03, 100};
-/// Where steps as on a rounder lens would come to the place of a flat one by
-/// hundreds.
+/// Where steps as on a rounder lens would come to the contact point of a flat
+/// one by hundreds.
 inline constexpr NewtonStepControl flat_step_control{0.03, 100,
                                                      least_curvature};
 

@@ -75,7 +75,7 @@ struct SurfaceGeometry
 {
   SimdVector normal, normal_before;
   SimdVector arm_a, arm_b; ///< from the centres to the contact
-  Simd apart;   ///< the surfaces, where the place is open and known; else 0
+  Simd apart;   ///< the surfaces, where the contact is open and known; else 0
   Simd overlap; ///< counted; 0 where open
 };
 
@@ -187,8 +187,8 @@ ContactMotion<Simd> surface_motion(const ParticleSimd &a, const ParticleSimd &b,
   return motion;
 }
 
-/// How far particles may move before an open place is followed again: so
-/// little that it is found from where it was.
+/// How far particles may move before an open contact point is followed again:
+/// so little that it is found from where it was.
 Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
                      const ParticleSimd &b)
 {
@@ -338,7 +338,7 @@ ContactMotion<Simd> support_motion(const ParticleSimd &a, const WallSimd &wall,
   return motion;
 }
 
-/// Forces and loads of contacts with walls whose places are known.
+/// Forces and loads of contacts with walls whose contact points are known.
 template <class Law>
 void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
                      const ParticleSimd &a, const WallSimd &wall,

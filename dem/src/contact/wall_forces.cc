@@ -31,7 +31,7 @@ kernel::Loop wall_loop(const Walls &walls, const ContactBatch &batch)
   if (!batch.layout.has_contact_points)
     return loops.walls;
   return required(walls.overlap.empty() ? loops.surface_walls
-                                        : loops.placed_walls,
+                                        : loops.followed_walls,
                   batch.layout.law.entry());
 }
 } // namespace
@@ -72,8 +72,8 @@ ForceSum wall_forces(const ForceContext &context, const Walls &walls,
 double reset_wall(const ForceContext &context, const Walls &walls,
                   ContactBatch &batch, std::size_t k)
 {
-  if (walls.replace)
-    walls.replace(context, k);
+  if (walls.relocate)
+    walls.relocate(context, k);
   return run_still(context, batch, k, wall_loop(walls, batch),
                    [&walls](SurfaceOwner &owner)
                    {

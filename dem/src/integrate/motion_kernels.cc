@@ -12,7 +12,7 @@ namespace
 using FrameSimd = SimdRows<frame_row>;
 
 /// Particles in a row; the last stands again in lanes that are past the end.
-struct Places
+struct LaneRows
 {
   std::int64_t first, last;
 
@@ -37,8 +37,8 @@ struct Movers
   Simd reach;
   Turn<Simd> principal;
 
-  Movers(const Motion &motion, const Places &places)
-      : state(motion.state, places), load(motion.load, places)
+  Movers(const Motion &motion, const LaneRows &rows)
+      : state(motion.state, rows), load(motion.load, rows)
   {
     const SimdQuad moving = state.quad(at_velocity),
                    turning = state.quad(at_spin);
@@ -49,7 +49,7 @@ struct Movers
     if (!motion.frame)
       return;
     orientation = turn(state.quad(at_orientation));
-    const FrameSimd frame(motion.frame, places);
+    const FrameSimd frame(motion.frame, rows);
     const SimdQuad size = frame.quad(at_moments);
     moments = size.vector;
     reach = size.number;
@@ -89,19 +89,19 @@ SimdVector over_inertia(const Motion &motion, const Movers &particles,
 }
 
 /// Adds `value` of the first lanes to a column.
-void add_to(double *column, const Places &places, const Simd &value)
+void add_to(double *column, const LaneRows &rows, const Simd &value)
 {
-  double *first = column + places.first;
-  if (places.are_all_there())
+  double *first = column + rows.first;
+  if (rows.are_all_there())
     store(load(first) + value, first);
   else
-    for (std::int64_t lane = 0; lane < places.last - places.first; ++lane)
+    for (std::int64_t lane = 0; lane < rows.last - rows.first; ++lane)
       first[lane] += value[static_cast<std::size_t>(lane)];
 }
 
 /// v += F/m dt, omega += I^-1 M dt with what local damping leaves of F and M;
 /// books the work of damping and gravity.
-void kick(const Motion &motion, double dt, const Places &places,
+void kick(const Motion &motion, double dt, const LaneRows &rows,
           Movers &particles)
 {
   const SimdVector velocity = particles.velocity, spin = particles.spin;
@@ -120,12 +120,12 @@ void kick(const Motion &motion, double dt, const Places &places,
   particles.velocity += dt / particles.mass * kept_force;
   particles.spin += Simd(dt) * over_inertia(motion, particles, kept_moment);
   if (motion.damped)
-    add_to(motion.damped, places,
+    add_to(motion.damped, rows,
            0.5 * dt *
                (dot(force - kept_force, velocity + particles.velocity) +
                 dot(moment - kept_moment, spin + particles.spin)));
   if (motion.lifted)
-    add_to(motion.lifted, places,
+    add_to(motion.lifted, rows,
            0.5 * dt * dot(weight, velocity + particles.velocity));
 }
 
@@ -154,7 +154,7 @@ double largest(const Simd &value)
 }
 
 /// How fast the particles are, after the drift.
-Fastest note_speeds(const Motion &motion, const Places &places,
+Fastest note_speeds(const Motion &motion, const LaneRows &rows,
                     const Movers &particles)
 {
   const Simd square = dot(particles.velocity, particles.velocity);
@@ -166,12 +166,12 @@ Fastest note_speeds(const Motion &motion, const Places &places,
       particles.reach * stdx::sqrt(dot(particles.spin, particles.spin));
   speeds.closing = largest(closing);
   if (motion.path_length)
-    add_to(motion.path_length, places, motion.drift * closing);
+    add_to(motion.path_length, rows, motion.drift * closing);
   return speeds;
 }
 
 /// Adds zero times what is stored to `check`: NaN if it is not finite.
-void store_places(const Motion &motion, const Movers &particles, Simd &check)
+void store_positions(const Motion &motion, const Movers &particles, Simd &check)
 {
   const SimdQuad sphere = particles.state.quad(at_position);
   const SimdVector moved =
@@ -186,19 +186,19 @@ void store_places(const Motion &motion, const Movers &particles, Simd &check)
                  particles.spin.y + particles.spin.z);
 }
 
-[[gnu::flatten]] Fastest move_some(const Motion &motion, const Places &places,
+[[gnu::flatten]] Fastest move_some(const Motion &motion, const LaneRows &rows,
                                    Simd &check)
 {
-  Movers particles(motion, places);
+  Movers particles(motion, rows);
   if (motion.owed > 0.)
-    kick(motion, motion.owed, places, particles);
-  kick(motion, motion.kick, places, particles);
+    kick(motion, motion.owed, rows, particles);
+  kick(motion, motion.kick, rows, particles);
   Fastest speeds;
   if (motion.drift > 0.)
   {
     turn(motion, particles);
-    speeds = note_speeds(motion, places, particles);
-    store_places(motion, particles, check);
+    speeds = note_speeds(motion, rows, particles);
+    store_positions(motion, particles, check);
   }
   particles.state.set(at_velocity, {particles.velocity, particles.mass});
   particles.state.set(at_spin, {particles.spin, particles.inertia});

@@ -34,11 +34,11 @@ Icosphere divide(const Icosphere &coarse)
   const auto middle = [&](std::int32_t a, std::int32_t b)
   {
     const auto next = static_cast<std::int32_t>(fine.directions.size());
-    const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), next);
+    const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), next);
     if (is_new)
       fine.directions.push_back(
           (coarse.directions[a] + coarse.directions[b]).normalized());
-    return place->second;
+    return entry->second;
   };
   for (const auto &[a, b, c] : coarse.triangles)
   {

@@ -13,6 +13,6 @@ std::optional<double> any_number_in(std::string_view word);
 std::optional<double> number_in(std::string_view word);
 
 /// What to do about a word that would be a number with a decimal point in
-/// place of its comma; empty for any other word.
+/// position of its comma; empty for any other word.
 std::string comma_hint(std::string_view word);
 } // namespace dem::detail

@@ -77,17 +77,17 @@ Kind kind_of(const std::string &name)
 struct Cursor
 {
   std::string_view text;
-  std::size_t place = 0;
+  std::size_t offset = 0;
 };
 
 std::string next_line(Cursor &cursor)
 {
-  if (cursor.place >= cursor.text.size())
+  if (cursor.offset >= cursor.text.size())
     fail("ends within its header");
   const std::size_t end =
-      std::min(cursor.text.find('\n', cursor.place), cursor.text.size());
-  std::string line(cursor.text.substr(cursor.place, end - cursor.place));
-  cursor.place = std::min(end + 1, cursor.text.size());
+      std::min(cursor.text.find('\n', cursor.offset), cursor.text.size());
+  std::string line(cursor.text.substr(cursor.offset, end - cursor.offset));
+  cursor.offset = std::min(end + 1, cursor.text.size());
   if (!line.empty() && line.back() == '\r')
     line.pop_back();
   return line;
@@ -163,10 +163,10 @@ template <typename Number>
 double binary_number(Cursor &cursor, bool is_swapped)
 {
   char bytes[sizeof(Number)];
-  if (cursor.text.size() - cursor.place < sizeof bytes)
+  if (cursor.text.size() - cursor.offset < sizeof bytes)
     fail("ends before its last triangle");
-  std::memcpy(bytes, cursor.text.data() + cursor.place, sizeof bytes);
-  cursor.place += sizeof bytes;
+  std::memcpy(bytes, cursor.text.data() + cursor.offset, sizeof bytes);
+  cursor.offset += sizeof bytes;
   if (is_swapped)
     std::reverse(std::begin(bytes), std::end(bytes));
   Number number;
@@ -178,20 +178,20 @@ double text_number(Cursor &cursor)
 {
   constexpr std::string_view blanks = " \t\r\n\v\f";
   const std::string_view text = cursor.text;
-  cursor.place = text.find_first_not_of(blanks, cursor.place);
-  if (cursor.place >= text.size())
+  cursor.offset = text.find_first_not_of(blanks, cursor.offset);
+  if (cursor.offset >= text.size())
     fail("ends before its last triangle");
   const std::size_t end =
-      std::min(text.find_first_of(blanks, cursor.place), text.size());
-  const std::string_view word = text.substr(cursor.place, end - cursor.place);
+      std::min(text.find_first_of(blanks, cursor.offset), text.size());
+  const std::string_view word = text.substr(cursor.offset, end - cursor.offset);
   const auto value = any_number_in(word);
   if (!value)
     fail("has a word where a number should be, line " +
          std::to_string(1 + std::count(text.begin(),
-                                       text.begin() + long(cursor.place),
+                                       text.begin() + long(cursor.offset),
                                        '\n')) +
          comma_hint(word));
-  cursor.place = end;
+  cursor.offset = end;
   return *value;
 }
 

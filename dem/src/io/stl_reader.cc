@@ -22,11 +22,11 @@ constexpr std::size_t header = 84, record = 50;
 }
 
 /// Little endian, as the format has it.
-std::uint32_t word_at(std::string_view bytes, std::size_t place)
+std::uint32_t word_at(std::string_view bytes, std::size_t offset)
 {
   std::uint32_t value = 0;
   for (std::size_t k = 0; k < 4; ++k)
-    value |= std::uint32_t(static_cast<unsigned char>(bytes[place + k]))
+    value |= std::uint32_t(static_cast<unsigned char>(bytes[offset + k]))
              << (8 * k);
   return value;
 }

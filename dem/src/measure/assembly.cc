@@ -34,14 +34,14 @@ ContactNetwork contact_network(const ParticleSystem &particles,
   std::vector<int> n_of(particles.size(), 0);
   ContactNetwork network;
   double sum = 0.;
-  // Places of one pair count as one contact.
+  // Several contact points of a pair count as one contact.
   for_each_pair(pairs,
-                [&](std::span<const std::int32_t> places)
+                [&](std::span<const std::int32_t> contacts)
                 {
                   Vec3 force = Vec3::Zero();
                   bool is_touching = false;
-                  for (const std::int32_t place : places)
-                    if (const auto k = static_cast<std::size_t>(place);
+                  for (const std::int32_t contact : contacts)
+                    if (const auto k = static_cast<std::size_t>(contact);
                         pairs.is_touching(k))
                     {
                       is_touching = true;
@@ -49,7 +49,7 @@ ContactNetwork contact_network(const ParticleSystem &particles,
                     }
                   if (!is_touching)
                     return;
-                  const auto first = static_cast<std::size_t>(places.front());
+                  const auto first = static_cast<std::size_t>(contacts.front());
                   ++network.n_contacts;
                   ++n_of[static_cast<std::size_t>(pairs.a[first])];
                   ++n_of[static_cast<std::size_t>(pairs.b[first])];

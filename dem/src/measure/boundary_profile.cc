@@ -169,9 +169,9 @@ struct Depth
 Depth depth_of(const Outline &outline, const Vec3 &x)
 {
   const auto n = static_cast<double>(outline.sections.size());
-  const double place =
+  const double layer =
       std::floor((x.z() - outline.low) / (outline.high - outline.low) * n);
-  const auto section = static_cast<std::size_t>(std::clamp(place, 0., n - 1.));
+  const auto section = static_cast<std::size_t>(std::clamp(layer, 0., n - 1.));
   return {depth_in(outline.sections[section], x.head<2>()),
           std::min(x.z() - outline.low, outline.high - x.z())};
 }

@@ -39,27 +39,27 @@ bool is_at_limit(const EngineParameters &parameters, const ContactBatch &pairs,
          at_limit * parameters.particle.friction * pressing;
 }
 
-/// `places` are of one pair of particles; false if none bears a force.
-bool join_places(const Engine &engine, std::span<const std::int32_t> places,
-                 PairContact &contact)
+/// `entries` are of one pair of particles; false if none bears a force.
+bool join_contacts(const Engine &engine, std::span<const std::int32_t> entries,
+                   PairContact &contact)
 {
   const ContactBatch &pairs = engine.pairs();
-  const auto first = static_cast<std::size_t>(places.front());
+  const auto first = static_cast<std::size_t>(entries.front());
   contact = {pairs.a[first], pairs.b[first], Vec3::Zero(),
              Vec3::Zero(),   Vec3::Zero(),   true};
   double weight = 0.;
-  for (const std::int32_t entry : places)
+  for (const std::int32_t entry : entries)
   {
     const auto k = static_cast<std::size_t>(entry);
     if (!pairs.has_force(k))
       continue;
-    const ContactFrame place = pair_contact_frame(engine, k);
+    const ContactFrame frame = pair_contact_frame(engine, k);
     const double share = std::abs(pairs.normal_force[k]);
-    contact.normal += share * place.normal;
-    contact.point += share * place.point;
+    contact.normal += share * frame.normal;
+    contact.point += share * frame.point;
     contact.force += pair_force(engine.particles(), pairs, k);
     contact.is_sliding &=
-        is_at_limit(engine.parameters(), pairs, k, place.normal);
+        is_at_limit(engine.parameters(), pairs, k, frame.normal);
     weight += share;
   }
   if (weight <= 0.)
@@ -128,9 +128,9 @@ Network contact_network_of(const Engine &engine)
   Network network;
   PairContact contact;
   for_each_pair(engine.pairs(),
-                [&](std::span<const std::int32_t> places)
+                [&](std::span<const std::int32_t> entries)
                 {
-                  if (join_places(engine, places, contact))
+                  if (join_contacts(engine, entries, contact))
                     network.pairs.push_back(contact);
                 });
   add_walls(engine, on_planes(engine), nullptr, network.walls);

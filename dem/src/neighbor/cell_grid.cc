@@ -35,14 +35,14 @@ CellGrid::CellGrid(std::span<const Vec3> points,
   for (std::size_t c = 1; c < start.size(); ++c)
     start[c] += start[c - 1];
   member.resize(numbers.size());
-  place.resize(numbers.size());
+  position.resize(numbers.size());
   std::vector<std::int32_t> next(start.begin(), start.end() - 1);
   for (std::size_t m = 0; m < numbers.size(); ++m)
   {
     const auto to =
         static_cast<std::size_t>(next[static_cast<std::size_t>(cell[m])]++);
     member[to] = numbers[m];
-    place[to] = points[m];
+    position[to] = points[m];
   }
 }
 } // namespace dem

@@ -1,4 +1,4 @@
-#include "place_lists.h"
+#include "point_list_renewal.h"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@ namespace dem
 {
 namespace
 {
-/// Particles are searched for places within so many times the skin: what is not
-/// listed yet tells how long the list is good for.
+/// Particles are searched for contact points within so many times the skin:
+/// what is not listed yet tells how long the list is good for.
 constexpr double reach_skins = 2.;
 
 /// Gap between the points of two surfaces where an old contact is [m].
@@ -56,7 +56,7 @@ PairList list_pair(const ContactPointSearchInput &input,
   ContactPointSearch search = find_contact_points(
       mapped, separation, reach_skins * input.skin, list.contact_points());
   list.events.n_lost = search.n_lost;
-  // The places are complete until the next one comes within the skin.
+  // The contact points are complete until the next one comes within the skin.
   const auto beyond = std::ranges::find_if(
       search.contact_points, [&](const ContactPoint &contact_point)
       { return contact_point.overlap <= -input.skin; });
@@ -117,20 +117,20 @@ void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
       batch, retired, [](const Arrangement &) {});
 }
 
-void renumber_candidates(const std::vector<std::int32_t> &place,
+void renumber_candidates(const std::vector<std::int32_t> &new_row,
                          std::vector<CandidatePair> &walls)
 {
   for (CandidatePair &pair : walls)
-    pair.key.first = place[row_of(pair.key.first)];
+    pair.key.first = new_row[row_of(pair.key.first)];
   std::sort(walls.begin(), walls.end(), by_key);
 }
 
-void ContactPointLists::renumber(const std::vector<std::int32_t> &place)
+void ContactPointLists::renumber(const std::vector<std::int32_t> &new_row)
 {
   for (CandidatePair &pair : pairs)
   {
-    const std::int32_t a = place[row_of(pair.key.first)],
-                       b = place[row_of(pair.key.second)];
+    const std::int32_t a = new_row[row_of(pair.key.first)],
+                       b = new_row[row_of(pair.key.second)];
     // The first particle may be another one.
     pair.between = Vec3::Zero();
     pair.key = std::minmax(a, b);

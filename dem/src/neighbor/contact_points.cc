@@ -15,8 +15,8 @@ namespace
 /// Where a map curves between its nodes against the rule of
 /// NodeGaps::may_hide(), by this part of the radius at most.
 constexpr double fine_tolerance = 0.02;
-/// Two places on a particle nearer than this are one [rad].
-constexpr double one_place = 0.03;
+/// Two contact points on a particle nearer than this are one [rad].
+constexpr double same_point_angle = 0.03;
 
 RelativePose inverted(const RelativePose &pose)
 {
@@ -52,9 +52,9 @@ void for_nearest_nodes(const Ordered &pair, double skin, const Call &call)
   const MappedParticle &sampled = pair.sampled;
   const double scale = sampled.body.scale;
   const double tolerance = fine_tolerance * mean_radius(sampled.body);
-  // The node next to a place is no farther than the place but for what the
-  // sharper of both surfaces curves on the way, which the other does not
-  // exceed.
+  // The node next to a contact point is no farther than the contact point but
+  // for what the sharper of both surfaces curves on the way, which the other
+  // does not exceed.
   const double range = skin + tolerance + 2. * scale * sampled.map.sag();
   // Nothing of the field is lower along the normal than this face.
   const double face = pair.between.top_a + pair.between.gap;
@@ -80,11 +80,12 @@ bool is_listed(const ContactPoint &contact_point,
 {
   return std::any_of(list.begin(), list.end(),
                      [&](const ContactPoint &other)
-                     { return is_one_place(contact_point, other); });
+                     { return is_one_contact_point(contact_point, other); });
 }
 
-/// Whether a minimum of the maps is that of a place in the list: two places
-/// may be nearer than the nodes, so only the near half of a node's share is.
+/// Whether a minimum of the maps is that of a contact point in the list: two
+/// contact points may be nearer than the nodes, so only the near half of a
+/// node's share is.
 bool leads_to(const ContactPoint &start, std::span<const ContactPoint> list)
 {
   constexpr double node_spacing = std::numbers::pi / RadiusMap::nodes.n_polar;
@@ -159,9 +160,10 @@ double top_of(const MappedParticle &particle, const Vec3 &normal)
 }
 } // namespace
 
-bool is_one_place(const ContactPoint &one, const ContactPoint &other)
+bool is_one_contact_point(const ContactPoint &one, const ContactPoint &other)
 {
-  return (one.on_a - other.on_a).squaredNorm() < one_place * one_place;
+  return (one.on_a - other.on_a).squaredNorm() <
+         same_point_angle * same_point_angle;
 }
 
 Separation separate(const MappedPair &pair, const Vec3 &guess, double skin)

@@ -104,9 +104,9 @@ inline Look look_towards(const float *radius, const Floats &x, const Floats &y,
                                 Numbers(map_columns - 1));
   const Floats below = down - stdx::static_simd_cast<Floats>(row);
   const Floats beside = right - stdx::static_simd_cast<Floats>(column);
-  const Numbers place = row * map_row + column;
+  const Numbers node = row * map_row + column;
   const auto corner = [&](int offset)
-  { return Floats([&](auto lane) { return radius[place[lane] + offset]; }); };
+  { return Floats([&](auto lane) { return radius[node[lane] + offset]; }); };
   const Floats top = corner(0), bottom = corner(map_row);
   const Floats along_top = corner(1) - top,
                along_bottom = corner(map_row + 1) - bottom;

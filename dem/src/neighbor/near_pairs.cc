@@ -120,7 +120,7 @@ public:
       std::vector<Vec3> points;
       points.reserve(one.particle.size());
       for (const std::int32_t particle : one.particle)
-        points.push_back(place_of(static_cast<std::size_t>(particle)));
+        points.push_back(position_of(static_cast<std::size_t>(particle)));
       if (particles.cell.is_there())
         add_images(points, one.particle);
       one.grid = CellGrid(points, one.particle, one.largest + 0.5 * skin);
@@ -131,7 +131,7 @@ public:
   /// classes of larger particles.
   void find(std::size_t i, std::vector<PairKey> &pairs) const
   {
-    const Vec3 x = place_of(i);
+    const Vec3 x = position_of(i);
     const auto own = static_cast<std::size_t>(class_of[i]);
     for (std::size_t c = own; c < classes.size(); ++c)
     {
@@ -139,10 +139,10 @@ public:
       const Vec3 box = Vec3::Constant(range);
       classes[c].grid.visit_box(
           x - box, x + box,
-          [&](std::int32_t other, const Vec3 &place)
+          [&](std::int32_t other, const Vec3 &position)
           {
             const auto j = static_cast<std::size_t>(other);
-            if ((c > own || j > i) && is_near(i, j, place - x))
+            if ((c > own || j > i) && is_near(i, j, position - x))
               pairs.emplace_back(static_cast<std::int32_t>(std::min(i, j)),
                                  static_cast<std::int32_t>(std::max(i, j)));
           });
@@ -151,7 +151,7 @@ public:
 
 private:
   /// Inside of a periodic cell.
-  Vec3 place_of(std::size_t particle) const
+  Vec3 position_of(std::size_t particle) const
   {
     const Vec3 &x = particles.position(particle);
     return particles.cell.is_there() ? particles.cell.wrapped(x) : x;

@@ -15,16 +15,16 @@ class NodeGaps
 public:
   NodeGaps() { value.fill(std::numeric_limits<float>::infinity()); }
 
-  void set(int node, float gap) { value[place(node)] = gap; }
-  float at(int node) const { return value[place(node)]; }
+  void set(int node, float gap) { value[slot(node)] = gap; }
+  float at(int node) const { return value[slot(node)]; }
 
   /// After the last gap is set: what lies round and beyond the poles.
   void close()
   {
     for (int i = 0; i < nodes.n_polar; ++i)
     {
-      value[place(i, -1)] = value[place(i, nodes.n_azimuth - 1)];
-      value[place(i, nodes.n_azimuth)] = value[place(i, 0)];
+      value[slot(i, -1)] = value[slot(i, nodes.n_azimuth - 1)];
+      value[slot(i, nodes.n_azimuth)] = value[slot(i, 0)];
     }
     turn_over(0, -1);
     turn_over(nodes.n_polar - 1, nodes.n_polar);
@@ -34,7 +34,7 @@ public:
   /// first counts.
   bool is_least(int node) const
   {
-    const float *const own = &value[place(node)];
+    const float *const own = &value[slot(node)];
     for (int down = -1; down <= 1; ++down)
       for (int right = -1; right <= 1; ++right)
       {
@@ -52,7 +52,7 @@ public:
   /// gaps by a map that is interpolated. Infinite beside unknown neighbours.
   float may_hide(int node) const
   {
-    const float *const own = &value[place(node)];
+    const float *const own = &value[slot(node)];
     float highest = *own;
     for (int down = -1; down <= 1; ++down)
       for (int right = -1; right <= 1; ++right)
@@ -64,13 +64,13 @@ private:
   static constexpr DirectionGrid nodes = RadiusMap::nodes;
   static constexpr int row = nodes.n_azimuth + 2;
 
-  static std::size_t place(int ring, int column)
+  static std::size_t slot(int ring, int column)
   {
     return static_cast<std::size_t>((ring + 1) * row + column + 1);
   }
-  static std::size_t place(int node)
+  static std::size_t slot(int node)
   {
-    return place(node / nodes.n_azimuth, node % nodes.n_azimuth);
+    return slot(node / nodes.n_azimuth, node % nodes.n_azimuth);
   }
   static int neighbour(int node, int down, int right)
   {
@@ -81,9 +81,9 @@ private:
   void turn_over(int ring, int beyond)
   {
     constexpr int half = nodes.n_azimuth / 2;
-    std::copy_n(&value[place(ring, half - 1)], half + 1,
-                &value[place(beyond, -1)]);
-    std::copy_n(&value[place(ring, 0)], half + 1, &value[place(beyond, half)]);
+    std::copy_n(&value[slot(ring, half - 1)], half + 1,
+                &value[slot(beyond, -1)]);
+    std::copy_n(&value[slot(ring, 0)], half + 1, &value[slot(beyond, half)]);
   }
 
   std::array<float, static_cast<std::size_t>((nodes.n_polar + 2) * row)> value;

@@ -13,9 +13,9 @@ PairKey key_of(const ContactBatch &batch, std::int32_t k)
 }
 
 /// Where each of the pairs is in the batch, or -1; the others retire.
-std::vector<std::int32_t> places_in(const ContactBatch &batch,
-                                    const std::vector<PairKey> &pairs,
-                                    Dissipation &retired)
+std::vector<std::int32_t> rows_in(const ContactBatch &batch,
+                                  const std::vector<PairKey> &pairs,
+                                  Dissipation &retired)
 {
   const std::vector<std::int32_t> sorted = batch.by_pair();
   const auto number = [&sorted](std::size_t k)
@@ -24,13 +24,13 @@ std::vector<std::int32_t> places_in(const ContactBatch &batch,
   keys.reserve(sorted.size());
   for (const std::int32_t k : sorted)
     keys.push_back(key_of(batch, k));
-  std::vector<std::int32_t> place =
+  std::vector<std::int32_t> old_row =
       match(keys, pairs,
             [&](std::size_t k) { retire_contact(batch, number(k), retired); });
-  for (std::int32_t &k : place)
+  for (std::int32_t &k : old_row)
     if (k >= 0)
       k = sorted[static_cast<std::size_t>(k)];
-  return place;
+  return old_row;
 }
 } // namespace
 
@@ -39,18 +39,18 @@ void rebuild_pairs(const ParticleSystem &particles, const BatchLayout &layout,
                    Dissipation &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
-  const std::vector<std::int32_t> place = places_in(batch, near, retired);
+  const std::vector<std::int32_t> old_row = rows_in(batch, near, retired);
   const std::vector<std::int32_t> order = touching_first(
       near.size(),
       [&](std::int32_t pair)
       {
-        const std::int32_t k = place[static_cast<std::size_t>(pair)];
+        const std::int32_t k = old_row[static_cast<std::size_t>(pair)];
         return k >= 0 && batch.is_touching(static_cast<std::size_t>(k));
       });
   std::vector<std::int32_t> source;
   source.reserve(order.size());
   for (const std::int32_t pair : order)
-    source.push_back(place[static_cast<std::size_t>(pair)]);
+    source.push_back(old_row[static_cast<std::size_t>(pair)]);
   batch.rearrange(layout, source);
   for (std::size_t k = 0; k < order.size(); ++k)
   {

@@ -21,7 +21,7 @@ std::uint64_t spread(std::uint64_t x)
   return x;
 }
 
-/// Shear and all else changes its sign when A and B change places.
+/// Shear and all else changes its sign when A and B are exchanged.
 void swap_sides(ContactBatch &batch, std::size_t k)
 {
   std::swap(batch.a[k], batch.b[k]);
@@ -49,10 +49,10 @@ void swap_sides(ContactBatch &batch, std::size_t k)
   std::swap(batch.corner_a[k], batch.corner_b[k]);
 }
 
-std::int32_t moved(const std::vector<std::int32_t> &place,
+std::int32_t moved(const std::vector<std::int32_t> &new_row,
                    std::int32_t particle)
 {
-  return place[static_cast<std::size_t>(particle)];
+  return new_row[static_cast<std::size_t>(particle)];
 }
 
 } // namespace
@@ -92,20 +92,21 @@ std::vector<std::int32_t> space_order(const std::vector<Vec3> &position)
   return order;
 }
 
-std::vector<std::int32_t> places(const std::vector<std::int32_t> &order)
+std::vector<std::int32_t> new_rows(const std::vector<std::int32_t> &order)
 {
-  std::vector<std::int32_t> place(order.size());
+  std::vector<std::int32_t> new_row(order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
-    place[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
-  return place;
+    new_row[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
+  return new_row;
 }
 
-void renumber_pairs(const std::vector<std::int32_t> &place, ContactBatch &batch)
+void renumber_pairs(const std::vector<std::int32_t> &new_row,
+                    ContactBatch &batch)
 {
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
-    batch.a[k] = moved(place, batch.a[k]);
-    batch.b[k] = moved(place, batch.b[k]);
+    batch.a[k] = moved(new_row, batch.a[k]);
+    batch.b[k] = moved(new_row, batch.b[k]);
     if (batch.a[k] > batch.b[k])
       swap_sides(batch, k);
   }

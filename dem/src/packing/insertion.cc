@@ -14,13 +14,13 @@ namespace
 {
 /// Reach of a placed particle towards a world direction, its sphere included
 /// [m].
-double reach(const ParticleShape &body, const Placement &place,
+double reach(const ParticleShape &body, const Placement &placement,
              const Vec3 &direction)
 {
   const double sphere = mean_radius(body);
   if (!body.series)
     return sphere;
-  const Vec3 u = place.orientation.conjugate() * direction;
+  const Vec3 u = placement.orientation.conjugate() * direction;
   return std::max(sphere, body.scale * radius(*body.series, u.normalized()));
 }
 
@@ -96,30 +96,30 @@ private:
   std::vector<std::vector<std::size_t>> members;
 };
 
-bool fits_cylinder(const ParticleShape &body, const Placement &place,
+bool fits_cylinder(const ParticleShape &body, const Placement &placement,
                    const InsertionBox &box)
 {
   const Vec3 middle = 0.5 * (box.lower + box.upper);
-  const double from_axis = (place.position - middle).head<2>().norm();
+  const double from_axis = (placement.position - middle).head<2>().norm();
   return from_axis + body.circumscribed_radius <=
          0.5 * (box.upper.x() - box.lower.x());
 }
 
-bool fits_box(const ParticleShape &body, const Placement &place,
+bool fits_box(const ParticleShape &body, const Placement &placement,
               const InsertionBox &box)
 {
   for (int d = 0; d < 3; ++d)
   {
     const Vec3 axis = Vec3::Unit(d);
     const double down = box.sees_surfaces ? body.circumscribed_radius
-                                          : reach(body, place, -axis);
+                                          : reach(body, placement, -axis);
     const double up = box.sees_surfaces ? body.circumscribed_radius
-                                        : reach(body, place, axis);
-    if (place.position[d] - box.lower[d] < down ||
-        box.upper[d] - place.position[d] < up)
+                                        : reach(body, placement, axis);
+    if (placement.position[d] - box.lower[d] < down ||
+        box.upper[d] - placement.position[d] < up)
       return false;
   }
-  return !box.is_round || fits_cylinder(body, place, box);
+  return !box.is_round || fits_cylinder(body, placement, box);
 }
 
 /// Particles and where they are so far.
@@ -135,31 +135,31 @@ public:
   }
 
   /// Whether the next particle overlaps none that is there.
-  bool is_free(std::size_t j, const Placement &place) const
+  bool is_free(std::size_t j, const Placement &placement) const
   {
-    const std::size_t i = places.size();
-    const Vec3 branch = places[j].position - place.position;
+    const std::size_t i = placements.size();
+    const Vec3 branch = placements[j].position - placement.position;
     const double distance = branch.norm();
     if (distance >
         particles[i].circumscribed_radius + particles[j].circumscribed_radius)
       return true;
     const Vec3 u = branch / distance;
-    if (distance <=
-        reach(particles[i], place, u) + reach(particles[j], places[j], -u))
+    if (distance <= reach(particles[i], placement, u) +
+                        reach(particles[j], placements[j], -u))
       return false;
-    return !sees_surfaces || !overlaps(i, place, j);
+    return !sees_surfaces || !overlaps(i, placement, j);
   }
 
-  std::vector<Placement> places;
+  std::vector<Placement> placements;
 
 private:
-  bool overlaps(std::size_t i, const Placement &place, std::size_t j) const
+  bool overlaps(std::size_t i, const Placement &placement, std::size_t j) const
   {
-    const Quaternion to_own = place.orientation.conjugate();
+    const Quaternion to_own = placement.orientation.conjugate();
     const RelativePose pose{
-        to_own * (places[j].position - place.position),
-        (to_own * places[j].orientation).toRotationMatrix()};
-    // The nodes of the maps miss the nearest place by a little.
+        to_own * (placements[j].position - placement.position),
+        (to_own * placements[j].orientation).toRotationMatrix()};
+    // The nodes of the maps miss the nearest point by a little.
     const double margin =
         0.05 * std::min(mean_radius(particles[i]), mean_radius(particles[j]));
     return may_touch({{particles[i], maps.at(particles[i].series.get())},
@@ -186,25 +186,25 @@ insert_particles(std::span<const ParticleShape> particles,
   PlacedParticles placed(particles, box.sees_surfaces);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    Placement place;
+    Placement placement;
     const auto is_free = [&](std::size_t j)
-    { return placed.is_free(j, place); };
+    { return placed.is_free(j, placement); };
     int tries = 0;
     do
     {
       if (++tries > n_tries)
-        throw NoPlace("no place for particle " + std::to_string(i + 1) +
-                      " of " + std::to_string(particles.size()) +
-                      " in the random cloud");
+        throw NoFreePosition(
+            "no free position for particle " + std::to_string(i + 1) + " of " +
+            std::to_string(particles.size()) + " in the random cloud");
       for (int d = 0; d < 3; ++d)
-        place.position[d] =
+        placement.position[d] =
             std::lerp(box.lower[d], box.upper[d], random.uniform());
-      place.orientation = random.rotation();
-    } while (!fits_box(particles[i], place, box) ||
-             !cells.all_near(place.position, is_free));
-    placed.places.push_back(place);
-    cells.add(place.position, i);
+      placement.orientation = random.rotation();
+    } while (!fits_box(particles[i], placement, box) ||
+             !cells.all_near(placement.position, is_free));
+    placed.placements.push_back(placement);
+    cells.add(placement.position, i);
   }
-  return placed.places;
+  return placed.placements;
 }
 } // namespace dem

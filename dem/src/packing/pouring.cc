@@ -162,7 +162,7 @@ double Pouring::goal() const
 }
 
 /// Where the particles of a layer begin to fall. A cloud in which they find no
-/// place, as near walls, is made higher.
+/// position, as near walls, is made higher.
 std::vector<Placement> Pouring::cloud_above(double floor,
                                             const InsertionBox &slab) const
 {
@@ -179,7 +179,7 @@ std::vector<Placement> Pouring::cloud_above(double floor,
       Random random(seed + finished.size());
       return insert_particles(layer, box, random);
     }
-    catch (const NoPlace &)
+    catch (const NoFreePosition &)
     {
       if (k == n_tries)
         throw;
@@ -197,9 +197,10 @@ void Pouring::pour(Engine &engine)
   box.upper = Vec3(room.floor.x(), room.floor.y(), floor) + half;
   box.sees_surfaces = engine.parameters().geometry.follows_surfaces();
   box.is_round = room.is_round;
-  const std::vector<Placement> places = cloud_above(floor, box);
+  const std::vector<Placement> placements = cloud_above(floor, box);
   for (std::size_t i = 0; i < layer.size(); ++i)
-    engine.add_particle(layer[i], places[i].position, places[i].orientation);
+    engine.add_particle(layer[i], placements[i].position,
+                        placements[i].orientation);
   now.mass += volume_of(layer) * engine.parameters().particle.density;
   now.strokes = 0;
   now.peak = 0.;

@@ -28,10 +28,11 @@ std::vector<Placement> shrunk_cloud(std::span<const ParticleShape> particles,
   cloud.upper = (half + height * Vec3::UnitZ()) / shrink;
   cloud.is_round = room.is_round;
   Random random(1);
-  std::vector<Placement> places = insert_particles(particles, cloud, random);
-  for (Placement &place : places)
-    place.position = room.floor + shrink * place.position;
-  return places;
+  std::vector<Placement> placements =
+      insert_particles(particles, cloud, random);
+  for (Placement &placement : placements)
+    placement.position = room.floor + shrink * placement.position;
+  return placements;
 }
 
 void run_a_little(Engine &engine, double longest_step,

@@ -42,7 +42,7 @@ int DirectionGrid::neighbour(int ring, int column, int ring_step,
          (column + column_step + shift + n_azimuth) % n_azimuth;
 }
 
-DirectionGrid::Place DirectionGrid::locate(const Vec3 &direction) const
+DirectionGrid::Position DirectionGrid::locate(const Vec3 &direction) const
 {
   const double polar_step = std::numbers::pi / n_polar;
   const double aside_square =
@@ -52,13 +52,13 @@ DirectionGrid::Place DirectionGrid::locate(const Vec3 &direction) const
       angle_of(direction.z(), std::sqrt(aside_square)) / polar_step + 0.5;
   const double right = angle_of(direction.x(), direction.y()) * n_azimuth /
                        (2. * std::numbers::pi);
-  Place place;
+  Position position;
   // The limit goes first: std::min then takes it where there is no number.
-  place.ring = static_cast<int>(std::min<double>(n_polar, down)) - 1;
-  place.column = static_cast<int>(std::min<double>(n_azimuth - 1, right));
-  place.down = down - (place.ring + 1);
-  place.right = right - place.column;
-  return place;
+  position.ring = static_cast<int>(std::min<double>(n_polar, down)) - 1;
+  position.column = static_cast<int>(std::min<double>(n_azimuth - 1, right));
+  position.down = down - (position.ring + 1);
+  position.right = right - position.column;
+  return position;
 }
 
 GridValues::GridValues(const DirectionGrid &over,

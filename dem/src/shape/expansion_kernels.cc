@@ -148,14 +148,14 @@ inline void add_orders(const ExpansionTable &table, const Powers &power,
   jet[jet_zz] += Simd(2.) * along(sums.second, p, q);
 }
 
-/// Orders are summed by their place in a group of 8, then the 8 places: same
+/// Orders are summed by their index in a group of 8, then over the 8: same
 /// digits for every width.
 void expand_one(const ExpansionTable &table, const SeriesRows &series,
                 const double *s, double *jet)
 {
   Powers power;
   fill(power, s[0], s[1], series.order);
-  alignas(64) double places[n_jet][group];
+  alignas(64) double sums[n_jet][group];
   for (int first = 0; first < group; first += n_lanes)
   {
     JetSimd lanes;
@@ -164,13 +164,13 @@ void expand_one(const ExpansionTable &table, const SeriesRows &series,
     for (int m = first; m <= series.order; m += group)
       add_orders(table, power, sum_degrees(table, series, s[2], m), m, lanes);
     for (int k = 0; k < n_jet; ++k)
-      store(lanes[k], places[k] + first);
+      store(lanes[k], sums[k] + first);
   }
   for (int k = 0; k < n_jet; ++k)
   {
-    const double *place = places[k];
-    jet[k] = ((place[0] + place[4]) + (place[2] + place[6])) +
-             ((place[1] + place[5]) + (place[3] + place[7]));
+    const double *sum = sums[k];
+    jet[k] = ((sum[0] + sum[4]) + (sum[2] + sum[6])) +
+             ((sum[1] + sum[5]) + (sum[3] + sum[7]));
   }
 }
 

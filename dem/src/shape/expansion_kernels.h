@@ -25,8 +25,8 @@ enum Jet
   n_jet
 };
 
-/// Where a_n0 of every degree stands. The numbers up to n + 7 places before and
-/// after it are read (and multiplied by zero past n).
+/// Where a_n0 of every degree stands. The numbers up to n + 7 entries before
+/// and after it are read (and multiplied by zero past n).
 struct SeriesRows
 {
   const double *degree[top_order + 1];

@@ -29,7 +29,7 @@ double energy(const std::vector<double> &logs, int n)
   return sum;
 }
 
-/// Places of numbers that are no coefficients.
+/// Indices of values that are no coefficients.
 enum Extra
 {
   roughness = -1, ///< log of the amplitude of the high degrees
@@ -37,9 +37,9 @@ enum Extra
   flatness = -3
 };
 
-double value_at(const LogShape &log, int place)
+double value_at(const LogShape &log, int index)
 {
-  switch (place)
+  switch (index)
   {
   case roughness:
     return 0.5 * std::log(smooth + high_energy(log.coefficients));
@@ -48,7 +48,7 @@ double value_at(const LogShape &log, int place)
   case flatness:
     return log.log_flatness;
   default:
-    return log.coefficients[std::size_t(place)];
+    return log.coefficients[std::size_t(index)];
   }
 }
 
@@ -123,14 +123,14 @@ ShapeGenerator::fit_class(const std::vector<detail::LogShape> &logs,
   for (int n = 1; n <= low_degree; ++n)
     for (int m = -n; m <= n; ++m)
       if (detail::parity_of(n, m) == parity)
-        normal.place.push_back(harmonic_index(n, m));
+        normal.index.push_back(harmonic_index(n, m));
   if (parity == 0)
-    normal.place.insert(normal.place.end(), {roughness, elongation, flatness});
+    normal.index.insert(normal.index.end(), {roughness, elongation, flatness});
   Eigen::MatrixXd rows(Eigen::Index(logs.size()),
-                       Eigen::Index(normal.place.size()));
+                       Eigen::Index(normal.index.size()));
   for (Eigen::Index k = 0; k < rows.rows(); ++k)
     for (Eigen::Index i = 0; i < rows.cols(); ++i)
-      rows(k, i) = value_at(logs[std::size_t(k)], normal.place[std::size_t(i)]);
+      rows(k, i) = value_at(logs[std::size_t(k)], normal.index[std::size_t(i)]);
   normal.mean = Eigen::VectorXd::Zero(rows.cols());
   if (parity == 0)
     normal.mean = rows.colwise().mean();
@@ -163,7 +163,7 @@ detail::LogShape ShapeGenerator::draw(Random &random) const
       number = normal_number(random);
     const Eigen::VectorXd drawn = normal.mean + normal.factor * numbers;
     for (Eigen::Index i = 0; i < drawn.size(); ++i)
-      switch (const int place = normal.place[std::size_t(i)]; place)
+      switch (const int index = normal.index[std::size_t(i)]; index)
       {
       case roughness:
         amplitude = std::exp(drawn[i]);
@@ -175,7 +175,7 @@ detail::LogShape ShapeGenerator::draw(Random &random) const
         log.log_flatness = drawn[i];
         break;
       default:
-        log.coefficients[std::size_t(place)] = drawn[i];
+        log.coefficients[std::size_t(index)] = drawn[i];
       }
   }
   for (int n = low_degree + 1; n <= order; ++n)

@@ -130,9 +130,9 @@ void match(std::vector<double> &values, const Quantiles &quantiles)
   const Ranks ranks = rank(values);
   for (std::size_t i = 0; i < ranks.node.size(); ++i)
   {
-    const double place = ranks.share[i] * double(quantiles.size() - 1);
-    const auto low = std::min(std::size_t(place), quantiles.size() - 2);
-    const double part = place - double(low);
+    const double rank_index = ranks.share[i] * double(quantiles.size() - 1);
+    const auto low = std::min(std::size_t(rank_index), quantiles.size() - 2);
+    const double part = rank_index - double(low);
     values[ranks.node[i]] =
         ranks.mean + ranks.deviation * ((1. - part) * quantiles[low] +
                                         part * quantiles[low + 1]);

@@ -69,9 +69,9 @@ SphereQuadrature make_quadrature(int n_polar, int n_azimuth)
     rule.ring_cosine.push_back(z);
     for (int k = 0; k < n_azimuth; ++k)
     {
-      const auto place = std::size_t(n_azimuth) + std::size_t(k); // row 1
-      rule.direction.emplace_back(ring_sine(z) * rule.azimuth_cosine[place],
-                                  ring_sine(z) * rule.azimuth_sine[place], z);
+      const auto index = std::size_t(n_azimuth) + std::size_t(k); // row 1
+      rule.direction.emplace_back(ring_sine(z) * rule.azimuth_cosine[index],
+                                  ring_sine(z) * rule.azimuth_sine[index], z);
       rule.weight.push_back(2. * std::numbers::pi * line.weight[i] / n_azimuth);
     }
   }

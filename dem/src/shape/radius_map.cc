@@ -222,7 +222,7 @@ void RadiusMap::measure_hull()
 
 RadiusMap::Height RadiusMap::height(const Vec3 &direction) const
 {
-  const DirectionGrid::Place at = sides.locate(direction);
+  const DirectionGrid::Position at = sides.locate(direction);
   const double upper = (1. - at.right) * hull.at(at.ring, at.column) +
                        at.right * hull.at(at.ring, at.column + 1);
   const double lower = (1. - at.right) * hull.at(at.ring + 1, at.column) +

@@ -38,7 +38,7 @@ public:
         {
           const auto [begin, end] = grid.equal_range(hash({x, y, z}));
           for (auto entry = begin; entry != end; ++entry)
-            if ((entry->second.place - p).norm() <= tolerance)
+            if ((entry->second.position - p).norm() <= tolerance)
               return entry->second.number;
         }
     return -1;
@@ -56,7 +56,7 @@ private:
   };
   struct Entry
   {
-    Vec3 place; ///< [m]
+    Vec3 position; ///< [m]
     std::int32_t number = 0;
   };
 

@@ -39,7 +39,8 @@ VoigtMatrix elasticity(double bulk_modulus, double shear_modulus);
 /// Its inverse on a stress [-].
 Voigt elastic_strain(const DruckerPrager &law, const Voigt &stress);
 
-enum class YieldPlace
+/// Where a returned stress lies with respect to the yield surface.
+enum class YieldRegion
 {
   inside,
   cone,
@@ -50,7 +51,7 @@ enum class YieldPlace
 struct ReturnedStress
 {
   Voigt stress = Voigt::Zero(); ///< [Pa]
-  YieldPlace place = YieldPlace::inside;
+  YieldRegion region = YieldRegion::inside;
   double multiplier = 0.; ///< of the flow, on the cone [-]
 };
 

@@ -59,8 +59,8 @@ public:
   Eigen::Quaterniond orientation() const { return now.orientation; }
   const Eigen::Vector3d &velocity() const { return now.velocity; } ///< [m/s]
   Eigen::Vector3d spin() const; ///< in the world [rad/s]
-  /// Of the body's point that is at `place` now [m/s].
-  Eigen::Vector3d velocity_at(const Eigen::Vector3d &place) const;
+  /// Of the body's point that is at `position` now [m/s].
+  Eigen::Vector3d velocity_at(const Eigen::Vector3d &position) const;
   /// Where a point is now that was at `start` at the start [m].
   Eigen::Vector3d moved(const Eigen::Vector3d &start) const;
 

@@ -228,7 +228,7 @@ TEST_F(CaseFile, EveryParameterIsDescribedOnce)
   }
 }
 
-TEST_F(CaseFile, FaultsNameTheirPlace)
+TEST_F(CaseFile, FaultsNameTheirSource)
 {
   const std::string file =
       write_case("subsection Particle\n  set friction = -1\nend\n");

@@ -81,14 +81,14 @@ double distance(const fem::SurfaceMesh &mesh, const fem::SurfaceMesh &other)
   for (const Vector &node : mesh.nodes)
   {
     double nearest = (other.nodes[0] - node).norm();
-    for (const Vector &place : other.nodes)
-      nearest = std::min(nearest, (place - node).norm());
+    for (const Vector &position : other.nodes)
+      nearest = std::min(nearest, (position - node).norm());
     largest = std::max(largest, nearest);
   }
   return largest;
 }
 
-// Whatever its unit and place, it is stretched to the specimen.
+// Whatever its unit and position, it is stretched to the specimen.
 TEST_F(SheetFile, OfEqualQuadsIsTheMeshOfTheCase)
 {
   const fem::SurfaceMesh own = lateral_mesh(base, low, high);

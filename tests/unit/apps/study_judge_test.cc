@@ -240,7 +240,7 @@ TEST_F(CourseOfASweep, IsSteeperLevelOrTurnsFromAValue)
   EXPECT_EQ(
       ruling("rises " + key + "steeper_from 0.3", JudgedBy::seeds, straight),
       Ruling::not_resolved);
-  // The ends of the sweep are no place to turn at.
+  // The ends of the sweep are no turning points.
   EXPECT_EQ(ruling("rises " + key + "turns_at 0.5", JudgedBy::seeds, straight),
             Ruling::not_resolved);
   EXPECT_THROW(ruling("rises " + key + "turns_at 0.35", JudgedBy::seeds, turns),

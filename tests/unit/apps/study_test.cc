@@ -15,7 +15,7 @@ TEST_F(StudyFile, GridTakesAllCombinations)
   EXPECT_EQ(points_of(grid).size(), 12u);
 }
 
-// A case is where it was done, whatever its place in the sweep; what is there
+// A case is where it was done, whatever its index in the sweep; what is there
 // of others stays.
 TEST_F(StudyFile, CasesAreFoundByWhatTheyAre)
 {
@@ -117,9 +117,9 @@ TEST_F(StudyFile, CasesOfASeedRunTogether)
     seeds.push_back(points[k].seed);
   EXPECT_EQ(seeds,
             (std::vector<std::string>{"1", "1", "1", "1", "2", "2", "2", "2"}));
-  std::size_t place = 0;
+  std::size_t index = 0;
   for (const std::size_t k : running_order(points, 2))
-    EXPECT_EQ(k, place++);
+    EXPECT_EQ(k, index++);
 }
 
 // Points of the file at the value of the key, the other key as in the base.

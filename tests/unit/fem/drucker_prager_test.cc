@@ -112,9 +112,9 @@ TEST(DruckerPrager, TriaxialStrengthIsThatOfMohrAndCoulomb)
       EXPECT_NEAR(yield(law, s), 0., 1e-9 * exact);
       s(2) *= 0.999;
       EXPECT_LT(yield(law, s), 0.);
-      EXPECT_EQ(fem::return_stress(law, s).place, fem::YieldPlace::inside);
+      EXPECT_EQ(fem::return_stress(law, s).region, fem::YieldRegion::inside);
       s(2) *= 1.01 / 0.999;
-      EXPECT_EQ(fem::return_stress(law, s).place, fem::YieldPlace::cone);
+      EXPECT_EQ(fem::return_stress(law, s).region, fem::YieldRegion::cone);
     }
 }
 
@@ -124,7 +124,7 @@ TEST(DruckerPrager, ReturnsToTheConeOrToItsApex)
   const fem::VoigtMatrix c =
       fem::elasticity(law.bulk_modulus, law.shear_modulus);
   const auto cone = fem::return_stress(law, c * path);
-  EXPECT_EQ(cone.place, fem::YieldPlace::cone);
+  EXPECT_EQ(cone.region, fem::YieldRegion::cone);
   EXPECT_NEAR(yield(law, cone.stress), 0., 1e-9 * law.strength);
   // The flow is the multiplier times the gradient of the potential at the end.
   const Voigt flow = fem::elastic_strain(law, c * path - cone.stress);
@@ -136,13 +136,13 @@ TEST(DruckerPrager, ReturnsToTheConeOrToItsApex)
   apart.head<3>().setConstant(2e-3);
   apart(3) = 1e-4;
   const auto apex = fem::return_stress(law, c * apart);
-  EXPECT_EQ(apex.place, fem::YieldPlace::apex);
+  EXPECT_EQ(apex.region, fem::YieldRegion::apex);
   const double tip = 20e3 / std::tan(0.5); // c cot phi
   for (int i = 0; i < 6; ++i)
     EXPECT_NEAR(apex.stress(i), i < 3 ? tip : 0., 1e-9 * tip);
   const fem::DruckerPrager clay = soil(0., 0.);
   const auto torn = fem::return_stress(clay, c * apart);
-  EXPECT_EQ(torn.place, fem::YieldPlace::inside); // no apex without friction
+  EXPECT_EQ(torn.region, fem::YieldRegion::inside); // no apex without friction
 }
 
 // The return of many steps meets the rate equations, in first order.
@@ -181,7 +181,7 @@ TEST(DruckerPrager, TangentIsTheDerivative)
     const auto stress = [&](const Voigt &strain) -> Voigt
     { return fem::return_stress(law, c * strain).stress; };
     const auto result = fem::return_stress(law, c * path);
-    ASSERT_EQ(result.place, fem::YieldPlace::cone);
+    ASSERT_EQ(result.region, fem::YieldRegion::cone);
     const fem::VoigtMatrix tangent =
         fem::consistent_tangent(law, c * path, result);
     fem::VoigtMatrix numeric;

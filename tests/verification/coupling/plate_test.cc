@@ -5,7 +5,7 @@
 #include <compaction/plate.h>
 
 // Plates that tilt and bend, on balls that nothing moves: springs at known
-// places under a body of known mass.
+// positions under a body of known mass.
 namespace
 {
 constexpr double gravity = 9.81, ball = 0.01, disc = 0.075; // [m]
@@ -47,17 +47,17 @@ struct Scene
                : coupling::ExchangeParameters{};
   }
   static dem::Engine with_balls(const spall::Case &c,
-                                const std::vector<dem::Vec3> &places)
+                                const std::vector<dem::Vec3> &positions)
   {
     dem::Engine engine(settings(c));
-    for (const dem::Vec3 &place : places)
-      support::add_sphere(engine, ball, place - ball * dem::Vec3::UnitZ());
+    for (const dem::Vec3 &position : positions)
+      support::add_sphere(engine, ball, position - ball * dem::Vec3::UnitZ());
     return engine;
   }
 
-  Scene(const spall::Case &c, const std::vector<dem::Vec3> &places,
+  Scene(const spall::Case &c, const std::vector<dem::Vec3> &positions,
         double height)
-      : engine(with_balls(c, places)), exchange(rules(c)),
+      : engine(with_balls(c, positions)), exchange(rules(c)),
         plate(c, height, 0, exchange, engine)
   {
   }
@@ -89,9 +89,9 @@ Eigen::Vector2d rocked(const Mass &body, double stiffness, double time)
 {
   const double weight = body.mass * gravity;
   Eigen::Matrix2d springs = Eigen::Matrix2d::Zero();
-  for (const dem::Vec3 &place : uneven)
+  for (const dem::Vec3 &position : uneven)
   {
-    const Eigen::Vector2d lever(1., place.x());
+    const Eigen::Vector2d lever(1., position.x());
     springs += stiffness * lever * lever.transpose();
   }
   springs(1, 1) += weight * (body.height + ball);

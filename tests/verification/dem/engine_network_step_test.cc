@@ -387,9 +387,9 @@ dem::SpringNetwork springs_of_late(bool in_drum, double late, double pressed)
 }
 } // namespace
 
-// The overlap that a place was found with carries nothing: the spring is that
-// of what is pressed on top, k = 2 E* sqrt(R delta).
-TEST(EngineNetworkStep, PlaceFoundLateOnAWall)
+// The overlap that a contact point was found with carries nothing: the spring
+// is that of what is pressed on top, k = 2 E* sqrt(R delta).
+TEST(EngineNetworkStep, ContactPointFoundLateOnAWall)
 {
   const dem::ParticleMaterial particle = support::bare_parameters().particle;
   const double modulus =

@@ -120,10 +120,10 @@ TEST(Surface, ParticleAddedLaterIsMet)
   EXPECT_LT((ends[1] - ends[0]).norm(), 1e-9);
 }
 
-// At 40 m/s particles go so deep that contacts lose their place and end: what
-// they held is booked, and nothing else (half of the energy was, for one of
-// these).
-TEST(Surface, ContactsThatLoseTheirPlaceKeepTheBooks)
+// At 40 m/s particles go so deep that contacts lose their contact point and
+// end: what they held is booked, and nothing else (half of the energy was, for
+// one of these).
+TEST(Surface, LostContactPointsKeepTheBooks)
 {
   double worst = 0.;
   for (unsigned seed = 1; seed <= 250; ++seed)

@@ -171,9 +171,9 @@ TEST(EngineTangential, ShearOfAStickingImpact)
   EXPECT_GT(impact.order(exact), 1.5);
 }
 
-// The order is 2 but for the first step of a contact, whose place in the step
-// is left to chance: 1.5 in the mean. At 1 m/s the levers of the end of the
-// step add a part of first order, of the ratio of overlap and radius (3 %).
+// The order is 2 but for the first step of a contact, whose start within the
+// step is left to chance: 1.5 in the mean. At 1 m/s the levers of the end of
+// the step add a part of first order, of the ratio of overlap and radius (3 %).
 TEST(EngineTangential, ErrorsFallFasterThanTheStep)
 {
   const Case shear{two_spheres, sticking()};

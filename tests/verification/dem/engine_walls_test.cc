@@ -170,7 +170,7 @@ TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
 }
 
 // Springs alone, between sides with edges and vertices that stand in and out:
-// what is left goes with the square of the step, and no place is lost.
+// what is left goes with the square of the step, and no contact point is lost.
 TEST(SurfaceOnFacets, ParticleKeepsItsEnergy)
 {
   for (const double roughness : {0., 0.15, 0.4})
@@ -192,7 +192,7 @@ TEST(SurfaceOnFacets, ParticleKeepsItsEnergy)
         EXPECT_EQ(events.n_jumps + events.n_ended + events.n_late, 0);
         EXPECT_EQ(events.n_unlisted, 0);
       }
-    // Largest of all steps: its place in an oscillation is by chance.
+    // Largest of all steps: its phase in an oscillation is by chance.
     EXPECT_LT(coarse, 4 * 5e-4) << roughness;
     EXPECT_GT(coarse / fine, 8.) << roughness;
   }
@@ -230,7 +230,9 @@ TEST(SurfaceOnFacets, FacetsOfACylinderConverge)
         particle.position = at * out;
         const auto found =
             dem::find_on_drum(particle, drum, dem::DrumPart::cylinder, 2e-3);
-        depth = found.places.empty() ? -2e-3 : found.places.front().overlap;
+        depth = found.contact_points.empty()
+                    ? -2e-3
+                    : found.contact_points.front().overlap;
         at += std::max(1e-5 - std::min(depth, 0.), 1e-5);
       }
       std::vector<double> force;

@@ -10,8 +10,8 @@
 #include <numeric>
 #include <shape/test_shapes.h>
 
-// Particles on a sheet that moves: their lists of places are renewed only where
-// particle and sheet have moved against each other.
+// Particles on a sheet that moves: their lists of contact points are renewed
+// only where particle and sheet have moved against each other.
 namespace
 {
 using dem::Vec3;
@@ -32,7 +32,7 @@ public:
 
   const dem::FacetSurface &at_rest() const { return rest; }
 
-  void place(double t, dem::FacetSurface &surface) const
+  void set_positions(double t, dem::FacetSurface &surface) const
   {
     constexpr double wave = 1e-3, wave_rate = 2. * std::numbers::pi * 12.,
                      tremble = 1e-6, tremble_rate = 2. * std::numbers::pi * 8e3;
@@ -71,15 +71,15 @@ dem::EngineParameters parameters()
   return p;
 }
 
-/// Places of a particle that a search of the whole sheet finds in overlap, and
-/// those of them that are not in the lists of the engine.
-struct Places
+/// Contact points of a particle that a search of the whole sheet finds in
+/// overlap, and those of them that are not in the lists of the engine.
+struct PointCount
 {
   int n = 0, n_missed = 0;
 };
 
 void check(const dem::Engine &engine, std::int32_t particle,
-           const dem::RadiusMap &map, Places &sum)
+           const dem::RadiusMap &map, PointCount &sum)
 {
   const auto i = static_cast<std::size_t>(particle);
   const dem::ParticleSystem &particles = engine.particles();
@@ -89,17 +89,17 @@ void check(const dem::Engine &engine, std::int32_t particle,
   const auto found = dem::find_on_facets(
       {{particles.shape[i], map}, particles.position(i), particles.rotation(i)},
       facets.mesh(), all, 0.01 * radius);
-  for (const dem::WallContactPoint &place : found.places)
+  for (const dem::WallContactPoint &contact_point : found.count)
   {
-    if (place.overlap < 1e-6 * radius)
+    if (contact_point.overlap < 1e-6 * radius)
       continue;
     ++sum.n;
     bool is_listed = false;
     for (std::size_t k = 0; k < facets.batch.size(); ++k)
       is_listed |=
           facets.batch.a[k] == particle &&
-          (facets.batch.side_a.contact_point(k) - place.on_particle).norm() <
-              0.03;
+          (facets.batch.side_a.contact_point(k) - contact_point.on_particle)
+                  .norm() < 0.03;
     sum.n_missed += !is_listed;
   }
 }
@@ -107,7 +107,7 @@ void check(const dem::Engine &engine, std::int32_t particle,
 
 // The wave lifts and turns the particles, the tremble makes long paths of short
 // ways.
-TEST(MovingFacets, HardlyAPlaceIsMissed)
+TEST(MovingFacets, HardlyAContactPointIsMissed)
 {
   const Sheet sheet;
   dem::Engine engine(parameters());
@@ -124,22 +124,22 @@ TEST(MovingFacets, HardlyAPlaceIsMissed)
         {(i % n_side - 1) * spacing, (i / n_side - 1) * spacing, 1.6 * radius},
         random.rotation());
   }
-  Places places;
+  PointCount count;
   constexpr int n_steps = 40000;
   for (int step = 1; step <= n_steps; ++step)
   {
-    sheet.place(step * time_step, dem::surface(engine));
+    sheet.set_positions(step * time_step, dem::surface(engine));
     engine.advance(time_step);
     if (step % 400 == 0)
       for (std::int32_t i = 0; i < n_side * n_side; ++i)
-        check(engine, i, maps[static_cast<std::size_t>(i)], places);
+        check(engine, i, maps[static_cast<std::size_t>(i)], count);
   }
-  EXPECT_GT(places.n, 300);
-  // Between two searches a hollow may bring forth a second place in the
+  EXPECT_GT(count.n, 300);
+  // Between two searches a hollow may bring forth a second contact point in the
   // neighbourhood of the one that is followed: 3 of 741 here, 1 of 747 where
   // all particles are searched at every look; 17 if motion counts for a fifth,
   // 30 if it counts for nothing.
-  EXPECT_LT(100 * places.n_missed, places.n);
+  EXPECT_LT(100 * count.n_missed, count.n);
   // All particles at each look would be many times that.
   EXPECT_LT(2 * engine.contact_point_events().n_scans,
             engine.n_rebuilds() * n_side * n_side);

@@ -40,10 +40,10 @@ void add_gas(dem::Engine &engine, int n, const Vec3 &lower, const Vec3 &length,
   std::normal_distribution<double> normal;
   for (int i = 0; i < n * n * n; ++i)
   {
-    const Vec3 place(i % n, i / n % n, i / n / n);
+    const Vec3 site(i % n, i / n % n, i / n / n);
     support::add_sphere(
         engine, i % 3 == 0 ? 0.7 * radius : radius,
-        lower + length.cwiseProduct((place + Vec3::Constant(0.5)) / n));
+        lower + length.cwiseProduct((site + Vec3::Constant(0.5)) / n));
     engine.particles().velocity(std::size_t(i)) =
         speed * Vec3(normal(random), normal(random), normal(random));
   }
@@ -245,10 +245,10 @@ TEST(PeriodicCell, ShapesMeetAcrossTheFaces)
   std::normal_distribution<double> normal;
   for (int i = 0; i < 64; ++i)
   {
-    const Vec3 place(i % 4, i / 4 % 4, i / 16);
+    const Vec3 site(i % 4, i / 4 % 4, i / 16);
     engine.add_particle(
         dem::make_shape(series, 0.011),
-        -0.5 * length + length.cwiseProduct((place + Vec3::Constant(0.5)) / 4),
+        -0.5 * length + length.cwiseProduct((site + Vec3::Constant(0.5)) / 4),
         dem::Quaternion(normal(random), normal(random), normal(random),
                         normal(random))
             .normalized());

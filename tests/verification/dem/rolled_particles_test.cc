@@ -17,12 +17,15 @@ using dem::Vec3;
 constexpr double equivalent_radius = 0.01; // [m]
 constexpr double diameter = 2. * equivalent_radius;
 constexpr double time_step = 2e-6; // [s]
-constexpr double elsewhere = 0.05; ///< apart in directions: another place [-]
 
-/// Where two particles overlap, each place in their body frames: those that
-/// bear, or also those that were found late and wait until they have opened.
-std::vector<dem::ContactPoint> places(const dem::ContactBatch &pairs,
-                                      bool with_waiting)
+/// Two directions farther apart are of two contact points [-].
+constexpr double elsewhere = 0.05;
+
+/// Where two particles overlap, each contact point in their body frames: those
+/// that bear, or also those that were found late and wait until they have
+/// opened.
+std::vector<dem::ContactPoint> contact_points(const dem::ContactBatch &pairs,
+                                              bool with_waiting)
 {
   std::vector<dem::ContactPoint> found;
   for (std::size_t k = 0; k < pairs.size(); ++k)
@@ -34,19 +37,21 @@ std::vector<dem::ContactPoint> places(const dem::ContactBatch &pairs,
   return found;
 }
 
-/// How far apart two places are, on the particle where it is more [-].
+/// How far apart two contact points are, on the particle where it is more [-].
 double apart(const dem::ContactPoint &p, const dem::ContactPoint &q)
 {
   return std::max((p.on_a - q.on_a).norm(), (p.on_b - q.on_b).norm());
 }
 
-/// The nearest of some places, if any is nearer than another place would be.
-const dem::ContactPoint *beside(const dem::ContactPoint &place,
+/// The nearest of some contact points, if any is nearer than another contact
+/// point would be.
+const dem::ContactPoint *beside(const dem::ContactPoint &contact_point,
                                 const std::vector<dem::ContactPoint> &others)
 {
   const dem::ContactPoint *nearest = nullptr;
   for (const dem::ContactPoint &other : others)
-    if (apart(place, other) < (nearest ? apart(place, *nearest) : elsewhere))
+    if (apart(contact_point, other) <
+        (nearest ? apart(contact_point, *nearest) : elsewhere))
       nearest = &other;
   return nearest;
 }
@@ -55,11 +60,11 @@ const dem::ContactPoint *beside(const dem::ContactPoint &place,
 struct Findings
 {
   int n_looks = 0;
-  int n_several = 0;   ///< looks at more than one place
-  int n_missed = 0;    ///< places that only the search has
-  int n_alone = 0;     ///< places that only the engine has
+  int n_several = 0;   ///< looks at more than one contact point
+  int n_missed = 0;    ///< contact points that only the search has
+  int n_alone = 0;     ///< contact points that only the engine has
   int n_invented = 0;  ///< of them: no common normal is there
-  int n_unnoticed = 0; ///< moves to another place that were not counted
+  int n_unnoticed = 0; ///< moves to another contact point that were not counted
   double worst = 0.;   ///< error of an overlap [m]
   dem::ContactPointEvents events;
 };
@@ -86,16 +91,17 @@ public:
     {
       const std::int64_t n_noticed = noticed();
       advance();
-      const std::vector<dem::ContactPoint> now = places(engine.pairs(), false);
+      const std::vector<dem::ContactPoint> now =
+          contact_points(engine.pairs(), false);
       std::int64_t n_moved = 0;
-      for (const dem::ContactPoint &place : now)
-        n_moved +=
-            place.overlap > overlap_of_a_step() && !beside(place, before);
+      for (const dem::ContactPoint &contact_point : now)
+        n_moved += contact_point.overlap > overlap_of_a_step() &&
+                   !beside(contact_point, before);
       found.n_unnoticed += static_cast<int>(
           std::max<std::int64_t>(0, n_moved - (noticed() - n_noticed)));
       if (step % 100 == 0)
         look(found);
-      before = places(engine.pairs(), true);
+      before = contact_points(engine.pairs(), true);
     }
     found.events = engine.contact_point_events();
     return found;
@@ -149,8 +155,10 @@ private:
   /// What a search from nothing says of this moment.
   void look(Findings &found) const
   {
-    const std::vector<dem::ContactPoint> now = places(engine.pairs(), false),
-                                         known = places(engine.pairs(), true);
+    const std::vector<dem::ContactPoint> now = contact_points(engine.pairs(),
+                                                              false),
+                                         known = contact_points(engine.pairs(),
+                                                                true);
     const dem::ParticleSystem &particles = engine.particles();
     const dem::Mat3 to_a = particles.rotation(0).transpose();
     const dem::MappedPair pair{
@@ -165,21 +173,22 @@ private:
             .contact_points;
     ++found.n_looks;
     found.n_several += now.size() > 1;
-    for (const dem::ContactPoint &place : now)
+    for (const dem::ContactPoint &contact_point : now)
     {
-      const dem::ContactPoint *same = beside(place, exact);
+      const dem::ContactPoint *same = beside(contact_point, exact);
       found.n_alone += !same;
       const dem::ContactPoint here =
           same ? *same
                : dem::refine(particles.shape[0], particles.shape[1], pair.pose,
-                             place);
-      found.n_invented += !here.is_found || apart(here, place) > elsewhere;
+                             contact_point);
+      found.n_invented +=
+          !here.is_found || apart(here, contact_point) > elsewhere;
       found.worst =
-          std::max(found.worst, std::abs(here.overlap - place.overlap));
+          std::max(found.worst, std::abs(here.overlap - contact_point.overlap));
     }
-    for (const dem::ContactPoint &place : exact)
-      found.n_missed +=
-          place.overlap > 1e-5 * diameter && !beside(place, known);
+    for (const dem::ContactPoint &contact_point : exact)
+      found.n_missed += contact_point.overlap > 1e-5 * diameter &&
+                        !beside(contact_point, known);
   }
 
   dem::RadiusMap map_a, map_b;
@@ -202,22 +211,23 @@ dem::ParticleShape generated(unsigned seed)
 }
 
 /// A lens in the middle of which the surfaces become concave parts in two: the
-/// new place is missed until the pair is searched again, and is counted as late
-/// then. The search from nothing has its own blind contact_point: places beside
-/// a deeper one that no node of the maps is nearest to.
+/// new contact point is missed until the pair is searched again, and is counted
+/// as late then. The search from nothing has its own blind regions: contact
+/// points beside a deeper one that no node of the maps is nearest to.
 void expect_tracked(const char *name, const dem::ParticleShape &a,
                     const dem::ParticleShape &b)
 {
   const Findings found = Rolled(a, b).roll(100000);
-  std::printf("%s: %d looks, %d at several places, overlap wrong by %.2g of "
-              "the diameter at most; %d places missed, %d that only the engine "
-              "has, %d of them invented; jumps: %d counted, %d not; %d ended, "
-              "%d found late\n",
-              name, found.n_looks, found.n_several, found.worst / diameter,
-              found.n_missed, found.n_alone, found.n_invented,
-              static_cast<int>(found.events.n_jumps), found.n_unnoticed,
-              static_cast<int>(found.events.n_ended),
-              static_cast<int>(found.events.n_late));
+  std::printf(
+      "%s: %d looks, %d at several contact points, overlap wrong by %.2g of "
+      "the diameter at most; %d contact points missed, %d that only the engine "
+      "has, %d of them invented; jumps: %d counted, %d not; %d ended, "
+      "%d found late\n",
+      name, found.n_looks, found.n_several, found.worst / diameter,
+      found.n_missed, found.n_alone, found.n_invented,
+      static_cast<int>(found.events.n_jumps), found.n_unnoticed,
+      static_cast<int>(found.events.n_ended),
+      static_cast<int>(found.events.n_late));
   EXPECT_EQ(found.n_looks, 1000);
   EXPECT_LT(found.worst, 1e-6 * diameter);
   EXPECT_LE(found.n_missed, 10);

@@ -246,9 +246,9 @@ fem::SurfaceMesh channel()
     line.emplace_back(0.01 * k - 0.02, 0., 0.);
   for (int k = 1; k <= 6; ++k)
     line.emplace_back(0.02, 0., 0.01 * k);
-  for (const dem::Vec3 &place : line)
+  for (const dem::Vec3 &position : line)
     for (int y = 0; y < 4; ++y)
-      mesh.nodes.push_back(place + dem::Vec3(0., 0.01 * y, 0.));
+      mesh.nodes.push_back(position + dem::Vec3(0., 0.01 * y, 0.));
   for (std::int32_t k = 0; k + 1 < std::int32_t(line.size()); ++k)
     for (std::int32_t y = 4 * k; y < 4 * k + 3; ++y)
       mesh.quads.push_back({y, y + 1, y + 5, y + 4});

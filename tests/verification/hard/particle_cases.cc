@@ -40,7 +40,7 @@ Rest lie(const dem::FacetSurface &surface, double height)
   constexpr int n = 1000000;
   Rest rest;
   rest.n_steps = n;
-  dem::Vec3 place;
+  dem::Vec3 position;
   rest.restart = run(
       [&]
       {
@@ -58,11 +58,11 @@ Rest lie(const dem::FacetSurface &surface, double height)
        {
          const dem::ParticleSystem &particles = scene.engine.particles();
          if (k < n / 10)
-           place = particles.position(0);
+           position = particles.position(0);
          else
          {
            rest.drift =
-               std::max(rest.drift, (particles.position(0) - place).norm());
+               std::max(rest.drift, (particles.position(0) - position).norm());
            rest.speed = std::max(rest.speed, particles.velocity(0).norm());
          }
        }});

@@ -35,9 +35,9 @@ fem::Solid block(const fem::SolidLayer &layer, double mass_damping)
 void put_under_weight(fem::Solid &solid)
 {
   solid.set_initial_stress(
-      [](const Eigen::Vector3d &place)
+      [](const Eigen::Vector3d &position)
       {
-        const double vertical = -1800. * 9.81 * (0.2 - place.z());
+        const double vertical = -1800. * 9.81 * (0.2 - position.z());
         const double across = (1. - std::sin(phi)) * vertical;
         fem::Voigt stress = fem::Voigt::Zero();
         stress.head<3>() << across, across, vertical;
@@ -165,9 +165,9 @@ struct Footing
     p.layers[0].cohesion = its_cohesion;
     fem::Solid solid(p, support::box({side, side, side}, {8, 8, 8}));
     solid.set_initial_stress(
-        [](const Eigen::Vector3d &place)
+        [](const Eigen::Vector3d &position)
         {
-          const double vertical = -1800. * 9.81 * (side - place.z());
+          const double vertical = -1800. * 9.81 * (side - position.z());
           fem::Voigt stress = fem::Voigt::Zero();
           stress.head<3>().setConstant((1. - std::sin(phi)) * vertical);
           stress(2) = vertical;

@@ -81,11 +81,11 @@ TEST(TrainLoad, RailIsABeamOnItsBed)
   // At 1.5 h and 2.5 h, taken back to zero.
   EXPECT_NEAR(6.4e6 * (2.5 * third - 1.5 * next), 0.5, 2e-3);
   // All sleepers together carry the axle.
-  for (const double place : {0., 0.2})
+  for (const double position : {0., 0.2})
   {
     double sum = 0.;
     for (int k = -40; k <= 40; ++k)
-      sum += fem::sleeper_share(bed, place + 0.6 * k);
+      sum += fem::sleeper_share(bed, position + 0.6 * k);
     EXPECT_NEAR(sum, 1., 5e-3);
   }
 }

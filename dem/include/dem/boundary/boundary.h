@@ -60,8 +60,8 @@ public:
 
   /// Makes the list of contacts; known ones keep what they carry.
   virtual void find_candidates(const BoundarySearch &search) = 0;
-  /// The particles have got other numbers: place[old] = new.
-  virtual void renumber(const std::vector<std::int32_t> &place,
+  /// The particles have got other numbers: new_row[old] = new.
+  virtual void renumber(const std::vector<std::int32_t> &new_row,
                         bool follows_surfaces) = 0;
 
   /// Finds where the particles meet it now.

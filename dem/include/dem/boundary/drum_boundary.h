@@ -3,7 +3,7 @@
 #include <dem/boundary/boundary.h>
 #include <dem/boundary/drum.h>
 #include <dem/boundary/drum_lifter.h>
-#include <dem/boundary/placed_walls.h>
+#include <dem/boundary/followed_walls.h>
 #include <dem/neighbor/candidate_pair.h>
 
 namespace dem
@@ -28,7 +28,7 @@ public:
   double speed() const override;
   double beyond(const Vec3 &point) const override;
   void find_candidates(const BoundarySearch &search) override;
-  void renumber(const std::vector<std::int32_t> &place,
+  void renumber(const std::vector<std::int32_t> &new_row,
                 bool follows_surfaces) override;
   ForceSum meet(const ForceContext &context) override;
   Walls walls(const ForceContext &context) override;
@@ -38,7 +38,7 @@ public:
   Drum drum; ///< its spin and widening may change at any time
 
 private:
-  PlacedDrum placed() { return {drum, lifter, rows, overlap}; }
+  FollowedDrum followed() { return {drum, lifter, rows, overlap}; }
   void book(double time_step);
   void pack_parts(std::ostream &out) const override;
   void unpack_parts(std::istream &in) override;

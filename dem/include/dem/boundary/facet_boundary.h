@@ -33,7 +33,7 @@ public:
   /// Throws std::runtime_error where a velocity is no finite number.
   double speed() const override;
   void find_candidates(const BoundarySearch &search) override;
-  void renumber(const std::vector<std::int32_t> &place,
+  void renumber(const std::vector<std::int32_t> &new_row,
                 bool follows_surfaces) override;
   ForceSum meet(const ForceContext &context) override;
   Walls walls(const ForceContext &context) override;

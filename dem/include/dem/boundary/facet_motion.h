@@ -10,8 +10,8 @@ struct WallSearch;
 
 /// How far a facet surface and the particles have moved since the triangles
 /// near each particle were gathered (FacetCandidates), and since it was
-/// searched for its places. Displacements count, not paths: a surface that
-/// trembles has moved by its amplitude. All of it is checkpoint data.
+/// searched for its contact points. Displacements count, not paths: a surface
+/// that trembles has moved by its amplitude. All of it is checkpoint data.
 struct FacetMotion
 {
   /// A particle when triangles were gathered.
@@ -26,7 +26,8 @@ struct FacetMotion
 
   std::vector<std::int32_t> row_start; ///< size rows of the candidates + 1
   std::vector<std::int32_t> vertex;    ///< of their triangles, each once
-  std::vector<Vec3> place;    ///< in the body frame at the last search [m]
+  /// In the body frame at the last search [m].
+  std::vector<Vec3> vertex_position;
   std::vector<double> volume; ///< of the particle then; < 0: none yet [m^3]
 
   /// Whether the candidates still hold all that can come within `skin` [m]
@@ -56,7 +57,7 @@ struct FacetMotion
     column(self.vertices);
     column(self.row_start);
     column(self.vertex);
-    column(self.place);
+    column(self.vertex_position);
     column(self.volume);
   }
 };

@@ -23,7 +23,7 @@ public:
   double speed() const override;
   double beyond(const Vec3 &point) const override;
   void find_candidates(const BoundarySearch &search) override;
-  void renumber(const std::vector<std::int32_t> &place, bool) override;
+  void renumber(const std::vector<std::int32_t> &new_row, bool) override;
   ForceSum meet(const ForceContext &context) override;
   Walls walls(const ForceContext &) override { return {material, rows}; }
   void apply_loads(double time_step) override;

@@ -7,19 +7,19 @@
 
 namespace dem
 {
-/// The contacts with planes name the particles by their new places and stand in
-/// the order (particle, plane) again.
-void renumber_planes(const std::vector<std::int32_t> &place,
+/// The contacts with planes name the particles by their new numbers and stand
+/// in the order (particle, plane) again.
+void renumber_planes(const std::vector<std::int32_t> &new_row,
                      ContactBatch &batch);
 
 /// The same for the slots at the facet surface; rows of triangles are lost and
 /// must be found again.
-void renumber_facets(const std::vector<std::int32_t> &place,
+void renumber_facets(const std::vector<std::int32_t> &new_row,
                      FacetCandidates &candidates, ContactBatch &batch);
 /// The same where particles follow their surfaces: contacts of any number per
 /// particle, whose rows or contact_points go with them.
-void renumber_drum_places(const std::vector<std::int32_t> &place,
-                          ContactBatch &batch, std::vector<WallRow> &rows);
-void renumber_facet_places(const std::vector<std::int32_t> &place,
-                           FacetCandidates &candidates, ContactBatch &batch);
+void renumber_drum_contacts(const std::vector<std::int32_t> &new_row,
+                            ContactBatch &batch, std::vector<WallRow> &rows);
+void renumber_facet_contacts(const std::vector<std::int32_t> &new_row,
+                             FacetCandidates &candidates, ContactBatch &batch);
 } // namespace dem

@@ -22,7 +22,7 @@ struct SurfaceFault
   std::int32_t first = -1; ///< facet
   std::int32_t second =
       -1; ///< the other facet; the id of the particle that left
-  Vec3 place = Vec3::Zero(); ///< there [m]
+  Vec3 position = Vec3::Zero(); ///< there [m]
 };
 
 /// Normals of neighbours that turn by more are folded: as sharp as a wedge of

@@ -8,7 +8,7 @@
 
 namespace dem
 {
-/// A particle as the search for places on walls sees it.
+/// A particle in the search for contact points on walls.
 struct MappedParticlePose
 {
   MappedParticle particle;
@@ -16,22 +16,24 @@ struct MappedParticlePose
   Mat3 rotation = Mat3::Identity(); ///< body frame to world
 };
 
-/// What a search for the places where a particle meets a wall has found.
+/// Result of a search for the contact points of a particle and a wall.
 struct WallSearchResult
 {
-  std::vector<WallContactPoint> places; ///< overlap > -skin, deepest first
-  int n_lost = 0; ///< minima of the nodes that led to no place
+  /// Of overlap > -skin, deepest first.
+  std::vector<WallContactPoint> contact_points;
+  int n_lost = 0; ///< minima of the nodes that led to no contact point
 };
 
-/// Whether two places on a wall are one: beside each other on the particle, on
-/// one patch of the wall.
-bool is_one_place(const WallContactPoint &one, const WallContactPoint &other);
+/// Whether two contact points on a wall are one: beside each other on the
+/// particle, on one patch of the wall.
+bool is_one_contact_point(const WallContactPoint &one,
+                          const WallContactPoint &other);
 
-/// All places where a particle meets a triangulated surface or comes within
-/// `skin` [m]: from the nodes of its map that are nearest to the surface
+/// All contact points of a particle and a triangulated surface within `skin`
+/// [m]: from the nodes of its map that are nearest to the surface
 /// among their neighbours, and from vertices that are deepest in the particle
-/// among theirs, by refine_on_facets(). Only these triangles are looked at.
-/// Places beside `known` ones are left out.
+/// among theirs, by refine_on_facets(). Only these triangles are searched.
+/// Contact points beside `known` ones are left out.
 WallSearchResult find_on_facets(const MappedParticlePose &particle,
                                 const FacetMesh &mesh,
                                 std::span<const std::int32_t> triangles,

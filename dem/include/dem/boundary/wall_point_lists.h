@@ -8,9 +8,9 @@
 
 namespace dem
 {
-/// Most places that a particle may touch a facet surface at, which has several
-/// sides.
-inline constexpr std::size_t most_wall_places = 24;
+/// Largest number of contact points of a particle and a facet surface, which
+/// has several sides.
+inline constexpr std::size_t most_wall_contact_points = 24;
 
 /// A drum with the rows of its contacts, which go with them.
 struct DrumCandidates
@@ -41,9 +41,9 @@ struct PlaneCandidates
   double path_length = 0.; ///< by the fastest rigid boundary [m]
 };
 
-/// Makes the list of the places where particles meet planes, or nearly do: what
-/// ContactPointLists does for particles. `listed` keeps what is known of each
-/// pair.
+/// Makes the list of the contact points of particles and planes within the
+/// skin: what ContactPointLists does for particles. `listed` keeps what is
+/// known of each pair.
 ContactPointEvents renew_planes(const ContactPointSearchInput &input,
                                 const PlaneCandidates &walls,
                                 std::vector<CandidatePair> &listed,

@@ -74,7 +74,8 @@ struct SideColumns
   Vec3 contact_point(std::size_t k) const;
   /// r at a unit direction near the one of contact k, from the expansion [m].
   double local_radius(std::size_t k, const Triple<double> &on_body) const;
-  /// What is known about the place of contact k: the expansion moved there.
+  /// What is known about the contact point of contact k: the expansion moved
+  /// there.
   RadialExpansion expansion_at_contact_point(std::size_t k) const;
 
   template <class Visit, class... Selves>
@@ -125,7 +126,7 @@ struct ContactBatch
       torsion_angle; ///< turned about the normal since mixed [rad]
   /// Overlap that the contact had when it was found: it does not count [m]
   std::vector<double> overlap_offset;
-  std::vector<std::uint8_t> displaced;    ///< has come to another place
+  std::vector<std::uint8_t> displaced;    ///< has come to another contact point
   std::vector<double> factor_a, factor_b; ///< cumulative factors [-]
   /// A_i / delta of a corner that may break; 0: no corner (g = 0) [m]
   std::vector<Narrow> corner_a, corner_b;
@@ -189,9 +190,9 @@ template <class Call>
 void for_each_pair(const ContactBatch &pairs, const Call &call)
 {
   const std::vector<std::int32_t> order = pairs.by_pair();
-  const auto key = [&](std::size_t place)
+  const auto key = [&](std::size_t row)
   {
-    const auto k = static_cast<std::size_t>(order[place]);
+    const auto k = static_cast<std::size_t>(order[row]);
     return std::pair(pairs.a[k], pairs.b[k]);
   };
   for (std::size_t first = 0, end = 0; first < order.size(); first = end)

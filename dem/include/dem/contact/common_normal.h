@@ -32,7 +32,7 @@ struct RelativePose
   Mat3 rotation = Mat3::Identity(); ///< body frame of B to that of A
 };
 
-/// A place where two surfaces have a common normal, or nearly so.
+/// A contact point: two surfaces have a common normal there, or nearly so.
 struct ContactPoint
 {
   Vec3 on_a = Vec3::UnitZ(); ///< unit direction in the body frame of A [-]

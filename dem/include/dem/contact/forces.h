@@ -92,14 +92,15 @@ struct Walls
 {
   const WallMaterial &material;     ///< of all of them
   const std::vector<WallRow> &rows; ///< as they stand in this step
-  /// Overlaps by row, where the places of particles that follow their surfaces
-  /// were found before the forces (place_on_drum(), place_on_facets()) [m].
+  /// Overlaps by row, where the contact points of particles that follow their
+  /// surfaces were found before the forces (relocate_on_drum(),
+  /// relocate_on_facets()) [m].
   std::span<const double> overlap = {};
   /// By row, where several facets may carry a contact: overlap beyond that with
   /// the plane of the row (FacetShares::extra) [m].
   std::span<const double> extra = {};
-  /// Finds the place of contact k again, if they were.
-  std::function<void(const ForceContext &, std::size_t)> replace = {};
+  /// Finds the contact point of contact k again, if they were.
+  std::function<void(const ForceContext &, std::size_t)> relocate = {};
 };
 
 /// Particle against wall: by the law of the wall. Loads are added to the

@@ -18,8 +18,8 @@ struct RangeSum
   bool has_switched = false;  ///< patches keep factors: contacts began or ended
   bool has_displaced = false; ///< some contact is no more where it was
   int n_jumps = 0;            ///< loaded contacts that are elsewhere now
-  int n_ended = 0;            ///< loaded contacts that have no place any more
-  double cell_force[3] = {};  ///< PeriodicCell::force [N]
-  double overlap_ratio = 0.;  ///< largest, as largest_overlap_ratio() [-]
+  int n_ended = 0; ///< loaded contacts that have no contact point any more
+  double cell_force[3] = {}; ///< PeriodicCell::force [N]
+  double overlap_ratio = 0.; ///< largest, as largest_overlap_ratio() [-]
 };
 } // namespace dem

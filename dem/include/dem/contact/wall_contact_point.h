@@ -7,14 +7,14 @@
 
 namespace dem
 {
-/// A place where a particle meets a wall, or nearly so: the point of the wall
-/// that is deepest in the particle among its neighbours. A point y of the wall
-/// is D(y) = (x - y).n deep, x being the point of the particle next to it with
-/// the outward normal n. D is smooth, whatever the wall is made of: on a face
-/// it is greatest where n is the normal of the face, on an edge where n is
+/// A contact point of a particle and a wall, or nearly one: the point of the
+/// wall that is deepest in the particle among its neighbours. A point y of the
+/// wall is D(y) = (x - y).n deep, x being the point of the particle next to it
+/// with the outward normal n. D is smooth, whatever the wall is made of: on a
+/// face it is greatest where n is the normal of the face, on an edge where n is
 /// across it, at a vertex where no edge leads farther in. Its greatest value
-/// does not jump when the place goes from one feature to the next, and changes
-/// by the velocity of the points of contact along n.
+/// does not jump when the contact point goes from one feature to the next, and
+/// changes by the velocity of the points of contact along n.
 struct WallContactPoint
 {
   Vec3 on_particle = Vec3::UnitZ(); ///< unit direction in the body frame [-]
@@ -24,7 +24,8 @@ struct WallContactPoint
   std::int32_t triangle = -1;       ///< that holds y, on facets
   std::array<double, 3> weight{};   ///< of its corners [-]
   bool is_found = false;            ///< the search has converged
-  /// The search went over to a deeper place of the same patch beside its own.
+  /// The search went over to a deeper contact point of the same patch beside
+  /// its own.
   bool has_switched = false;
 };
 

@@ -9,14 +9,15 @@
 /// sources in docs/theory/network.md.
 namespace dem
 {
-/// Two particles that touch; however many places they touch at, one contact.
+/// Two particles that touch: one contact, whatever the number of contact
+/// points.
 struct PairContact
 {
   std::int32_t a = 0, b = 0;
-  Vec3 normal = Vec3::UnitZ(); ///< from A to B; mean over the places [-]
-  Vec3 point = Vec3::Zero();   ///< mean over the places [m]
+  Vec3 normal = Vec3::UnitZ(); ///< from A to B; mean of the points [-]
+  Vec3 point = Vec3::Zero();   ///< mean over the contact points [m]
   Vec3 force = Vec3::Zero();   ///< on A [N]
-  bool is_sliding = false;     ///< at the Coulomb limit, all places
+  bool is_sliding = false;     ///< at the Coulomb limit, all contact points
 };
 
 /// A particle that touches a boundary.

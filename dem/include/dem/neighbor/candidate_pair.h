@@ -9,8 +9,8 @@ namespace dem
 struct CandidatePair
 {
   PairKey key;
-  /// Path length of both together up to which no place but the listed ones can
-  /// come into contact [m].
+  /// Path length of both together up to which no contact point but the listed
+  /// ones can come into contact [m].
   double due = 0.;
   double skin = 0.; ///< of the last search [m]
   /// Between the hulls of two particles when last looked at, body frame of the
@@ -19,6 +19,6 @@ struct CandidatePair
 };
 
 /// Particles against walls: the particles have got other numbers.
-void renumber_candidates(const std::vector<std::int32_t> &place,
+void renumber_candidates(const std::vector<std::int32_t> &new_row,
                          std::vector<CandidatePair> &walls);
 } // namespace dem

@@ -34,7 +34,7 @@ private:
   double size = 1.;
   std::array<std::int64_t, 3> n = {1, 1, 1};
   std::vector<std::int32_t> start = {0, 0}, member;
-  std::vector<Vec3> place;
+  std::vector<Vec3> position;
 };
 
 inline std::array<std::int64_t, 3> CellGrid::cell_of(const Vec3 &x) const
@@ -61,7 +61,7 @@ void CellGrid::visit_box(const Vec3 &lower, const Vec3 &upper,
                  end = static_cast<std::size_t>(row + to[0] + 1);
       for (std::int32_t m = start[first]; m < start[end]; ++m)
         visit(member[static_cast<std::size_t>(m)],
-              place[static_cast<std::size_t>(m)]);
+              position[static_cast<std::size_t>(m)]);
     }
 }
 } // namespace dem

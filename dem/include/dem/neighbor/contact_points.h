@@ -42,23 +42,23 @@ Separation separate(const MappedPair &pair, const Vec3 &guess,
 /// of their maps can tell [m].
 bool may_touch(const MappedPair &pair, double skin);
 
-/// What a search for the places where two particles meet has found.
+/// Result of a search for the contact points of two particles.
 struct ContactPointSearch
 {
   std::vector<ContactPoint> contact_points; ///< overlap > -skin, nearest first
   int n_lost = 0; ///< minima of the maps that led to no lens of contact
 };
 
-/// All places where two particles meet or come within `skin` [m]: local
+/// All contact points of two particles within `skin` [m]: local
 /// minima of the gap over the nodes of either particle inside the slab of
-/// `separation` (of this pose), each followed to the common normal. Places
-/// beside one of the `known` ones are left out.
+/// `separation` (of this pose), each followed to the common normal. Contact
+/// points beside one of the `known` ones are left out.
 ContactPointSearch
 find_contact_points(const MappedPair &pair, const Separation &separation,
                     double skin, std::span<const ContactPoint> known = {});
 
-/// Whether two places on particle A are one.
-bool is_one_place(const ContactPoint &one, const ContactPoint &other);
+/// Whether two contact points on particle A are one.
+bool is_one_contact_point(const ContactPoint &one, const ContactPoint &other);
 
 /// Heights along a normal from the centre of a particle [m].
 struct SupportHeights
@@ -67,8 +67,8 @@ struct SupportHeights
   double wall = 0.;   ///< where the overlap begins
 };
 
-/// All places of a particle that are farthest along a unit vector of its body
-/// frame among their neighbours and high enough. Places beside `known` ones
+/// All points of a particle that are farthest along a unit vector of its body
+/// frame among their neighbours and high enough. Points beside `known` ones
 /// are left out.
 std::vector<ContactPoint>
 find_supports(const MappedParticle &particle, const Vec3 &normal,

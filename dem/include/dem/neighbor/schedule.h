@@ -24,7 +24,7 @@ public:
   enum class Due
   {
     nothing,
-    displaced, ///< contacts have come to other places: lists within their skin
+    displaced, ///< other contact points of contacts: lists within their skin
     deforming, ///< lists of boundaries that deform alone
     all
   };

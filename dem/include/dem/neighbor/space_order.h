@@ -13,12 +13,12 @@ namespace dem
 /// then neighbours in memory.
 std::vector<std::int32_t> space_order(const std::vector<Vec3> &position);
 
-/// What is where after the particles were put in this order: place[order[k]] =
-/// k.
-std::vector<std::int32_t> places(const std::vector<std::int32_t> &order);
+/// What is where after the particles were put in this order: new_row[order[k]]
+/// = k.
+std::vector<std::int32_t> new_rows(const std::vector<std::int32_t> &order);
 
-/// The contacts name the particles by their new places and stand in the order
+/// The contacts name the particles by their new rows and stand in the order
 /// (a, b) again, a < b; sides change their roles where they must.
-void renumber_pairs(const std::vector<std::int32_t> &place,
+void renumber_pairs(const std::vector<std::int32_t> &new_row,
                     ContactBatch &batch);
 } // namespace dem

@@ -9,6 +9,7 @@
 
 namespace dem
 {
+/// Initial position and orientation of a particle.
 struct Placement
 {
   Vec3 position = Vec3::Zero(); ///< [m]
@@ -26,8 +27,8 @@ struct InsertionBox
   bool is_round = false;
 };
 
-/// A particle finds no place in a box.
-class NoPlace : public std::runtime_error
+/// There is no free position in a box for a particle.
+class NoFreePosition : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
@@ -35,7 +36,7 @@ public:
 
 /// Random sequential insertion of the particles, in their order, into the box
 /// without overlap along any branch line or towards any face.
-/// Throws NoPlace if a particle finds none in 20 000 tries.
+/// Throws NoFreePosition if a particle finds none in 20 000 tries.
 std::vector<Placement>
 insert_particles(std::span<const ParticleShape> particles,
                  const InsertionBox &box, Random &random);

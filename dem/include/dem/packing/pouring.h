@@ -30,7 +30,7 @@ struct PouringParameters
   /// share of the density, the last by none (undercompaction, Ladd 1978) [-].
   double undercompaction = 0.;
   double friction = 0.2; ///< particle on particle until the last layer is in
-  /// Of the cloud that falls; less where particles do not find a place [-].
+  /// Of the cloud that falls; less where particles find no free position [-].
   double solid_fraction = 0.2;
   double tamper_speed = 0.1;    ///< [m/s]
   double tamper_pressure = 2e5; ///< at which the tamper turns back [Pa]
@@ -100,7 +100,7 @@ public:
   void prepare(Engine &engine);
 
   /// Before each step of the engine: what is due, and the speed of the tamper.
-  /// Throws NoPlace or NoRest if a layer finds none.
+  /// Throws NoFreePosition or NoRest if a layer finds none.
   void steer(Engine &engine, double time_step);
 
   /// Of the whole filling, about: a layer falls and rolls to rest in three

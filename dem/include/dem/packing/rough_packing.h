@@ -13,9 +13,9 @@ namespace dem
 // Particles packed in seconds, to see what steps cost: what is measured in such
 // a packing is worth nothing.
 
-/// Places at random in a room that is full up to a height [m], not free of
+/// Positions at random in a room that is full up to a height [m], not free of
 /// overlap: of a cloud of this solid fraction, or a thinner one if particles do
-/// not find a place, drawn together. Throws std::runtime_error if none does.
+/// not find a free one, drawn together. Throws std::runtime_error if none does.
 std::vector<Placement> dense_packing(std::span<const ParticleShape> particles,
                                      const Room &room, double height,
                                      double solid_fraction);

@@ -61,7 +61,7 @@ enum class FrictionLimit
 };
 
 /// How contacts are found and how soon what they know of shapes is renewed: the
-/// only place of the skin of the lists.
+/// only part of the skin of the lists.
 struct GeometryParameters
 {
   ContactGeometry geometry = ContactGeometry::radial; ///< particle on particle

@@ -45,7 +45,7 @@ struct alignas(64) TurningFrame
 };
 
 /// The particles in columns; entry k of every column is the same particle. Many
-/// particles are put in order of place from time to time: `id` says who is
+/// particles are put in spatial order from time to time: `id` says who is
 /// where.
 struct ParticleSystem
 {
@@ -129,7 +129,7 @@ struct ParticleSystem
   double smallest_radius() const; ///< of the spheres [m]
   double largest_radius() const;  ///< of the spheres [m]
 
-  /// Appends a particle at rest; its id is its place.
+  /// Appends a particle at rest; its id is its row.
   void add(const ParticleShape &particle, const Vec3 &at,
            const Quaternion &turned, double density);
 

@@ -25,16 +25,17 @@ struct DirectionGrid
 
   /// A direction between the nodes (ring, column) and (ring + 1, column + 1);
   /// ring is -1 .. n_polar - 1.
-  struct Place
+  struct Position
   {
     int ring = 0, column = 0;
     double down = 0., right = 0.; ///< part of the way, 0 .. 1
   };
   /// Of a direction that need not be unit, within 1e-5 rad.
-  Place locate(const Vec3 &direction) const;
+  Position locate(const Vec3 &direction) const;
 };
 
-/// Values at the nodes of a grid, with a margin so that no place needs care.
+/// Values at the nodes of a grid, with a margin so that no position is a
+/// special case.
 class GridValues
 {
 public:

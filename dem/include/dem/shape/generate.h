@@ -39,7 +39,7 @@ private:
   /// Numbers that are drawn together: mean + factor * normal numbers.
   struct Normal
   {
-    std::vector<int> place; ///< in a row of coefficients; negative: no harmonic
+    std::vector<int> index; ///< in a row of coefficients; negative: no harmonic
     Eigen::VectorXd mean;
     Eigen::MatrixXd factor; ///< a root of the covariance
   };

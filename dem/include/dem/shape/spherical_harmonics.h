@@ -20,7 +20,7 @@ constexpr int n_coefficients(int order)
 inline constexpr double equivalent_radius_factor =
     0.5 * std::numbers::inv_sqrtpi_v<double>;
 
-/// Place of the harmonic of degree n and order m, -n <= m <= n, in a row of
+/// Index of the harmonic of degree n and order m, -n <= m <= n, in a row of
 /// coefficients [-].
 constexpr int harmonic_index(int n, int m)
 {

@@ -78,7 +78,7 @@ TEST(SurfaceGuard, FoldIsFoundBeyond150Degrees)
     ASSERT_TRUE(fault) << degrees;
     EXPECT_EQ(fault->first, 0);
     EXPECT_EQ(fault->second, 1);
-    EXPECT_LT((fault->place - Vec3(0.5, 0., 0.)).norm(), 1e-14);
+    EXPECT_LT((fault->position - Vec3(0.5, 0., 0.)).norm(), 1e-14);
   }
 }
 

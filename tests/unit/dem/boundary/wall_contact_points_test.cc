@@ -77,12 +77,14 @@ TEST(WallContactPoints, OfASphereAreNextToItsCentre)
         continue;
       const auto found =
           dem::find_on_facets(sphere.at(centre), mesh.view(), all, 0.2);
-      ASSERT_FALSE(found.places.empty()) << k;
+      ASSERT_FALSE(found.contact_points.empty()) << k;
       ++met[static_cast<std::size_t>(nearest.feature)];
-      const dem::WallContactPoint &place = found.places.front();
-      EXPECT_NEAR(place.overlap, 1. - least, 1e-12) << k;
-      EXPECT_LT((place.point - nearest.point).norm(), 1e-7) << k;
-      EXPECT_LT((place.normal - (nearest.point - centre) / least).norm(), 1e-7);
+      const dem::WallContactPoint &contact_point = found.contact_points.front();
+      EXPECT_NEAR(contact_point.overlap, 1. - least, 1e-12) << k;
+      EXPECT_LT((contact_point.point - nearest.point).norm(), 1e-7) << k;
+      EXPECT_LT(
+          (contact_point.normal - (nearest.point - centre) / least).norm(),
+          1e-7);
     }
     EXPECT_GT(met[0], 20);          // faces
     EXPECT_GT(met[1] + met[2], 20); // edges and vertices
@@ -107,12 +109,13 @@ TEST(WallContactPoints, OfAnEllipsoidOnAFaceIsItsSupport)
     const Vec3 centre(0.3 * random.uniform(), 0.2, height - 0.01);
     const auto found = dem::find_on_facets(particle.at(centre, turned),
                                            mesh.view(), all, 0.01);
-    ASSERT_EQ(found.places.size(), 1u) << k;
+    ASSERT_EQ(found.contact_points.size(), 1u) << k;
     // What the series leaves of the ellipsoid.
-    EXPECT_NEAR(found.places[0].overlap, 0.01, 1e-5);
+    EXPECT_NEAR(found.contact_points[0].overlap, 0.01, 1e-5);
     const Vec3 below = centre + turned * foot;
-    EXPECT_LT((found.places[0].point - Vec3(below.x(), below.y(), 0.)).norm(),
-              2e-3);
+    EXPECT_LT(
+        (found.contact_points[0].point - Vec3(below.x(), below.y(), 0.)).norm(),
+        2e-3);
   }
 }
 
@@ -136,23 +139,23 @@ TEST(WallContactPoints, OfAnEllipsoidOnAVertexIsTheVertex)
   {
     const auto on_pole = dem::find_on_facets(
         particle.at({0., 0., 0.7 - overlap}), mesh.view(), all, 0.05);
-    ASSERT_FALSE(on_pole.places.empty());
-    EXPECT_NEAR(on_pole.places[0].overlap, overlap, 1e-5);
-    EXPECT_LT(on_pole.places[0].point.norm(), 1e-12);
+    ASSERT_FALSE(on_pole.contact_points.empty());
+    EXPECT_NEAR(on_pole.contact_points[0].overlap, overlap, 1e-5);
+    EXPECT_LT(on_pole.contact_points[0].point.norm(), 1e-12);
     // Turned by 90 degrees the equator is below.
     const auto on_equator = dem::find_on_facets(
         particle.at({0., 0., 1. - overlap},
                     dem::Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi,
                                                       Vec3::UnitX()))),
         mesh.view(), all, 0.05);
-    ASSERT_FALSE(on_equator.places.empty());
-    EXPECT_NEAR(on_equator.places[0].overlap, overlap, 1e-5);
+    ASSERT_FALSE(on_equator.contact_points.empty());
+    EXPECT_NEAR(on_equator.contact_points[0].overlap, overlap, 1e-5);
   }
 }
 
 // In a hollow cylinder of the radius R a sphere off the axis by e is
 // r + e - R deep; in a hollow as narrow as its end a long particle has two
-// places.
+// contact points.
 TEST(WallContactPoints, OnACylinder)
 {
   dem::Drum drum;
@@ -163,15 +166,16 @@ TEST(WallContactPoints, OnACylinder)
       longish = ellipsoid({1.2, 0.8, 0.8});
   const auto found = dem::find_on_drum(sphere.at({0.6, 0.81, 0.}), drum,
                                        dem::DrumPart::cylinder, 0.1);
-  ASSERT_EQ(found.places.size(), 1u);
-  EXPECT_NEAR(found.places[0].overlap, 1. + std::hypot(0.6, 0.81) - 2., 1e-12);
+  ASSERT_EQ(found.contact_points.size(), 1u);
+  EXPECT_NEAR(found.contact_points[0].overlap, 1. + std::hypot(0.6, 0.81) - 2.,
+              1e-12);
   // Across the chord of its long axis both ends touch.
   drum.radius = 1.21;
   const auto ends = dem::find_on_drum(longish.at(Vec3::Zero()), drum,
                                       dem::DrumPart::cylinder, 0.1);
-  ASSERT_EQ(ends.places.size(), 2u);
-  EXPECT_NEAR(ends.places[0].overlap, -0.01, 1e-5);
-  EXPECT_NEAR(ends.places[1].overlap, -0.01, 1e-5);
+  ASSERT_EQ(ends.contact_points.size(), 2u);
+  EXPECT_NEAR(ends.contact_points[0].overlap, -0.01, 1e-5);
+  EXPECT_NEAR(ends.contact_points[1].overlap, -0.01, 1e-5);
 }
 
 // In a corner a particle meets each side, and each once.
@@ -181,7 +185,7 @@ TEST(WallContactPoints, EverySideOfACornerIsMet)
   const support::WallMesh mesh = support::box_corner(6.);
   const auto found = dem::find_on_facets(sphere.at(Vec3::Constant(0.99)),
                                          mesh.view(), all_of(mesh), 0.05);
-  ASSERT_EQ(found.places.size(), 3u);
-  for (const dem::WallContactPoint &place : found.places)
-    EXPECT_NEAR(place.overlap, 0.01, 1e-12);
+  ASSERT_EQ(found.contact_points.size(), 3u);
+  for (const dem::WallContactPoint &contact_point : found.contact_points)
+    EXPECT_NEAR(contact_point.overlap, 0.01, 1e-12);
 }

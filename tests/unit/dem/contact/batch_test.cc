@@ -5,24 +5,24 @@
 #include <utility>
 #include <vector>
 
-// Places of one pair of true surfaces stand where they touch first, apart from
-// each other: they count as one pair all the same, in their order.
-TEST(ContactBatch, GathersThePlacesOfAPairFromAnywhere)
+// Contact points of one pair of true surfaces stand where they touch first,
+// apart from each other: they count as one pair all the same, in their order.
+TEST(ContactBatch, GathersTheContactsOfAPairFromAnywhere)
 {
   dem::ContactBatch pairs;
   pairs.a = {2, 0, 2, 0, 1, 2};
   pairs.b = {3, 2, 4, 1, 2, 3};
   pairs.set_size(6);
-  using Places = std::vector<std::int32_t>;
-  std::vector<std::pair<std::pair<int, int>, Places>> found;
-  dem::for_each_pair(pairs,
-                     [&](const auto &places)
-                     {
-                       const auto first =
-                           static_cast<std::size_t>(places.front());
-                       found.push_back({{pairs.a[first], pairs.b[first]},
-                                        Places(places.begin(), places.end())});
-                     });
+  using Entries = std::vector<std::int32_t>;
+  std::vector<std::pair<std::pair<int, int>, Entries>> found;
+  dem::for_each_pair(
+      pairs,
+      [&](const auto &entries)
+      {
+        const auto first = static_cast<std::size_t>(entries.front());
+        found.push_back({{pairs.a[first], pairs.b[first]},
+                         Entries(entries.begin(), entries.end())});
+      });
   const decltype(found) expected = {{{0, 1}, {3}},
                                     {{0, 2}, {1}},
                                     {{1, 2}, {4}},
@@ -39,7 +39,7 @@ TEST(ContactBatch, HasNoPairWithoutContacts)
 
 // What is known about a direction, moved to where the contact has come on the
 // surface: the value there, and the slope by differences of it.
-TEST(SideColumns, ExpansionMovesWithThePlaceOfTheContact)
+TEST(SideColumns, ExpansionMovesWithTheContactPoint)
 {
   dem::SideColumns side;
   const dem::Vec3 u = dem::Vec3(0.3, -0.2, 0.9).normalized();

@@ -56,13 +56,14 @@ dem::Engine shaken_box(Kind kind, std::size_t n)
             [](const dem::ParticleShape &a, const dem::ParticleShape &b)
             { return a.volume > b.volume; });
   const double side = 0.016 * std::cbrt(static_cast<double>(n));
-  const auto places = dem::insert_particles(
+  const auto placements = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side), is_surface},
       random);
   dem::Engine engine(p);
   for (std::size_t k = 0; k < n; ++k)
   {
-    engine.add_particle(bodies[k], places[k].position, places[k].orientation);
+    engine.add_particle(bodies[k], placements[k].position,
+                        placements[k].orientation);
     for (int d = 0; d < 3; ++d)
       engine.particles().velocity(k)[d] = 4. * (random.uniform() - 0.5);
   }
@@ -192,7 +193,7 @@ TEST(ContactLoops, EveryInstructionSetGivesTheSameDigits)
   dem::use_instruction_set(widest);
 }
 
-// Enough particles to be put in order of place: momentum and energy know
+// Enough particles to be put in spatial order: momentum and energy know
 // nothing of it, and each id keeps its body.
 TEST(ContactLoops, SortingInSpaceKeepsParticlesAndEnergy)
 {
@@ -271,8 +272,8 @@ TEST(ContactLoops, NoPairTouchesInItsSleep)
 
 // Two particles that fly at each other without spin come nearer as fast as any
 // two can: a contact that slept one per cent too long would begin with an
-// overlap of many steps. Places of true surfaces sleep for a quarter of their
-// gap.
+// overlap of many steps. Contact points of true surfaces sleep for a quarter of
+// their gap.
 TEST(ContactLoops, ParticlesThatMeetHeadOnWakeInTime)
 {
   constexpr double speed = 1., step = 5e-9;
@@ -314,7 +315,7 @@ TEST(ContactLoops, ParticlesThatMeetHeadOnWakeInTime)
 }
 
 // A step far beyond what contacts bear throws the particles out: that is said
-// before their places are no numbers.
+// before their contact points are no numbers.
 TEST(MotionLoops, ParticlesThatLeapStopTheRun)
 {
   dem::Engine engine = shaken_box(Kind::spheres, 60);
@@ -363,7 +364,7 @@ TEST(MotionLoops, ParticleWithoutFinitePositionStopsTheRun)
       }
 }
 
-TEST(MotionLoops, ParticlesAreAddedAtFinitePlacesOnly)
+TEST(MotionLoops, ParticlesAreAddedAtFinitePositionsOnly)
 {
   dem::Engine engine = shaken_box(Kind::spheres, 8);
   const dem::ParticleShape body = engine.particles().shape[0];

@@ -43,11 +43,12 @@ TEST(BoxServo, CompactsSpheresToTheirStress)
   const auto bodies =
       dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, 5e-5, {}, random);
   const double side = std::cbrt(5e-5 / 0.3);
-  const auto places = dem::insert_particles(
+  const auto placements = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
   dem::Engine engine(packing_parameters());
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    engine.add_particle(bodies[k], places[k].position, places[k].orientation);
+    engine.add_particle(bodies[k], placements[k].position,
+                        placements[k].orientation);
   const dem::BoxPlanes box =
       dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3::Constant(side));
   dem::BoxServo servo(box, {});
@@ -210,11 +211,12 @@ TEST(BoxServo, CompactsSpheresIntoACylinder)
       dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, 5e-5, {}, random);
   const double diameter = std::cbrt(5e-5 / 0.25 * 2. / std::numbers::pi);
   const dem::Vec3 upper(diameter, diameter, 2. * diameter);
-  const auto places = dem::insert_particles(
+  const auto placements = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), upper, false, true}, random);
   dem::Engine engine(packing_parameters());
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    engine.add_particle(bodies[k], places[k].position, places[k].orientation);
+    engine.add_particle(bodies[k], placements[k].position,
+                        placements[k].orientation);
   const dem::SpecimenWalls walls =
       dem::add_cylinder(engine, dem::Vec3::Zero(), upper);
   dem::BoxServo servo(walls, {.speed_share = {0.5, 0.5, 1.}});
@@ -265,10 +267,11 @@ struct Packing
     const auto bodies =
         dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, 8e-5, {}, random);
     const dem::Vec3 upper = dem::Vec3::Constant(std::cbrt(8e-5 / 0.3));
-    const auto places =
+    const auto placements =
         dem::insert_particles(bodies, {dem::Vec3::Zero(), upper}, random);
     for (std::size_t k = 0; k < bodies.size(); ++k)
-      engine.add_particle(bodies[k], places[k].position, places[k].orientation);
+      engine.add_particle(bodies[k], placements[k].position,
+                          placements[k].orientation);
     box = dem::add_box(engine, dem::Vec3::Zero(), upper);
     servo = dem::BoxServo(box, parameters);
     for (int d = 0; d < 3; ++d)

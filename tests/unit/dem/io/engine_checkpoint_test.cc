@@ -69,13 +69,15 @@ struct Scene
                                   : dem::make_shape(library()[k % 2],
                                                     0.004 + 2e-5 * double(k)));
     dem::Random random(2);
-    const auto places = dem::insert_particles(
+    const auto placements = dem::insert_particles(
         bodies, {dem::Vec3::Zero(), dem::Vec3(side, side, side)}, random);
     for (std::size_t k = 0; k < bodies.size(); ++k)
     {
-      engine.add_particle(bodies[k], places[k].position, places[k].orientation);
+      engine.add_particle(bodies[k], placements[k].position,
+                          placements[k].orientation);
       engine.particles().velocity(k) =
-          2. * (dem::Vec3::Constant(0.5 * side) - places[k].position) / 0.01;
+          2. * (dem::Vec3::Constant(0.5 * side) - placements[k].position) /
+          0.01;
     }
     dem::FacetSurface lid =
         support::fixed_surface({{-0.01, -0.01, side},

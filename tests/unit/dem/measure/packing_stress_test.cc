@@ -35,12 +35,12 @@ Packing loose_packing()
   const double volume = 3e-5, side = std::cbrt(volume / 0.35);
   const auto bodies =
       dem::draw_particles({{8e-3, 14e-3}, {0., 1.}}, volume, {}, random);
-  const auto places = dem::insert_particles(
+  const auto placements = dem::insert_particles(
       bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
   Packing packing{dem::Engine(p), {}};
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    packing.engine.add_particle(bodies[k], places[k].position,
-                                places[k].orientation);
+    packing.engine.add_particle(bodies[k], placements[k].position,
+                                placements[k].orientation);
   packing.box = dem::add_box(packing.engine, dem::Vec3::Zero(),
                              dem::Vec3::Constant(side));
   return packing;

@@ -11,7 +11,7 @@ namespace packings
 {
 inline constexpr double radius = 0.01; ///< [m]
 
-/// Spheres at these places; every pair that is a diameter apart touches.
+/// Spheres at these positions; every pair that is a diameter apart touches.
 struct Packing
 {
   dem::ParticleSystem particles;

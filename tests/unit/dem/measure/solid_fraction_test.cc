@@ -19,7 +19,7 @@ dem::ParticleSystem balls(const std::vector<dem::Vec3> &centres)
   return particles;
 }
 
-// Points are a hundredth of the height apart; two balls at one place fill it
+// Points are a hundredth of the height apart; two balls at one position fill it
 // once.
 TEST(SolidFraction, IsThatOfTheSpaceWithOverlapsOnce)
 {

@@ -31,7 +31,7 @@ struct Gas
       bodies.push_back(is_shaped ? dem::make_shape(series, radius)
                                  : dem::make_sphere(radius));
     }
-    const auto places = dem::insert_particles(
+    const auto placements = dem::insert_particles(
         bodies, {dem::Vec3::Zero(), dem::Vec3::Constant(side)}, random);
     const auto some = [&]
     {
@@ -40,7 +40,8 @@ struct Gas
     };
     for (std::size_t k = 0; k < n; ++k)
     {
-      engine.add_particle(bodies[k], places[k].position, places[k].orientation);
+      engine.add_particle(bodies[k], placements[k].position,
+                          placements[k].orientation);
       engine.particles().velocity(k) = 4. * some();
       engine.particles().spin(k) = 400. * some();
     }

@@ -272,7 +272,7 @@ TEST(ContactPoints, OverlapIsTheShiftThatPartsThem)
   }
 }
 
-TEST(ContactPoints, KnownPlacesAreLeftOut)
+TEST(ContactPoints, KnownContactPointsAreLeftOut)
 {
   const Particle a(dem::test::random_particle(12, 1)),
       b(dem::test::random_particle(12, 2));

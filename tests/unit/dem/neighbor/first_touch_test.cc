@@ -207,15 +207,16 @@ void expect_drum(const Particle &particle)
                                              { return -from_axis(x); });
     const auto round = dem::find_on_drum(particle.at(Vec3::Zero()), drum,
                                          dem::DrumPart::cylinder, 3. * gap);
-    ASSERT_FALSE(round.places.empty()) << axis.transpose();
-    EXPECT_NEAR(round.places[0].overlap, -gap, tolerance * particle.mean);
+    ASSERT_FALSE(round.contact_points.empty()) << axis.transpose();
+    EXPECT_NEAR(round.contact_points[0].overlap, -gap,
+                tolerance * particle.mean);
     drum.radius = 1.;
     drum.centre = Vec3::Zero();
     drum.length = 2. * (particle.height(axis) + gap);
     const auto end = dem::find_on_drum(particle.at(Vec3::Zero()), drum,
                                        dem::DrumPart::upper_end, 3. * gap);
-    ASSERT_FALSE(end.places.empty()) << axis.transpose();
-    EXPECT_NEAR(end.places[0].overlap, -gap, tolerance * particle.mean);
+    ASSERT_FALSE(end.contact_points.empty()) << axis.transpose();
+    EXPECT_NEAR(end.contact_points[0].overlap, -gap, tolerance * particle.mean);
   }
 }
 
@@ -251,13 +252,15 @@ void expect_facets(const Particle &particle)
     const auto found =
         dem::find_on_facets(particle.at(centre, rotation), mesh.view(), all,
                             gap + 0.02 * particle.mean);
-    ASSERT_FALSE(found.places.empty()) << pose;
-    // The dense points may miss the nearest place, which is then checked alone.
-    const dem::WallContactPoint &place = found.places[0];
+    ASSERT_FALSE(found.contact_points.empty()) << pose;
+    // The dense points may miss the nearest contact point, which is then
+    // checked alone.
+    const dem::WallContactPoint &contact_point = found.contact_points[0];
     const double there =
-        distance(particle.dense.radius(place.on_particle) * place.on_particle);
-    EXPECT_GE(place.overlap, -gap - 1e-4 * particle.mean) << pose;
-    EXPECT_NEAR(place.overlap, -there, 1e-4 * particle.mean) << pose;
+        distance(particle.dense.radius(contact_point.on_particle) *
+                 contact_point.on_particle);
+    EXPECT_GE(contact_point.overlap, -gap - 1e-4 * particle.mean) << pose;
+    EXPECT_NEAR(contact_point.overlap, -there, 1e-4 * particle.mean) << pose;
   }
 }
 

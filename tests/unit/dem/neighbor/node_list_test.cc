@@ -7,8 +7,8 @@
 #include <neighbor/node_minima.h>
 #include <shape/test_shapes.h>
 
-// What the search for places reads off the map of a particle: against the
-// series, and with the same digits for every instruction set.
+// What the search for contact points reads off the map of a particle: against
+// the series, and with the same digits for every instruction set.
 namespace
 {
 using dem::Vec3;

@@ -18,7 +18,7 @@ dem::ParticleSystem row_of_spheres()
   return particles;
 }
 
-/// Neighbours up to `reach` places away.
+/// Neighbours up to `reach` positions away.
 std::vector<dem::PairKey> neighbours(int reach)
 {
   std::vector<dem::PairKey> pairs;

@@ -17,13 +17,14 @@ std::vector<dem::ParticleShape> particles(bool is_shaped)
   return dem::draw_particles({{7e-3, 12e-3}, {0., 1.}}, 4e-5, shapes, random);
 }
 
-double reach(const dem::ParticleShape &body, const dem::Placement &place,
+double reach(const dem::ParticleShape &body, const dem::Placement &placement,
              const dem::Vec3 &direction)
 {
-  return body.series ? body.scale * dem::radius(*body.series,
-                                                place.orientation.conjugate() *
-                                                    direction)
-                     : body.scale;
+  return body.series
+             ? body.scale *
+                   dem::radius(*body.series,
+                               placement.orientation.conjugate() * direction)
+             : body.scale;
 }
 
 const dem::Vec3 lower(-0.01, 0., 0.02), upper(0.04, 0.05, 0.07);
@@ -36,31 +37,34 @@ TEST(Insertion, NothingOverlaps)
   {
     const std::vector<dem::ParticleShape> bodies = particles(is_shaped);
     dem::Random random(5);
-    const std::vector<dem::Placement> places =
+    const std::vector<dem::Placement> placements =
         dem::insert_particles(bodies, {lower, upper}, random);
-    ASSERT_EQ(places.size(), bodies.size());
+    ASSERT_EQ(placements.size(), bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
       for (int d = 0; d < 3; ++d)
       {
         const dem::Vec3 axis = dem::Vec3::Unit(d);
-        EXPECT_GE(places[i].position[d] - reach(bodies[i], places[i], -axis),
+        EXPECT_GE(placements[i].position[d] -
+                      reach(bodies[i], placements[i], -axis),
                   lower[d]);
-        EXPECT_LE(places[i].position[d] + reach(bodies[i], places[i], axis),
+        EXPECT_LE(placements[i].position[d] +
+                      reach(bodies[i], placements[i], axis),
                   upper[d]);
       }
       for (std::size_t j = 0; j < i; ++j)
       {
-        const dem::Vec3 branch = places[j].position - places[i].position;
+        const dem::Vec3 branch =
+            placements[j].position - placements[i].position;
         const dem::Vec3 u = branch.normalized();
-        EXPECT_GT(branch.norm(), reach(bodies[i], places[i], u) +
-                                     reach(bodies[j], places[j], -u));
+        EXPECT_GT(branch.norm(), reach(bodies[i], placements[i], u) +
+                                     reach(bodies[j], placements[j], -u));
       }
     }
   }
 }
 
-TEST(Insertion, SeedSettlesThePlaces)
+TEST(Insertion, SeedSettlesThePlacements)
 {
   const std::vector<dem::ParticleShape> bodies = particles(true);
   const auto insert = [&](std::uint64_t seed)

@@ -38,9 +38,10 @@ struct Packing
 
   void fill()
   {
-    const auto places = dense_packing(bodies, room, height, 0.2);
+    const auto placements = dense_packing(bodies, room, height, 0.2);
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      engine.add_particle(bodies[i], places[i].position, places[i].orientation);
+      engine.add_particle(bodies[i], placements[i].position,
+                          placements[i].orientation);
   }
 
   double deepest() const

@@ -1,12 +1,13 @@
 #include "../contact/follow.h"
 
-#include <dem/boundary/placed_walls.h>
+#include <dem/boundary/followed_walls.h>
 
 namespace dem
 {
 namespace
 {
-/// A place farther than this part of the radius from the last is another one.
+/// A contact point farther than this part of the radius from the last is
+/// another one.
 constexpr double jump = 0.05;
 
 /// What the side of contact k remembers of the surface.
@@ -26,8 +27,8 @@ RadialExpansion known_expansion(const SideColumns &side, std::size_t k)
 
 /// Notes where the contact is now: within the expansion as an offset from its
 /// direction, else by a new one.
-void note_place(const ForceContext &context, ContactBatch &batch, std::size_t k,
-                const Vec3 &on_particle, bool is_renewed)
+void note_contact_point(const ForceContext &context, ContactBatch &batch,
+                        std::size_t k, const Vec3 &on_particle, bool is_renewed)
 {
   const Triple<double> u = batch.side_a.direction[k];
   const Vec3 from(u.x, u.y, u.z);
@@ -55,7 +56,7 @@ struct Events
 };
 
 /// Contacts that are led along: by whom, and whether the lists can wait for
-/// their next look where an open one comes to another place or to none.
+/// their next look where an open one comes to another contact point or to none.
 struct Followed
 {
   const ForceContext &context;
@@ -64,26 +65,26 @@ struct Followed
   bool can_wait = false;
 };
 
-/// ContactBatch::displaced of an open contact that may have come to the place
-/// of another one: that matters when it closes.
+/// ContactBatch::displaced of an open contact that may have come to the contact
+/// point of another one: that matters when it closes.
 constexpr std::uint8_t displaced_open = 2;
 
-/// Takes note of a contact that has come to another place.
+/// Marks a contact that has moved to another contact point.
 void note_displaced(const Followed &all, std::size_t k,
-                    const WallContactPoint &place, bool is_elsewhere)
+                    const WallContactPoint &contact_point, bool is_elsewhere)
 {
   ContactBatch &batch = all.batch;
   const bool matters =
-      !all.can_wait || batch.is_touching(k) || place.overlap > 0.;
-  if (is_elsewhere || place.has_switched)
+      !all.can_wait || batch.is_touching(k) || contact_point.overlap > 0.;
+  if (is_elsewhere || contact_point.has_switched)
     batch.displaced[k] = std::max<std::uint8_t>(
         batch.displaced[k], is_elsewhere && !matters ? displaced_open : 1);
   all.events.has_displaced |=
       matters && (is_elsewhere || batch.displaced[k] == displaced_open);
 }
 
-/// Brings contact k to its place by `refine(particle, start)`; not found if it
-/// has none any more.
+/// Refines the contact point of contact k by `refine(particle, start)`; not
+/// found if there is none any more.
 template <class Refine>
 WallContactPoint follow(const Followed &all, std::size_t k,
                         const Refine &refine)
@@ -100,25 +101,26 @@ WallContactPoint follow(const Followed &all, std::size_t k,
   if (batch.side_a.is_known(k))
     particle.start_from(known_expansion(batch.side_a, k));
   const Vec3 start = batch.side_a.contact_point(k);
-  const WallContactPoint place = refine(particle, start);
-  if (!place.is_found || place.overlap > 0.3 * particle.size())
+  const WallContactPoint contact_point = refine(particle, start);
+  if (!contact_point.is_found || contact_point.overlap > 0.3 * particle.size())
   {
     all.events.n_ended += batch.is_touching(k);
     all.events.has_displaced |= !all.can_wait || batch.is_touching(k);
     batch.overlap_offset[k] = kernel::closed_offset;
     return {};
   }
-  const bool is_elsewhere = (place.on_particle - start).norm() > jump;
-  // Over to a deeper place of its patch it comes at the same depth.
-  if (is_elsewhere && !place.has_switched && batch.side_a.is_known(k))
+  const bool is_elsewhere = (contact_point.on_particle - start).norm() > jump;
+  // A deeper contact point of the same patch is reached at the same depth.
+  if (is_elsewhere && !contact_point.has_switched && batch.side_a.is_known(k))
   {
     all.events.n_jumps += batch.is_touching(k);
-    batch.overlap_offset[k] = std::max(0., place.overlap - batch.overlap[k]);
+    batch.overlap_offset[k] =
+        std::max(0., contact_point.overlap - batch.overlap[k]);
   }
-  note_displaced(all, k, place, is_elsewhere);
-  note_place(context, batch, k, place.on_particle,
-             particle.is_renewed() || !batch.side_a.is_known(k));
-  return place;
+  note_displaced(all, k, contact_point, is_elsewhere);
+  note_contact_point(context, batch, k, contact_point.on_particle,
+                     particle.is_renewed() || !batch.side_a.is_known(k));
+  return contact_point;
 }
 
 /// Calls call(k, events) for all contacts, by all threads.
@@ -140,12 +142,12 @@ ForceSum for_contacts(const ContactBatch &batch, const Call &call)
 }
 
 /// Contact k with its part of the drum.
-void place_one(const ForceContext &context, const PlacedDrum &walls,
-               ContactBatch &batch, std::size_t k, Events &events)
+void relocate_one(const ForceContext &context, const FollowedDrum &walls,
+                  ContactBatch &batch, std::size_t k, Events &events)
 {
   const DrumPart part = drum_part(batch, k);
   WallRow &row = walls.rows[row_of(batch.b[k])];
-  const WallContactPoint place =
+  const WallContactPoint contact_point =
       follow({context, batch, events}, k,
              [&](ParticleView &particle, const Vec3 &on_particle)
              {
@@ -158,15 +160,15 @@ void place_one(const ForceContext &context, const PlacedDrum &walls,
                start.weight = at.weight;
                return refine_on_facets(particle, walls.lifter.mesh(), start);
              });
-  // What has lost its place opens where it was.
-  walls.overlap[row_of(batch.b[k])] = place.overlap;
-  if (!place.is_found)
+  // What has lost its contact point opens where it was.
+  walls.overlap[row_of(batch.b[k])] = contact_point.overlap;
+  if (!contact_point.is_found)
     return;
   WallRow now;
-  now.point = place.point;
-  now.normal = now.normal_before = place.normal;
+  now.point = contact_point.point;
+  now.normal = now.normal_before = contact_point.normal;
   now.velocity = now.velocity_before =
-      walls.drum.velocity_at(part, place.point);
+      walls.drum.velocity_at(part, contact_point.point);
   if (batch.is_touching(k))
   {
     now.velocity_before = row.velocity;
@@ -176,8 +178,8 @@ void place_one(const ForceContext &context, const PlacedDrum &walls,
 }
 
 /// Contact k with the facet surface.
-void place_one(const ForceContext &context, const PlacedFacets &walls,
-               ContactBatch &batch, std::size_t k, Events &events)
+void relocate_one(const ForceContext &context, const FollowedFacets &walls,
+                  ContactBatch &batch, std::size_t k, Events &events)
 {
   FacetContactPoint &contact_point = walls.candidates.contact_point[k];
   double &reactivation = walls.candidates.reactivation[k];
@@ -186,7 +188,7 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
   walls.overlap[k] = 0.;
   if (path_length < reactivation)
     return;
-  const WallContactPoint place =
+  const WallContactPoint found =
       follow({context, batch, events, true}, k,
              [&](ParticleView &particle, const Vec3 &on_particle)
              {
@@ -196,51 +198,51 @@ void place_one(const ForceContext &context, const PlacedFacets &walls,
                start.weight = contact_point.weight;
                return refine_on_facets(particle, walls.mesh, start);
              });
-  if (!place.is_found)
+  if (!found.is_found)
   {
     // It opens where it was.
     walls.rows[k] = facet_row(walls.mesh.surface, contact_point, contact_point);
     return;
   }
-  walls.overlap[k] = place.overlap;
-  reactivation = batch.is_touching(k) ? 0. : path_length - place.overlap;
-  const FacetContactPoint now{place.triangle, place.weight, place.normal};
+  walls.overlap[k] = found.overlap;
+  reactivation = batch.is_touching(k) ? 0. : path_length - found.overlap;
+  const FacetContactPoint now{found.triangle, found.weight, found.normal};
   walls.rows[k] = facet_row(walls.mesh.surface, now, contact_point);
   contact_point = now;
 }
 } // namespace
 
-ForceSum place_on_drum(const ForceContext &context, const PlacedDrum &walls,
-                       ContactBatch &batch)
+ForceSum relocate_on_drum(const ForceContext &context,
+                          const FollowedDrum &walls, ContactBatch &batch)
 {
   const std::size_t n_rows = batch.size() * row_of(n_drum_parts);
   walls.rows.resize(n_rows);
   walls.overlap.assign(n_rows, 0.);
   return for_contacts(batch, [&](std::size_t k, Events &events)
-                      { place_one(context, walls, batch, k, events); });
+                      { relocate_one(context, walls, batch, k, events); });
 }
 
-ForceSum place_on_facets(const ForceContext &context, const PlacedFacets &walls,
-                         ContactBatch &batch)
+ForceSum relocate_on_facets(const ForceContext &context,
+                            const FollowedFacets &walls, ContactBatch &batch)
 {
   walls.rows.resize(batch.size());
   walls.overlap.assign(batch.size(), 0.);
   return for_contacts(batch, [&](std::size_t k, Events &events)
-                      { place_one(context, walls, batch, k, events); });
+                      { relocate_one(context, walls, batch, k, events); });
 }
 
-void place_again(const ForceContext &context, const PlacedDrum &walls,
-                 ContactBatch &batch, std::size_t k)
+void relocate_again(const ForceContext &context, const FollowedDrum &walls,
+                    ContactBatch &batch, std::size_t k)
 {
   Events events;
-  place_one(context, walls, batch, k, events);
+  relocate_one(context, walls, batch, k, events);
 }
 
-void place_again(const ForceContext &context, const PlacedFacets &walls,
-                 ContactBatch &batch, std::size_t k)
+void relocate_again(const ForceContext &context, const FollowedFacets &walls,
+                    ContactBatch &batch, std::size_t k)
 {
   Events events;
   walls.candidates.reactivation[k] = 0.;
-  place_one(context, walls, batch, k, events);
+  relocate_one(context, walls, batch, k, events);
 }
 } // namespace dem

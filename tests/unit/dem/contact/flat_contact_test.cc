@@ -4,8 +4,8 @@
 
 #include <shape/test_shapes.h>
 
-// Places where a particle is nearly flat: r = r0 (1 + a P2(cos theta)) has the
-// curvature (1 + 4 a) / (r0 (1 + a)^2) at its poles.
+// Contact points at which a particle is nearly flat: r = r0 (1 + a P2(cos
+// theta)) has the curvature (1 + 4 a) / (r0 (1 + a)^2) at its poles.
 namespace
 {
 using dem::Vec3;
@@ -29,7 +29,7 @@ Vec3 beside(double pole_z, double angle)
 constexpr double overlap = 1e-3 * size;
 } // namespace
 
-TEST(FlatPlace, IsReachedAlongAPlane)
+TEST(FlatContact, IsReachedAlongAPlane)
 {
   const dem::ParticleShape particle = flat_particle();
   const dem::Support found =
@@ -38,7 +38,7 @@ TEST(FlatPlace, IsReachedAlongAPlane)
   EXPECT_NEAR(found.height, pole, 1e-9 * size);
 }
 
-TEST(FlatPlace, IsReachedOnAnEndOfADrum)
+TEST(FlatContact, IsReachedOnAnEndOfADrum)
 {
   const dem::ParticleShape particle = flat_particle();
   dem::Drum drum;
@@ -55,7 +55,7 @@ TEST(FlatPlace, IsReachedOnAnEndOfADrum)
   EXPECT_NEAR(found.overlap, overlap, 1e-9 * size);
 }
 
-TEST(FlatPlace, IsReachedBetweenParticles)
+TEST(FlatContact, IsReachedBetweenParticles)
 {
   const dem::ParticleShape particle = flat_particle();
   const dem::RelativePose above{{0., 0., 2. * pole - overlap},
@@ -69,8 +69,8 @@ TEST(FlatPlace, IsReachedBetweenParticles)
 
 // The height of a surface along a normal has a maximum above every start. Steps
 // of Newton alone miss it on the sides of a rounded cube, which are flat or
-// hollow in places.
-TEST(FlatPlace, SupportOfACubeIsFoundFromAside)
+// hollow in parts.
+TEST(FlatContact, SupportOfACubeIsFoundFromAside)
 {
   const dem::ParticleShape cube = dem::make_shape(
       std::make_shared<const dem::Coefficients>(dem::test::project(

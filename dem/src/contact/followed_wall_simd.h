@@ -2,16 +2,17 @@
 
 #include "surface_simd.h"
 
-/// Particles whose places on walls were found before the loop, in lanes.
+/// Particles whose contact points on walls were found before the loop, in
+/// lanes.
 namespace dem::kernel
 {
 namespace
 {
 /// The contact is half way between the wall, where the row is, and the
 /// particle.
-SupportGeometry known_place(const Task &task, std::int64_t k,
-                            const ParticleSimd &a, const WallSimd &wall,
-                            const SimdMask &is_valid)
+SupportGeometry followed_geometry(const Task &task, std::int64_t k,
+                                  const ParticleSimd &a, const WallSimd &wall,
+                                  const SimdMask &is_valid)
 {
   const std::int32_t *row = task.contacts.b + k;
   const Simd depth([&task, row](auto lane)
@@ -28,15 +29,15 @@ SupportGeometry known_place(const Task &task, std::int64_t k,
 }
 
 template <class Law>
-[[gnu::flatten]] void advance_placed_walls(const Task &task, std::int64_t k,
-                                           int n_valid, Losses<Simd> &lost,
-                                           const Target &target)
+[[gnu::flatten]] void advance_followed_walls(const Task &task, std::int64_t k,
+                                             int n_valid, Losses<Simd> &lost,
+                                             const Target &target)
 {
   const ParticleSimd a(task.particles.state, task.contacts.a + k);
   const WallSimd wall(task.walls, task.contacts.b + k);
-  advance_at_wall<Law>(task, k, n_valid, a, wall,
-                       known_place(task, k, a, wall, valid_lanes(n_valid)),
-                       lost, target);
+  advance_at_wall<Law>(
+      task, k, n_valid, a, wall,
+      followed_geometry(task, k, a, wall, valid_lanes(n_valid)), lost, target);
 }
 } // namespace
 } // namespace dem::kernel

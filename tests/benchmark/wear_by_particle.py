@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Whether what wears in one run is what wears in another.
 
-    wear_places.py RUN,OTHER [RUN,OTHER ...]
+    wear_by_particle.py RUN,OTHER [RUN,OTHER ...]
 
 Each pair names the folders of two runs of one specimen. From their events.csv:
 how many particles and contacts (of two particles, or of a particle and a boundary) have
@@ -35,9 +35,9 @@ def removed(folder):
 
 
 def correlation(one, other):
-    places = sorted(one.keys() | other.keys())
-    return statistics.correlation([one[place] for place in places],
-                                  [other[place] for place in places])
+    keys = sorted(one.keys() | other.keys())
+    return statistics.correlation([one[key] for key in keys],
+                                  [other[key] for key in keys])
 
 
 def main():

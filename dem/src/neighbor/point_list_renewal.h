@@ -11,8 +11,8 @@
 #include <span>
 #include <utility>
 
-/// Lists of places by pair of bodies: what those of particles and of walls have
-/// in common.
+/// Lists of contact points by pair of bodies: what those of particles and of
+/// walls have in common.
 namespace dem
 {
 namespace
@@ -55,9 +55,9 @@ public:
   }
 
 private:
-  PairKey key_of(std::size_t place) const
+  PairKey key_of(std::size_t index) const
   {
-    const std::size_t k = row_of(order[place]);
+    const std::size_t k = row_of(order[index]);
     return {batch.a[k], second_of(batch.b[k])};
   }
 
@@ -84,7 +84,7 @@ struct PairList
     return all;
   }
 
-  /// Keeps an old contact unless one that is kept is at its place.
+  /// Keeps an old contact unless another one is at the same contact point.
   void keep(const Row &row)
   {
     const bool is_double = std::any_of(
@@ -93,7 +93,7 @@ struct PairList
         {
           // On walls beside each other on the particle, and of one
           // patch.
-          return is_one_place(row.contact_point, other.contact_point) &&
+          return is_one_contact_point(row.contact_point, other.contact_point) &&
                  is_one_patch(row.foot.normal, other.foot.normal);
         });
     if (is_double)
@@ -122,14 +122,15 @@ struct PairList
   }
 };
 
-/// A contact that has come to another place, or lost its own.
+/// A contact that has come to another contact point, or lost its own.
 inline bool has_displaced(const ContactBatch &batch, std::size_t k)
 {
   return batch.displaced[k] != 0 ||
          batch.overlap_offset[k] >= kernel::closed_offset;
 }
 
-/// Touching contacts come first: of two at one place the other one goes.
+/// Touching contacts come first: of two at one contact point the second is
+/// removed.
 inline std::vector<std::size_t> alive_first(const ContactBatch &batch,
                                             const OldRows &old)
 {
@@ -177,7 +178,7 @@ inline bool have_displaced(const ContactBatch &batch, const OldRows &old)
   return false;
 }
 
-inline bool has_open_places(const ContactBatch &batch, const OldRows &old)
+inline bool has_open_contacts(const ContactBatch &batch, const OldRows &old)
 {
   for (const std::int32_t k : old)
     if (!batch.is_touching(row_of(k)))
@@ -185,7 +186,7 @@ inline bool has_open_places(const ContactBatch &batch, const OldRows &old)
   return false;
 }
 
-/// Places of the entries as they will stand, in the order of the pairs until
+/// Rows of the entries after the update, in the order of the pairs until
 /// they are put in another one.
 struct Arrangement
 {
@@ -256,7 +257,7 @@ inline void arrange(const ContactPointSearchInput &input, const Arrangement &to,
       continue;
     const ContactPoint &contact_point = to.row[k]->contact_point;
     if (input.layout.has_partners)
-      place_pair(input.context, batch, k, contact_point);
+      renew_sides(input.context, batch, k, contact_point);
     else
       renew_side(input.context, batch, k, true, contact_point.on_a);
     batch.overlap_offset[k] =
@@ -344,7 +345,7 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
         const bool is_due =
             pair.due < watch.path_length(pair.key) + input.notice ||
             have_displaced(batch, old) ||
-            (pair.skin > 2. * input.skin && has_open_places(batch, old));
+            (pair.skin > 2. * input.skin && has_open_contacts(batch, old));
         return is_due ? make(pair, old) : unchanged(old);
       });
   ContactPointEvents events;

@@ -9,7 +9,7 @@ namespace dem
 {
 /// A drum as particles that follow their surfaces meet it: rows and overlaps by
 /// ContactBatch::b. Rows of contacts that touch say where they were before.
-struct PlacedDrum
+struct FollowedDrum
 {
   const Drum &drum;
   const DrumLifter &lifter; ///< where the drum stands now
@@ -18,7 +18,7 @@ struct PlacedDrum
 };
 
 /// The same for a facet surface, with the contact_points of the contacts.
-struct PlacedFacets
+struct FollowedFacets
 {
   FacetMesh mesh;
   FacetCandidates &candidates;
@@ -27,18 +27,18 @@ struct PlacedFacets
   std::vector<double> &overlap; ///< < 0: a gap [m]
 };
 
-/// Brings every contact of the batch from where it was to its place, and makes
-/// its row. A contact that has lost its place stays open until the lists are
-/// rebuilt; one that has come to another place takes no more energy than it
-/// had; both are counted in what is returned.
-ForceSum place_on_drum(const ForceContext &context, const PlacedDrum &walls,
-                       ContactBatch &batch);
-ForceSum place_on_facets(const ForceContext &context, const PlacedFacets &walls,
-                         ContactBatch &batch);
+/// Finds the contact point of every contact of the batch from the previous one
+/// and sets its row. A contact that has lost its contact point stays open until
+/// the lists are rebuilt; one that has jumped to another contact point gains no
+/// energy; both are counted in the result.
+ForceSum relocate_on_drum(const ForceContext &context,
+                          const FollowedDrum &walls, ContactBatch &batch);
+ForceSum relocate_on_facets(const ForceContext &context,
+                            const FollowedFacets &walls, ContactBatch &batch);
 
 /// Contact k alone: its particle has changed its shape.
-void place_again(const ForceContext &context, const PlacedDrum &walls,
-                 ContactBatch &batch, std::size_t k);
-void place_again(const ForceContext &context, const PlacedFacets &walls,
-                 ContactBatch &batch, std::size_t k);
+void relocate_again(const ForceContext &context, const FollowedDrum &walls,
+                    ContactBatch &batch, std::size_t k);
+void relocate_again(const ForceContext &context, const FollowedFacets &walls,
+                    ContactBatch &batch, std::size_t k);
 } // namespace dem
