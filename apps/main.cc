@@ -70,7 +70,7 @@ std::string usage()
 }
 
 /// OpenBLAS would start one thread per core for matrices of a few rows. It
-/// reads its environment before main, so it is told by its own function.
+/// reads its environment before main, so it is set by its own function.
 void use_one_blas_thread()
 {
   using Setter = void (*)(int);

@@ -41,7 +41,7 @@ SPALL_EARLY bool may_have_threads(int n_words, char **words)
          CPU_COUNT(&cores) > 1;
 }
 
-/// If the start fails, the run goes on with the policy of the library.
+/// If the start fails, the run continues with the policy of the library.
 SPALL_EARLY void set_wait_policy(int n_words, char **words, char **environment)
 {
   if (!may_have_threads(n_words, words))

@@ -34,7 +34,7 @@ enum class StepRule
   error   ///< as stable, and short enough for the tolerances
 };
 
-/// How particles and membrane go through time together; not said: refused.
+/// How particles and membrane are integrated in time together; must be set.
 enum class ExchangeChoice
 {
   none,
@@ -88,7 +88,7 @@ struct PreparationParameters
   double local_damping = 0.5;     ///< D_a [-]
   double stress_tolerance = 0.02; ///< of each axis against the target [-]
   double unbalanced_ratio = 1e-3; ///< largest unbalanced force ratio [-]
-  double max_time = 1.;           ///< gives up after this [s]
+  double max_time = 1.;           ///< largest duration [s]
   double safety = 0.; ///< share of the stable step; 0: steps as loading [-]
 };
 
@@ -254,7 +254,7 @@ struct DrumParameters
   int checkpoint_every = 1; ///< turns; 0: only at the end
 };
 
-/// OpenMP threads that a user may ask for.
+/// Largest number of OpenMP threads.
 constexpr int most_threads = 1024;
 
 struct Case
@@ -328,7 +328,7 @@ struct Case
       any = T{};
     return *std::any_cast<T>(&any);
   }
-  /// The same; throws std::out_of_range if the kind never asked for them.
+  /// The same; throws std::out_of_range if the kind has none.
   template <class T>
   const T &own() const
   {

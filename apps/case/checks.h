@@ -39,7 +39,7 @@ void check_inertia(const Case &c, const SourceLocation &location);
 /// Time/step = error is refused.
 void check_no_step_error(const Case &c, const SourceLocation &location);
 
-/// What no single range can say: parameters against each other and against
+/// Checks beyond single ranges: parameters against each other and against
 /// the files they name. Throws InputError.
 void check_case(const Case &parameters, const SourceLocation &location);
 } // namespace spall

@@ -117,8 +117,8 @@ std::string take(Values &values, Assignment a,
   return name;
 }
 
-/// Checks the names of a file, remembers its locations, takes its values.
-/// deal.II's own parser knows no quotes.
+/// Checks the names of a file, stores its locations and its values.
+/// deal.II's own parser supports no quotes.
 void take_file(Values &values, const std::string &file,
                const std::vector<Parameter> &list)
 {
@@ -240,7 +240,7 @@ Override parse_override(const std::string &text)
 
 namespace
 {
-/// What the file or the command line says; the first kind if neither does. May
+/// Value of the file or the command line; the first kind if neither does. May
 /// be the name of no kind.
 std::string kind_said(const std::string &file,
                       std::span<const Override> overrides)
@@ -277,7 +277,7 @@ void check_kind(const Case &parameters, const std::vector<Parameter> &list,
                "key " + parameter.key + " in section " + parameter.section);
 }
 
-/// Where the file or folder is, if it is there and may be looked at.
+/// Where the file or folder is, if it exists and is readable.
 std::optional<std::string> path_of(const Case &of, const std::string &name)
 {
   std::error_code status;
@@ -305,7 +305,7 @@ std::uint64_t digest_of(const fs::path &path)
   return all.value();
 }
 
-/// Of the files that a checkpoint is to know again. One that is not there is
+/// Of the files that a checkpoint identifies. One that is not there is
 /// refused where it is used.
 void note_contents(Case &of)
 {

@@ -33,7 +33,7 @@ std::string without_comments(const std::string &printed);
 /// gives the same case.
 std::string resolved_case(const Case &parameters);
 
-/// The defaults of a kind, and what its cases have to say besides.
+/// The defaults of a kind, and what its cases must set besides.
 Case template_defaults(const std::string &kind);
 
 /// That as a commented case. Throws InputError.

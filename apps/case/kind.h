@@ -23,7 +23,7 @@ struct Section
   std::vector<std::string> old_names = {}; ///< deprecated, still read
 };
 
-/// A kind of test: everything that the program knows of it. A new kind is one
+/// A kind of test: everything that the program needs. A new kind is one
 /// such entry, made in the folder of the kind, and its line in
 /// test/registry.cc (docs/developer/extending.md).
 struct TestKind

@@ -9,7 +9,7 @@
 
 namespace spall
 {
-/// What a line of the list says besides its field and range.
+/// Text of a line of the list besides its field and range.
 struct Text
 {
   std::string key, unit, sentence, reason = "";

@@ -46,7 +46,7 @@ struct Choice
   std::function<void(std::size_t)> set;
 };
 
-/// One entry of a case: where its value lives and what is said about it.
+/// One entry of a case: its field, description and range.
 struct Parameter
 {
   std::string section, key;
@@ -61,7 +61,7 @@ struct Parameter
   /// It decides the prepared particles of a kind whose preparations can be
   /// shared (test/preparation_text.h).
   bool decides_preparation = true;
-  /// A resumed run may have another value: it ends the run, stops it, or says
+  /// A resumed run may have another value: it ends the run, stops it, or sets
   /// how often something is written, and changes nothing that is computed.
   bool may_change = false;
 
@@ -78,7 +78,7 @@ std::string allowed(const Parameter &parameter);
 /// The value as text that assign takes back without loss.
 std::string value_text(const Parameter &parameter);
 
-/// Throws std::invalid_argument that says what is allowed.
+/// Throws std::invalid_argument with what is allowed.
 void assign(const Parameter &parameter, const std::string &text);
 
 /// Shortest text that reads back as the same number.

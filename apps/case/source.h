@@ -17,7 +17,7 @@ struct Assignment
 void skip_byte_order_mark(std::istream &in);
 
 /// Reads the structure of a .prm or .json file, so that every fault is named
-/// with its line before ParameterHandler sees the file. Throws InputError:
+/// with its line before ParameterHandler reads the file. Throws InputError:
 /// missing file, unreadable line, section left open, a key set twice.
 std::vector<Assignment> read_assignments(const std::string &file);
 } // namespace spall

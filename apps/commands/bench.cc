@@ -114,7 +114,7 @@ BenchOptions parse_options(Words words)
   return options;
 }
 
-/// What the engine says about the scene when the timed steps begin.
+/// State of the engine when the timed steps begin.
 void describe(const dem::Engine &engine, BenchResult &result)
 {
   const dem::ParticleSystem &particles = engine.particles();

@@ -19,7 +19,7 @@ namespace spall
 {
 namespace
 {
-/// Where `--preparations` says, if there is such a folder.
+/// The folder of `--preparations`, if it exists.
 std::optional<PreparationStore> find_store(const std::string &folder,
                                            const std::string &text)
 {
@@ -64,7 +64,7 @@ MeanStep run_a_while(const Case &parameters, Test &test, Recorder &writer,
   return step;
 }
 
-/// Takes the preparation if it is kept in the store, and says so.
+/// Takes the preparation if it is in the store, and reports it.
 void take_kept(const std::optional<PreparationStore> &store, Test &test)
 {
   if (!store)

@@ -134,7 +134,7 @@ std::vector<std::string> unknown_names(const StudyData &data,
   return unknown;
 }
 
-/// Throws InputError where the study asks for what its cases do not have.
+/// Throws InputError where the study uses what its cases do not have.
 void check_names(const StudyData &data, const fs::path &folder)
 {
   if (std::ranges::none_of(data.results, &PointResult::is_done))

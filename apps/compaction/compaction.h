@@ -59,7 +59,7 @@ public:
   void restore(std::istream &in) override;
 
 private:
-  /// What a report says besides the roundness of each particle.
+  /// Results of a report besides the roundness of each particle.
   struct Report
   {
     double time = 0.; ///< of vibration [s]
@@ -110,7 +110,7 @@ private:
   void start_vibration();
   void build_plate();
   void build_tube();
-  bool has_windows() const; ///< Coupling says how particles and bodies meet
+  bool has_windows() const; ///< section Coupling applies
   coupling::ExchangeParameters exchange_rules() const;
   double plate_load() const; ///< of the particles, up [N]
   void step_joined(double time_step);

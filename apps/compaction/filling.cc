@@ -9,7 +9,7 @@ std::string filling_text(const Case &parameters, const ShapeLibrary &shapes,
 {
   const std::string text =
       preparation_text(parameters, shapes, parameters.filling.safety);
-  // Steps as Time says are those that plate and sleeve allow, too.
+  // Steps by the section Time are those that plate and sleeve allow, too.
   return parameters.filling.safety > 0.
              ? text
              : text + "longest step = " + number_text(longest_step) + "\n";

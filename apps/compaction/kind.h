@@ -9,7 +9,7 @@ TestKind compaction_kind();
 
 /// The keys of its sections.
 void add_compaction(List &list, Case &of);
-/// What no single range can say. Throws InputError.
+/// Checks beyond single ranges. Throws InputError.
 void check_compaction(const Case &parameters, const SourceLocation &location);
 /// Its headlines, rows of the table and charts.
 const KindReport &compaction_report();

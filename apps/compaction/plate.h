@@ -28,7 +28,7 @@ fem::Solid elastic_plate(const Case &parameters, double height);
 class CompactionPlate
 {
 public:
-  // Bodies know where it is.
+  // Bodies hold its address.
   CompactionPlate(const CompactionPlate &) = delete;
   CompactionPlate &operator=(const CompactionPlate &) = delete;
   /// Adds it to `joined`, its lower face at this height [m]; a rigid one is the

@@ -1,4 +1,4 @@
-// What a vibratory compaction says of itself.
+// Messages of a vibratory compaction.
 #include "case/parameter.h"
 #include "compaction/compaction.h"
 #include "test/roundness_table.h"
@@ -27,7 +27,7 @@ std::string Compaction::outcome() const
   return text;
 }
 
-/// Where the filling has not come to what it was asked for.
+/// Where the filling has missed its required density.
 std::vector<std::string> Compaction::density_warnings() const
 {
   constexpr double noticeable = 0.005; // [-]

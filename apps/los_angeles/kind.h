@@ -9,7 +9,7 @@ TestKind los_angeles_kind();
 
 /// The keys of its sections.
 void add_los_angeles(List &list, Case &of);
-/// What no single range can say. Throws InputError.
+/// Checks beyond single ranges. Throws InputError.
 void check_los_angeles(const Case &parameters, const SourceLocation &location);
 /// Its headlines, rows of the table and charts.
 const KindReport &los_angeles_report();

@@ -47,7 +47,7 @@ private:
   double start_time = 0.;   ///< of the first turn [s]
   double turns_before = 0.; ///< at the last step [-]
   bool is_turning = false;
-  bool is_rough = false; ///< of a forecast: not asked for rest
+  bool is_rough = false; ///< of a forecast: rest is not required
   double unrest = 0.;    ///< unbalanced weight ratio when it began to turn [-]
   mutable dem::RoundnessBook roundness;
   std::vector<NamedText> files;

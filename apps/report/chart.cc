@@ -22,7 +22,7 @@ constexpr const char *font =
 std::string px(double value)
 {
   std::string text = format_fixed(value, 1);
-  // Paths want a plain minus.
+  // Paths need a plain minus.
   if (const auto position = text.find("\u2212"); position != std::string::npos)
     text.replace(position, std::string("\u2212").size(), "-");
   return text;

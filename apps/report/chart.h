@@ -51,7 +51,7 @@ Axis nice_axis(double low, double high, int n);
 /// The whole decades that cover the range; of one at least.
 Axis decade_axis(double low, double high);
 
-/// Colour-blind safe (Okabe and Ito), told apart by the dashes in print.
+/// Colour-blind safe (Okabe and Ito), distinguished by the dashes in print.
 std::string palette_colour(std::size_t k);
 inline constexpr std::size_t palette_size = 8; ///< then they come again
 std::string palette_dash(std::size_t k);

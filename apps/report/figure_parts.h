@@ -37,6 +37,6 @@ const Column *find_or_note(const Table &table, const std::string &column,
 /// An empty curve in the style of run k, named if there are several runs.
 Curve run_curve(std::span<const RunData> runs, std::size_t k);
 
-/// An empty chart over cycles for run k alone; says so among several runs.
+/// An empty chart over cycles for run k alone; named so among several runs.
 Chart chart_of_run(std::span<const RunData> runs, std::size_t k, Chart chart);
 } // namespace spall

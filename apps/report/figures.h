@@ -9,6 +9,6 @@
 namespace spall
 {
 /// The charts of one run, or of several runs in the same axes. A chart without
-/// curves says in its notes what was missing.
+/// curves lists in its notes what was missing.
 std::vector<Chart> make_charts(std::span<const RunData> runs);
 } // namespace spall

@@ -31,7 +31,7 @@ struct KindReport
   std::vector<Headline> headlines;
   std::vector<SummaryRow> rows; ///< besides those of every kind
   /// The charts of one run, or of several in the same axes. A chart without
-  /// curves says in its notes what was missing.
+  /// curves lists in its notes what was missing.
   std::vector<Chart> (*charts)(std::span<const RunData> runs);
 };
 

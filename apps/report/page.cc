@@ -141,7 +141,7 @@ std::string specimens(const Report &report)
   for (std::size_t k = 0; k < report.pictures.size(); ++k)
   {
     out += figure_of(report, k, report.pictures[k], specimen_caption);
-    // What is missing has been said once.
+    // What is missing has been reported once.
     if (!report.networks[k].png.empty())
       out += figure_of(report, k, report.networks[k], network_caption);
     if (!report.grounds[k].png.empty())

@@ -36,7 +36,7 @@ struct Ground
   Nodes rest, moved;
 };
 
-/// Without nodes if the file cannot be read or does not say how they moved.
+/// Without nodes if the file cannot be read or has no displacements.
 void read_ground(const std::string &path, Ground &ground)
 {
   read_grid(path, ground.grid);

@@ -4,7 +4,7 @@
 
 namespace spall
 {
-/// Files of the subgrade at one instant, which the title says [s since the
+/// Files of the subgrade at one instant, given in the title [s since the
 /// first frame], and where it began. An empty plate: there is none.
 struct GroundFiles
 {

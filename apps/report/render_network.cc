@@ -95,7 +95,7 @@ void add_tubes(vtkRenderer *renderer, vtkPolyData *lines,
 }
 
 /// Outward of where the membrane was put, from its axis [mm], by points; false
-/// if the file does not say.
+/// if the file has none.
 bool add_bulge(vtkPolyData *faces)
 {
   vtkDataArray *moved = faces->GetPointData()->GetArray("displacement_m");

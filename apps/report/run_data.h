@@ -19,7 +19,7 @@ struct Table
   std::size_t n_rows() const { return columns.empty() ? 0 : columns[0].size(); }
 };
 
-/// What a report knows of one run. Only history.csv has to be there.
+/// Data of one run in a report. Only history.csv has to be there.
 struct RunData
 {
   std::string folder;
@@ -42,7 +42,7 @@ Table read_table(const std::string &path);
 /// Throws InputError unless the folder holds a history.csv.
 RunData read_run(const std::string &folder);
 
-/// Several runs with names that tell them apart.
+/// Several runs with distinct names.
 std::vector<RunData> read_runs(const std::vector<std::string> &folders);
 
 /// Rows of the ends of cycles 1, 2, ... (as far as the run went), after row 0,

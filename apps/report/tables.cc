@@ -101,7 +101,7 @@ std::vector<std::string> phases_of(std::span<const RunData> runs)
   return phases;
 }
 
-/// [s]; NaN if the run does not say.
+/// [s]; NaN if the run has none.
 double seconds(const RunData &run, const std::string &phase)
 {
   const auto clock = run.summary.find("wall_clock_s");

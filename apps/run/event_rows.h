@@ -7,8 +7,8 @@
 
 namespace spall
 {
-/// Header of events.csv; `progress` names the column that says how far the test
-/// was: cycle_1, displacement_m, turn_1.
+/// Header of events.csv; `progress` names the column with the progress of the
+/// test: cycle_1, displacement_m, turn_1.
 std::string events_header(const std::string &progress);
 
 /// The row of one event.

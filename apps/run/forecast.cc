@@ -11,7 +11,7 @@ namespace spall
 {
 namespace
 {
-/// What a half takes, what one that goes on to a whole period takes at most,
+/// What a half takes, what one that continues to a whole period takes at most,
 /// and beyond which expectation that is not tried [s].
 constexpr double half = 5., longest_half = 30., hopeless = 120.;
 

@@ -27,13 +27,13 @@ struct TestTimes
   std::function<int()> n_frames = [] { return 0; }; ///< written so far
 };
 
-/// Steps of a test for ten seconds, or until `advance` says that it is over,
+/// Steps of a test for ten seconds, or until `advance` returns that it is over,
 /// and from them the mean over its duration. What has been run takes what it
 /// took, and what is left costs as much as the second half of that. Either half
-/// goes on to a whole period, if one takes no more than half a minute: impacts
-/// and events have their times in it, and the first load breaks most. Frames at
-/// intervals are longer than that apart; what the rest has more or less of them
-/// than the second half is said. `threads` as for ThreadChoice.
+/// continues to a whole period, if one takes no more than half a minute:
+/// impacts and events have their times in it, and the first load breaks most.
+/// Frames at intervals are longer than that apart; what the rest has more or
+/// less of them than the second half is said. `threads` as for ThreadChoice.
 MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
                     int threads, const std::function<bool()> &advance);
 

@@ -8,7 +8,7 @@
 
 namespace spall
 {
-/// What `spall run` is told.
+/// Options of `spall run`.
 struct RunOptions
 {
   std::string case_file, out; ///< out: the run folder
@@ -20,7 +20,7 @@ struct RunOptions
   bool is_overwriting = false; ///< a run that could be resumed
 };
 
-/// Whether the user asked to stop (SIGINT, SIGTERM).
+/// Whether the user requested a stop (SIGINT, SIGTERM).
 bool is_stop_asked();
 
 /// Runs a case of its kind into its folder. Throws InputError or RunFailure.

@@ -10,7 +10,7 @@ namespace spall
 class OverlapNews
 {
 public:
-  /// What the engine has seen until now is known already.
+  /// Overlaps of the engine until now have been reported.
   explicit OverlapNews(const dem::Engine &engine);
 
   /// A line the first time, and whenever the largest overlap over radius has

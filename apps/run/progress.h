@@ -21,7 +21,7 @@ public:
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
 
-  /// True when show() would print: ask before gathering what it needs.
+  /// True when show() would print: check before gathering what it needs.
   bool is_due() const;
   /// `share` of the whole that is done, 0 to 1; `rate` in steps per second;
   /// `numbers`: what the test has come to, as it is to be read.

@@ -4,8 +4,9 @@
 
 namespace spall
 {
-/// What the name of a column or of an outcome says: permanent_axial_strain_1
-/// are the words "permanent axial strain" and the unit "–".
+/// Quantity and unit from the name of a column or of an outcome:
+/// permanent_axial_strain_1 are the words "permanent axial strain" and the unit
+/// "–".
 struct QuantityName
 {
   std::string words;

@@ -12,7 +12,7 @@ public:
   /// `n_before` are known already.
   explicit Refusals(int n_before) : said(n_before) {}
 
-  /// What there is to say of `now` events by `time` [s], the first time and
+  /// Message on `now` events by `time` [s], the first time and
   /// whenever their number has doubled since; else empty.
   std::string news(int now, double time);
 

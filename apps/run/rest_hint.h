@@ -6,7 +6,7 @@
 
 namespace spall
 {
-/// What to look at where a layer that was poured does not come to rest, with
+/// Parameters to check where a poured layer does not come to rest, with
 /// the values of the keys of this section. Damping near 1 slows the fall, too.
 inline std::string rest_hint(const std::string &section, double max_time,
                              double unbalanced_ratio, double local_damping)

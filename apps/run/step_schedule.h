@@ -11,8 +11,8 @@ namespace spall
 class StepSchedule
 {
 public:
-  /// Starts a stage, or goes on after `intervals` of it; infinite length: it is
-  /// not known when it ends [s].
+  /// Starts a stage, or continues after `intervals` of it; infinite length: it
+  /// is not known when it ends [s].
   void begin(double length, double longest_step, std::int64_t intervals = 0);
   /// From now on no step is longer than this [s].
   void replan(double longest_step);

@@ -15,9 +15,9 @@ namespace spall
 {
 namespace
 {
-/// Steps between two looks, windows where a window has several.
+/// Steps between two checks, windows where a window has several.
 constexpr std::int64_t check_interval = 200, fixed_interval = 1000;
-/// Looks between two questions for the frequency of the membrane.
+/// Checks between two evaluations of the frequency of the membrane.
 constexpr std::int64_t membrane_interval = 15;
 /// The frequency of the membrane may have grown by this since [-].
 constexpr double membrane_headroom = 1.02;

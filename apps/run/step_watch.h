@@ -10,13 +10,13 @@
 
 namespace spall
 {
-/// What the watch has seen; plain data for the checkpoint.
+/// Results of the checks; plain data for the checkpoint.
 struct StepRecord
 {
   std::int64_t n_checks = 0;
-  double limit = 0.;         ///< allowed by contacts and walls, last asked [s]
+  double limit = 0.;         ///< allowed by contacts and walls, last check [s]
   double longest = 0.;       ///< step that may be taken, safety applied [s]
-  double membrane_step = 0.; ///< of the membrane alone, last asked; 0: none [s]
+  double membrane_step = 0.; ///< of the membrane alone, last check; 0: none [s]
   double said = 0.;          ///< step of the last line in the log [s]
   double worst_share = 0.;   ///< largest fixed step over limit [-]
   double worst_gain = 0.;    ///< of the windows of one pass [-]
@@ -34,7 +34,7 @@ struct Surroundings
   bool has_membrane() const { return membrane != nullptr; }
 };
 
-/// Looks at the contacts that exist and says how long a step may be.
+/// Checks the present contacts and reports the longest stable step.
 class StepWatch
 {
 public:
@@ -44,17 +44,17 @@ public:
 
   /// Whether a look is due after so many steps, or windows of several.
   bool is_due(std::int64_t n_steps) const;
-  /// Looks. With the rules stable and error, `longest` is then at most safety
+  /// Checks. With the rules stable and error, `longest` is then at most safety
   /// times the limit, and grows by no more than a tenth at a time. With
-  /// the rule fixed a step above the limit is said in the log.
+  /// the rule fixed a step above the limit is reported in the log.
   void update(const dem::Engine &engine, const Surroundings &around,
               double present_step);
-  /// Says what the present contacts allow: bound, sharp limit, which particle.
-  /// Throws RunFailure where a fixed step is above the sharp limit, unless
-  /// Time/allow_unstable_step says so.
+  /// Reports what the present contacts allow: bound, sharp limit, which
+  /// particle. Throws RunFailure where a fixed step is above the sharp limit,
+  /// unless Time/allow_unstable_step is set.
   void report(const dem::Engine &engine, const Surroundings &around,
               double present_step);
-  /// The membrane has come or gone: its frequency is asked again.
+  /// The membrane has come or gone: its frequency is evaluated again.
   void forget_membrane() { record.membrane_step = 0.; }
   /// From now on another rule; a longer step is come to look by look.
   void follow(const TimeParameters &rule);
@@ -73,7 +73,7 @@ public:
   void set_state(const StepRecord &state) { record = state; }
 
 private:
-  /// Springs of the contacts, and of the membrane as it was last asked.
+  /// Springs of the contacts, and of the membrane at its last evaluation.
   dem::SpringNetwork springs(const dem::Engine &engine,
                              const Surroundings &around, double horizon);
   /// Step that the gain of one pass allows [s]; throws RunFailure above 1.

@@ -9,7 +9,7 @@ namespace spall
 {
 double TimeLeft::after(double now, double share)
 {
-  // What stood still before, a preparation, says nothing of the rest.
+  // What stood still before, a preparation, is no measure of the rest.
   if (!seen.empty() && seen.back().share >= share)
     seen.clear();
   seen.push_back({now, share});
@@ -25,7 +25,7 @@ double RestTime::after(double now, double ratio)
 {
   if (first == 0.)
     first = ratio;
-  // What swings back in between says nothing of the end.
+  // Oscillations in between are no measure of the end.
   if (first > target && (least == 0. || ratio < least))
   {
     least = ratio;

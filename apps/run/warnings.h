@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What a reader of the results of a run must know. The lines stand in
+/// Warnings on the results of a run. The lines stand in
 /// summary.json, at the end of the log and at the top of the report.
 namespace spall
 {

@@ -10,7 +10,7 @@ namespace spall
 /// What a loss of power may take from a file that has its name.
 enum class Durability
 {
-  usual,  ///< what the system has not yet brought to the disk
+  usual,  ///< what the system has not yet written to the disk
   on_disk ///< nothing: file and name are synchronised (fsync)
 };
 

@@ -41,7 +41,7 @@ void require_radius(const ShapeFile &shape, const dem::Coefficients &series)
                      "not carry the shape");
 }
 
-/// Moves the origin to the centroid and says so.
+/// Moves the origin to the centroid and reports it.
 void put_at_centroid(const ShapeFile &shape, dem::Coefficients &series,
                      std::vector<std::string> &warnings)
 {

@@ -27,7 +27,7 @@ LoadedShape loaded_shape(const ShapeFile &shape, int order);
 std::shared_ptr<const dem::Coefficients>
 load_with_warnings(const ShapeFile &shape, int order);
 
-/// A line that says how much the series adds in its upper third of degrees;
+/// A line on how much the series adds in its upper third of degrees;
 /// empty where it is little [-].
 std::string resolution_warning(const dem::Coefficients &coefficients);
 } // namespace spall

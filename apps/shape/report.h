@@ -24,12 +24,12 @@ struct ShapeFacts
 /// All measures of a series; takes a third of a second.
 ShapeFacts series_facts(const dem::Coefficients &coefficients);
 
-/// What a fit says of itself, and the series against the mesh; `seconds` is
+/// Quality of a fit, and the series against the mesh; `seconds` is
 /// what it took [s].
 ShapeFacts fit_facts(const dem::ShapeFit &fit, double seconds);
 
 /// Whether the series misses more than 1 % of the volume or 5 % of the length
-/// of the mesh, and a line that says how much.
+/// of the mesh, and a line with the amount.
 bool has_misfit(const dem::ShapeFit &fit);
 std::string misfit_text(const dem::ShapeFit &fit);
 

@@ -10,7 +10,7 @@
 
 namespace spall
 {
-/// What `spall shape` was told; options that were not given have their default.
+/// Options of `spall shape`; those that were not given have their default.
 struct ShapeWords
 {
   std::vector<std::string> inputs; ///< mesh, shape file or folders of shapes

@@ -9,7 +9,7 @@ TestKind single_particle_kind();
 
 /// The keys of its sections.
 void add_single_particle(List &list, Case &of);
-/// What no single range can say. Throws InputError.
+/// Checks beyond single ranges. Throws InputError.
 void check_single_particle(const Case &parameters,
                            const SourceLocation &location);
 /// Its headlines, rows of the table and charts.

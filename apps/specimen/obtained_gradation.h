@@ -28,7 +28,7 @@ struct ObtainedGradation
   /// Mass of a sphere of this diameter over the mass of all particles [-]
   std::vector<double> one_particle;
 
-  double largest_difference() const; ///< of obtained and asked [-]
+  double largest_difference() const; ///< of obtained and required [-]
 };
 
 /// Of the particles of a case before any has broken. Their size is twice the

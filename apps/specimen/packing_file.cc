@@ -34,7 +34,7 @@ std::string file_text(const std::string &path)
   while ((n = gzread(file, block.data(),
                      static_cast<unsigned int>(block.size()))) > 0)
     text.append(block.data(), static_cast<std::size_t>(n));
-  // A file that ends in the middle is told by the last call.
+  // A file that ends in the middle is reported by the last call.
   if (gzclose_r(file) != Z_OK || n < 0)
     throw InputError(path + ": cannot be unpacked, is it cut off?");
   return text;

@@ -162,7 +162,7 @@ Specimen make_specimen(const Case &parameters)
 
 namespace
 {
-/// What the exchange is asked about: the heaviest pair on the lightest node.
+/// Input of the exchange: the heaviest pair on the lightest node.
 struct MembraneNode
 {
   coupling::ExchangeContact contact;

@@ -7,7 +7,7 @@
 
 namespace spall
 {
-/// How a rise or fall goes on from one value of the sweep.
+/// How a rise or fall continues from one value of the sweep.
 enum class Course
 {
   plain,
@@ -26,10 +26,10 @@ struct Expectation
   /// Of answers_more: another key, or a value of where the same key is looked
   /// at again.
   std::string than_key, than_value;
-  std::string where_key, where_value; ///< of the cases looked at; empty: all
-  Course course = Course::plain;      ///< of rises and falls
-  std::string course_value;           ///< of the key, where not plain
-  bool has_share = false;             ///< of rises, falls and stays
+  std::string where_key, where_value;     ///< of the cases used; empty: all
+  Course course = Course::plain;          ///< of rises and falls
+  std::string course_value;               ///< of the key, where not plain
+  bool has_share = false;                 ///< of rises, falls and stays
   double share_low = 0., share_high = 0.; ///< by so much of the first value [-]
   std::string reported;                   ///< what others found, as text
 };

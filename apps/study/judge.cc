@@ -45,7 +45,7 @@ Ruling both(Ruling one, Ruling other)
   return one == Ruling::holds ? other : one;
 }
 
-/// Everything that judging by seeds looks at.
+/// All data of a comparison by seeds.
 struct Evidence
 {
   const StudyData &data;
@@ -203,7 +203,7 @@ Verdict judge_answers(const Evidence &one, const Evidence &other)
               in_words(estimate_of(b), 0.)};
 }
 
-/// Index of the level from which a rise or fall goes on otherwise; none where
+/// Index of the level from which a rise or fall changes; none where
 /// it is no inner one.
 std::optional<std::size_t> turn_of(const std::vector<Level> &levels,
                                    const Expectation &expected)
@@ -280,7 +280,7 @@ Verdict judge_seeds(const StudyData &data, const Expectation &expected)
   return verdict;
 }
 
-/// By means, where a rise or fall goes on otherwise from a level on.
+/// By means, where a rise or fall changes from a level on.
 Ruling judge_turn(const std::vector<Level> &levels, const Expectation &expected)
 {
   const std::optional<std::size_t> turn = turn_of(levels, expected);

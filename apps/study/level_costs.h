@@ -27,7 +27,7 @@ struct LevelCost
   double cost() const { return costs.front(); } ///< the one that counts
 };
 
-/// What the map says of the default of one parameter.
+/// Result of the map for the default of one parameter.
 struct DefaultCost
 {
   std::string parameter;

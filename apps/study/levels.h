@@ -31,7 +31,7 @@ struct Cut
   bool takes(const StudyPoint &point) const;
 };
 
-/// What charts and tables of a key tell apart: its cases with each variant, or,
+/// Series of the charts and tables of a key: its cases with each variant, or,
 /// in a grid of two keys, with each value of the other; else all of them.
 std::vector<Cut> series_of(const StudyData &data, std::size_t key);
 

@@ -14,7 +14,7 @@ namespace spall
 {
 namespace
 {
-/// Whether the column holds in this row what the text says, as a number.
+/// Whether the column holds in this row the number of the text.
 bool says(const std::vector<double> &column, std::size_t row,
           const std::string &value)
 {

@@ -24,7 +24,7 @@ bool has_given(const StudyData &data, const Cut &cut, std::size_t point,
          std::isfinite(data.results[point].outcomes[outcome]);
 }
 
-/// All that tells two cases apart but this key.
+/// All differences of two cases but this key.
 std::vector<std::string> all_but(const StudyPoint &point, std::size_t key)
 {
   std::vector<std::string> rest = point.values;

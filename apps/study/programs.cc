@@ -14,7 +14,7 @@ namespace spall
 {
 namespace
 {
-/// What a signal handler may look at: running programs, 0 where there is none.
+/// Data for a signal handler: running programs, 0 where there is none.
 std::array<std::atomic<pid_t>, 256> running{};
 std::atomic<bool> is_stopped = false;
 static_assert(std::atomic<pid_t>::is_always_lock_free);

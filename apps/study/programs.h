@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Runs of this program that go on beside each other.
+/// Concurrent runs of this program.
 namespace spall
 {
 /// Runs this program on the words, standard output and error into `log`;

@@ -266,7 +266,7 @@ std::string section(const TextTable &table, const std::string &more = "")
          "</section>\n";
 }
 
-/// A table that is closed until it is asked for.
+/// A table that is folded at first.
 std::string folded(const TextTable &table, const std::string &summary)
 {
   return "<details><summary>" + escape(summary) + "</summary><p>" +

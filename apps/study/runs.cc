@@ -106,7 +106,7 @@ bool holds_case(const StudyPoint &point, const fs::path &run)
          case_of(run) == without_comments(point.resolved);
 }
 
-/// Runs the case of a point, or goes on with it.
+/// Runs the case of a point, or continues it.
 PointResult run_point(const StudyPoint &point, const fs::path &folder)
 {
   PointResult result;

@@ -103,8 +103,8 @@ struct Study
 /// One case of a study.
 struct StudyPoint
 {
-  std::vector<std::string> values; ///< asked for, of the keys in their order
-  /// Those that the case has: a variant may bring others than the base.
+  std::vector<std::string> values; ///< requested, of the keys in their order
+  /// Those that the case has: a variant may set others than the base.
   std::vector<std::string> values_in_case;
   std::string seed;
   std::vector<int> sweeps; ///< keys that it is a point of
@@ -134,7 +134,7 @@ void find_folders(std::vector<StudyPoint> &points,
 struct PointResult
 {
   bool is_done = false;
-  std::string fault;            ///< what it said, if it failed
+  std::string fault;            ///< its message, if it failed
   std::vector<double> outcomes; ///< NaN where it gives none
 };
 

@@ -70,7 +70,7 @@ std::vector<Difference> differences_of(const StudyData &data, std::size_t key)
   return all;
 }
 
-/// Cells that say what a row is of: the outcome, and the other key's value.
+/// Cells that identify a row: the outcome, and the other key's value.
 Cells row_name(const StudyData &data, const Difference &d)
 {
   Cells cells = {data.study.outcomes[d.outcome]};

@@ -5,7 +5,7 @@
 
 namespace spall
 {
-/// Tables of the page of a study; without rows where there is nothing to say.
+/// Tables of the page of a study; without rows where there are no results.
 
 /// What was expected, what others found, what the cases show.
 TextTable expectation_table(const StudyData &data);
@@ -16,7 +16,7 @@ TextTable difference_table(const StudyData &data, std::size_t key);
 TextTable spread_table(const StudyData &data, std::size_t key);
 /// Error and cost of every value against the reference.
 TextTable cost_table(const StudyData &data);
-/// What that says of the defaults of the program.
+/// Conclusions for the defaults of the program.
 TextTable default_table(const StudyData &data);
 TextTable failure_table(const StudyData &data);
 TextTable case_table(const StudyData &data);

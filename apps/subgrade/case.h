@@ -177,7 +177,7 @@ struct GroundLayer
 };
 bool yields(const GroundParameters &ground);
 
-/// Throws std::invalid_argument that says what is allowed.
+/// Throws std::invalid_argument with what is allowed.
 std::vector<GroundLayer> parse_ground_layers(const std::string &text);
 std::vector<double> parse_depths(const std::string &text);
 /// Heights of the layers' tops from the bottom up [m].

@@ -21,7 +21,7 @@ using Vector = Eigen::Vector3d;
 /// How far nodes of the top may lie off its plane, and its middle node off the
 /// middle [m].
 constexpr double flat = 1e-6, central = 1e-9;
-/// Of the normal of a face that looks as much up or down as aside [-].
+/// Component of a normal at 45 degrees to the vertical [-].
 constexpr double slope = 0.5 * std::numbers::sqrt2;
 
 [[noreturn]] void refuse(const Case &c, const std::string &what)
@@ -58,7 +58,7 @@ struct Side
   }
 };
 
-/// Which part of the surface: by where the face looks.
+/// Which part of the surface, by the normal of the face.
 std::int32_t boundary_of(const Vector &normal)
 {
   constexpr double straight = 1. - 1e-6;

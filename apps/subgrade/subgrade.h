@@ -58,7 +58,7 @@ private:
     loading,
     done
   };
-  /// Numbers that a checkpoint keeps as they are.
+  /// Numbers that a checkpoint stores as they are.
   struct State
   {
     Stage stage = Stage::pouring;

@@ -38,11 +38,11 @@ bool is_of_this_version(const std::filesystem::path &path);
 /// Throws InputError if there is no checkpoint at this path.
 void require_checkpoint(const std::filesystem::path &path);
 
-/// Throws std::runtime_error if a run that is brought back has come further
-/// than the case now asks for.
+/// Throws std::runtime_error if a restored run has come further
+/// than the end of the present case.
 void refuse_shorter(const char *key, double done, double asked);
 
-/// Brings test and files back. Throws InputError if there is no checkpoint, it
+/// Restores test and files. Throws InputError if there is no checkpoint, it
 /// is damaged, or it belongs to a case with other parameters or other contents
 /// of the files that it names. Parameters with the flag may_change may differ,
 /// and those of TestKind::may_change.

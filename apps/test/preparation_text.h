@@ -12,7 +12,7 @@ namespace spall
 /// parameters with the flag decides_preparation; of the keys `gradation` and
 /// `shapes`, which name files, their contents. Left out is what the case has no
 /// use for: by `unused`, which names keys as Section/key, and of the steps what
-/// Time does not ask for, or all of it and the tolerances of Contact where the
+/// Time does not use, or all of it and the tolerances of Contact where the
 /// preparation has its own (`own_safety` > 0). The same text, the same
 /// particles bit for bit.
 std::string preparation_text(const Case &parameters, const ShapeLibrary &shapes,

@@ -247,7 +247,7 @@ void Recorder::write_checkpoint(Test &test, const std::string &name)
 void Recorder::finish(Test &test)
 {
   const double begun = elapsed();
-  // Before the frame: a run that goes on has none here.
+  // Before the frame: a resumed run has none here.
   write_checkpoint(test);
   if (frames.empty() || frames.back().time != test.engine().time())
     write_frame(test);

@@ -26,8 +26,8 @@ public:
   /// Continues from the last checkpoint: state of the test and of the files.
   /// Throws InputError if there is none or it is of another case.
   void resume(Test &test);
-  /// Writes what is due after a step, and keeps or brings back the state where
-  /// the test asks for it.
+  /// Writes what is due after a step, and saves or restores the state where
+  /// the test requests it.
   void after_step(Test &test);
   /// Writes what a finished or stopped run leaves.
   void finish(Test &test);
@@ -72,7 +72,7 @@ private:
     dem::EngineClock engine;
   };
   std::optional<Spent> prepared_at;
-  bool has_prepared = false; ///< this program has seen the preparation
+  bool has_prepared = false; ///< the preparation was run by this program
   std::map<std::string, double> spent_before; ///< wall-clock before a restart
   std::chrono::steady_clock::time_point started;
 };

@@ -122,7 +122,7 @@ private:
   std::int64_t steps_before;
 };
 
-/// Steps until the test is done or a stop is asked for.
+/// Steps until the test is done or a stop is requested.
 void run_loop(Test &test, Recorder &recorder, Progress &progress,
               ThreadChoice &threads)
 {

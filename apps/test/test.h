@@ -56,7 +56,7 @@ struct FastPreparation
   bool is_packed = true; ///< false: still loose, and steps will cost more
 };
 
-/// What a test asks of its recorder after a step.
+/// Requests of a test to its recorder after a step.
 enum class Rewind
 {
   none,
@@ -71,7 +71,7 @@ struct NamedText
 };
 
 /// A test that is run step by step: what all kinds have in common. Run loop,
-/// recorder and `spall check` know nothing but this. A kind derives from it
+/// recorder and `spall check` depend on this alone. A kind derives from it
 /// (docs/developer/extending.md).
 class Test
 {
@@ -84,7 +84,7 @@ public:
 
   /// Takes one step. The last half kick of the particles may stay pending
   /// (dem::Engine::synchronize). Throws coupling::GuardStop after a step that a
-  /// guard stops at, and RunFailure where the test cannot go on.
+  /// guard stops at, and RunFailure where the test cannot continue.
   virtual void advance();
   /// Share of the whole test that is done; at 1 the test is over [-].
   virtual double share_done() const = 0;
@@ -100,8 +100,8 @@ public:
   virtual double progress_at(double time) const = 0;
   /// Name of that column, name_unit.
   virtual const char *progress_column() const = 0;
-  /// Ends the test after so many turns or cycles, whatever the case says.
-  /// Throws InputError for a test that has none.
+  /// Ends the test after so many turns or cycles, instead of the end of the
+  /// case. Throws InputError for a test that has none.
   virtual void stop_after(int turns);
   /// Whether stop_after() ends the test before the case does.
   virtual bool ends_early() const { return false; }
@@ -140,7 +140,7 @@ public:
   virtual double frame_interval() const { return 0.; }
   /// Results so far: three to six numbers with their units.
   virtual std::string outcome() const = 0;
-  /// What a reader of the results must know, a line each.
+  /// Warnings on the results, a line each.
   virtual std::vector<std::string> warnings() const;
   /// Adds the entries of this test to summary.json.
   virtual void summarise(nlohmann::ordered_json &summary) const;
@@ -149,7 +149,7 @@ public:
   /// The balance in summary.json and at the end of the log: that of the whole
   /// test unless a kind has a loading of its own.
   virtual EnergyBalance reported_balance() const { return energy_balance(); }
-  /// Adds wall-clock of phases that the engine and the exchange do not know
+  /// Adds wall-clock of phases that the engine and the exchange do not measure
   /// [s].
   virtual void add_clocks(std::map<std::string, double> &seconds) const;
   /// Mass that the particles have lost over their initial mass, those of other

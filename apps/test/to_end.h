@@ -11,7 +11,7 @@
 
 namespace spall
 {
-/// Calls `loop`, which ends when the test is done or a stop was asked for.
+/// Calls `loop`, which ends when the test is done or a stop was requested.
 /// Throws RunFailure with the last checkpoint if it fails or was stopped; of a
 /// guard also with that of this moment, which `recorder` keeps.
 template <class Loop>

@@ -15,7 +15,7 @@ namespace spall
 {
 namespace
 {
-/// How often the consolidation is asked whether it is at rest [steps].
+/// Interval of the checks for rest in the consolidation [steps].
 constexpr std::int64_t rest_interval = 200;
 } // namespace
 

@@ -104,7 +104,7 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
     state.packed_start = note_profiles(test, "start");
     return begin_cycle(row);
   }
-  state.packed_end = {}; // that of a loading that goes on
+  state.packed_end = {}; // that of a continued loading
   state.loop.add(row.axial_strain, deviator(row));
   if (test.intervals() % test.intervals_per_cycle() != 0)
     return;

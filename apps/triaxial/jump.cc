@@ -86,8 +86,8 @@ void Triaxial::end_cycle()
     observed_from = coupling::pose_of(engine(), *cell);
 }
 
-/// At the peak of the load, brings the strain that the skipped cycles would
-/// have brought by leading all along the mean cyclic motion, and takes time and
+/// At the peak of the load, adds the strain of the skipped cycles by displacing
+/// all particles along their mean cyclic motion, and takes time and
 /// energies over.
 void Triaxial::extrapolate()
 {

@@ -46,7 +46,7 @@ TestKind triaxial_kind()
           .make = make,
           .seed_key = "Specimen/seed",
           .gradation_section = "Specimen",
-          // The step may change where a cycle ends: Triaxial::restore() looks.
+          // The step may change the cycle end: Triaxial::restore() checks it.
           .may_change = {"Time/step", "Time/fixed_step", "Time/safety",
                          "Time/impact_error", "Time/force_tolerance",
                          "Time/energy_tolerance"},

@@ -9,7 +9,7 @@ TestKind triaxial_kind();
 
 /// The keys of its sections.
 void add_triaxial(List &list, Case &of);
-/// What no single range can say. Throws InputError.
+/// Checks beyond single ranges. Throws InputError.
 void check_triaxial(const Case &parameters, const SourceLocation &location);
 /// Its headlines, rows of the table and charts.
 const KindReport &triaxial_report();

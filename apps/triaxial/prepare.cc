@@ -14,7 +14,7 @@ namespace spall
 {
 namespace
 {
-/// How often the preparation is asked whether it is at rest [steps].
+/// Interval of the checks for rest in the preparation [steps].
 constexpr std::int64_t rest_interval = 200;
 
 /// To the target porosity friction goes down by this factor at a time, while

@@ -1,4 +1,4 @@
-// What a triaxial test says of itself while it runs.
+// Messages of a triaxial test while it runs.
 #include "triaxial/triaxial.h"
 
 #include <dem/measure/contact_springs.h>

@@ -77,7 +77,7 @@ double Triaxial::longest_step() const
   return probe.longest > 0. ? std::min(allowed, probe.longest) : allowed;
 }
 
-/// What is due before a step: a look at the contacts, a probe.
+/// What is due before a step: a check of the contacts, a probe.
 void Triaxial::settle_step()
 {
   if (watch.is_due(engine().n_steps() / steps_in_move()))
@@ -95,7 +95,7 @@ void Triaxial::settle_step()
   watch.note_used(time_step());
 }
 
-/// A run may go on with other steps where a load cycle ends.
+/// A run may continue with other steps where a load cycle ends.
 void Triaxial::resume_schedule(const TimeParameters &then,
                                std::int64_t intervals_then)
 {
@@ -146,7 +146,7 @@ void Triaxial::start_probe()
   schedule.replan(0.5 * probe.coarse_step);
 }
 
-/// After a step: the finer run of a probe goes on, or is compared.
+/// After a step: the finer run of a probe continues, or is compared.
 void Triaxial::follow_probe()
 {
   if (probe.fine_left == 0)

@@ -13,7 +13,7 @@ namespace spall
 {
 namespace
 {
-/// Errors are what all jumps together have brought too much, as judged.
+/// Errors are the estimated excess of all jumps together.
 void add_jumps(const coupling::JumpAccount &jumps, nlohmann::ordered_json &out)
 {
   out["skipped_cycles_1"] = jumps.n_skipped;

@@ -202,7 +202,7 @@ void Triaxial::load()
         -(loading.confining_pressure + loading.amplitude * haversine(phase)) *
         area);
   step_boundaries();
-  // A jump may have passed the end that was asked for.
+  // A jump may have passed the requested end.
   if (schedule.intervals() >= n_cycles * cycle_intervals &&
       schedule.intervals() % cycle_intervals == 0)
     now = Stage::done;
@@ -406,7 +406,7 @@ void Triaxial::restore(std::istream &in)
   const bool has_boundaries = now > Stage::preparation;
   if (has_boundaries && !joined) // a probe goes back with the one it has
     build_cell();
-  watch.set_state(record); // a new membrane would have it asked again
+  watch.set_state(record); // a new membrane would have it evaluated again
   engine().restore(in, shapes);
   servo.restore(in);
   if (joined)

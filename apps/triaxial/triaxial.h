@@ -67,7 +67,7 @@ public:
   double cycle() const;
   /// All load cycles of the case have been.
   bool is_complete() const { return cycle() >= parameters.loading.n_cycles(); }
-  /// End of this many load cycles, whatever the case says.
+  /// End of this many load cycles, instead of that of the case.
   void stop_after(int cycles) override;
   bool ends_early() const override { return !is_complete(); }
 
@@ -233,7 +233,7 @@ private:
   std::int64_t in_stage = 0;
   Prepared preparation;
   Consolidated consolidation;
-  bool is_rough = false;     ///< packed by shortcuts: not asked for rest
+  bool is_rough = false;     ///< fast preparation: rest is not required
   std::int64_t is_dense = 0; ///< the target porosity has been met
   std::unique_ptr<coupling::Exchange> joined;
   coupling::TriaxialCell *cell = nullptr; ///< of `joined`

@@ -63,7 +63,7 @@ struct Scene
 
 constexpr double overlap = 2e-5; // [m]
 
-/// The contact_point of the particle looks along `way` (x or -x).
+/// The contact point of the particle is along `way` (x or -x).
 dem::Quaternion turned(const ContactPoint &contact_point, double way)
 {
   if (contact_point.is_pole)

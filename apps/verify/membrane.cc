@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-// Tubes and squares of membrane brought to rest under pressure.
+// Tubes and squares of membrane relaxed to rest under pressure.
 namespace spall::verify
 {
 namespace

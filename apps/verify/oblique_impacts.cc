@@ -107,7 +107,7 @@ std::vector<Row> chung_ooi_4_sticking()
 // Rebound against incidence of the contact point over the normal speed. The
 // spring is elastic up to the Coulomb limit: the curve has the shape of Mindlin
 // & Deresiewicz, not its partial slip. The overlap is up to 0.7 % of the radius
-// and shortens the lever, which the reference does not know: 1 %.
+// and shortens the lever, which the reference neglects: 1 %.
 std::vector<Row> chung_ooi_5()
 {
   Missile ball{elastic_ball(7850., 208e9, 0.3), 1e-5};

@@ -106,8 +106,8 @@ inline double hertz_restitution(double beta)
 
 /// Impulse of the elastic part of the force alone over m v, where the whole
 /// force has 1 + e: the dashpot takes 4 zeta^2 e of it until the force is zero,
-/// and the elastic part goes on for 2 zeta^2 e after that. A friction limit of
-/// mu times the elastic force brings the impulse mu times this [-].
+/// and the elastic part continues for 2 zeta^2 e after that. A friction limit
+/// of mu times the elastic force gives the impulse mu times this [-].
 inline double hertz_elastic_impulse(double beta)
 {
   const double zeta = hertz_damping_ratio(beta);

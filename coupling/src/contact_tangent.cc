@@ -57,7 +57,7 @@ void Exchange::predict_with_tangent(CoupledBody &coupled, double window) const
   coupled.body->advance(load, window, &coupled.springs);
 }
 
-/// What the contacts would have given, had they seen the body come to where it
+/// Contact forces if the contacts had followed the body to where it
 /// comes: its load then.
 void Exchange::correct_with_tangent(CoupledBody &coupled, double window) const
 {

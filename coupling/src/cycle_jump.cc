@@ -102,8 +102,8 @@ void JumpPlan::take(const SlowState &state)
   }
 }
 
-/// Compares what the jump has brought with what the rates on both sides of it
-/// say.
+/// Compares the increments of the jump with those by the rates on both sides
+/// of it.
 void JumpPlan::judge()
 {
   const PowerLaw strain{before.at, before.strain, last.at, last.strain},
@@ -177,7 +177,7 @@ double JumpPlan::repetitions() const
 {
   if (phase != Phase::damage)
     return 1.;
-  // What earlier jumps brought too little or too much is made up.
+  // Deficits and excesses of earlier jumps are compensated.
   const double n = 1. + skipping() * weight;
   const double owed = last.abrasion > 0. ? -books.abrasion_error /
                                                (last.abrasion * n_damaging())
@@ -188,7 +188,7 @@ double JumpPlan::repetitions() const
 double JumpPlan::expected_strain() const
 {
   PowerLaw law{before.at, before.strain, last.at, last.strain};
-  // Two short observations say little: not a rate that grows, nor one that
+  // Two short observations are uncertain: not a rate that grows, nor one that
   // falls faster than that.
   law.rate_a =
       std::clamp(law.rate_a, law.rate_b,

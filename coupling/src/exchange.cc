@@ -447,7 +447,7 @@ void Exchange::check_ledger(double time) const
 }
 
 /// Between two rebuilds nothing moves farther than the skin of the lists.
-/// What has crossed stays so for longer: it is looked for less often.
+/// Surfaces that crossed stay crossed for longer: checked less often.
 void Exchange::check_surfaces(dem::Engine &engine)
 {
   if (engine.n_rebuilds() == surfaces_seen_at)

@@ -181,7 +181,7 @@ void refer_to_nodes(std::span<const SurfacePoints> surfaces,
   {
     first_node.push_back(springs.mass.size());
     first_vertex.push_back(first_vertex.back() + surface.map->n_vertices());
-    // Nobody asks for the mass of a prescribed node.
+    // The mass of a prescribed node is not used.
     for (const double mass : surface.nodal_mass)
       springs.mass.push_back(std::isinf(mass) ? 1. : mass);
   }

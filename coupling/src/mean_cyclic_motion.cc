@@ -10,7 +10,7 @@ using dem::Quaternion;
 using dem::Vec3;
 
 /// More presses the particles harder than a load would; the springs' energy is
-/// looked at every so many steps.
+/// checked every so many steps.
 constexpr double hardest = 4.;
 constexpr int check_interval = 20;
 
@@ -70,7 +70,7 @@ Eigen::Matrix<double, 3, 4> affine_motion(const dem::ParticleSystem &particles,
   return right * square.completeOrthogonalDecomposition().pseudoInverse();
 }
 
-/// No load is left to kick a particle that is led.
+/// No load is left on a particle with prescribed motion.
 void extrapolate_particles(const MeanCyclicMotion &mean_motion, double rate,
                            dem::ParticleSystem &particles)
 {

@@ -206,7 +206,7 @@ bool EngineState::evaluate_contacts(double time_step)
 }
 
 /// Forces of all contacts and the loads on all particles, zero before; true if
-/// some side asks for breakage.
+/// some side requests breakage.
 bool EngineState::run_contacts(const ForceContext &all)
 {
   ForceSum sum = pair_forces(all, pair_batch, pair_loads, ranges);
@@ -269,7 +269,7 @@ void EngineState::break_corners()
   std::fill(system.load.begin(), system.load.end(), ParticleLoad{});
   run_contacts(still);
   load_boundaries(0.);
-  // A chip may have led contacts of the particle elsewhere.
+  // A chip may have moved contacts of the particle.
   visit_batches(*this,
                 [this](const ContactBatch &batch)
                 {

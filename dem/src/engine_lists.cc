@@ -236,7 +236,7 @@ ContactPointSearchInput
 EngineState::contact_point_search(const ForceContext &still,
                                   const BatchLayout &layout) const
 {
-  // Searched farther than the next look at the lists needs, so that only
+  // Searched farther than the next check of the lists needs, so that only
   // particles that move are searched again then. Three times as far: contact
   // points that are born between two searches are found too late.
   constexpr double reserve = 2.;

@@ -112,7 +112,7 @@ private:
     for (const auto &boundary : self.walls)
       call(boundary->batch);
   }
-  /// Calls call(value) for every plain value that a checkpoint keeps.
+  /// Calls call(value) for every plain value that a checkpoint stores.
   template <class Self, class Visit>
   static void visit_state(Self &self, const Visit &call);
 

@@ -195,7 +195,7 @@ struct SimdTable
   }
 };
 
-/// World vector as the body with the unit quaternion q sees it: q^-1 v q.
+/// World vector in the frame of the body with the unit quaternion q: q^-1 v q.
 inline SimdVector to_body(const SimdQuad &q, const SimdVector &v)
 {
   const SimdVector twice = Simd(2.) * cross(v, q.vector);

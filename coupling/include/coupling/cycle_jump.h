@@ -59,16 +59,16 @@ struct JumpAccount
 {
   std::int64_t n_jumps = 0, n_refused = 0;
   std::int64_t n_skipped = 0; ///< cycles
-  /// What they brought beyond what they should have, sums: strain [-], LAA [%].
+  /// Sums of their increments less the expected ones: strain [-], LAA [%].
   double strain_error = 0., abrasion_error = 0.;
 };
 
 /// When to jump over how many load cycles, and whether that was too far. A jump
 /// is some cycles each of which wears the particles as many times as it skips
-/// others, one that brings the strain that is missing then, some in which what
+/// others, one that adds the strain that is missing then, some in which what
 /// has broken bears its load again, and some to observe. The rates
-/// before and after it, with a power law between them, say what it should have
-/// brought (docs/theory/cycle_jump.md). Plain data for the checkpoint.
+/// before and after it, with a power law between them, give its expected
+/// increments (docs/theory/cycle_jump.md). Plain data for the checkpoint.
 class JumpPlan
 {
 public:
@@ -81,12 +81,12 @@ public:
   /// Cycles that the jump which is due skips.
   int length() const { return n_skipped; }
 
-  /// The jump that is due begins with the coming cycle, or goes on with it.
+  /// The jump that is due begins or continues with the next cycle.
   void begin();
   int skipping() const; ///< cycles skipped before the coming one
   /// How often the coming cycle wears the particles.
   double repetitions() const;
-  /// The coming cycle, the one after the damage cycles, brings the missing
+  /// The next cycle, the one after the damage cycles, adds the missing
   /// strain.
   bool is_landing() const { return phase == Phase::extrapolate; }
   double missing_strain() const;                     ///< [-]
@@ -106,7 +106,7 @@ private:
     wait,       ///< the first cycles, and those after an extrapolation
     observe,    ///< cycles whose growth counts
     damage,     ///< cycles that stand for those that are skipped
-    extrapolate ///< one that brings the strain that is missing then
+    extrapolate ///< one that adds the missing strain
   };
 
   void observe_from_now();
@@ -114,7 +114,7 @@ private:
   void judge();
   void plan();
   int n_damaging() const; ///< cycles that stand for the others
-  /// What the skipped cycles and the damage cycles should bring [-].
+  /// Expected strain of the skipped cycles and the damage cycles [-].
   double expected_strain() const;
 
   double tolerance = 0.;

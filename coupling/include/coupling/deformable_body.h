@@ -24,9 +24,9 @@ struct BodyEnergy
   double load_work = 0.; ///< done by the loads of the particles
 };
 
-/// A deformable or rigid body that particles touch, as the exchange sees it:
-/// nodes with positions and velocities, loads on them. One vector per node in
-/// every column.
+/// A deformable or rigid body in contact with particles, the view of the
+/// exchange: nodes with positions and velocities, loads on them. One vector per
+/// node in every column.
 class DeformableBody
 {
 public:
@@ -70,7 +70,7 @@ private:
   /// This load from now on, as a jump.
   virtual void start(FieldView load) = 0;
   virtual void implicit_step(FieldView load, double time_step) = 0;
-  /// The same with springs; whoever takes them says so by n_sprung().
+  /// The same with springs; a body with springs reports them by n_sprung().
   virtual void implicit_step(FieldView load, double time_step,
                              const fem::NodeSprings &)
   {

@@ -25,7 +25,7 @@ struct ExchangeParameters
   ExchangeRule rule = ExchangeRule::every_step;
   int particle_steps = 1; ///< of the particles in one window, at most [-]
   /// one_pass: windows are shorter where more than this share of the exchanged
-  /// work is lost, or the gain says so; 0: all are of one length [-].
+  /// work is lost, or the gain requires it; 0: all are of one length [-].
   double window_tolerance = 0.;
   /// The stiffness of contacts enters the implicit steps of bodies that take
   /// it; in windows, with one step of the body.
@@ -120,7 +120,7 @@ public:
   void limit_windows(int particle_steps, double limit_of_gain);
 
   /// One window of so many steps [s]. Throws GuardStop after it when passes
-  /// have left too large a gap, the ledger is beyond its limit, or (looked at
+  /// have left too large a gap, the ledger is beyond its limit, or (checked
   /// whenever the lists of the particles were rebuilt) a surface is folded,
   /// runs through itself or has let a particle out.
   void advance(const CoupledParticles &particles, double window);
@@ -138,7 +138,7 @@ public:
   /// that press on it (docs/theory/interface.md) [-].
   double gain(const dem::Engine &engine, double window) const;
   /// dem::contact_springs() with the nodes as points; in windows, where bodies
-  /// move as they are told, with walls instead. The facet surfaces of the
+  /// move as prescribed, with walls instead. The facet surfaces of the
   /// engine are those of the bodies, in their order.
   dem::SpringNetwork springs(const dem::Engine &engine, double horizon) const;
   ExchangeRule rule() const { return parameters.rule; }

@@ -16,7 +16,7 @@ struct NodeMotion
   FieldView velocity; ///< [m/s]
 };
 
-/// Where the particles are, seen from the quads.
+/// Side of the quads on which the particles are.
 enum class ParticleSide
 {
   inside, ///< a membrane round them: normals point away from the particles

@@ -4,8 +4,8 @@
 
 namespace coupling
 {
-/// What crossed an interface: as the particles say they gave it and as the
-/// bodies say they got it. Plain data for the checkpoint.
+/// What crossed an interface, measured on the side of the particles and on
+/// the side of the bodies. Plain data for the checkpoint.
 struct LedgerSums
 {
   double given = 0., taken = 0.; ///< work [J]

@@ -10,7 +10,7 @@ namespace coupling
 std::vector<double> movable_mass(const fem::Membrane &membrane);
 BodyEnergy energy_of(const fem::MembraneEnergy &energy);
 
-/// A membrane whose tied nodes stay, or move as they were told.
+/// A membrane whose tied nodes are fixed or move as prescribed.
 class MembraneBody : public DeformableBody
 {
 public:

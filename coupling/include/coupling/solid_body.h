@@ -64,7 +64,7 @@ private:
   Field dead_load;          ///< on the body [N]
   double dead_start = 0.;   ///< dead_potential() when it was set [J]
   SolidDrive drive;
-  /// What a drive needs to know of the particles.
+  /// State of the particles that a drive needs.
   struct
   {
     double time = 0.; ///< of the body [s]

@@ -28,7 +28,7 @@ struct ProbeState
   double coarse_step = 0.;    ///< [s]
   ProbeWindow coarse, fine;
   double residual_start = 0., work_start = 0.; ///< at the window's start [J]
-  double longest = 0.; ///< that the tolerances allow; 0: not asked [s]
+  double longest = 0.; ///< that the tolerances allow; 0: not evaluated [s]
   /// Running means over a load cycle, carried over to the present step: of
   /// squared force errors [-], of the residual that falls with the step, signed
   /// [W].
@@ -47,7 +47,7 @@ struct StepErrors
 
 StepErrors errors_of(const ProbeState &state);
 
-/// What a probe must know besides.
+/// Further input of a probe.
 struct ProbeScene
 {
   double duration = 0.;     ///< of the window [s]

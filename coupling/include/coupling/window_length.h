@@ -12,7 +12,7 @@ namespace coupling
 class WindowLength
 {
 public:
-  /// At most so many steps, and as long as nothing else is asked always so
+  /// At most so many steps, and unless requested otherwise always so
   /// many.
   explicit WindowLength(int most) : longest(most), now(most) {}
 
@@ -32,7 +32,7 @@ public:
   /// Looks: `gain` of the present contacts in a window of this length, over the
   /// limit of one pass [-]. Work counts against that of the windows since the
   /// last look, or of as many on average since the start if that is more: at
-  /// rest a share of nothing would say much.
+  /// rest the relative error would be meaningless.
   void update(double gain_over_limit, const LedgerSums &books,
               std::int64_t n_windows);
 

@@ -60,7 +60,7 @@ public:
 
   /// Loads of all contacts as the scene was placed, before its first step:
   /// nothing moves. Dashpots see the velocities; tangential and rolling springs
-  /// start at zero and take up the motion of `time_step` [s]. For the look at
+  /// start at zero and take up the motion of `time_step` [s]. To inspect
   /// one contact see dem/measure/single_contact.h. Throws std::logic_error once
   /// lists of contacts are there.
   void evaluate(double time_step);

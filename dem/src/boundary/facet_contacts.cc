@@ -208,7 +208,7 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
   const auto i = static_cast<std::size_t>(candidates.particle[row]);
   const Vec3 &centre = context.particles.position(i);
   const std::size_t first = row * slots_per_particle;
-  // A contact that opens is still looked at in the step in which it does.
+  // A contact that opens is still evaluated in that step.
   const double reach = wall_bound(context.particles, i,
                                   context.parameters.geometry.wall_geometry) +
                        context.step_path;

@@ -14,7 +14,7 @@ std::size_t index(std::int32_t number)
   return static_cast<std::size_t>(number);
 }
 
-/// Calls call(k, position) for the vertices of a row as the particle sees them
+/// Calls call(k, position) for the vertices of a row in the body frame
 /// [m].
 template <class Call>
 void for_vertices(const FacetMotion &watch, const ParticleSystem &particles,

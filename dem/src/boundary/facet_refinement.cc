@@ -11,7 +11,7 @@ namespace
 {
 /// Hills of the depth over a face are trusted however flat.
 constexpr NewtonStepControl control{0.1, 80, least_curvature};
-/// Slope of the depth along an edge that leads nowhere [-].
+/// Slope of the depth along an edge that counts as zero [-].
 constexpr double level = 1e-9;
 /// A corner has no part in a point if its weight is below [-].
 constexpr double no_weight = 1e-13;
@@ -47,7 +47,7 @@ struct DepthModel
   Vec3 on_particle; ///< that point [m]
   Mat3 trusted;     ///< C as steps take it: the depth falls off all round
   double least = 0.;   ///< curvature that a step trusts [1/m]
-  double longest = 0.; ///< step that it may be asked for [m]
+  double longest = 0.; ///< largest step of the model [m]
 
   DepthModel(ParticleView &particle, const WallContactPoint &contact_point)
       : point(contact_point.point), normal(contact_point.normal),
@@ -245,7 +245,7 @@ void snap(Weights &weight)
 }
 
 /// The point of the particle nearest to another point of the mesh; the point of
-/// the particle is looked for from `on_particle` on.
+/// the particle is searched from `on_particle`.
 WallContactPoint contact_point_at(ParticleView &particle, const FacetMesh &mesh,
                                   std::int32_t triangle, const Weights &weight,
                                   const Vec3 &on_particle)
@@ -258,7 +258,7 @@ WallContactPoint contact_point_at(ParticleView &particle, const FacetMesh &mesh,
   return to;
 }
 
-/// A part of the step, if it does not lead down.
+/// A part of the step, if the depth does not decrease.
 WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
                          const WallContactPoint &contact_point,
                          const DepthModel &model, const Ascent &ascent)
@@ -286,7 +286,7 @@ WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
   return {};
 }
 
-/// Where a refinement may lead, and how deep it must; else it is given up.
+/// Limits of a refinement and the depth that it must reach; else it ends.
 struct Goal
 {
   Vec3 centre = Vec3::Zero();

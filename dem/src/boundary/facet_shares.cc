@@ -23,7 +23,7 @@ struct Piece
   std::size_t patch = 0;          ///< the touch that it belongs to
 };
 
-/// Where the entry of an edge or a vertex stands; forgets in as many steps as
+/// Where the entry of an edge or a vertex stands; cleared in as many steps as
 /// there are entries, and takes no memory once it has grown.
 class IndexTable
 {

@@ -66,7 +66,7 @@ void check_vertices(const FacetSurface &surface, std::size_t facet)
 }
 
 /// At a finite position and with an area: a facet thinner than this part of its
-/// longest side cannot tell which of its neighbours is nearer.
+/// longest side does not define the nearer neighbour.
 void check_area(const FacetSurface &surface, std::size_t facet)
 {
   constexpr double least_height = 1e-9;

@@ -10,7 +10,7 @@ namespace
 /// another one.
 constexpr double jump = 0.05;
 
-/// What the side of contact k remembers of the surface.
+/// Surface expansion stored for the side of contact k.
 RadialExpansion known_expansion(const SideColumns &side, std::size_t k)
 {
   const Triple<double> u = side.direction[k], g = side.gradient[k];
@@ -55,8 +55,8 @@ struct Events
   }
 };
 
-/// Contacts that are led along: by whom, and whether the lists can wait for
-/// their next look where an open one comes to another contact point or to none.
+/// Contacts that are updated, and whether the lists can wait for their next
+/// check where an open one comes to another contact point or to none.
 struct Followed
 {
   const ForceContext &context;

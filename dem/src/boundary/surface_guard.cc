@@ -185,7 +185,7 @@ std::optional<SurfaceFault> find_crossing(const FacetMesh &mesh)
     for (std::size_t side = 0; side < 3; ++side)
     {
       const std::int32_t neighbour = mesh.topology.neighbour[index(k)][side];
-      if (neighbour >= 0 && neighbour < k) // looked at from there
+      if (neighbour >= 0 && neighbour < k) // checked from there
         continue;
       const auto corner = corners_of(surface, k);
       const Segment line{corner[side], corner[(side + 1) % 3]};

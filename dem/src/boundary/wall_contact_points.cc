@@ -156,7 +156,7 @@ public:
       const double apart = (at.point - x).norm();
       if (apart > least * (1. + 1e-12))
         continue;
-      // At an edge or vertex the face that is looked at most squarely decides.
+      // At an edge or vertex the face most nearly facing the point decides.
       const double towards = face.normal.dot(at.point - x);
       if (apart < least * (1. - 1e-12) || std::abs(towards) > std::abs(facing))
       {

@@ -12,7 +12,7 @@ namespace dem
 {
 namespace
 {
-/// A side of a contact that asks to break.
+/// A side of a contact that requests breakage.
 struct Request
 {
   std::int32_t particle = -1;
@@ -90,7 +90,7 @@ int sides_of(const ContactBatch &batch, std::size_t k, int event,
              : 2;
 }
 
-/// What the loops asked for; it is asked for once.
+/// Requests of the loops; each is handled once.
 std::vector<Request> collect(ContactSet &contacts,
                              const BreakageParameters &breakage)
 {
@@ -181,7 +181,7 @@ double &factor_of(ContactBatch &batch, const Request &request)
   return (request.is_side_a ? batch.factor_a : batch.factor_b)[request.contact];
 }
 
-/// Mode in which the side asks to break now, with earlier events done.
+/// Mode of breakage of the side now, after earlier events.
 BreakageMode mode_now(ContactBatch &batch, const Request &request,
                       const BreakageParameters &breakage)
 {

@@ -114,7 +114,7 @@ ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
 namespace
 {
 /// How deep a point in the body frame of A is in B, from the direction that the
-/// last point led to.
+/// last point ended at.
 class DepthInB
 {
 public:

@@ -86,7 +86,7 @@ ContactHistory<Simd> load_history(const Task &task, std::int64_t k,
   return history;
 }
 
-/// Energy of what presses: the criterion of breakage knows no attraction.
+/// Energy of what presses: the criterion of breakage ignores attraction.
 template <class Law>
 Simd elastic_energy(const Task &task, const ContactHistory<Simd> &history,
                     const Simd &overlap)

@@ -2,8 +2,8 @@
 
 #include "contact_simd.h"
 
-/// Asks for memory before it is read. A processor looks ahead by itself in a
-/// dozen columns, not in fifty, and cannot know which particles the next
+/// Prefetches memory. A processor prefetches by itself in a
+/// dozen columns, not in fifty, and cannot predict which particles the next
 /// contacts touch. Internal to the units that are compiled once per instruction
 /// set.
 namespace dem::kernel
@@ -34,7 +34,7 @@ DEM_SIMD_INLINE void fetch_partners(const Task &task, std::int64_t k)
   }
 }
 
-/// Whether the block from contact k was inactive when it was looked at: nearly
+/// Whether the block from contact k was inactive at the check: nearly
 /// always it still is, and nothing of it will be read.
 DEM_SIMD_INLINE bool seems_inactive(const Task &task, std::int64_t k)
 {

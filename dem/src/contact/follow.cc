@@ -31,7 +31,7 @@ void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
   batch.overlap_offset[k] = kernel::closed_offset;
 }
 
-/// Where contact k is looked for first; `towards` if it was nowhere yet.
+/// Start of the search for contact k; `towards` if it has no position yet.
 Vec3 first_guess(const SideColumns &side, std::size_t k, const Vec3 &towards)
 {
   const Triple<double> u = side.direction[k];

@@ -16,7 +16,7 @@ ContactPoint contact_point_of(const ContactBatch &batch, std::size_t k);
 void renew_sides(const ForceContext &context, ContactBatch &batch,
                  std::size_t k, const ContactPoint &contact_point);
 
-/// Looks for the common normal of contact k from where it was, as carefully as
+/// Searches the common normal of contact k from where it was, as carefully as
 /// it takes; if there is none left, the contact stays open until the lists are
 /// rebuilt. A jump to another contact point is counted, and adds no energy.
 void relocate_pair(const ForceContext &context, ContactBatch &batch,

@@ -70,7 +70,7 @@ struct Contacts
   const Narrow *reduced_radius;
 };
 
-/// Columns that the loops ask for before they come to them; none where all
+/// Columns that the loops prefetch; none where all
 /// contacts fit into the cache.
 struct ColumnsAhead
 {
@@ -101,7 +101,7 @@ inline constexpr std::int64_t lane_block = 8;
 inline constexpr int wall_row = 16;
 
 /// A wall farther than this many equivalent radii is none: the surface of the
-/// particle towards it is not looked at.
+/// particle towards it is not checked.
 inline constexpr double far_wall = 1e3;
 
 /// ContactBatch::overlap_offset from here on: the contact has lost its contact

@@ -17,8 +17,8 @@ inline constexpr double converged = 1e-10;
 
 struct NewtonStepControl
 {
-  double longest_step = 0.; ///< no step leads farther, of the radius [-]
-  int most_steps = 0;       ///< a refinement that takes more leads nowhere
+  double longest_step = 0.; ///< longest step, of the radius [-]
+  int most_steps = 0;       ///< a refinement that takes more has failed
   /// A lens more curved than this, over the radius, is taken as it is [-].
   double hill = lowest_curvature;
 

@@ -220,7 +220,7 @@ NormalSpring<Simd> pair_spring(const Task &task, std::int64_t k,
                        dot(motion.spin, pair.normal));
     return mixed_spring<Law>(task, k, overlap);
   }
-  // Entries that only fill the last block know no radius.
+  // Entries that only fill the last block have no radius.
   const Simd radius = pair.radius_a * pair.radius_b /
                       select(is_near, pair.radius_a + pair.radius_b, Simd(1.));
   return sphere_spring<Law>(task, radius, overlap);

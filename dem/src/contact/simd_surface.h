@@ -37,7 +37,7 @@ SimdVector side_hessian_times(const Side &side, std::int64_t k,
           xz * w.x + yz * w.y + load(side.hessian[2] + k) * w.z};
 }
 
-/// Sides that know no surface give a unit sphere.
+/// Sides without surface data give a unit sphere.
 SimdSurface locate_surface(const Side &side, std::int64_t k,
                            const ParticleSimd &particle)
 {
@@ -163,7 +163,7 @@ SimdShapeOperator shape_operator_of(const Side &side, std::int64_t k,
   return shape_operator;
 }
 
-/// Where the Newton step of a set of lanes leads.
+/// Result of the Newton step of a set of lanes.
 struct LaneStep
 {
   SimdPlanar on_a, on_b;

@@ -247,7 +247,7 @@ struct SurfaceAtWall
   SimdFrame frame;
   SimdShapeOperator shape_operator;
   SimdPlanar step;
-  Simd overlap; ///< where the step leads; < 0: a gap
+  Simd overlap; ///< after the step; < 0: a gap
   SimdMask is_sound;
 };
 

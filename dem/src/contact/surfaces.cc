@@ -20,7 +20,7 @@ Vec3 first_direction(const ForceContext &context, std::int32_t particle,
          Vec3(d[0], d[1], d[2]);
 }
 
-/// Prefactors::radius of contact k for laws that ask for it.
+/// Prefactors::radius of contact k for laws that use it.
 void note_reduced_radius(const GapCoefficients &gap, ContactBatch &batch,
                          std::size_t k)
 {
@@ -35,8 +35,9 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
 {
   const std::int32_t particle = is_a ? batch.a[k] : batch.b[k];
   SideColumns &side = is_a ? batch.side_a : batch.side_b;
-  // Evaluated where the column says, to the last digit of the column. A cast
-  // of the whole vector will not do: GCC 12 leaves out the way over float.
+  // Evaluated at the direction of the column, to the last digit of the column.
+  // A cast of the whole vector will not do: GCC 12 leaves out the way over
+  // float.
   side.direction.set(k, {direction.x(), direction.y(), direction.z()});
   const Triple<double> in_column = side.direction[k];
   const Vec3 rounded = Vec3(in_column.x, in_column.y, in_column.z).normalized();

@@ -32,7 +32,7 @@ inline bool may_break(const BreakageParameters &breakage,
          (breakage.contacts == EventContacts::all || geometry.reads_shape);
 }
 
-/// Forgets the surface of side A or B of contact k.
+/// Clears the surface data of side A or B of contact k.
 void forget_side(ContactBatch &batch, std::size_t k, bool is_a);
 
 /// C_H and k_s / sqrt(delta) of contact k from both sides as they lie to each

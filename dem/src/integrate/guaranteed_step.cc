@@ -302,7 +302,7 @@ NetworkStep step_with(const SpringNetwork &network,
               Quadratic{trace[first].spring / 12., trace[first].dashpot / 12.}
                   .root()),
       static_cast<std::int32_t>(first)};
-  // Then those whose trace says that they may lower it.
+  // Then those that may lower it, by their trace.
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < trace.size(); ++i)
     if (i != first && trace[i].at(limit.step) > 4.)

@@ -59,8 +59,8 @@ Face face(const TextLines &lines, std::size_t n_points)
   return read;
 }
 
-/// The text with lines that go on after a backslash in one, and as many empty
-/// lines after it as were joined.
+/// The text with lines that continue after a backslash in one, and as many
+/// empty lines after it as were joined.
 std::string joined(std::string_view text)
 {
   std::string whole;

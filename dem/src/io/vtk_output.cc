@@ -213,7 +213,7 @@ void add_contact_fields(vtkUnstructuredGrid *grid,
   add_scalars<vtkIntArray>(data, "kind", n,
                            [&](std::size_t k)
                            { return static_cast<int>(in[k].kind); });
-  // Also on the points, where a tube filter looks for its radius.
+  // Also on the points, where a tube filter reads its radius.
   add_scalars(grid->GetPointData(), "normal_force_N", 2 * n,
               [&](std::size_t k) { return in[k / 2].normal_force; });
 }

@@ -384,7 +384,7 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
   for (const FacetBoundary &facets : surfaces(engine))
   {
     const auto first_point = static_cast<std::int32_t>(network.mass.size());
-    // Nobody asks for the mass of a prescribed vertex.
+    // The mass of a prescribed vertex is not used.
     for (const double mass : facets.surface.mass)
       network.mass.push_back(std::isinf(mass) ? 1. : mass);
     add_facets(engine, facets, first_point, ahead, network);

@@ -38,7 +38,7 @@ Outline outline_of(const FacetSurface &tube, double low, double high, int n)
     for (std::size_t t = 0; t < tube.triangles.size(); ++t)
     {
       const auto corner = corners_of(tube, static_cast<std::int32_t>(t));
-      // Round the triangle: seen from outside it goes down on the left.
+      // Round the triangle: from outside, downward on the left.
       std::optional<Vec2> left, right;
       for (std::size_t c = 0; c < 3; ++c)
       {

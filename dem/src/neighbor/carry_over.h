@@ -14,7 +14,7 @@ namespace dem
 void retire_contact(const ContactBatch &batch, std::size_t k,
                     Dissipation &retired);
 
-/// Marks the corners that the sides know of; what is stored now has counted.
+/// Marks the corners stored by the sides; they have been counted.
 void note_corners(const ParticleSystem &particles, ContactBatch &batch);
 
 /// Calls retire(old) for every entry of `old_keys` that `keys` lacks; returns

@@ -7,7 +7,7 @@ namespace dem
 namespace
 {
 /// Particles are searched for contact points within so many times the skin:
-/// what is not listed yet tells how long the list is good for.
+/// what is not listed yet limits the validity of the list.
 constexpr double reach_skins = 2.;
 
 /// Gap between the points of two surfaces where an old contact is [m].

@@ -24,11 +24,11 @@ RelativePose inverted(const RelativePose &pose)
   return {-(back * pose.position), back};
 }
 
-/// Two particles with the one first whose nodes are looked at.
+/// Two particles, the one first whose nodes are checked.
 struct Ordered
 {
   const MappedParticle &sampled, &field;
-  RelativePose pose;  ///< of the field as the sampled particle sees it
+  RelativePose pose;  ///< of the field relative to the sampled particle
   Separation between; ///< from the sampled particle to the field
   bool is_swapped = false;
 };

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// Looks at maps of particles (RadiusMap) as they are compiled for each
+/// Evaluation of maps of particles (RadiusMap), compiled for each
 /// instruction set. Plain pointers only: what is inline here would otherwise be
 /// linked from the unit with the widest instructions.
 namespace dem::kernel
@@ -36,7 +36,7 @@ struct MapView
   float scale;         ///< [m]
 };
 
-/// A particle that points are looked at from.
+/// A particle whose distances from points are evaluated.
 struct MapField
 {
   MapView map;

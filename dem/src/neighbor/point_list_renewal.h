@@ -225,7 +225,7 @@ struct Arrangement
   }
 };
 
-/// Gives up what the dropped contacts hold.
+/// Releases the energy of the dropped contacts.
 inline void retire_dropped(const Arrangement &to, const ContactBatch &batch,
                            Dissipation &retired)
 {

@@ -137,7 +137,7 @@ private:
     owed += solid_volume * c.share;
     while (true)
     {
-      // Round-off must not lead over a sieve.
+      // Round-off must not cross a sieve.
       const double diameter =
           std::clamp(c.lower * std::pow(c.upper / c.lower, random.uniform()),
                      interval.lower, interval.upper);
@@ -156,7 +156,7 @@ private:
   std::vector<ParticleShape> shapes;
   Random &random;
   double volume_ratio = 1.; ///< of the most voluminous shape [-]
-  double owed = 0.;         ///< asked so far less what was drawn [m^3]
+  double owed = 0.;         ///< required so far less what was drawn [m^3]
   std::vector<ParticleShape> particles;
 };
 } // namespace

@@ -12,7 +12,7 @@ namespace dem
 {
 namespace
 {
-/// How often particles are asked whether they are at rest [steps].
+/// Interval of the checks for rest of the particles [steps].
 constexpr std::int64_t rest_interval = 200;
 /// Over which the pressure of the tamper is averaged [s].
 constexpr double averaging_time = 2e-4;
@@ -150,8 +150,8 @@ void Pouring::follow_pressure(const Engine &engine, double time_step)
   now.peak = std::max(now.peak, now.pressure);
 }
 
-/// Height above the floor at which the present particles are as dense as asked
-/// of so many layers [m].
+/// Height above the floor at which the present particles have the required
+/// density of so many layers [m].
 double Pouring::goal() const
 {
   const auto left = static_cast<double>(bodies.size() - finished.size() - 1);
@@ -208,7 +208,7 @@ void Pouring::pour(Engine &engine)
   enter(Stage::settling, engine);
 }
 
-/// Asked now and then. Throws std::runtime_error after too long.
+/// Called now and then. Throws std::runtime_error after too long.
 bool Pouring::is_at_rest(Engine &engine, double limit)
 {
   if (engine.n_steps() % rest_interval != 0 || engine.time() == now.since)

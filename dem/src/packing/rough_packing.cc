@@ -11,7 +11,7 @@ namespace dem
 {
 namespace
 {
-constexpr int n_between = 25;    // steps between two looks at the contacts
+constexpr int n_between = 25;    // steps between two checks of the contacts
 constexpr double patience = 40.; // [s]
 constexpr int n_pulls = 40, n_rest_rounds = 4; // of draw_gently()
 constexpr double thinner = 0.8;   // one solid fraction over the next [-]

@@ -191,7 +191,7 @@ struct PowerSteps
   }
 };
 
-/// One column of coefficients; `entry` goes on to the next one.
+/// One column of coefficients; `entry` advances to the next one.
 inline OrderSums sum_column(const ColumnEntry *&entry, const Simd &z, int n)
 {
   OrderSums sums;

@@ -26,7 +26,7 @@ struct LogShape
   double volume_equivalent_radius = 0.; ///< R [m]
   double log_elongation = 0.;       ///< of the axes b / a of the ellipsoid [-]
   double log_flatness = 0.;         ///< c / b [-]
-  std::vector<double> coefficients; ///< b_j up to the order asked for [-]
+  std::vector<double> coefficients; ///< b_j up to the requested order [-]
   Quantiles quantiles = {};         ///< of sum b_j Y_j over the directions
 };
 

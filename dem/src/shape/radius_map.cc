@@ -75,7 +75,7 @@ const std::vector<int> &nodes_by_block()
 
 /// Finds the nodes that are highest along the sides. The hull of a particle
 /// that has just broken is measured while others wait: only blocks of nodes
-/// that reach high enough are looked at.
+/// that reach high enough are checked.
 class Summits
 {
 public:

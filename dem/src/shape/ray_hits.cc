@@ -44,7 +44,7 @@ void add_hit(const TriangleMesh &mesh, const Triangle &t, const Vec3 &d,
   hits.signed_cube += sign * std::pow(distance, 3);
 }
 
-/// A cap of the sphere that holds the triangle seen from the origin.
+/// A cap of the sphere that contains the triangle, from the origin.
 struct Cap
 {
   Vec3 axis = Vec3::UnitZ();
@@ -119,7 +119,7 @@ RayHits cast_one(const TriangleMesh &mesh, const Vec3 &direction)
   return hits;
 }
 
-/// The winding number of the origin: what most rays say.
+/// The winding number of the origin: the majority of the rays.
 int common_winding(const std::vector<RayHits> &hits)
 {
   std::vector<int> winding;

@@ -43,7 +43,7 @@ struct Drum
 /// Towards the root of the lifter as it stands, across the axis.
 Vec3 lifter_direction(const Drum &drum);
 
-/// Where a part of the drum is as seen from a point in it.
+/// Nearest point of a part of the drum to a point inside.
 struct DrumPoint
 {
   Vec3 point = Vec3::Zero();   ///< nearest of the part [m]

@@ -20,7 +20,7 @@ void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
                   Dissipation &retired);
 
 /// The drum as the contacts of the batch meet it now: row `b` is the wall of
-/// contact k. Rows of contacts that touch say where they were before.
+/// contact k. Rows of touching contacts store their previous positions.
 void find_drum(const ParticleSystem &particles, const Drum &drum,
                const ContactBatch &batch, std::vector<WallRow> &rows);
 

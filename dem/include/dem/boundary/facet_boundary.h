@@ -40,7 +40,7 @@ public:
   void apply_loads(double time_step) override;
   double work() const override { return work_done; }
 
-  std::string label; ///< tells the surfaces of a scene apart
+  std::string label; ///< distinguishes the surfaces of a scene
   FacetSurface surface;
   FacetTopology topology;
   FacetCandidates candidates;

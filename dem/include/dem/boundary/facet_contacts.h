@@ -76,11 +76,11 @@ struct FacetCandidates
   std::vector<std::int32_t> particle;
   std::vector<std::int32_t> row_start; ///< size particles + 1
   std::vector<std::int32_t> triangle;
-  /// A triangle need not be looked at before ForceContext::path_length has come
+  /// A triangle need not be checked before ForceContext::path_length has come
   /// this far; empty where particles follow their surfaces [m].
   std::vector<double> triangle_reactivation;
   std::vector<FacetContactPoint> contact_point; ///< of each slot
-  /// A particle without contact need not be looked at before
+  /// A particle without contact need not be checked before
   /// ForceContext::path_length has come this far; where particles follow their
   /// surfaces one for each contact, of the path lengths of particle and surface
   /// [m].

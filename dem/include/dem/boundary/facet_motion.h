@@ -49,7 +49,7 @@ struct FacetMotion
   double moved(const ParticleSystem &particles, const FacetSurface &surface,
                std::int32_t particle, std::size_t row) const;
 
-  /// Calls call(column) for all that a checkpoint keeps.
+  /// Calls call(column) for all that a checkpoint stores.
   template <class Self, class Column>
   static void visit(Self &self, const Column &column)
   {

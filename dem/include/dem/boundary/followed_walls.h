@@ -8,7 +8,7 @@
 namespace dem
 {
 /// A drum as particles that follow their surfaces meet it: rows and overlaps by
-/// ContactBatch::b. Rows of contacts that touch say where they were before.
+/// ContactBatch::b. Rows of touching contacts store their previous positions.
 struct FollowedDrum
 {
   const Drum &drum;

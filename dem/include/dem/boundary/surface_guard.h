@@ -34,7 +34,7 @@ inline constexpr double cos_folded = -0.86602540378443865;
 std::optional<SurfaceFault> find_fold(const FacetMesh &mesh);
 
 /// First facet that an edge of another one passes through; facets that share a
-/// vertex do not count. Looks at the facets in the cells round each edge.
+/// vertex do not count. Checks the facets in the cells round each edge.
 std::optional<SurfaceFault> find_crossing(const FacetMesh &mesh);
 
 /// First particle whose centre is outside by the angle-weighted normal at the

@@ -6,8 +6,8 @@
 
 namespace dem
 {
-/// How far boundaries are looked for: wall_bound plus the skin; facets
-/// `reach` times wall_bound plus the skin.
+/// Distance up to which boundaries are searched: wall_bound plus the skin;
+/// facets `reach` times wall_bound plus the skin.
 struct WallSearch
 {
   BatchLayout layout;

@@ -21,7 +21,7 @@ struct WallSearchResult
 {
   /// Of overlap > -skin, deepest first.
   std::vector<WallContactPoint> contact_points;
-  int n_lost = 0; ///< minima of the nodes that led to no contact point
+  int n_lost = 0; ///< minima of the nodes without a contact point
 };
 
 /// Whether two contact points on a wall are one: beside each other on the

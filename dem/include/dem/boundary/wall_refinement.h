@@ -9,7 +9,7 @@ namespace dem
 /// Refines from a point of the mesh (`triangle`, `weight`, `on_particle` of the
 /// start) to the deepest one; where the mesh is concave and a neighbouring
 /// triangle holds a deeper contact point within 45 degrees, to that. Triangles
-/// are seen from their inner side alone.
+/// are met from their inner side alone.
 WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
                                   const WallContactPoint &start);
 

@@ -12,7 +12,7 @@ enum class BreakageMode
   instantaneous ///< mode II: the elastic energy exceeds G_c A_i
 };
 
-/// The overlap region of one contact as one of its particles sees it.
+/// The overlap region of one contact on the side of one particle.
 struct Cap
 {
   double area = 0.;   ///< A_i = 2 pi delta / sqrt(K_G) [m^2], Eq. 15

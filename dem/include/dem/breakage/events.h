@@ -32,7 +32,7 @@ struct BreakageEvent
   double equivalent_radius = 0.; ///< after [m]
 };
 
-/// All contacts of a scene as breakage sees them.
+/// All contacts of a scene, as input of breakage.
 struct ContactSet
 {
   ContactBatch &pairs;
@@ -44,13 +44,13 @@ struct BreakingSum
 {
   /// Events refused because the shape would have lost r > 0.
   int n_refused = 0;
-  /// Energy that contacts gave up when their surfaces were looked at again just
-  /// before an event: that of the cached expansion, not of the event [J].
+  /// Energy that contacts released when their surfaces were evaluated again
+  /// just before an event: that of the cached expansion, not of the event [J].
   double refreshed = 0.;
 };
 
-/// Carries out what the force loops asked for (ContactBatch::event), by
-/// particle, then by contact: of the two sides of a contact the one with the
+/// Carries out the events that the force loops requested (ContactBatch::event),
+/// by particle, then by contact: of the two sides of a contact the one with the
 /// larger E_e / E_b breaks. A side that no longer meets the criterion after
 /// earlier events of the step is left alone. Particles change shape, mass and
 /// inertia; their contacts are evaluated again (those that open are marked

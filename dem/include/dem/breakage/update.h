@@ -49,7 +49,7 @@ std::vector<double> kernel_spectrum(double width, int order);
 /// V_i, theta by Newton on the nodes of the rule. Closure article:
 /// theta = V_i / (r_0^2 int K), the mean taken out of the kernel, and the mean
 /// radius r_0 lowered by Eqs. 17, 18; the volume that leaves is then another
-/// one, as `removed_volume` says. The series becomes the particle's own.
+/// one, see `removed_volume`. The series becomes the particle's own.
 SpallResult apply_spall(const ParticleShape &body, const Spall &spall,
                         const KernelRule &shape,
                         const SphereQuadrature &rule = standard_quadrature());

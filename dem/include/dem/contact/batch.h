@@ -14,7 +14,7 @@
 
 namespace dem
 {
-/// Components in columns, as SIMD lanes want them.
+/// Components in columns, the layout of SIMD lanes.
 template <class Number>
 struct TripleColumn
 {
@@ -51,7 +51,7 @@ struct BatchLayout
   bool has_contact_points = false; ///< contacts follow their surfaces
 };
 
-/// What contacts remember of the surface of the particle on one side: the
+/// Surface data of the particle on one side of each contact: the
 /// second-order expansion of r about one body direction and the curvatures
 /// there. The direction is zero where nothing is known. Empty
 /// where the contacts do not read the shape.

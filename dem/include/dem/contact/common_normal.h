@@ -25,7 +25,7 @@ SurfacePoint surface_point(const RadialExpansion &at);
 /// The same in the frame that `rotation` turns the body frame into.
 SurfacePoint turned(const SurfacePoint &point, const Mat3 &rotation);
 
-/// B as A sees it: both in the body frame of A.
+/// Pose of B relative to A, in the body frame of A.
 struct RelativePose
 {
   Vec3 position = Vec3::Zero();     ///< centre of B [m]
@@ -49,7 +49,7 @@ inline constexpr double deepest_overlap = 0.3;
 /// Follows the common normal of two particles (x_A - x_B = delta n, n_A = -n_B
 /// = n) from a start by Newton steps with both shape operators, as long as a
 /// lens T(y) = delta - y.(K_A + K_B) y / 2 needs it; once more by shorter steps
-/// if they lead nowhere. Not found if there is no lens of positive curvature
+/// if they do not converge. Not found if there is no lens of positive curvature
 /// near the start.
 ContactPoint refine(const ParticleShape &a, const ParticleShape &b,
                     const RelativePose &pose, const ContactPoint &start);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-/// What a contact remembers for the breakage criterion, as pure functions over
+/// History of a contact for the breakage criterion, as pure functions over
 /// numbers or SIMD lanes (`Real`).
 namespace dem
 {

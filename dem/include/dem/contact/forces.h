@@ -35,7 +35,7 @@ struct ForceContext
   double path_length = 0.;
   double step_path = 0.; ///< of it, in the last step [m]
   /// PathLengths::gaps: of any two spheres. Where there are shapes
-  /// ParticleSystem::path_length says it by particle.
+  /// ParticleSystem::path_length has it by particle.
   double gap_path = 0.;
   double cell_path = 0.; ///< PathLengths::cell [m]
   /// By the fastest vertex of boundaries that deform, over all steps [m].
@@ -54,7 +54,7 @@ BatchLayout wall_layout(const EngineParameters &parameters,
                         const WallMaterial &wall,
                         const ParticleSystem &particles);
 
-/// What the loops have lost and whether some side asks for breakage
+/// Dissipation of the loops and whether some side requests breakage
 /// (ContactBatch::event).
 struct ForceSum
 {
@@ -110,7 +110,7 @@ ForceSum wall_forces(const ForceContext &context, const Walls &walls,
 
 /// Geometry and forces of contact k as they stand, no time passing: after one
 /// of its particles has changed its shape. Springs are capped again; the energy
-/// that they give up is returned [J]. The loads of the particles are left
+/// that they release is returned [J]. The loads of the particles are left
 /// wrong: all loops must run again.
 double reset_pair(const ForceContext &context, ContactBatch &batch,
                   std::size_t k);

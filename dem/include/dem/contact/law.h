@@ -15,7 +15,7 @@ namespace dem
 struct LawParameter
 {
   std::string_view key, unit;
-  double value = 0.;                ///< if the case does not say
+  double value = 0.;                ///< default
   double lowest = 0., highest = 0.; ///< both are allowed
   std::string_view sentence;
 };

@@ -25,7 +25,7 @@ public:
 };
 
 /// What the loop over contacts passes over: overlaps up to this are none that
-/// the record does not know [m].
+/// the record does not contain [m].
 struct OverlapScan
 {
   const ContactBatch &batch;

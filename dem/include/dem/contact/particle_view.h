@@ -4,7 +4,7 @@
 
 namespace dem
 {
-/// The surface of a particle in the world where it is looked at: an expansion
+/// The surface of a particle in the world, evaluated locally: an expansion
 /// of second order, rebuilt where it does not reach.
 class ParticleView
 {
@@ -29,7 +29,7 @@ public:
   const ParticleShape &shape() const { return body; }
   /// Mean radius of the particle [m].
   double size() const { return mean_size; }
-  /// The series was asked since the last start_from().
+  /// The series was evaluated since the last start_from().
   bool is_renewed() const { return has_renewed; }
 
 private:

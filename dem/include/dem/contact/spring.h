@@ -45,7 +45,7 @@ struct Prefactors
   Real normal; ///< C of F = C delta^exponent [N/m^exponent]
   Real shear;  ///< C_s of k_s = C_s delta^(exponent - 1) [N/m^exponent]
   /// R of the undeformed surfaces, 1 / (2 sqrt(A B)) with the gap A x^2 + B
-  /// y^2; 0 where the law does not ask for it [m]
+  /// y^2; 0 where the law does not use it [m]
   Real radius = Real(0.);
 };
 

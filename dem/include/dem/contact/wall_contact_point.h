@@ -12,9 +12,9 @@ namespace dem
 /// wall is D(y) = (x - y).n deep, x being the point of the particle next to it
 /// with the outward normal n. D is smooth, whatever the wall is made of: on a
 /// face it is greatest where n is the normal of the face, on an edge where n is
-/// across it, at a vertex where no edge leads farther in. Its greatest value
-/// does not jump when the contact point goes from one feature to the next, and
-/// changes by the velocity of the points of contact along n.
+/// across it, at a vertex where the depth grows along no edge. Its greatest
+/// value does not jump when the contact point goes from one feature to the
+/// next, and changes by the velocity of the points of contact along n.
 struct WallContactPoint
 {
   Vec3 on_particle = Vec3::UnitZ(); ///< unit direction in the body frame [-]

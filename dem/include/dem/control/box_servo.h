@@ -98,7 +98,7 @@ public:
   void release(Engine &engine, int d);
   /// From now on the sides meet a load on the ends: errors are summed, too,
   /// over twice the response time, so what moves the stress away for longer is
-  /// found out; and x and y go along with z as `yielding` says, before there is
+  /// found out; and x and y follow z by `yielding`, before there is
   /// an error at all.
   void follow_load() { follows_load = true; }
   /// Sets the speeds of the planes for the next step; the stiffness is taken

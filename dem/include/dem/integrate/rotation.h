@@ -111,7 +111,7 @@ DEM_SIMD_INLINE Real &component(Triple<Real> &v)
     return v.z;
 }
 
-/// A rotation by `angle` about principal axis d [rad]; the body sees its
+/// A rotation by `angle` about principal axis d [rad]; in the body frame its
 /// momentum turn back.
 template <int d, class Real>
 DEM_SIMD_INLINE void turn_about(const Real &angle, Triple<Real> &momentum,

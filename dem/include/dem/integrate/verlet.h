@@ -4,7 +4,7 @@
 
 namespace dem
 {
-/// What the kicks need to know.
+/// Input of the kicks.
 struct KickParameters
 {
   Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
@@ -29,7 +29,7 @@ struct Speeds
   bool is_finite = true;
 };
 
-/// What the first half of a step needs to know.
+/// Input of the first half of a step.
 struct StartOfStep
 {
   KickParameters kick;

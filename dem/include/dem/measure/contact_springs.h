@@ -16,7 +16,7 @@ namespace dem
 /// FacetSurface::mass; those that are prescribed are walls. Contacts with the
 /// surface count while they touch.
 ///
-/// The only reader of the contact columns here: what follows sees springs.
+/// The only reader of the contact columns here: what follows works on springs.
 SpringNetwork contact_springs(const Engine &engine, double horizon);
 
 /// Stable step of the lightest particle where three walls meet, for what the

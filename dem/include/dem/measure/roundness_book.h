@@ -7,7 +7,7 @@
 
 namespace dem
 {
-/// Roundness R_g of particles (Eq. 30). Remembers the shapes that it has
+/// Roundness R_g of particles (Eq. 30). Stores the shapes that it has
 /// evaluated, so that only particles that have broken since cost anything; the
 /// numbers are those of a new book, bit for bit.
 class RoundnessBook

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// One contact evaluated by itself, for a test or a plug-in: through the
-/// engine, so that what it says is what a run does.
+/// engine, so that its results are those of a run.
 namespace dem
 {
 /// A particle as it stands and moves.

@@ -13,7 +13,7 @@ struct CandidatePair
   /// ones can come into contact [m].
   double due = 0.;
   double skin = 0.; ///< of the last search [m]
-  /// Between the hulls of two particles when last looked at, body frame of the
+  /// Between the hulls of two particles at the last check, body frame of the
   /// first; zero: not known [-]
   Vec3 between = Vec3::Zero();
 };

@@ -57,7 +57,7 @@ public:
   void renumber(const std::vector<std::int32_t> &new_row);
   ContactPointEvents events;
 
-  /// Calls call(value) or call(column) for all that a checkpoint keeps.
+  /// Calls call(value) or call(column) for all that a checkpoint stores.
   template <class Self, class Value, class Column>
   static void visit(Self &self, const Value &value, const Column &column)
   {

@@ -8,14 +8,14 @@
 
 namespace dem
 {
-/// A particle as the search for contact_points sees it.
+/// A particle in the search for contact points.
 struct MappedParticle
 {
   const ParticleShape &body;
   const RadiusMap &map;
 };
 
-/// Two particles, B as A sees it.
+/// Two particles with the pose of B relative to A.
 struct MappedPair
 {
   MappedParticle a, b;
@@ -39,14 +39,14 @@ Separation separate(const MappedPair &pair, const Vec3 &guess,
                     double skin = 0.);
 
 /// Whether two particles overlap or come within `skin`, as far as the nodes
-/// of their maps can tell [m].
+/// of their maps resolve [m].
 bool may_touch(const MappedPair &pair, double skin);
 
 /// Result of a search for the contact points of two particles.
 struct ContactPointSearch
 {
   std::vector<ContactPoint> contact_points; ///< overlap > -skin, nearest first
-  int n_lost = 0; ///< minima of the maps that led to no lens of contact
+  int n_lost = 0; ///< minima of the maps without a lens of contact
 };
 
 /// All contact points of two particles within `skin` [m]: local

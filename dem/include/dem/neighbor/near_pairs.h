@@ -18,7 +18,7 @@ struct PathLengths
 {
   double centres = 0.; ///< their centres, and so all that is round them
   /// What the contact geometry compares, at most; where there are shapes
-  /// ParticleSystem::path_length says it by particle, and `cell` comes to it.
+  /// ParticleSystem::path_length has it by particle, and `cell` comes to it.
   double gaps = 0.;
   double cell = 0.; ///< images of a periodic cell against each other
 };

@@ -33,7 +33,7 @@ public:
   /// lists of their own.
   void advance(const StepSpeeds &fastest, double time_step,
                bool has_deforming_lists);
-  /// What is due now. `is_too_wide()`, asked last: narrower lists would have
+  /// What is due now. `is_too_wide()`, called last: narrower lists would have
   /// paid.
   template <class Ask>
   Due due(bool has_deforming_lists, const Ask &is_too_wide) const
@@ -69,7 +69,7 @@ public:
   double deforming_left = 0.; ///< of it and particles, to the next check [m]
   std::int64_t n_made = 0;    ///< times that lists were made
 
-  /// Calls call(value) for all that a checkpoint keeps.
+  /// Calls call(value) for all that a checkpoint stores.
   template <class Self, class Visit>
   static void visit(Self &self, const Visit &call)
   {

@@ -23,8 +23,8 @@ struct Room
 
 struct PouringParameters
 {
-  /// Asked of particles under `level_pressure`: mass over volume of the room up
-  /// to the tamper; 0: the layers are not tamped [kg/m^3].
+  /// Required of particles under `level_pressure`: mass over volume of the room
+  /// up to the tamper; 0: the layers are not tamped [kg/m^3].
   double density = 0.;
   /// Layers that the next ones will press on may stay looser: the first by this
   /// share of the density, the last by none (undercompaction, Ladd 1978) [-].
@@ -63,9 +63,9 @@ public:
 /// the density is reached (a stroke that springs back is followed by a deeper
 /// one) or its pressure is at the limit. Layers thinner than their largest
 /// particles may stay looser than the whole becomes; if the whole is looser
-/// than asked, strokes go on with less and less friction. Particles that slide
-/// easily may be denser than asked before the tamper comes. Layer says what was
-/// reached. At last the particles get their friction back and come to rest.
+/// than required, strokes continue with less and less friction. Particles that
+/// slide easily may be denser than required before tamping. Layer reports what
+/// was reached. At last the particles get their friction back and come to rest.
 /// Gravity, damping and steps are the caller's.
 class Pouring
 {
@@ -112,7 +112,7 @@ public:
   /// Of the layers that are done.
   std::span<const Layer> layers() const { return finished; }
   std::size_t n_layers() const { return bodies.size(); }
-  /// When it was last asked [-].
+  /// At the last check [-].
   double unbalanced_ratio() const { return now.unbalanced_ratio; }
   /// Number of the plane that tamps: up there and inactive when all is done.
   std::size_t tamper() const { return plane; }

@@ -7,7 +7,7 @@ enum class EventContacts
 {
   /// Where the overlap follows the surface, so that an event lowers the force.
   seen,
-  /// Also where spheres overlap: their force does not know of the event.
+  /// Also where spheres overlap: their force is independent of the event.
   all
 };
 
@@ -39,10 +39,10 @@ enum class ModePrecedence
   cumulative     ///< I, one is taken off the factor
 };
 
-/// Which particles break when both sides of a contact ask for it.
+/// Which particles break when both sides of a contact request it.
 enum class BrokenSides
 {
-  larger, ///< the one with the larger E_e / E_b; the other is asked again
+  larger, ///< the one with the larger E_e / E_b; the other is checked again
   both    ///< one after the other
 };
 
@@ -57,10 +57,11 @@ enum class DepthClosure
 enum class FactorMemory
 {
   contact, ///< nothing: it is lost (the article)
-  patch ///< the patch of the particle: the next contact there goes on with it
+  patch ///< the patch of the particle: the next contact there continues with it
 };
 
-/// The sphere whose radius r_ins tells corners (Eq. 14) and floors curvatures.
+/// The sphere whose radius r_ins defines corners (Eq. 14) and floors
+/// curvatures.
 enum class InscribedSphereAt
 {
   origin, ///< of the series
@@ -96,7 +97,7 @@ struct BreakageParameters
   FactorMemory memory = FactorMemory::contact;
   InscribedSphereAt inscribed = InscribedSphereAt::origin;
 
-  /// Whether contacts must remember where their energy turned.
+  /// Whether contacts must store the reversals of their energy.
   bool needs_reversal() const
   {
     return hysteresis > 0. || energy == CriterionEnergy::with_shear;

@@ -9,8 +9,8 @@ enum class ContactGeometry
   surface ///< the true surfaces at their common normals
 };
 
-/// What the code asks of a geometry. A new geometry is one more row in
-/// traits().
+/// Properties of a geometry that the code uses. A new geometry is one more row
+/// in traits().
 struct GeometryTraits
 {
   /// Contacts read the local shape, as far out as the circumscribed sphere;

@@ -8,7 +8,7 @@
 
 namespace dem
 {
-/// All that the engine must know besides the particles and boundaries.
+/// Input of the engine besides the particles and boundaries.
 struct EngineParameters
 {
   ParticleMaterial particle;

@@ -60,7 +60,7 @@ enum class FrictionLimit
   total    ///< with its dashpot: the impulse of friction is f that of F_n
 };
 
-/// How contacts are found and how soon what they know of shapes is renewed: the
+/// How contacts are found and how soon their data of shapes are renewed: the
 /// only part of the skin of the lists.
 struct GeometryParameters
 {

@@ -45,7 +45,7 @@ struct alignas(64) TurningFrame
 };
 
 /// The particles in columns; entry k of every column is the same particle. Many
-/// particles are put in spatial order from time to time: `id` says who is
+/// particles are put in spatial order from time to time: `id` says which is
 /// where.
 struct ParticleSystem
 {

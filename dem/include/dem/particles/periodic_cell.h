@@ -8,7 +8,7 @@ namespace dem
 {
 /// A box whose opposite faces are one along the chosen axes: a particle beyond
 /// one face is in contact with those inside the other one. Positions are not
-/// wrapped: a particle that leaves goes on outside, and contacts are with the
+/// wrapped: a particle that leaves continues outside, and contacts are with the
 /// nearest image, so that nothing jumps. Images move with the cell when its
 /// lengths change.
 struct PeriodicCell

@@ -42,8 +42,8 @@ public:
   GridValues() = default;
   GridValues(const DirectionGrid &over, const std::vector<double> &values);
 
-  /// Rings from -1 to n_polar and columns to n_azimuth go on beyond the poles
-  /// and round.
+  /// Rings from -1 to n_polar and columns to n_azimuth continue beyond the
+  /// poles and round.
   double at(int ring, int column) const
   {
     return value[static_cast<std::size_t>((ring + 1) * (grid.n_azimuth + 1) +

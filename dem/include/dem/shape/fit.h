@@ -28,7 +28,7 @@ struct FitOptions
   double max_overhang = 0.02; ///< share of directions [-]
 };
 
-/// What a fit says about itself.
+/// Quality of a fit.
 struct ShapeFit
 {
   std::vector<double> coefficients; ///< about the mesh's centroid [m]

@@ -19,7 +19,7 @@ struct ParticleShape
   double scale = 1.;  ///< [m] if the series is dimensionless, else [-]
   double volume = 0.; ///< [m^3]
   double inscribed_radius = 0.; ///< min of r over the quadrature nodes [m]
-  /// r_ins that tells corners: the above, or of the largest sphere inside [m]
+  /// r_ins that defines corners: the above, or of the largest sphere inside [m]
   double corner_radius = 0.;
   /// Bounds that hold in every direction, see radius_bounds().
   double circumscribed_radius = 0.; ///< r is nowhere larger [m]
@@ -56,7 +56,7 @@ ParticleShape
 changed_shape(const ParticleShape &before, Coefficients coefficients,
               const SphereQuadrature &rule = standard_quadrature());
 
-/// Tells corners by the largest sphere inside the particle from now on.
+/// Defines corners by the largest sphere inside the particle from now on.
 void free_corner_radius(ParticleShape &body, const SphereQuadrature &rule);
 
 /// a_00 / sqrt(4 pi) of the particle [m]; for a sphere its radius.
