@@ -1,0 +1,14 @@
+#pragma once
+
+#include <dem/exact_sum.h>
+#include <dem/parallel/ranks.h>
+
+#include <span>
+
+namespace dem
+{
+/// Sums entry by entry over all ranks: the same bits on any number of ranks.
+/// Throws std::overflow_error on all of them where a sum is out of range.
+/// Collective.
+void sum_over_ranks(const Ranks &ranks, std::span<ExactSum> sums);
+} // namespace dem
