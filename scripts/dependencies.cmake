@@ -27,6 +27,12 @@ add_library(dep_umfpack INTERFACE)
 target_include_directories(dep_umfpack SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(dep_umfpack INTERFACE Eigen3::Eigen ${UMFPACK_LIBRARY})
 
+find_path(ZOLTAN_INCLUDE_DIR zoltan.h PATH_SUFFIXES trilinos REQUIRED)
+find_library(ZOLTAN_LIBRARY NAMES trilinos_zoltan zoltan REQUIRED)
+add_library(dep_zoltan INTERFACE)
+target_include_directories(dep_zoltan SYSTEM INTERFACE ${ZOLTAN_INCLUDE_DIR})
+target_link_libraries(dep_zoltan INTERFACE ${ZOLTAN_LIBRARY} MPI::MPI_CXX)
+
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel
   IOXML IOXMLParser IOImage IOExport
