@@ -6,7 +6,7 @@
 
 namespace spall
 {
-/// An open file that is written from front to back. It keeps the first error
+/// An open file that is written from front to back. It stores the first error
 /// of the system, after which it writes no more.
 class FileHandle
 {

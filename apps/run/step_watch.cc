@@ -21,7 +21,7 @@ constexpr std::int64_t check_interval = 200, fixed_interval = 1000;
 constexpr std::int64_t membrane_interval = 15;
 /// The frequency of the membrane may have grown by this since [-].
 constexpr double membrane_headroom = 1.02;
-constexpr double growth = 1.1; // of the step from look to look [-]
+constexpr double growth = 1.1; // of the step from check to check [-]
 /// A step that has changed by this factor is worth a line [-].
 constexpr double noticeable = 1.25;
 
@@ -84,7 +84,7 @@ void StepWatch::update(const dem::Engine &engine, const Surroundings &around,
                        double present_step)
 {
   const auto start = std::chrono::steady_clock::now();
-  // What the particles may reach before the next look.
+  // What the particles may reach before the next check.
   const double horizon = is_fixed() ? 0.
                                     : static_cast<double>(check_interval) *
                                           around.particle_steps * present_step;

@@ -42,7 +42,7 @@ public:
   /// contact on a membrane node [s].
   StepWatch(const TimeParameters &parameters, double cap);
 
-  /// Whether a look is due after so many steps, or windows of several.
+  /// Whether a check is due after so many steps, or windows of several.
   bool is_due(std::int64_t n_steps) const;
   /// Checks. With the rules stable and error, `longest` is then at most safety
   /// times the limit, and grows by no more than a tenth at a time. With
@@ -56,7 +56,7 @@ public:
               double present_step);
   /// The membrane has come or gone: its frequency is evaluated again.
   void forget_membrane() { record.membrane_step = 0.; }
-  /// From now on another rule; a longer step is come to look by look.
+  /// From now on another rule; a longer step is reached check by check.
   void follow(const TimeParameters &rule);
   /// From now on another cap, as in the constructor [s].
   void set_cap(double cap_of_step);

@@ -13,7 +13,7 @@ namespace spall
 {
 /// Calls `loop`, which ends when the test is done or a stop was requested.
 /// Throws RunFailure with the last checkpoint if it fails or was stopped; of a
-/// guard also with that of this moment, which `recorder` keeps.
+/// guard also with that of this moment, which `recorder` stores.
 template <class Loop>
 void run_to_end(Test &test, Recorder &recorder, const Loop &loop)
 {

@@ -126,7 +126,7 @@ void Triaxial::start_probe()
   add_energies(energies);
   probe.residual_start = energies.energy_residual;
   probe.work_start = energies.external_work;
-  // Restoring drops the events that nobody has taken yet.
+  // Restoring drops the events that are not taken yet.
   held_events = fresh_events();
   std::stringstream state;
   timed(probing, [&] { save(state); });

@@ -71,7 +71,7 @@ public:
   void stop_after(int cycles) override;
   bool ends_early() const override { return !is_complete(); }
 
-  /// A jump over load cycles keeps the state where it is due, and goes back to
+  /// A jump over load cycles saves the state where it is due, and restores
   /// it where it was too far.
   Rewind rewind() const override;
   void go_back(const std::function<void()> &restore) override;
@@ -151,7 +151,8 @@ public:
   void restore(std::istream &in) override;
 
 private:
-  /// Numbers of the history that the test keeps; plain data for the checkpoint.
+  /// Numbers of the history that the test stores; plain data for the
+  /// checkpoint.
   struct Recorded
   {
     Sample loading_start, last;        ///< rows

@@ -9,7 +9,8 @@ namespace
 {
 constexpr std::int64_t check_interval = 64; // windows
 
-/// The gain may come to this share of its limit: contacts change between looks.
+/// The gain may come to this share of its limit: contacts change between
+/// checks.
 constexpr double gain_share = 0.8;
 
 /// Windows grow where less than this share of what may is lost.

@@ -27,12 +27,12 @@ public:
   void cap(int most);
 
   int steps() const { return now; }
-  /// Whether a look is due after so many windows.
+  /// Whether a check is due after so many windows.
   bool is_due(std::int64_t n_windows) const;
-  /// Looks: `gain` of the present contacts in a window of this length, over the
-  /// limit of one pass [-]. Work counts against that of the windows since the
-  /// last look, or of as many on average since the start if that is more: at
-  /// rest the relative error would be meaningless.
+  /// Checks: `gain` of the present contacts in a window of this length, over
+  /// the limit of one pass [-]. Work counts against that of the windows since
+  /// the last check, or of as many on average since the start if that is more:
+  /// at rest the relative error would be meaningless.
   void update(double gain_over_limit, const LedgerSums &books,
               std::int64_t n_windows);
 
@@ -40,6 +40,6 @@ private:
   std::int64_t longest = 1, now = 1;
   double tolerance = 0.; ///< [-]
   double interface_error_before = 0.,
-         moved_before = 0.; ///< at the last look [J]
+         moved_before = 0.; ///< at the last check [J]
 };
 } // namespace coupling
