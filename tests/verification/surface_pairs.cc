@@ -25,7 +25,7 @@ using support::processor_time;
 using support::Tally;
 using Particle = support::MappedBody;
 
-Vec3 on_surface(const Body &body, const Vec3 &s)
+Vec3 on_surface(const ParticleShape &body, const Vec3 &s)
 {
   return body.scale * dem::radius(*body.series, s) * s;
 }
@@ -64,7 +64,7 @@ double compass(std::array<Vec3, n> &at, double step, const Value &value)
 /// Two particles, B as A sees it, with dense points of both in the frame of A.
 struct Pair
 {
-  const Body &a, &b;
+  const ParticleShape &a, &b;
   dem::RelativePose pose;
 
   double distance(const std::array<Vec3, 2> &s) const
@@ -366,9 +366,9 @@ int main(int argc, char **argv)
                                       static_cast<double>(particles.size()));
     };
     const Particle &one = particles[pick()], &other = particles[pick()];
-    const Body a = dem::resized(one.body, 1.),
-               b = dem::resized(other.body,
-                                std::pow(1. / 3., random.uniform()));
+    const ParticleShape a = dem::resized(one.body, 1.),
+                        b = dem::resized(other.body,
+                                         std::pow(1. / 3., random.uniform()));
     const dem::Mat3 rotation = random.rotation().toRotationMatrix();
     const Vec3 along = random.rotation() * Vec3::UnitX();
     const double reach = a.circumscribed_radius + b.circumscribed_radius;

@@ -53,12 +53,12 @@ double compass(std::array<double, n> &at, double step, const Value &value)
 /// A particle in the world, as the brute force sees it.
 struct Solid
 {
-  const Body &body;
+  const ParticleShape &body;
   Vec3 position;
   dem::Mat3 rotation;
   std::vector<Vec3> direction, point; ///< dense, in the body and the world
 
-  Solid(const Body &of, const Vec3 &at, const dem::Mat3 &turned)
+  Solid(const ParticleShape &of, const Vec3 &at, const dem::Mat3 &turned)
       : body(of), position(at), rotation(turned)
   {
     constexpr dem::DirectionGrid grid{48, 96};

@@ -89,7 +89,7 @@ void check(const dem::Engine &engine, std::int32_t particle,
   const auto found = dem::find_on_facets(
       {{particles.shape[i], map}, particles.position(i), particles.rotation(i)},
       facets.mesh(), all, 0.01 * radius);
-  for (const dem::WallContactPoint &contact_point : found.count)
+  for (const dem::WallContactPoint &contact_point : found.contact_points)
   {
     if (contact_point.overlap < 1e-6 * radius)
       continue;
