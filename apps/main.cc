@@ -1,6 +1,8 @@
 #include "commands/commands.h"
 #include "errors.h"
 
+#include <dem/parallel/mpi_session.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <cstdio>
 #include <dlfcn.h>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -17,48 +20,59 @@ namespace
 {
 using namespace spall;
 
+/// Which processes a command may be started on.
+enum class Processes
+{
+  without_mpi,
+  one_rank,
+  many_ranks
+};
+
 struct Command
 {
   const char *name, *arguments, *sentence;
   int (*run)(Words);
-  bool needs_mpi;
+  Processes processes;
 };
 
 constexpr std::array<Command, 8> commands = {
     {{"template", "KIND", "print a commented case of a kind", template_command,
-      false},
+      Processes::without_mpi},
      {"check", "CASE.prm [--preparations DIR] [--set Section/key=value ...]",
       "validate; print particles, stable step, gain, memory, time",
-      check_command, true},
+      check_command, Processes::one_rank},
      {"run",
       "CASE.prm [--out DIR] [--preparations DIR] [--threads N] [--resume] "
       "[--overwrite] [--until CYCLES] [--set Section/key=value ...]",
       "run the case; --resume goes on with a stopped one, --overwrite begins "
       "it again",
-      run_command, true},
+      run_command, Processes::one_rank},
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
-      "write a self-contained report.html", report_command, false},
+      "write a self-contained report.html", report_command,
+      Processes::without_mpi},
      {"study",
       "STUDY.prm [--out DIR] [--jobs N] [--figures FOLDER] [--page FILE] "
       "[--set Section/key=value ...]",
       "run a sweep of cases, or go on with it; table and report", study_command,
-      false},
+      Processes::without_mpi},
      {"shape",
       "fit MESH --order N --out S.json [--from rays|vertices] "
       "[--max-overhang F] [--unit m|mm|um] [--json FILE] [--source TEXT] "
       "[--licence TEXT] | info S.json|MESH [--unit m|mm|um] [--json FILE] | "
       "generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
       "[--order N] [--json FILE]",
-      "fit, measure and generate particle shapes", shape_command, false},
+      "fit, measure and generate particle shapes", shape_command,
+      Processes::without_mpi},
      {"bench",
       "--packing P.csv [--steps N] [--threads N] [--shapes DIR] "
       "[--geometry sphere|radial|surface] [--breakage] "
       "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "
       "[--save P.csv]",
-      "time the particle engine on a packing", bench_command, false},
+      "time the particle engine on a packing", bench_command,
+      Processes::many_ranks},
      {"verify", "[FAMILY ...] [--list] [--csv FILE] [--page FILE]",
       "print what is known beside what the program computes", verify_command,
-      false}}};
+      Processes::without_mpi}}};
 
 std::string usage()
 {
@@ -98,6 +112,16 @@ int run_with_mpi(const Command &command, Words words)
   return command.run(words);
 }
 
+/// The session of all ranks, while a command runs on them.
+std::unique_ptr<dem::MpiSession> session;
+
+int run_on_ranks(const Command &command, Words words)
+{
+  if (dem::is_launched())
+    session = std::make_unique<dem::MpiSession>();
+  return command.run(words);
+}
+
 int dispatch(const Command &command, Words words)
 {
   if (std::ranges::find(words, "") != words.end())
@@ -110,7 +134,16 @@ int dispatch(const Command &command, Words words)
               << "\n  " << command.sentence << "\n";
     return 0;
   }
-  return command.needs_mpi ? run_with_mpi(command, words) : command.run(words);
+  switch (command.processes)
+  {
+  case Processes::one_rank:
+    return run_with_mpi(command, words);
+  case Processes::many_ranks:
+    return run_on_ranks(command, words);
+  case Processes::without_mpi:
+    break;
+  }
+  return command.run(words);
 }
 
 int run_program(const std::vector<std::string> &words)
@@ -139,7 +172,7 @@ int run_program(const std::vector<std::string> &words)
 }
 
 /// A message as the one line that a user gets.
-int fail(const std::string &what, int status)
+void print_failure(const std::string &what)
 {
   std::string line;
   for (const char c : what)
@@ -148,8 +181,21 @@ int fail(const std::string &what, int status)
     else if (!line.empty() && line.back() != ' ')
       line += ' ';
   std::cerr << "spall: " << line << std::endl;
+}
+
+/// One message, and the end of all ranks: they wait for a rank that has failed
+/// alone.
+int fail(const std::string &what, int status)
+{
+  constexpr double patience = 5.; // [s]
+  const bool is_alone = session && !session->all_arrive(patience);
+  if (!session || session->is_first() || is_alone)
+    print_failure(what);
+  if (is_alone)
+    dem::end_all_ranks(status);
   return status;
 }
+
 /// What is printed is a result too: it must have reached its file or pipe.
 int finish_output(int status)
 {
@@ -161,11 +207,10 @@ int finish_output(int status)
     return status;
   return fail("standard output: cannot be written: " + why, 2);
 }
-} // namespace
 
-int main(int argc, char **argv)
+/// Runs the program; a failure becomes a message and a status.
+int run_to_end(int argc, char **argv)
 {
-  use_one_blas_thread();
   try
   {
     return finish_output(
@@ -187,4 +232,14 @@ int main(int argc, char **argv)
   {
     return fail("unknown failure", 2);
   }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  use_one_blas_thread();
+  const int status = run_to_end(argc, argv);
+  session.reset();
+  return status;
 }

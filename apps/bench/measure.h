@@ -14,6 +14,7 @@ struct BenchSample
   std::int64_t n_rebuilds = 0, n_events = 0;
   ContactCount before, after;
   dem::EngineEnergy energy_before, energy_after;
+  RankShare share;            ///< at the end
   std::uint64_t checksum = 0; ///< of the positions at the end
 
   /// Touching contacts taken through one step, by the mean of both ends.

@@ -89,13 +89,20 @@ std::string sample_text(const BenchSample &s)
               "second",
               1e-6 * updates / s.cpu, 1e-6 * updates / s.wall) +
          line("each", "%.1f ns of CPU time", 1e9 * s.cpu / updates) +
-         line("phases",
-              "contacts %.1f %%, search %.1f %%, breakage %.1f %%, motion "
-              "%.1f %%",
-              100. * s.phases.contacts / s.wall,
-              100. * s.phases.search / s.wall,
-              100. * s.phases.breakage / s.wall,
-              100. * s.phases.motion / s.wall);
+         line(
+             "phases",
+             "contacts %.1f %%, search %.1f %%, breakage %.1f %%, motion "
+             "%.1f %%, exchange %.1f %%",
+             100. * s.phases.contacts / s.wall, 100. * s.phases.search / s.wall,
+             100. * s.phases.breakage / s.wall, 100. * s.phases.motion / s.wall,
+             100. * s.phases.exchange / s.wall) +
+         (s.share.n_ranks == 1
+              ? ""
+              : line("ranks",
+                     "%d, ghosts %.0f each, %.0f at most, %.1f kB per step at "
+                     "most, imbalance %.3f",
+                     s.share.n_ranks, s.share.mean_ghosts, s.share.most_ghosts,
+                     1e-3 * s.share.most_bytes, s.share.imbalance));
 }
 
 std::string energy_text(const BenchSample &s)
@@ -145,7 +152,13 @@ Json sample_json(const BenchSample &s)
            {{"contacts", s.phases.contacts},
             {"search", s.phases.search},
             {"breakage", s.phases.breakage},
-            {"motion", s.phases.motion}}},
+            {"motion", s.phases.motion},
+            {"exchange", s.phases.exchange}}},
+          {"ranks", s.share.n_ranks},
+          {"mean_ghosts", s.share.mean_ghosts},
+          {"most_ghosts", s.share.most_ghosts},
+          {"most_bytes_per_step", s.share.most_bytes},
+          {"imbalance_1", s.share.imbalance},
           {"energy_before", energy_json(s.energy_before)},
           {"energy_after", energy_json(s.energy_after)},
           {"checksum", hex_text(s.checksum)}};

@@ -6,9 +6,12 @@
 #include "errors.h"
 #include "shape/file.h"
 
+#include <dem/parallel/distribution.h>
 #include <dem/random.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace spall
 {
@@ -47,10 +50,21 @@ dem::WallMaterial wall_material()
   return wall;
 }
 
+/// That of the particles of all ranks.
+dem::StepLimit step_limit(const dem::Engine &engine)
+{
+  dem::StepLimit limit{std::numeric_limits<double>::infinity(), ""};
+  if (engine.particles().n_owned() > 0)
+    limit = dem::critical_step(engine.parameters(), engine.particles());
+  std::array rate{1. / limit.step};
+  engine.distribution().ranks().max(rate);
+  limit.step = 1. / rate[0];
+  return limit;
+}
+
 void require_stable(const dem::Engine &engine)
 {
-  const dem::StepLimit limit =
-      dem::critical_step(engine.parameters(), engine.particles());
+  const dem::StepLimit limit = step_limit(engine);
   if (bench_step > limit.step)
     throw InputError("bench: the time step of " + number_text(bench_step) +
                      " s must be at most " + number_text(limit.step) +
@@ -77,7 +91,7 @@ std::unique_ptr<dem::Engine>
 fill_engine(const BenchParticles &particles,
             const dem::EngineParameters &parameters)
 {
-  auto engine = std::make_unique<dem::Engine>(parameters);
+  auto engine = std::make_unique<dem::Engine>(parameters, particles.ranks);
   const Packing &packing = particles.packing;
   for (std::size_t k = 0; k < packing.size(); ++k)
     engine->add_particle(particles.bodies[k], packing.position[k],
@@ -126,9 +140,7 @@ std::unique_ptr<dem::Engine> make_bench_engine(const BenchParticles &particles,
 
 double settling_step(const dem::Engine &engine)
 {
-  return std::min(
-      4e-6,
-      0.2 * dem::critical_step(engine.parameters(), engine.particles()).step);
+  return std::min(4e-6, 0.2 * step_limit(engine).step);
 }
 
 void settle(dem::Engine &engine, BenchScene scene, int n_steps)
@@ -139,7 +151,10 @@ void settle(dem::Engine &engine, BenchScene scene, int n_steps)
     engine.advance(step);
   engine.set_local_damping(0.);
   if (scene == BenchScene::jolt)
-    set_velocities(engine, std::vector<dem::Vec3>(engine.particles().size(),
-                                                  dem::Vec3(0.1, 0., -0.3)));
+  {
+    dem::ParticleSystem &particles = engine.particles();
+    for (std::size_t k = 0; k < particles.n_owned(); ++k)
+      particles.velocity(k) = {0.1, 0., -0.3};
+  }
 }
 } // namespace spall

@@ -38,6 +38,7 @@ struct BenchParticles
   Packing packing;
   std::vector<dem::ParticleShape> bodies;
   dem::ContactGeometry geometry = dem::ContactGeometry::radial;
+  std::shared_ptr<dem::Ranks> ranks = dem::one_rank();
 };
 
 /// Spheres, or particles that take the shapes of the folder in turn, their ball

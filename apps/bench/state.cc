@@ -3,8 +3,10 @@
 #include "run/digest.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/parallel/distribution.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace spall
@@ -22,15 +24,22 @@ std::int64_t count_touching(const dem::ContactBatch &batch)
 
 ContactCount count_contacts(const dem::Engine &engine)
 {
-  return {count_touching(engine.pairs()),
-          count_touching(dem::on_planes(engine)),
-          static_cast<std::int64_t>(engine.pairs().size())};
+  std::array counts{count_touching(engine.pairs()),
+                    count_touching(dem::on_planes(engine)),
+                    static_cast<std::int64_t>(engine.pairs().size())};
+  engine.distribution().ranks().sum(counts);
+  return {counts[0], counts[1], counts[2]};
 }
 
 std::size_t count_breakable(const dem::Engine &engine)
 {
-  return static_cast<std::size_t>(
-      std::ranges::count(engine.particles().is_breakable, std::uint8_t{1}));
+  const dem::ParticleSystem &particles = engine.particles();
+  const auto end = particles.is_breakable.begin() +
+                   static_cast<std::ptrdiff_t>(particles.n_owned());
+  std::array count{static_cast<std::int64_t>(
+      std::count(particles.is_breakable.begin(), end, std::uint8_t{1}))};
+  engine.distribution().ranks().sum(count);
+  return static_cast<std::size_t>(count[0]);
 }
 
 void set_velocities(dem::Engine &engine,
@@ -56,9 +65,45 @@ void take_positions(const dem::Engine &engine, Packing &packing)
 
 std::uint64_t position_checksum(const dem::Engine &engine)
 {
-  Digest digest;
-  for (const dem::ParticleState &particle : engine.particles().state)
-    digest.add(std::span<const double>(particle.position.data(), 3));
-  return digest.value();
+  const dem::ParticleSystem &particles = engine.particles();
+  std::uint64_t own = 0;
+  for (std::size_t k = 0; k < particles.n_owned(); ++k)
+  {
+    Digest digest;
+    const auto id = static_cast<double>(particles.id[k]);
+    digest.add(std::span(&id, 1));
+    digest.add(std::span<const double>(particles.position(k).data(), 3));
+    own += digest.value();
+  }
+  // In halves: their sums over ranks do not overflow.
+  std::array halves{static_cast<std::int64_t>(own & 0xffffffffu),
+                    static_cast<std::int64_t>(own >> 32)};
+  engine.distribution().ranks().sum(halves);
+  return static_cast<std::uint64_t>(halves[0]) +
+         (static_cast<std::uint64_t>(halves[1]) << 32);
+}
+
+RankShare rank_share(const dem::Engine &engine)
+{
+  const dem::Distribution &distribution = engine.distribution();
+  const dem::Ranks &ranks = distribution.ranks();
+  const auto n_ghosts =
+      static_cast<std::int64_t>(distribution.exchange().n_ghosts());
+  const auto n_contacts = static_cast<std::int64_t>(
+      engine.pairs().size() + dem::on_planes(engine).size());
+  std::array sums{n_ghosts, n_contacts};
+  std::array largest{
+      static_cast<double>(n_ghosts), static_cast<double>(n_contacts),
+      static_cast<double>(distribution.exchange().bytes_per_step())};
+  ranks.sum(sums);
+  ranks.max(largest);
+  RankShare share;
+  share.n_ranks = ranks.size();
+  share.mean_ghosts = static_cast<double>(sums[0]) / ranks.size();
+  share.most_ghosts = largest[0];
+  share.most_bytes = largest[2];
+  if (sums[1] > 0)
+    share.imbalance = largest[1] * ranks.size() / static_cast<double>(sums[1]);
+  return share;
 }
 } // namespace spall

@@ -19,6 +19,17 @@ struct ContactCount
   std::int64_t touching() const { return pairs + walls; }
 };
 
+/// How the particles are spread over ranks.
+struct RankShare
+{
+  int n_ranks = 1;
+  double mean_ghosts = 0., most_ghosts = 0.; ///< of a rank
+  double most_bytes = 0.; ///< sent and received by a rank in a step
+  double imbalance = 1.;  ///< most listed contacts of a rank over the mean [-]
+};
+
+RankShare rank_share(const dem::Engine &engine);
+
 ContactCount count_contacts(const dem::Engine &engine);
 
 /// Particles that may break.
@@ -30,6 +41,7 @@ void set_velocities(dem::Engine &engine,
 /// Positions and orientations into the packing.
 void take_positions(const dem::Engine &engine, Packing &packing);
 
-/// FNV-1a over the bytes of all positions: equal if they are, bit for bit.
+/// Sum of FNV-1a over id and position of every particle: equal on any number of
+/// ranks if the positions are, bit for bit.
 std::uint64_t position_checksum(const dem::Engine &engine);
 } // namespace spall

@@ -5,6 +5,8 @@
 #include "specimen/specimen.h"
 
 #include <dem/measure/assembly.h>
+#include <dem/parallel/distribution.h>
+#include <dem/parallel/mpi_ranks.h>
 
 #include <charconv>
 #include <filesystem>
@@ -119,7 +121,8 @@ void describe(const dem::Engine &engine, BenchResult &result)
 {
   const dem::ParticleSystem &particles = engine.particles();
   result.n_breakable = count_breakable(engine);
-  result.solid_fraction = solid_volume(particles) / result.box.prod();
+  if (engine.distribution().is_shared())
+    return; // of contacts here and on other ranks
   result.coordination =
       dem::contact_network(particles, engine.pairs()).coordination_number;
   result.unbalanced_ratio =
@@ -155,13 +158,18 @@ BenchParticles prepare(const BenchOptions &options, BenchResult &result)
   BenchParticles particles =
       make_bench_particles(std::move(packing), options.shapes);
   particles.geometry = geometries.at(options.geometry);
+  particles.ranks = dem::ranks_of_program();
   if (!options.shapes.empty() && !is_closed)
   {
+    if (particles.ranks->size() > 1)
+      throw InputError("bench: --packing " + options.packing +
+                       ": must be closed round the shapes first, on one rank "
+                       "with --save P.csv");
     std::cout << "closing the box round " << particles.packing.size()
               << " particles ..." << std::endl;
     result.closed = close_box(particles);
   }
-  if (!options.save.empty())
+  if (!options.save.empty() && particles.ranks->rank() == 0)
     write_packing(options.save, particles.packing);
   return particles;
 }
@@ -173,6 +181,8 @@ int bench_command(Words words)
   omp_set_num_threads(options.threads);
   BenchResult result;
   const BenchParticles particles = prepare(options, result);
+  for (const dem::ParticleShape &body : particles.bodies)
+    result.solid_fraction += body.volume / particles.packing.box.prod();
   result.packing = std::filesystem::path(options.packing).filename().string();
   result.scene = options.scene;
   result.geometry = options.shapes.empty() ? "sphere" : options.geometry;
@@ -183,8 +193,10 @@ int bench_command(Words words)
   result.before = memory_use();
   for (int repeat = 0; repeat < options.repeat; ++repeat)
     time_once(options, particles, result);
-  std::cout << bench_text(result);
-  if (!options.json.empty())
+  const bool is_first = particles.ranks->rank() == 0;
+  if (is_first)
+    std::cout << bench_text(result);
+  if (is_first && !options.json.empty())
     write_asked(options.json, bench_json(result));
   return result.is_reproducible() ? 0 : 2;
 }

@@ -2,8 +2,11 @@
 #include "phase_timer.h"
 
 #include <dem/integrate/verlet.h>
+#include <dem/parallel/breaking.h>
+#include <dem/parallel/rank_sums.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,18 +15,18 @@ namespace dem
 {
 namespace
 {
-double elastic_energy(const ContactBatch &batch)
+void add_elastic_energy(const ContactBatch &batch, ExactSum &energy)
 {
-  double energy = 0.;
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.has_force(k))
-      energy += batch.stored_energy(k);
-  return energy;
+      energy.add(batch.stored_energy(k));
 }
 } // namespace
 
-EngineState::EngineState(const EngineParameters &parameters)
-    : settings(parameters), elasticity(parameters)
+EngineState::EngineState(const EngineParameters &parameters,
+                         std::shared_ptr<Ranks> ranks)
+    : distribution(std::move(ranks)), settings(parameters),
+      elasticity(parameters)
 {
   schedule.skin.given = settings.geometry.skin;
 }
@@ -34,10 +37,21 @@ void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
 {
   if (!position.allFinite() || !orientation.coeffs().allFinite())
     throw std::invalid_argument(
-        "particle " + std::to_string(system.size()) +
+        "particle " + std::to_string(added_count) +
         ": position and orientation must be finite numbers");
+  if (distribution.is_shared() && schedule.n_made > 0)
+    throw std::logic_error("engine: on many ranks particles are added before "
+                           "the first step only");
   synchronize(); // none for the new one
   system.follows_surfaces = settings.geometry.follows_surfaces();
+  system.has_materials |= material != 0;
+  system.has_shapes |= body.series != nullptr;
+  schedule.invalidate();
+  const std::int64_t id = added_count++;
+  largest_radius = std::max(largest_radius, mean_radius(body));
+  // Until the first boxes are made particles are dealt out.
+  if (id % distribution.ranks().size() != distribution.ranks().rank())
+    return;
   ParticleShape particle = body;
   if (settings.breakage.inscribed == InscribedSphereAt::free)
     free_corner_radius(particle,
@@ -45,8 +59,8 @@ void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
   system.add(particle, position, orientation,
              material == 0 ? settings.particle.density
                            : settings.other_solids.at(material - 1u).density);
+  system.id.back() = id;
   system.material.back() = material;
-  system.has_materials |= material != 0;
   pair_finder.forget();
   contact_points.forget();
   const double diameter = 2. * system.last().radius;
@@ -55,7 +69,6 @@ void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
       diameter >= settings.breakage.min_diameter * (1. - 1e-9);
   work.damped.push_back(0.);
   work.lifted.push_back(0.);
-  schedule.invalidate();
 }
 
 Boundary &EngineState::add_boundary(std::unique_ptr<Boundary> boundary)
@@ -100,7 +113,7 @@ void EngineState::set_renewal(double refresh_tolerance, double skin)
 void EngineState::come_to_rest()
 {
   synchronize();
-  for (std::size_t i = 0; i < system.size(); ++i)
+  for (std::size_t i = 0; i < system.n_owned(); ++i)
   {
     work.damped[i] += system.kinetic_energy(i);
     system.velocity(i) = system.spin(i) = Vec3::Zero();
@@ -137,11 +150,12 @@ void EngineState::advance_deferred(double time_step)
 {
   move_boundaries(time_step);
   move_cell(time_step);
-  const Speeds fastest = move_particles(time_step);
+  const Speeds fastest = over_ranks(move_particles(time_step));
   now += time_step;
   ++step_count;
+  send_states();
   keep_lists(fastest, time_step);
-  const bool wants_breakage = evaluate_contacts(time_step);
+  wants_breakage = evaluate_contacts(time_step);
   load_boundaries(time_step);
   pending_half_kick = 0.5 * time_step;
   if (wants_breakage)
@@ -155,19 +169,23 @@ void EngineState::evaluate(double time_step)
                            "the first step only");
   rebuild_lists();
   std::fill(system.load.begin(), system.load.end(), ParticleLoad{});
+  // Of few contacts, and to the last digit.
+  const SumGrid of_steps = std::exchange(grid, {});
   evaluate_contacts(time_step);
   load_boundaries(0.);
+  grid = of_steps;
 }
 
 Speeds EngineState::move_particles(double time_step)
 {
   const PhaseTimer timer(spent.motion);
-  return kick_and_drift(system,
-                        {{settings.gravity, settings.local_damping},
-                         steepest,
-                         std::exchange(pending_half_kick, 0.),
-                         time_step},
-                        work);
+  Speeds fastest =
+      kick_and_drift(system,
+                     {kick_parameters(), steepest,
+                      std::exchange(pending_half_kick, 0.), time_step},
+                     work);
+  fastest.is_overloaded |= has_large_losses;
+  return fastest;
 }
 
 void EngineState::synchronize()
@@ -175,8 +193,13 @@ void EngineState::synchronize()
   if (pending_half_kick == 0.)
     return;
   const PhaseTimer timer(spent.motion);
-  kick(system, {settings.gravity, settings.local_damping},
-       std::exchange(pending_half_kick, 0.), work);
+  kick(system, kick_parameters(), std::exchange(pending_half_kick, 0.), work);
+}
+
+KickParameters EngineState::kick_parameters() const
+{
+  return {settings.gravity, settings.local_damping, grid.largest_force(),
+          grid.largest_moment()};
 }
 
 void EngineState::require_synchronized() const
@@ -194,6 +217,7 @@ ForceContext EngineState::context(double time_step)
   context.gap_path = schedule.paths.gaps;
   context.cell_path = schedule.paths.cell;
   context.deforming_path = schedule.deforming_path;
+  context.grid = grid;
   context.known_overlap = overlap.recent * least_radius;
   return context;
 }
@@ -214,8 +238,15 @@ bool EngineState::run_contacts(const ForceContext &all)
     sum += wall_forces(all, boundary->walls(all), boundary->batch, ranges);
   if (sum.has_switched)
     exchange_factors();
+  if (distribution.is_shared())
+  {
+    const PhaseTimer timer(spent.exchange);
+    distribution.collect_loads(system);
+  }
   system.cell.force = sum.cell_force;
   lost += sum.lost;
+  has_large_losses = sum.is_overloaded;
+
   count_contact_point_events(sum);
   note_overlap(sum.overlap_ratio);
   return sum.wants_breakage;
@@ -246,14 +277,13 @@ void EngineState::break_corners()
 {
   synchronize();
   const PhaseTimer timer(spent.breakage);
-  ContactSet contacts{pair_batch, walls};
   const std::size_t before = events.size();
-  const BreakingSum done =
-      break_particles(context(0.), system, contacts, now, events);
+  const BreakingSum done = carry_out_breakage();
   if (settings.breakage.memory == FactorMemory::patch)
     exchange_factors(); // of contacts that the events opened
   refused_count += done.n_refused;
-  lost.non_conservative_work += done.refreshed;
+  if (distribution.ranks().rank() == 0) // the same on all ranks
+    lost.non_conservative_work.add(done.refreshed);
   for (std::size_t e = before; e < events.size(); ++e)
   {
     released += events[e].released_energy + events[e].kinetic_energy;
@@ -261,8 +291,7 @@ void EngineState::break_corners()
     // No kernel is larger than one: nowhere has the particle grown by more.
     schedule.grow(events[e].depth);
   }
-  steepest = branch_steepness();
-  least_radius = system.smallest_radius();
+  note_extremes();
   event_count += static_cast<std::int64_t>(events.size() - before);
   ForceContext still = context(0.);
   still.adds_loads_only = true;
@@ -278,22 +307,42 @@ void EngineState::break_corners()
                 });
 }
 
+BreakingSum EngineState::carry_out_breakage()
+{
+  if (distribution.is_shared())
+    return break_shared(context(0.), parts(), distribution, now, events);
+  ContactSet contacts{pair_batch, walls};
+  return break_particles(context(0.), system, contacts, now, events);
+}
+
 EngineEnergy EngineState::energy() const
 {
   require_synchronized();
-  EngineEnergy energy;
-  energy.friction = lost.friction;
-  energy.rolling = lost.rolling;
-  energy.damping = lost.damping;
-  energy.non_conservative_work = lost.non_conservative_work;
-  visit_batches(*this, [&energy](const ContactBatch &batch)
-                { energy.elastic += elastic_energy(batch); });
-  for (std::size_t i = 0; i < system.size(); ++i)
+  ExactSum elastic, kinetic, damping = lost.damping, lifted;
+  visit_batches(*this, [&elastic](const ContactBatch &batch)
+                { add_elastic_energy(batch, elastic); });
+  for (std::size_t i = 0; i < system.n_owned(); ++i)
   {
-    energy.kinetic += system.kinetic_energy(i);
-    energy.damping += work.damped[i];
-    energy.gravity_work += work.lifted[i];
+    kinetic.add(system.kinetic_energy(i));
+    damping.add(work.damped[i]);
+    lifted.add(work.lifted[i]);
   }
+  std::array sums{elastic,
+                  kinetic,
+                  damping,
+                  lifted,
+                  lost.friction,
+                  lost.rolling,
+                  lost.non_conservative_work};
+  sum_over_ranks(distribution.ranks(), sums);
+  EngineEnergy energy;
+  energy.elastic = sums[0].value();
+  energy.kinetic = sums[1].value();
+  energy.damping = sums[2].value();
+  energy.gravity_work = sums[3].value();
+  energy.friction = sums[4].value();
+  energy.rolling = sums[5].value();
+  energy.non_conservative_work = sums[6].value();
   energy.breakage = released;
   energy.fracture = fractured;
   for (const auto &boundary : walls)

@@ -72,6 +72,11 @@ double EngineState::cell_speed() const
 void EngineState::load_boundaries(double time_step)
 {
   book_cell(time_step);
+  if (distribution.is_shared())
+    share_loads();
+  else
+    for (const auto &boundary : walls)
+      boundary->sum_loads(grid);
   for (const auto &boundary : walls)
     boundary->apply_loads(time_step);
 }

@@ -2,6 +2,7 @@
 
 #include <dem/binary.h>
 #include <dem/contact/batch_stream.h>
+#include <dem/shape/shape_stream.h>
 
 #include <algorithm>
 #include <utility>
@@ -28,12 +29,7 @@ void save_body(std::ostream &out, const ParticleShape &body,
   write_value(out, index);
   if (index == is_own)
     write_column(out, *body.series);
-  for (const double value :
-       {body.scale, body.volume, body.inscribed_radius, body.corner_radius,
-        body.circumscribed_radius, body.least_radius, body.max_slope})
-    write_value(out, value);
-  write_value(out, body.gyration);
-  write_value(out, body.principal.coeffs());
+  write_measures(out, body);
 }
 
 void restore_body(std::istream &in, ParticleShape &body, const Library &library)
@@ -53,12 +49,7 @@ void restore_body(std::istream &in, ParticleShape &body, const Library &library)
       throw std::runtime_error("checkpoint names a shape that is not there");
     body.series = library[static_cast<std::size_t>(index)];
   }
-  for (double *value :
-       {&body.scale, &body.volume, &body.inscribed_radius, &body.corner_radius,
-        &body.circumscribed_radius, &body.least_radius, &body.max_slope})
-    read_value(in, *value);
-  read_value(in, body.gyration);
-  read_value(in, body.principal.coeffs());
+  read_measures(in, body);
 }
 } // namespace
 
@@ -79,11 +70,16 @@ void EngineState::visit_state(Self &self, const Visit &visit)
   visit(self.step_count);
   visit(self.event_count);
   visit(self.refused_count);
+  visit(self.grid);
+  visit(self.load_factor);
+  visit(self.has_large_losses);
   visit(self.lost);
   visit(self.overlap);
   visit(self.system.cell);
   visit(self.image_span);
   visit(self.least_radius);
+  visit(self.largest_radius);
+  visit(self.added_count);
 }
 
 void EngineState::save(std::ostream &out, const Library &library) const

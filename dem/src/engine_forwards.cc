@@ -5,8 +5,8 @@
 
 namespace dem
 {
-Engine::Engine(const EngineParameters &parameters)
-    : state(std::make_unique<EngineState>(parameters))
+Engine::Engine(const EngineParameters &parameters, std::shared_ptr<Ranks> ranks)
+    : state(std::make_unique<EngineState>(parameters, std::move(ranks)))
 {
 }
 
@@ -123,6 +123,16 @@ ParticleSystem &Engine::particles()
 const ContactBatch &Engine::pairs() const
 {
   return std::as_const(*state).pairs();
+}
+
+const Distribution &Engine::distribution() const
+{
+  return state->shares();
+}
+
+void Engine::set_partition_interval(std::int64_t interval)
+{
+  state->set_partition_interval(interval);
 }
 
 double Engine::time() const

@@ -4,8 +4,10 @@
 #include <dem/integrate/verlet.h>
 #include <dem/neighbor/candidates.h>
 #include <dem/neighbor/space_order.h>
+#include <dem/parallel/faults.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -47,13 +49,12 @@ SkinWidth::Cost cost_of_list(const GeometryTraits &geometry)
   return {geometry.rebuild_cost, geometry.open_pair_cost};
 }
 
-/// Throws std::runtime_error with the first particle whose position, velocity,
-/// spin or orientation is no finite number, before a list or a grid turns it
-/// into an index.
-[[noreturn]] void report_not_finite(const ParticleSystem &particles,
-                                    double time)
+/// The first particle whose position, velocity, spin or orientation is no
+/// finite number, before a list or a grid turns it into an address in memory;
+/// empty: there is none.
+std::string not_finite_fault(const ParticleSystem &particles, double time)
 {
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
   {
     const ParticleState &state = particles.state[i];
     const bool has_position = state.position.allFinite();
@@ -66,21 +67,18 @@ SkinWidth::Cost cost_of_list(const GeometryTraits &geometry)
                   "the step is too long, or an input is no number",
                   static_cast<long long>(particles.id[i]),
                   has_position ? "a velocity or a spin" : "a position", time);
-    throw std::runtime_error(text);
+    return text;
   }
-  throw std::runtime_error("some particle moves by no finite number");
+  return {};
 }
 
 /// Throws std::runtime_error where particles leap, before they are lost to all
-/// lists and their contact points to numbers.
-void require_sane(double fastest, double time_step,
-                  const ParticleSystem &system)
+/// lists and their positions to numbers.
+void require_sane(double fastest, double time_step, double largest_radius)
 {
   constexpr double most = 100.; // radii in one step
   const double leap = fastest * time_step;
-  // Nearly always any particle is large enough.
-  if (leap == 0. || leap <= most * system.radius(0) ||
-      leap <= most * system.largest_radius())
+  if (leap <= most * largest_radius)
     return;
   char text[160];
   std::snprintf(text, sizeof text,
@@ -106,12 +104,13 @@ double beyond(const std::vector<std::unique_ptr<Boundary>> &boundaries,
   return most;
 }
 
-/// Throws std::runtime_error where all of a particle is beyond a wall: nothing
-/// would bring it back.
-void require_inside(const std::vector<std::unique_ptr<Boundary>> &boundaries,
-                    const ParticleSystem &system)
+/// The first particle of which all is beyond a wall: nothing would bring it
+/// back. Empty: there is none.
+std::string
+escape_fault(const std::vector<std::unique_ptr<Boundary>> &boundaries,
+             const ParticleSystem &system)
 {
-  for (std::size_t i = 0; i < system.size(); ++i)
+  for (std::size_t i = 0; i < system.n_owned(); ++i)
   {
     const Vec3 &at = system.position(i);
     if (beyond(boundaries, at) <= system.shape[i].circumscribed_radius)
@@ -124,8 +123,9 @@ void require_inside(const std::vector<std::unique_ptr<Boundary>> &boundaries,
         "what presses it",
         static_cast<int>(system.id[i]), 1e3 * system.mass(i), at.x(), at.y(),
         at.z());
-    throw std::runtime_error(text);
+    return text;
   }
+  return {};
 }
 
 /// Upper bound of the lengths of the periodic cell between two particles, by
@@ -151,8 +151,17 @@ Vec3 span_in_lengths(const ParticleSystem &system)
 void EngineState::keep_lists(const Speeds &fastest, double time_step)
 {
   if (!fastest.is_finite)
-    report_not_finite(system, now);
-  require_sane(fastest.moving, time_step, system);
+  {
+    stop_together<std::runtime_error>(distribution.ranks(),
+                                      not_finite_fault(system, now));
+    throw std::runtime_error("some particle moves by no finite number");
+  }
+  if (fastest.is_overloaded)
+  {
+    load_factor *= 64.; // before any sum is so large that it is not exact
+    renew_grid();
+  }
+  require_sane(fastest.moving, time_step, largest_radius);
   const bool has_deforming_lists = follows_walls() && deforms(walls);
   schedule.advance({fastest.moving, fastest.closing,
                     fastest_point(walls, false), fastest_point(walls, true),
@@ -179,22 +188,53 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
 
 SkinWidth::Lists EngineState::list_counts() const
 {
-  return {step_count, static_cast<std::int64_t>(pair_batch.size()),
-          count_touching(pair_batch), cost_of_list(traits(pair_geometry()))};
+  std::array counts{static_cast<std::int64_t>(pair_batch.size()),
+                    count_touching(pair_batch)};
+  distribution.ranks().sum(counts);
+  return {step_count, counts[0], counts[1],
+          cost_of_list(traits(pair_geometry()))};
 }
 
 void EngineState::rebuild_lists()
 {
   if (keeps_inside)
-    require_inside(walls, system);
+    stop_together<std::runtime_error>(distribution.ranks(),
+                                      escape_fault(walls, system));
   schedule.skin.renew(settings.geometry.usual_skin, list_counts());
-  if (system.size() >= sorted_from)
+  if (!distribution.is_shared() && system.size() >= sorted_from)
     sort_in_space();
   renew_lists();
   image_span = span_in_lengths(system);
-  steepest = branch_steepness();
-  least_radius = system.size() > 0 ? system.smallest_radius() : 0.;
+  note_extremes();
   schedule.skin_renewed();
+}
+
+/// What the schedule and the sums of loads take from all particles.
+void EngineState::note_extremes()
+{
+  if (added_count == 0)
+    return;
+  const bool is_empty = system.n_owned() == 0;
+  std::array largest{branch_steepness(),
+                     is_empty ? -std::numeric_limits<double>::infinity()
+                              : -system.smallest_radius(),
+                     is_empty ? 0. : system.largest_radius()};
+  distribution.ranks().max(largest);
+  steepest = largest[0];
+  least_radius = -largest[1];
+  largest_radius = largest[2];
+  renew_grid();
+}
+
+void EngineState::renew_grid()
+{
+  std::vector<LawChoice> laws{law_of(settings.particle)};
+  for (const auto &boundary : walls)
+    laws.push_back(law_of(boundary->material));
+  const double deepest =
+      keeps_inside ? std::min(1., settings.geometry.overlap.stop) : 1.;
+  grid = sum_grid(laws, elasticity, 1 + settings.other_solids.size(),
+                  {largest_radius, deepest, load_factor});
 }
 
 /// What is left of the skin stays: but for pairs whose contact points have
@@ -202,6 +242,8 @@ void EngineState::rebuild_lists()
 void EngineState::renew_lists()
 {
   const PhaseTimer timer(spent.search);
+  if (distribution.is_shared() && needs_search())
+    redistribute();
   update_maps();
   rebuild_pair_list();
   find_boundary_candidates(false);
@@ -222,7 +264,7 @@ void EngineState::renew_deforming_lists()
 /// Of particles that broke since the last look, or of all after a restart.
 void EngineState::update_maps()
 {
-  if (pair_layout(settings, system).has_contact_points || follows_walls())
+  if (follows_pairs() || follows_walls())
     maps.update(system);
 }
 
@@ -232,18 +274,43 @@ ContactGeometry EngineState::pair_geometry() const
                            : geometry_without_shapes;
 }
 
+/// How far beyond contact the lists of pairs look [m].
+double EngineState::pair_skin() const
+{
+  return schedule.skin.width + pair_layout(settings, system).law.range();
+}
+
+/// Those of contact points are searched farther than the next check of the
+/// lists needs, so that only particles that move are searched again then. Three
+/// times as far: contact points that are born between two searches are found
+/// too late [m].
+double EngineState::contact_point_skin() const
+{
+  constexpr double reserve = 2.;
+  return reserve * schedule.skin.width;
+}
+
+bool EngineState::follows_pairs() const
+{
+  return pair_layout(settings, system).has_contact_points;
+}
+
+/// Whether candidates of pairs are searched when lists are renewed.
+bool EngineState::needs_search() const
+{
+  return follows_pairs()
+             ? contact_points.needs_search(contact_point_skin(), schedule.paths)
+             : pair_finder.needs_search(pair_skin(), schedule.paths);
+}
+
 ContactPointSearchInput
 EngineState::contact_point_search(const ForceContext &still,
                                   const BatchLayout &layout) const
 {
-  // Searched farther than the next check of the lists needs, so that only
-  // particles that move are searched again then. Three times as far: contact
-  // points that are born between two searches are found too late.
-  constexpr double reserve = 2.;
   return {still,
           maps,
           layout,
-          reserve * schedule.skin.width,
+          contact_point_skin(),
           schedule.skin.left,
           schedule.n_made == 0};
 }
@@ -258,11 +325,10 @@ void EngineState::rebuild_pair_list()
                                schedule.paths, pair_batch, lost);
     return;
   }
-  rebuild_pairs(system, layout,
-                pair_finder.find(system, pair_geometry(),
-                                 schedule.skin.width + layout.law.range(),
-                                 schedule.paths),
-                pair_batch, lost);
+  rebuild_pairs(
+      system, layout,
+      pair_finder.find(system, pair_geometry(), pair_skin(), schedule.paths),
+      pair_batch, lost);
 }
 
 void EngineState::sort_in_space()

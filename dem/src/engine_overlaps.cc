@@ -65,8 +65,11 @@ std::string describe(const DeepContact &contact,
 void EngineState::note_overlap(double ratio)
 {
   overlap.note(ratio);
-  if (keeps_inside && ratio > settings.geometry.overlap.stop)
-    throw OverlapStop(deepest_contact());
+  if (!keeps_inside || ratio <= settings.geometry.overlap.stop)
+    return;
+  fault = deepest_contact();
+  if (!distribution.is_shared())
+    throw OverlapStop(fault); // else where ranks meet next
 }
 
 std::string EngineState::deepest_contact() const

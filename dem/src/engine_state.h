@@ -1,9 +1,11 @@
 #pragma once
 
 #include <dem/breakage/patch_factors.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/engine.h>
 #include <dem/integrate/verlet.h>
 #include <dem/neighbor/schedule.h>
+#include <dem/parallel/distribution.h>
 
 namespace dem
 {
@@ -12,7 +14,7 @@ namespace dem
 class EngineState
 {
 public:
-  explicit EngineState(const EngineParameters &parameters);
+  EngineState(const EngineParameters &parameters, std::shared_ptr<Ranks> ranks);
   void add_particle(const ParticleShape &body, const Vec3 &position,
                     const Quaternion &orientation, std::uint8_t material = 0);
   Boundary &add_boundary(std::unique_ptr<Boundary> boundary);
@@ -54,6 +56,11 @@ public:
   std::int64_t n_steps() const { return step_count; }
   std::int64_t n_rebuilds() const { return schedule.n_made; }
   double listed_gap() const { return schedule.skin.left; }
+  const Distribution &shares() const { return distribution; }
+  void set_partition_interval(std::int64_t interval)
+  {
+    partition_interval = interval;
+  }
   const ContactPointEvents &contact_point_events() const
   {
     return contact_points.events;
@@ -73,15 +80,29 @@ public:
 
 private:
   Speeds move_particles(double time_step);
+  KickParameters kick_parameters() const;
   /// Throws std::logic_error where a half kick is pending.
   void require_synchronized() const;
   void move_boundaries(double time_step);
   void move_cell(double time_step);
   void book_cell(double time_step);
   double cell_speed() const;
+  Speeds over_ranks(const Speeds &own);
+  void require_shareable() const;
+  void redistribute();
+  void search_pairs();
+  void search_contact_points();
+  bool needs_search() const;
+  double pair_skin() const;
+  double contact_point_skin() const;
+  bool follows_pairs() const; ///< particles meet with their surfaces
+  void send_states();
+  void share_loads();
   void keep_lists(const Speeds &fastest, double time_step);
   SkinWidth::Lists list_counts() const;
   void rebuild_lists();
+  void note_extremes();
+  void renew_grid();
   void renew_lists();
   void update_maps();
   void rebuild_pair_list();
@@ -100,6 +121,8 @@ private:
   std::string deepest_contact() const;
   void exchange_factors();
   void break_corners();
+  BreakingSum carry_out_breakage();
+  DistributedParts parts();
   void load_boundaries(double time_step);
   double branch_steepness() const;
   ForceContext context(double time_step);
@@ -116,6 +139,7 @@ private:
   template <class Self, class Visit>
   static void visit_state(Self &self, const Visit &call);
 
+  Distribution distribution;
   EngineParameters settings;
   ElasticityTable elasticity;
   ParticleSystem system;
@@ -135,14 +159,22 @@ private:
   ContactPointLists contact_points;
   /// No two particles are more lengths of the periodic cell apart [-].
   Vec3 image_span = Vec3::Zero();
-  double steepest = 0.;     ///< c of closing_speed [-]
-  double path_at_sort = 0.; ///< when the particles were last sorted [m]
+  double steepest = 0.;         ///< c of closing_speed [-]
+  std::int64_t added_count = 0; ///< particles, on all ranks
+  std::int64_t partition_interval = 0, redistribution_count = 0;
+  bool wants_breakage = false; ///< some contact, of any rank
+  std::string fault;           ///< of this rank in this step, for all of them
+  double path_at_sort = 0.;    ///< when the particles were last sorted [m]
   double now = 0.;
   std::int64_t step_count = 0, event_count = 0;
   int refused_count = 0;
-  Dissipation lost;
+  SumGrid grid; ///< as the particles were when the lists were rebuilt
+  double load_factor = 1.;       ///< LargestLoad::factor
+  bool has_large_losses = false; ///< in the last step, on this rank
+  LostEnergy lost;
   OverlapRecord overlap;
-  double least_radius = 0.; ///< no equivalent sphere is smaller [m]
+  /// Equivalent spheres of all ranks [m].
+  double least_radius = 0., largest_radius = 0.;
   double released = 0., fractured = 0.;
   std::vector<BreakageEvent> events;
 

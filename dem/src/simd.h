@@ -31,6 +31,18 @@ inline void store(const Simd &value, Number *column)
   value.copy_to(column, stdx::element_aligned);
 }
 
+/// The nearest multiple of the spacing of this rounding_shift().
+inline Simd on_grid(const Simd &value, double shift)
+{
+  return (value + shift) - shift;
+}
+
+inline SimdVector on_grid(const SimdVector &value, double shift)
+{
+  return {on_grid(value.x, shift), on_grid(value.y, shift),
+          on_grid(value.z, shift)};
+}
+
 /// As Triple, from columns that stand in the order of the contacts.
 template <class Columns>
 inline SimdVector load_vector(const Columns &column, std::int64_t k)

@@ -185,7 +185,7 @@ void list_rebuild(State &state)
   const auto engine = benchmark_scenes::lattice(
       static_cast<int>(state.range(0)), kind_of(state));
   dem::ContactBatch batch = engine->pairs();
-  dem::Dissipation retired;
+  dem::LostEnergy retired;
   const double margin = engine->parameters().geometry.usual_skin;
   const dem::ContactGeometry geometry = engine->particles().has_shapes
                                             ? dem::ContactGeometry::radial

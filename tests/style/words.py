@@ -48,7 +48,8 @@ ALLOWED = re.compile(r"deprecated|old_columns|old_names|[Bb]allast stones?\b|"
                      r'\{"[A-Za-z_]+"\}\}|'
                      r'^\s*\{"[a-z_A-Z]+", "[a-z_A-Z]+"\},$|'
                      r"min_ball_radius|Stone/|LLVMFuzzerTestOneInput|"
-                     r"contact_places\b|place_plane|in place\b|the place of")
+                     r"contact_places\b|place_plane|in place\b|the place of|"
+                     r"MPI_IN_PLACE|sleep_for")
 PART = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 
 

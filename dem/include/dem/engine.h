@@ -4,6 +4,7 @@
 #include <dem/breakage/events.h>
 #include <dem/engine_energy.h>
 #include <dem/integrate/time_step.h>
+#include <dem/parallel/ranks.h>
 
 #include <iosfwd>
 #include <memory>
@@ -12,6 +13,7 @@
 
 namespace dem
 {
+class Distribution;
 class EngineState;
 
 /// The particles, their contacts and boundaries, and how they move: the one
@@ -19,13 +21,18 @@ class EngineState;
 class Engine
 {
 public:
-  explicit Engine(const EngineParameters &parameters);
+  /// On many ranks each owns the particles in its box, and every function that
+  /// changes the scene or asks for a sum is called by all of them, in the same
+  /// order: see docs/developer/parallel.md.
+  explicit Engine(const EngineParameters &parameters,
+                  std::shared_ptr<Ranks> ranks = one_rank());
   Engine(Engine &&) noexcept;
   Engine &operator=(Engine &&) noexcept;
   ~Engine();
 
   /// A particle at rest, at any time; of another material than 0 it does not
-  /// break.
+  /// break. Its id is the number of particles before it. On many ranks every
+  /// rank adds all particles, before the first step; one keeps it.
   void add_particle(const ParticleShape &body, const Vec3 &position,
                     const Quaternion &orientation, std::uint8_t material = 0);
   /// Adds a boundary after all of its Boundary::rank() or a lower one: planes,
@@ -83,8 +90,9 @@ public:
   /// load that begins now: what contacts have borne before counts no longer.
   void set_repetitions(double repetitions);
 
-  /// As they are at time(). The const one throws std::logic_error while a half
-  /// kick is pending, as energy() and save() do.
+  /// Of this rank, and behind them ghosts. As they are at time(). The const one
+  /// throws std::logic_error while a half kick is pending, as energy() and
+  /// save() do.
   const ParticleSystem &particles() const;
   ParticleSystem &particles();
   const ContactBatch &pairs() const;
@@ -95,6 +103,12 @@ public:
   std::int64_t n_rebuilds() const;
   /// All that is nearer than this to each other is listed [m].
   double listed_gap() const;
+  /// What this rank shares with others; see dem/parallel/distribution.h.
+  const Distribution &distribution() const;
+  /// Every so many rebuilds after which particles change their ranks the boxes
+  /// of the ranks are made again, however well the loads are balanced; 0: where
+  /// they are not.
+  void set_partition_interval(std::int64_t interval);
   /// Of contacts that follow the true surfaces, since construction.
   const ContactPointEvents &contact_point_events() const;
   EngineEnergy energy() const;

@@ -33,5 +33,6 @@ struct EngineEnergy
 struct EngineClock
 {
   double contacts = 0., search = 0., breakage = 0., motion = 0.;
+  double exchange = 0.; ///< with other ranks, in every step
 };
 } // namespace dem

@@ -35,7 +35,7 @@ void for_vertices(const FacetMotion &watch, const ParticleSystem &particles,
 bool FacetMotion::covers(const ParticleSystem &particles,
                          const FacetSurface &surface, double skin) const
 {
-  if (gathered.size() != particles.size() ||
+  if (gathered.size() != particles.n_owned() ||
       vertices.size() != surface.position.size())
     return false;
   double drift = 0.;
@@ -58,7 +58,7 @@ void FacetMotion::start(const ParticleSystem &particles,
                         const WallSearch &search)
 {
   gathered.clear();
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
     gathered.push_back(
         {particles.position(i), facet_reach(particles, i, search)});
   vertices = surface.position;

@@ -10,6 +10,16 @@
 
 namespace dem
 {
+namespace
+{
+/// Sum of loads on a plane: exact in double as long as the sum of their sizes
+/// is so small that every part of it is.
+struct LoadSum
+{
+  Vec3 force = Vec3::Zero(), size = Vec3::Zero();
+};
+} // namespace
+
 std::string PlaneBoundary::name_of(std::size_t k) const
 {
   const Vec3 &normal = planes[static_cast<std::size_t>(batch.b[k])].normal;
@@ -82,12 +92,41 @@ ForceSum PlaneBoundary::meet(const ForceContext &)
   return {};
 }
 
+std::span<ExactSum> PlaneBoundary::sum_loads(const SumGrid &grid)
+{
+  std::vector<LoadSum> sums(planes.size());
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    LoadSum &sum = sums[static_cast<std::size_t>(batch.b[k])];
+    const Vec3 &force = batch.load[k].force;
+    sum.force -= force;
+    sum.size += force.cwiseAbs();
+  }
+  force_sums.assign(3 * planes.size(), {});
+  const bool is_exact = std::ranges::all_of(
+      sums, [&grid](const LoadSum &sum)
+      { return sum.size.maxCoeff() <= grid.largest_sum(); });
+  if (is_exact)
+    for (std::size_t p = 0; p < planes.size(); ++p)
+      add_force(sums[p].force, p);
+  else
+    for (std::size_t k = 0; k < batch.size(); ++k)
+      add_force(-batch.load[k].force, static_cast<std::size_t>(batch.b[k]));
+  return force_sums;
+}
+
+void PlaneBoundary::add_force(const Vec3 &force, std::size_t plane)
+{
+  for (std::size_t d = 0; d < 3; ++d)
+    force_sums[3 * plane + d].add(force[static_cast<Eigen::Index>(d)]);
+}
+
 void PlaneBoundary::apply_loads(double time_step)
 {
-  for (Plane &plane : planes)
-    plane.force = Vec3::Zero();
-  for (std::size_t k = 0; k < batch.size(); ++k)
-    planes[static_cast<std::size_t>(batch.b[k])].force -= batch.load[k].force;
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    for (std::size_t d = 0; d < 3; ++d)
+      planes[p].force[static_cast<Eigen::Index>(d)] =
+          force_sums[3 * p + d].value();
   for (Plane &plane : planes)
   {
     plane.work -= 0.5 * time_step * plane.force.dot(plane.velocity);

@@ -24,7 +24,7 @@ std::vector<PairKey> keys_of(const ContactBatch &batch)
 void carry_over_slots(const ParticleSystem &particles,
                       const FacetCandidates &before, const BatchLayout &layout,
                       FacetCandidates &after, ContactBatch &batch,
-                      Dissipation &retired)
+                      LostEnergy &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
   constexpr auto n_slots = static_cast<std::size_t>(slots_per_particle);
@@ -56,7 +56,7 @@ void carry_over_slots(const ParticleSystem &particles,
 
 void rebuild_walls(const ParticleSystem &particles,
                    const std::vector<PairKey> &keys, const BatchLayout &layout,
-                   ContactBatch &batch, Dissipation &retired)
+                   ContactBatch &batch, LostEnergy &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
   const std::vector<std::int32_t> source =
@@ -74,10 +74,10 @@ void rebuild_walls(const ParticleSystem &particles,
 
 void rebuild_planes(const ParticleSystem &particles,
                     const std::vector<Plane> &planes, const WallSearch &search,
-                    ContactBatch &batch, Dissipation &retired)
+                    ContactBatch &batch, LostEnergy &retired)
 {
   std::vector<PairKey> keys;
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (planes[p].is_active &&
           (particles.position(i) - planes[p].point).dot(planes[p].normal) <
@@ -89,10 +89,10 @@ void rebuild_planes(const ParticleSystem &particles,
 
 void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
                   const WallSearch &search, ContactBatch &batch,
-                  Dissipation &retired)
+                  LostEnergy &retired)
 {
   std::vector<PairKey> keys;
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
     for (std::int32_t part = 0; part < n_drum_parts; ++part)
       if (nearest_on_drum(drum, static_cast<DrumPart>(part),
                           particles.position(i))
@@ -119,7 +119,7 @@ FacetCandidates near_facets(const ParticleSystem &particles,
   FacetCandidates fresh;
   fresh.row_start.push_back(0);
   std::vector<std::int32_t> found;
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
   {
     const Vec3 &x = particles.position(i);
     const double reach = facet_reach(particles, i, search);
@@ -146,7 +146,7 @@ FacetCandidates near_facets(const ParticleSystem &particles,
 void rebuild_facets(const ParticleSystem &particles,
                     const FacetSurface &surface, const WallSearch &search,
                     FacetCandidates &candidates, ContactBatch &batch,
-                    Dissipation &retired)
+                    LostEnergy &retired)
 {
   FacetCandidates fresh = near_facets(particles, surface, search);
   fresh.reactivation.assign(fresh.particle.size(), 0.);

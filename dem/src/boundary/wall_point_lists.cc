@@ -253,12 +253,12 @@ std::size_t FacetCandidateRows::row_of_particle(std::int32_t particle) const
 ContactPointEvents renew_planes(const ContactPointSearchInput &input,
                                 const PlaneCandidates &walls,
                                 std::vector<CandidatePair> &listed,
-                                ContactBatch &batch, Dissipation &retired)
+                                ContactBatch &batch, LostEnergy &retired)
 {
   const ParticleSystem &particles = input.context.particles;
   const std::vector<Plane> &planes = walls.planes;
   std::vector<PairKey> keys;
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
     for (std::size_t p = 0; p < planes.size(); ++p)
       if (planes[p].is_active &&
           (particles.position(i) - planes[p].point).dot(planes[p].normal) <
@@ -281,7 +281,7 @@ ContactPointEvents renew_planes(const ContactPointSearchInput &input,
 ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
                               const DrumCandidates &drum,
                               std::vector<CandidatePair> &listed,
-                              ContactBatch &batch, Dissipation &retired)
+                              ContactBatch &batch, LostEnergy &retired)
 {
   const ParticleSystem &particles = asked.context.particles;
   const auto gap = [&](const PairKey &key)
@@ -292,7 +292,7 @@ ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
            particles.shape[row_of(key.first)].circumscribed_radius;
   };
   std::vector<PairKey> keys;
-  for (std::int32_t i = 0; row_of(i) < particles.size(); ++i)
+  for (std::int32_t i = 0; row_of(i) < particles.n_owned(); ++i)
     for (std::int32_t part = 0; part < n_drum_parts; ++part)
       if (gap({i, part}) < far_skins * asked.skin)
         keys.emplace_back(i, part);
@@ -317,7 +317,7 @@ ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
 
 ContactPointEvents renew_facets(const ContactPointSearchInput &asked,
                                 const FacetCandidateRows &facets,
-                                ContactBatch &batch, Dissipation &retired)
+                                ContactBatch &batch, LostEnergy &retired)
 {
   const ParticleSystem &particles = asked.context.particles;
   std::vector<PairKey> keys;

@@ -2,8 +2,10 @@
 
 #include <dem/breakage/events.h>
 #include <dem/breakage/update.h>
+#include <dem/exact_sum.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -19,9 +21,31 @@ struct Request
   int batch = 0; ///< as batch_of
   std::size_t contact = 0;
   bool is_side_a = true;
-
-  auto order() const { return std::tie(particle, batch, contact); }
+  /// By ids of the particle and of both sides (a boundary by its row), then by
+  /// the direction on A: the same wherever columns and contacts stand.
+  std::tuple<std::int64_t, int, std::int64_t, std::int64_t,
+             std::array<Narrow, 3>>
+      order;
 };
+
+/// The request of one side of contact k.
+Request request_of(const ParticleSystem &particles, const ContactBatch &batch,
+                   int number, std::size_t k, bool is_side_a)
+{
+  const auto id = [&particles](std::int32_t row)
+  { return particles.id[static_cast<std::size_t>(row)]; };
+  const std::int32_t particle = is_side_a ? batch.a[k] : batch.b[k];
+  const TripleColumn<Narrow> &u = batch.side_a.direction;
+  return {particle,
+          number,
+          k,
+          is_side_a,
+          {id(particle),
+           number,
+           id(batch.a[k]),
+           batch.layout.has_partners ? id(batch.b[k]) : batch.b[k],
+           {u.x[k], u.y[k], u.z[k]}}};
+}
 
 /// Names one contact of the particle that broke.
 struct ContactIndex
@@ -91,7 +115,8 @@ int sides_of(const ContactBatch &batch, std::size_t k, int event,
 }
 
 /// Requests of the loops; each is handled once.
-std::vector<Request> collect(ContactSet &contacts,
+std::vector<Request> collect(const ParticleSystem &particles,
+                             ContactSet &contacts,
                              const BreakageParameters &breakage)
 {
   std::vector<Request> requests;
@@ -105,14 +130,14 @@ std::vector<Request> collect(ContactSet &contacts,
         continue;
       const int sides = sides_of(batch, k, event, breakage);
       if (sides & 1)
-        requests.push_back({batch.a[k], number, k, true});
+        requests.push_back(request_of(particles, batch, number, k, true));
       if (sides & 2)
-        requests.push_back({batch.b[k], number, k, false});
+        requests.push_back(request_of(particles, batch, number, k, false));
     }
   }
   std::sort(requests.begin(), requests.end(),
             [](const Request &a, const Request &b)
-            { return a.order() < b.order(); });
+            { return a.order < b.order; });
   return requests;
 }
 
@@ -261,10 +286,10 @@ double replace_body(const ForceContext &context, ParticleSystem &particles,
 double reset_all(const ForceContext &context, ContactSet &contacts,
                  std::int32_t particle)
 {
-  double released = 0.;
+  ExactSum released;
   for (const ContactIndex &index : forget_surface(contacts, particle))
-    released += reset(context, contacts, index);
-  return released;
+    released.add(reset(context, contacts, index));
+  return released.value();
 }
 
 /// What is known of an event before the particle changes.
@@ -324,7 +349,7 @@ BreakingSum break_particles(const ForceContext &context,
 {
   const BreakageParameters &breakage = context.parameters.breakage;
   BreakingSum sum;
-  for (const Request &request : collect(contacts, breakage))
+  for (const Request &request : collect(particles, contacts, breakage))
   {
     ContactBatch &batch = batch_of(contacts, request.batch);
     const auto is_off = [&]

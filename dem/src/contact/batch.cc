@@ -63,13 +63,28 @@ std::vector<std::int32_t> ContactBatch::by_pair() const
   for (std::size_t k = 0; k < n; ++k)
     order[static_cast<std::size_t>(next[static_cast<std::size_t>(a[k])]++)] =
         static_cast<std::int32_t>(k);
-  const auto key = [this](std::int32_t k)
-  { return std::pair(b[static_cast<std::size_t>(k)], k); };
+  // Contacts of one pair of surfaces by where they are on A.
+  const auto position = [this](std::int32_t k)
+  {
+    const auto row = static_cast<std::size_t>(k);
+    if (!layout.has_contact_points)
+      return std::array<Narrow, 3>{};
+    const TripleColumn<Narrow> &u = side_a.direction;
+    return std::array{u.x[row], u.y[row], u.z[row]};
+  };
+  const auto is_before = [&](std::int32_t k, std::int32_t l)
+  {
+    const std::int32_t b_k = b[static_cast<std::size_t>(k)],
+                       b_l = b[static_cast<std::size_t>(l)];
+    if (b_k != b_l)
+      return b_k < b_l;
+    const auto at_k = position(k), at_l = position(l);
+    return at_k != at_l ? at_k < at_l : k < l;
+  };
   for (std::int32_t i = 0; i < n_particles; ++i)
     std::sort(order.begin() + start[static_cast<std::size_t>(i)],
               order.begin() + start[static_cast<std::size_t>(i) + 1],
-              [&key](std::int32_t k, std::int32_t l)
-              { return key(k) < key(l); });
+              is_before);
   return order;
 }
 
@@ -125,6 +140,36 @@ void ContactBatch::rearrange(const BatchLayout &new_layout,
     column = std::move(fresh);
   };
   visit(layout, move, *this);
+}
+
+ContactBatch ContactBatch::select(const std::vector<std::int32_t> &rows) const
+{
+  ContactBatch some;
+  some.layout = layout;
+  some.n = rows.size();
+  const auto copy = [&rows](bool is_there, auto &to, const auto &from)
+  {
+    to.resize(is_there ? whole_blocks(rows.size()) : 0);
+    for (std::size_t k = 0; is_there && k < rows.size(); ++k)
+      to[k] = from[static_cast<std::size_t>(rows[k])];
+  };
+  visit(layout, copy, some, *this);
+  return some;
+}
+
+void ContactBatch::append(const ContactBatch &more)
+{
+  const auto add = [&](bool is_there, auto &to, const auto &from)
+  {
+    if (!is_there)
+      return;
+    to.resize(n);
+    to.insert(to.end(), from.begin(),
+              from.begin() + static_cast<std::ptrdiff_t>(more.n));
+    to.resize(whole_blocks(to.size()));
+  };
+  visit(layout, add, *this, more);
+  n += more.n;
 }
 
 ContactBatch ContactBatch::extract(std::size_t k) const

@@ -59,6 +59,16 @@ Simd expanded_radius(const Side &side, std::int64_t k,
   return load(side.radius + k) + dot(gradient, w) + 0.5 * diagonal + mixed;
 }
 
+/// Adds losses, rounded so that sums are exact: see SumGrid.
+void add_losses(const Losses<Simd> &lost, const Task &task, Losses<Simd> &sum)
+{
+  sum.friction += on_grid(lost.friction, task.loss_shift);
+  sum.rolling += on_grid(lost.rolling, task.loss_shift);
+  sum.damping += on_grid(lost.damping, task.loss_shift);
+  sum.non_conservative_work +=
+      on_grid(lost.non_conservative_work, task.loss_shift);
+}
+
 /// Springs of contacts whose overlaps were these.
 template <class Law>
 ContactHistory<Simd> load_history(const Task &task, std::int64_t k,
@@ -182,8 +192,11 @@ SimdVector advance_law(const Task &task, const ContactMotion<Simd> &motion,
   if constexpr (!Law::scales_with_curvature && Law::exponent == 1.)
     cut_at_crossing<Law>(task, motion, overlap, overlap_before, history,
                          spring);
-  return advance_contact<Law>(motion, spring, task.coefficients, task.time_step,
-                              history, lost);
+  Losses<Simd> in_step;
+  const SimdVector force = advance_contact<Law>(
+      motion, spring, task.coefficients, task.time_step, history, in_step);
+  add_losses(in_step, task, lost);
+  return force;
 }
 
 /// Spring of two equivalent spheres or of one on a plate, from R.

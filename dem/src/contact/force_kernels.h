@@ -93,8 +93,7 @@ struct Surfaces
   void (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
 };
 
-/// Simd that are worked on in turn make one block for every instruction set,
-/// and losses are summed by position in the block: same digits everywhere.
+/// Simd that are worked on in turn make one block for every instruction set.
 inline constexpr std::int64_t lane_block = 8;
 
 /// WallRow in numbers.
@@ -133,6 +132,8 @@ struct Task
   bool keeps_factors; ///< patches take the factors of contacts that end
   bool is_periodic;   ///< pairs meet at their nearest images
   double cell_length[3], cell_rate[3]; ///< PeriodicCell; 0: not periodic
+  /// rounding_shift() of SumGrid; 0: nothing is rounded.
+  double force_shift, moment_shift, loss_shift;
   bool adds_loads_only;       ///< forces are taken as the last step left them
   const double *walls;        ///< WallRow
   const double *wall_overlap; ///< by row; null unless found before

@@ -11,24 +11,12 @@ namespace dem::kernel
 namespace
 {
 constexpr int n_parts = lane_block / n_lanes;
-using BlockLosses = Losses<Simd>[n_parts];
 
-/// Dissipation of the lanes, summed by position in the block.
-void sum_losses(const BlockLosses &lost, Dissipation &sum)
+/// All lanes together: exact, in any order.
+Dissipation sum_of(const Losses<Simd> &lost)
 {
-  for (int part = 0; part < n_parts; ++part)
-  {
-    SimdTable<4> table;
-    table.set(0, {{lost[part].friction, lost[part].rolling, lost[part].damping},
-                  lost[part].non_conservative_work});
-    for (int lane = 0; lane < n_lanes; ++lane)
-    {
-      sum.friction += table.value[lane][0];
-      sum.rolling += table.value[lane][1];
-      sum.damping += table.value[lane][2];
-      sum.non_conservative_work += table.value[lane][3];
-    }
-  }
+  return {stdx::reduce(lost.friction), stdx::reduce(lost.rolling),
+          stdx::reduce(lost.damping), stdx::reduce(lost.non_conservative_work)};
 }
 
 template <auto advance>
@@ -36,7 +24,7 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
                RangeSum &sum)
 {
   const Target target{task.contacts.a[first], sum};
-  BlockLosses lost;
+  Losses<Simd> lost;
   for (std::int64_t k = first; k < last; k += lane_block)
   {
     if (task.ahead.n > 0)
@@ -47,10 +35,10 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
       const std::int64_t n_valid =
           last - from < n_lanes ? last - from : n_lanes;
       if (n_valid > 0)
-        advance(task, from, static_cast<int>(n_valid), lost[part], target);
+        advance(task, from, static_cast<int>(n_valid), lost, target);
     }
   }
-  sum_losses(lost, sum.lost);
+  sum.lost += sum_of(lost);
 }
 
 /// The row of one law in the table of kernels. Laws that attract do so along

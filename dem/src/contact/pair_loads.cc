@@ -29,12 +29,13 @@ std::vector<Foreign> find_foreign(const ContactBatch &pairs)
   for (std::int64_t first = 0; first < n; first += size)
   {
     const std::int64_t last = std::min(first + size, n);
-    // b > a: no particle before the range is met.
+    const std::int32_t begin = pairs.a[static_cast<std::size_t>(first)];
     const std::int32_t end = last < n
                                  ? pairs.a[static_cast<std::size_t>(last)]
                                  : std::numeric_limits<std::int32_t>::max();
     for (std::int64_t k = first; k < last; ++k)
-      if (const std::int32_t b = pairs.b[static_cast<std::size_t>(k)]; b >= end)
+      if (const std::int32_t b = pairs.b[static_cast<std::size_t>(k)];
+          b <= begin || b >= end)
         foreign.push_back({b, static_cast<std::int32_t>(first / size),
                            static_cast<std::int32_t>(k)});
   }

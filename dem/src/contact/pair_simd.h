@@ -156,10 +156,19 @@ void refresh_prefactors(const Task &task, std::int64_t k,
       task.surfaces.mix(task.surfaces.owner, k + lane, table.value[lane]);
 }
 
-/// Loads on particles A and B: forces, then moments.
+/// Force on particle A, minus that on B, and moments on both.
 struct PairLoad
 {
-  SimdVector force_a, moment_a, force_b, moment_b;
+  SimdVector force, moment_a, moment_b;
+
+  /// Rounded, so that sums are exact.
+  PairLoad(const Task &task, const SimdVector &force_on_a,
+           const SimdVector &moment_on_a, const SimdVector &moment_on_b)
+      : force(on_grid(force_on_a, task.force_shift)),
+        moment_a(on_grid(moment_on_a, task.moment_shift)),
+        moment_b(on_grid(moment_on_b, task.moment_shift))
+  {
+  }
 };
 
 void scatter_pairs(const Task &task, std::int64_t k, int n_valid,
@@ -167,8 +176,8 @@ void scatter_pairs(const Task &task, std::int64_t k, int n_valid,
 {
   // What is read in one piece was written in one: it need not wait for memory.
   SimdTable<12> table;
-  table.set(0, {load.force_a, load.moment_a.x});
-  table.set(4, {load.force_b, load.moment_b.x});
+  table.set(0, {load.force, load.moment_a.x});
+  table.set(4, {-load.force, load.moment_b.x});
   table.set(8, {{load.moment_a.y, load.moment_a.z, load.moment_b.y},
                 load.moment_b.z});
   for (int lane = 0; lane < n_valid; ++lane)
@@ -265,12 +274,11 @@ template <class Law>
     store(pair.overlap, contacts.overlap + k);
   }
   const SimdVector turning = cross(pair.normal, force);
-  scatter_pairs(task, k, n_valid,
-                {force, pair.arm_a() * turning + history.rolling, -force,
-                 pair.arm_b() * turning - history.rolling},
-                target);
+  const PairLoad load(task, force, pair.arm_a() * turning + history.rolling,
+                      pair.arm_b() * turning - history.rolling);
+  scatter_pairs(task, k, n_valid, load, target);
   if (task.is_periodic)
-    add_cell_force(pair.images, force, n_valid, target.sum);
+    add_cell_force(pair.images, load.force, n_valid, target.sum);
   if (task.has_damage)
     find_damage(task, k,
                 {pair.overlap, energy_before,

@@ -168,6 +168,10 @@ kernel::Task make_task(SurfaceOwner &owner,
       context.parameters.breakage.energy == CriterionEnergy::with_shear;
   task.keeps_factors =
       context.parameters.breakage.memory == FactorMemory::patch;
+  task.force_shift = rounding_shift(context.grid.force);
+  task.moment_shift = rounding_shift(context.grid.moment);
+  task.loss_shift = rounding_shift(context.grid.loss);
+
   task.adds_loads_only = context.adds_loads_only;
   const PeriodicCell &cell = context.particles.cell;
   task.is_periodic = cell.is_there();
@@ -179,6 +183,8 @@ kernel::Task make_task(SurfaceOwner &owner,
 ForceSum &ForceSum::operator+=(const ForceSum &part)
 {
   lost += part.lost;
+  is_overloaded |= part.is_overloaded;
+
   wants_breakage |= part.wants_breakage;
   has_displaced |= part.has_displaced;
   has_switched |= part.has_switched;
@@ -210,6 +216,7 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
         static_cast<std::size_t>(first), static_cast<std::size_t>(last));
   }
   ForceSum sum;
+  const double largest_loss = owner.context.grid.largest_loss();
   for (std::int64_t r = 0; r < n_ranges; ++r)
   {
     const RangeSum &range = ranges[static_cast<std::size_t>(r)];
@@ -218,6 +225,8 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
     for (int c = 0; c < 6; ++c)
       row[c] += range.load[c];
     sum.lost += range.lost;
+    sum.is_overloaded |= range.lost.largest() > largest_loss;
+
     sum.wants_breakage |= range.wants_breakage;
     sum.has_switched |= range.has_switched;
     sum.has_displaced |= range.has_displaced;

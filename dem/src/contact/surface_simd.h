@@ -232,7 +232,7 @@ template <class Law>
     store(pair.overlap, contacts.overlap + k);
   }
   scatter_pairs(task, k, n_valid,
-                {force, cross(pair.arm_a, force) + history.rolling, -force,
+                {task, force, cross(pair.arm_a, force) + history.rolling,
                  -cross(pair.arm_b, force) - history.rolling},
                 target);
   if (task.has_damage)

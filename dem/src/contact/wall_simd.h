@@ -77,9 +77,12 @@ ContactMotion<Simd> wall_motion(const ParticleSimd &a, const WallSimd &wall,
 }
 
 void scatter_walls(const Task &task, std::int64_t k, int n_valid,
-                   const SimdVector &force, const SimdVector &moment,
-                   const Target &target)
+                   const SimdVector &exact_force,
+                   const SimdVector &exact_moment, const Target &target)
 {
+  // Rounded, so that sums are exact.
+  const SimdVector force = on_grid(exact_force, task.force_shift),
+                   moment = on_grid(exact_moment, task.moment_shift);
   SimdTable<8> table;
   table.set(0, {force, moment.x});
   table.set(4, {{moment.y, moment.z, Simd(0.)}});

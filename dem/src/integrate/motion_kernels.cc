@@ -30,6 +30,7 @@ struct Movers
   SimdRows<particle_row, double> state;
   SimdRows<load_row, double> load;
   SimdVector velocity, spin;
+  SimdVector force, moment; ///< loads
   Simd mass, inertia;
   Turn<Simd> orientation;
   // With shapes.
@@ -46,6 +47,9 @@ struct Movers
     mass = moving.number;
     spin = turning.vector;
     inertia = turning.number;
+    const SimdQuad first = load.quad(0), rest = load.quad(4);
+    force = first.vector;
+    moment = {first.number, rest.vector.x, rest.vector.y};
     if (!motion.frame)
       return;
     orientation = turn(state.quad(at_orientation));
@@ -108,9 +112,7 @@ void kick(const Motion &motion, double dt, const LaneRows &rows,
   const SimdVector weight{particles.mass * motion.gravity[0],
                           particles.mass * motion.gravity[1],
                           particles.mass * motion.gravity[2]};
-  const SimdQuad first = particles.load.quad(0), rest = particles.load.quad(4);
-  const SimdVector force = first.vector + weight,
-                   moment{first.number, rest.vector.x, rest.vector.y};
+  const SimdVector force = particles.force + weight, moment = particles.moment;
   SimdVector kept_force = force, kept_moment = moment;
   if (motion.damped)
   {
@@ -186,10 +188,24 @@ void store_positions(const Motion &motion, const Movers &particles, Simd &check)
                  particles.spin.y + particles.spin.z);
 }
 
+/// Largest component, without its sign.
+Simd largest_component(const SimdVector &v)
+{
+  return stdx::max(stdx::max(stdx::abs(v.x), stdx::abs(v.y)), stdx::abs(v.z));
+}
+
+/// Whether the sum of some load may not be exact any more: see SumGrid.
+bool any_overloaded(const Motion &motion, const Movers &particles)
+{
+  return any(largest_component(particles.force) > motion.largest_force ||
+             largest_component(particles.moment) > motion.largest_moment);
+}
+
 [[gnu::flatten]] Fastest move_some(const Motion &motion, const LaneRows &rows,
                                    Simd &check)
 {
   Movers particles(motion, rows);
+  const bool is_overloaded = any_overloaded(motion, particles);
   if (motion.owed > 0.)
     kick(motion, motion.owed, rows, particles);
   kick(motion, motion.kick, rows, particles);
@@ -202,6 +218,7 @@ void store_positions(const Motion &motion, const Movers &particles, Simd &check)
   }
   particles.state.set(at_velocity, {particles.velocity, particles.mass});
   particles.state.set(at_spin, {particles.spin, particles.inertia});
+  speeds.n_overloaded = is_overloaded ? 1. : 0.;
   return speeds;
 }
 
@@ -216,6 +233,7 @@ Fastest move_range(const Motion &motion, std::int64_t first, std::int64_t last)
         fastest.moving > speeds.moving ? fastest.moving : speeds.moving;
     fastest.closing =
         fastest.closing > speeds.closing ? fastest.closing : speeds.closing;
+    fastest.n_overloaded += speeds.n_overloaded;
   }
   fastest.check = stdx::reduce(check);
   return fastest;

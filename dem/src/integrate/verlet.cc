@@ -40,17 +40,21 @@ kernel::Motion motion_of(ParticleSystem &particles,
           0.,
           0.,
           time_step,
-          0.};
+          0.,
+          parameters.largest_force,
+          parameters.largest_moment};
 }
 
 Speeds move_all(const kernel::Motion &motion, std::size_t n_particles)
 {
   const auto n = static_cast<std::int64_t>(n_particles);
   const kernel::MotionLoop loop = kernel::motion_loop();
-  double moving = 0., closing = 0., check = 0.;
+  double moving = 0., closing = 0., check = 0., n_overloaded = 0.;
 #pragma omp parallel for schedule(static)                                      \
     reduction(max                                                              \
-              : moving, closing) reduction(+ : check) if (n >= n_worth_threads)
+              : moving, closing) reduction(+                                   \
+                                           : check, n_overloaded)              \
+    if (n >= n_worth_threads)
   for (std::int64_t first = 0; first < n; first += range)
   {
     const kernel::Fastest fastest =
@@ -58,9 +62,11 @@ Speeds move_all(const kernel::Motion &motion, std::size_t n_particles)
     moving = std::max(moving, fastest.moving);
     closing = std::max(closing, fastest.closing);
     check += fastest.check; // zeros: in any order the same
+    n_overloaded += fastest.n_overloaded;
   }
   moving = std::sqrt(moving);
-  return {moving, std::max(closing, moving), std::isfinite(check)};
+  return {moving, std::max(closing, moving), std::isfinite(check),
+          n_overloaded > 0.};
 }
 } // namespace
 
@@ -80,12 +86,13 @@ Speeds kick_and_drift(ParticleSystem &particles, const StartOfStep &start,
   motion.steepness = start.steepness;
   motion.owed = start.owed;
   motion.drift = start.time_step;
-  return move_all(motion, particles.size());
+  return move_all(motion, particles.n_owned());
 }
 
 void kick(ParticleSystem &particles, const KickParameters &parameters,
           double time_step, WorkColumns &work)
 {
-  move_all(motion_of(particles, parameters, time_step, work), particles.size());
+  move_all(motion_of(particles, parameters, time_step, work),
+           particles.n_owned());
 }
 } // namespace dem

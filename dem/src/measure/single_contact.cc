@@ -66,8 +66,10 @@ ContactState evaluate_contact(const EngineParameters &parameters,
     if (!pairs.is_touching(k))
       continue;
     const ContactFrame frame = pair_contact_frame(engine, k);
-    state.points.push_back({pairs.overlap[k], frame.normal, frame.point,
-                            pair_force(engine.particles(), pairs, k),
+    // The first side of the contact is the lighter particle.
+    const double sign = pairs.a[k] == 0 ? 1. : -1.;
+    state.points.push_back({pairs.overlap[k], sign * frame.normal, frame.point,
+                            sign * pair_force(engine.particles(), pairs, k),
                             pairs.stored_energy(k)});
   }
   return state;

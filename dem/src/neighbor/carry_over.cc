@@ -5,16 +5,16 @@
 namespace dem
 {
 void retire_contact(const ContactBatch &batch, std::size_t k,
-                    Dissipation &retired)
+                    LostEnergy &retired)
 {
   if (!batch.has_force(k))
     return;
   const ContactHistory<double> history = batch.history(k);
   const double rolling =
       0.5 * dot(history.rolling, history.rolling) * history.rolling_compliance;
-  retired.rolling += rolling;
-  retired.friction += tangential_energy(history) - rolling;
-  retired.non_conservative_work += history.normal_energy;
+  retired.rolling.add(rolling);
+  retired.friction.add(tangential_energy(history) - rolling);
+  retired.non_conservative_work.add(history.normal_energy);
 }
 
 void note_corners(const ParticleSystem &particles, ContactBatch &batch)

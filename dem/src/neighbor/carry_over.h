@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/batch.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/contact/pair_loads.h>
 #include <dem/neighbor/near_pairs.h>
 #include <dem/particles/particle_system.h>
@@ -12,7 +13,7 @@ namespace dem
 {
 /// What the springs of a touching contact hold is lost when it is dropped.
 void retire_contact(const ContactBatch &batch, std::size_t k,
-                    Dissipation &retired);
+                    LostEnergy &retired);
 
 /// Marks the corners stored by the sides; they have been counted.
 void note_corners(const ParticleSystem &particles, ContactBatch &batch);

@@ -96,15 +96,11 @@ ContactPointEvents::operator+=(const ContactPointEvents &part)
 
 void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
                                     const PathLengths &paths,
-                                    ContactBatch &batch, Dissipation &retired)
+                                    ContactBatch &batch, LostEnergy &retired)
 {
   const ParticleSystem &particles = input.context.particles;
-  const double range = far_skins * input.skin;
-  if (reach < paths.centres + input.skin)
-  {
-    pairs = merged(near_spheres(particles, range), pairs);
-    reach = paths.centres + range;
-  }
+  if (needs_search(input.skin, paths))
+    search(particles, input.skin, paths);
   const auto path_length = [&particles](const PairKey &key)
   {
     return particles.path_length[row_of(key.first)] +
@@ -115,6 +111,23 @@ void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
       [&](const CandidatePair &pair, const OldRows &old)
       { return list_pair(input, pair, batch, old); },
       batch, retired, [](const Arrangement &) {});
+}
+
+void ContactPointLists::search(const ParticleSystem &particles, double skin,
+                               const PathLengths &paths)
+{
+  const double range = search_range(skin);
+  pairs = merged(near_spheres(particles, range), pairs);
+  reach = paths.centres + range;
+}
+
+std::vector<std::uint8_t>
+ContactPointLists::named(std::size_t n_particles) const
+{
+  std::vector<std::uint8_t> is_named(n_particles, 0);
+  for (const CandidatePair &pair : pairs)
+    is_named[row_of(pair.key.first)] = is_named[row_of(pair.key.second)] = 1;
+  return is_named;
 }
 
 void renumber_candidates(const std::vector<std::int32_t> &new_row,
@@ -129,11 +142,8 @@ void ContactPointLists::renumber(const std::vector<std::int32_t> &new_row)
 {
   for (CandidatePair &pair : pairs)
   {
-    const std::int32_t a = new_row[row_of(pair.key.first)],
-                       b = new_row[row_of(pair.key.second)];
-    // The first particle may be another one.
-    pair.between = Vec3::Zero();
-    pair.key = std::minmax(a, b);
+    pair.key.first = new_row[row_of(pair.key.first)];
+    pair.key.second = new_row[row_of(pair.key.second)];
   }
   std::sort(pairs.begin(), pairs.end(), by_key);
 }

@@ -102,8 +102,8 @@ double path_length(const ParticleSystem &particles, const PairKey &pair,
 class PairSearch
 {
 public:
-  PairSearch(const ParticleSystem &particles, bool reads_shape, double gap)
-      : particles(particles), skin(gap), reach(reaches(particles, reads_shape)),
+  PairSearch(const ParticleSystem &all, bool reads_shape, double gap)
+      : particles(all), skin(gap), reach(reaches(all, reads_shape)),
         class_of(classify(reach))
   {
     classes.resize(static_cast<std::size_t>(
@@ -142,9 +142,12 @@ public:
           [&](std::int32_t other, const Vec3 &position)
           {
             const auto j = static_cast<std::size_t>(other);
-            if ((c > own || j > i) && is_near(i, j, position - x))
-              pairs.emplace_back(static_cast<std::int32_t>(std::min(i, j)),
-                                 static_cast<std::int32_t>(std::max(i, j)));
+            if ((c == own && j <= i) || !is_near(i, j, position - x))
+              return;
+            // Pairs of other juniors are found by the ranks that own them.
+            const PairKey pair = juniors_first(i, j);
+            if (static_cast<std::size_t>(pair.first) < particles.n_owned())
+              pairs.push_back(pair);
           });
     }
   }
@@ -196,6 +199,13 @@ private:
     throw std::runtime_error(text);
   }
 
+  PairKey juniors_first(std::size_t i, std::size_t j) const
+  {
+    const auto a = static_cast<std::int32_t>(i),
+               b = static_cast<std::int32_t>(j);
+    return particles.is_junior(i, j) ? PairKey(a, b) : PairKey(b, a);
+  }
+
   bool is_near(std::size_t i, std::size_t j, const Vec3 &branch) const
   {
     const double range = reach[i] + reach[j] + skin;
@@ -235,6 +245,8 @@ std::vector<PairKey> sorted(const std::vector<std::vector<PairKey>> &parts,
 std::vector<PairKey> within(const ParticleSystem &particles, bool reads_shape,
                             double range)
 {
+  if (particles.size() == 0)
+    return {};
   const PairSearch grids(particles, reads_shape, range);
   constexpr std::size_t part_size = 256;
   const std::size_t n = particles.size();
@@ -252,15 +264,10 @@ std::vector<PairKey> PairFinder::find(const ParticleSystem &particles,
                                       ContactGeometry geometry, double skin,
                                       const PathLengths &paths)
 {
-  // Wide enough for some rebuilds, narrow enough to be short: gaps of spheres
-  // are had for less than the memory of their candidates.
-  const double widening = particles.has_shapes ? 8. : 3.;
   if (particles.size() == 0)
     return {};
-  if (reach < paths.centres + skin)
-    search(particles, geometry,
-           std::max(skin, std::min(widening * skin, widest_range(particles))),
-           paths);
+  if (needs_search(skin, paths))
+    search(particles, geometry, skin, paths);
   constexpr std::size_t part_size = 4096;
   std::vector<std::vector<PairKey>> parts((candidates.size() + part_size - 1) /
                                           part_size);
@@ -303,10 +310,19 @@ PairFinder::between_spheres(const ParticleSystem &particles,
           distance - a.least_radius - b.least_radius - path_length};
 }
 
+double PairFinder::search_range(const ParticleSystem &particles, double skin)
+{
+  // Wide enough for some rebuilds, narrow enough to be short: gaps of spheres
+  // are had for less than the memory of their candidates.
+  const double widening = particles.has_shapes ? 8. : 3.;
+  return std::max(skin, std::min(widening * skin, widest_range(particles)));
+}
+
 void PairFinder::search(const ParticleSystem &particles,
-                        ContactGeometry geometry, double range,
+                        ContactGeometry geometry, double skin,
                         const PathLengths &paths)
 {
+  const double range = search_range(particles, skin);
   // What is known of a pair still holds.
   const std::vector<Candidate> before = std::exchange(candidates, {});
   auto known = before.begin();
@@ -324,6 +340,23 @@ void PairFinder::search(const ParticleSystem &particles,
                               path_length(particles, pair, paths)));
   }
   reach = paths.centres + range;
+}
+
+std::vector<std::uint8_t> PairFinder::named(std::size_t n_particles) const
+{
+  std::vector<std::uint8_t> is_named(n_particles, 0);
+  for (const Candidate &one : candidates)
+    is_named[static_cast<std::size_t>(one.particles.first)] =
+        is_named[static_cast<std::size_t>(one.particles.second)] = 1;
+  return is_named;
+}
+
+void PairFinder::renumber(const std::vector<std::int32_t> &new_row)
+{
+  for (Candidate &one : candidates)
+    for (std::int32_t *row : {&one.particles.first, &one.particles.second})
+      *row = new_row[static_cast<std::size_t>(*row)];
+  std::ranges::sort(candidates, {}, &Candidate::particles);
 }
 
 std::vector<PairKey> near_spheres(const ParticleSystem &particles, double skin)

@@ -15,7 +15,7 @@ PairKey key_of(const ContactBatch &batch, std::int32_t k)
 /// Where each of the pairs is in the batch, or -1; the others retire.
 std::vector<std::int32_t> rows_in(const ContactBatch &batch,
                                   const std::vector<PairKey> &pairs,
-                                  Dissipation &retired)
+                                  LostEnergy &retired)
 {
   const std::vector<std::int32_t> sorted = batch.by_pair();
   const auto number = [&sorted](std::size_t k)
@@ -36,7 +36,7 @@ std::vector<std::int32_t> rows_in(const ContactBatch &batch,
 
 void rebuild_pairs(const ParticleSystem &particles, const BatchLayout &layout,
                    const std::vector<PairKey> &near, ContactBatch &batch,
-                   Dissipation &retired)
+                   LostEnergy &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
   const std::vector<std::int32_t> old_row = rows_in(batch, near, retired);

@@ -3,6 +3,7 @@
 #include "../contact/follow.h"
 #include "carry_over.h"
 
+#include <dem/contact/lost_energy.h>
 #include <dem/contact/wall_contact_point.h>
 #include <dem/neighbor/contact_point_lists.h>
 
@@ -227,7 +228,7 @@ struct Arrangement
 
 /// Releases the energy of the dropped contacts.
 inline void retire_dropped(const Arrangement &to, const ContactBatch &batch,
-                           Dissipation &retired)
+                           LostEnergy &retired)
 {
   std::vector<std::uint8_t> is_kept(batch.size(), 0);
   for (const std::int32_t source : to.source)
@@ -309,18 +310,6 @@ struct Watch
 template <class Path>
 Watch(std::vector<CandidatePair> &, Path, SecondOf) -> Watch<Path>;
 
-/// Numbers of the entries by what they are listed by; those on walls stand in
-/// that order.
-inline std::vector<std::int32_t> entries_by_key(const ContactBatch &batch,
-                                                bool has_partners)
-{
-  if (has_partners)
-    return batch.by_pair();
-  std::vector<std::int32_t> order(batch.size());
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
-
 /// `b` is the particle or the plane itself.
 inline std::int32_t itself(std::int32_t b)
 {
@@ -332,12 +321,11 @@ inline std::int32_t itself(std::int32_t b)
 template <class Path, class Make, class Arranged>
 ContactPointEvents renew(const ContactPointSearchInput &input,
                          const Watch<Path> &watch, const Make &make,
-                         ContactBatch &batch, Dissipation &retired,
+                         ContactBatch &batch, LostEnergy &retired,
                          const Arranged &arranged)
 {
   std::vector<CandidatePair> &pairs = watch.pairs;
-  const std::vector<std::int32_t> old_order =
-      entries_by_key(batch, input.layout.has_partners);
+  const std::vector<std::int32_t> old_order = batch.by_pair();
   const std::vector<PairList> lists = make_lists(
       pairs, OldList(batch, watch.second_of, old_order),
       [&](const CandidatePair &pair, const OldRows &old)

@@ -21,34 +21,6 @@ std::uint64_t spread(std::uint64_t x)
   return x;
 }
 
-/// Shear and all else changes its sign when A and B are exchanged.
-void swap_sides(ContactBatch &batch, std::size_t k)
-{
-  std::swap(batch.a[k], batch.b[k]);
-  const auto negate = [k](TripleColumn<double> &column)
-  {
-    const Triple<double> value = column[k];
-    column.set(k, -value);
-  };
-  // The spring acts on A, along the motion of B against A.
-  negate(batch.shear);
-  const Triple<double> dashpot = batch.dashpot[k];
-  batch.dashpot.set(k, -dashpot);
-  if (batch.layout.has_rolling)
-    negate(batch.rolling);
-  const auto swap_entry = [k](bool is_there, auto &first, auto &second)
-  {
-    if (is_there)
-      std::swap(first[k], second[k]);
-  };
-  SideColumns::visit(swap_entry, batch.layout, batch.layout.has_sides,
-                     batch.side_a, batch.side_b);
-  if (!batch.layout.has_damage)
-    return;
-  std::swap(batch.factor_a[k], batch.factor_b[k]);
-  std::swap(batch.corner_a[k], batch.corner_b[k]);
-}
-
 std::int32_t moved(const std::vector<std::int32_t> &new_row,
                    std::int32_t particle)
 {
@@ -107,8 +79,6 @@ void renumber_pairs(const std::vector<std::int32_t> &new_row,
   {
     batch.a[k] = moved(new_row, batch.a[k]);
     batch.b[k] = moved(new_row, batch.b[k]);
-    if (batch.a[k] > batch.b[k])
-      swap_sides(batch, k);
   }
   batch.rearrange(batch.layout, batch.by_pair());
 }

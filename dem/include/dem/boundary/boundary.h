@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/forces.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/neighbor/contact_point_lists.h>
 
 #include <functional>
@@ -18,7 +19,7 @@ struct BoundarySearch
   double skin = 0.;               ///< how far beyond contact lists look [m]
   double rigid_path = 0.;         ///< by the fastest rigid boundary [m]
   double &deforming_left;         ///< skin left of boundaries that deform [m]
-  Dissipation &retired;           ///< takes what dropped springs held
+  LostEnergy &retired;            ///< takes what dropped springs held
   ContactPointEvents &events;
 };
 
@@ -60,6 +61,12 @@ public:
 
   /// Makes the list of contacts; known ones keep what they carry.
   virtual void find_candidates(const BoundarySearch &search) = 0;
+  /// Whether its contacts can be spread over ranks: `batch` and candidates()
+  /// are all that goes with a particle, and sum_loads() all that ranks must
+  /// sum.
+  virtual bool can_be_shared() const { return false; }
+  /// What it stores of single particles besides; null: nothing.
+  virtual std::vector<CandidatePair> *candidates() { return nullptr; }
   /// The particles have got other numbers: new_row[old] = new.
   virtual void renumber(const std::vector<std::int32_t> &new_row,
                         bool follows_surfaces) = 0;
@@ -68,6 +75,9 @@ public:
   virtual ForceSum meet(const ForceContext &context) = 0;
   /// The boundary as its contacts meet it, for the loop over them.
   virtual Walls walls(const ForceContext &context) = 0;
+  /// Sums over the contacts of this rank, which the engine makes sums over all
+  /// ranks before apply_loads().
+  virtual std::span<ExactSum> sum_loads(const SumGrid &) { return {}; }
   /// Takes the loads of the contacts; books the other half of the work.
   virtual void apply_loads(double time_step) = 0;
   /// Done on the particles [J].

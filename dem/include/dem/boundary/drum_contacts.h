@@ -3,6 +3,7 @@
 #include <dem/boundary/drum.h>
 #include <dem/boundary/wall_candidates.h>
 #include <dem/contact/forces.h>
+#include <dem/contact/lost_energy.h>
 
 namespace dem
 {
@@ -17,7 +18,7 @@ inline DrumPart drum_part(const ContactBatch &batch, std::size_t k)
 /// contacts keep what they carry.
 void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
                   const WallSearch &search, ContactBatch &batch,
-                  Dissipation &retired);
+                  LostEnergy &retired);
 
 /// The drum as the contacts of the batch meet it now: row `b` is the wall of
 /// contact k. Rows of touching contacts store their previous positions.

@@ -26,16 +26,21 @@ public:
   void renumber(const std::vector<std::int32_t> &new_row, bool) override;
   ForceSum meet(const ForceContext &context) override;
   Walls walls(const ForceContext &) override { return {material, rows}; }
+  std::span<ExactSum> sum_loads(const SumGrid &grid) override;
+  bool can_be_shared() const override { return true; }
+  std::vector<CandidatePair> *candidates() override { return &supports; }
   void apply_loads(double time_step) override;
   double work() const override;
 
   std::vector<Plane> planes;
 
 private:
+  void add_force(const Vec3 &force, std::size_t plane);
   void pack_parts(std::ostream &out) const override;
   void unpack_parts(std::istream &in) override;
 
   std::vector<CandidatePair> supports; ///< of true surfaces, sorted
   std::vector<WallRow> rows;
+  std::vector<ExactSum> force_sums; ///< on the planes, by component [N]
 };
 } // namespace dem

@@ -3,6 +3,7 @@
 #include <dem/boundary/facet_contacts.h>
 #include <dem/boundary/plane.h>
 #include <dem/contact/forces.h>
+#include <dem/contact/lost_energy.h>
 
 namespace dem
 {
@@ -20,7 +21,7 @@ struct WallSearch
 /// (particle, plane).
 void rebuild_planes(const ParticleSystem &particles,
                     const std::vector<Plane> &planes, const WallSearch &search,
-                    ContactBatch &batch, Dissipation &retired);
+                    ContactBatch &batch, LostEnergy &retired);
 
 /// How near to its centre triangles are taken as candidates of a particle [m].
 double facet_reach(const ParticleSystem &particles, std::size_t particle,
@@ -36,5 +37,5 @@ FacetCandidates near_facets(const ParticleSystem &particles,
 void rebuild_facets(const ParticleSystem &particles,
                     const FacetSurface &surface, const WallSearch &search,
                     FacetCandidates &candidates, ContactBatch &batch,
-                    Dissipation &retired);
+                    LostEnergy &retired);
 } // namespace dem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/batch.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/neighbor/near_pairs.h>
 #include <dem/particles/particle_system.h>
 
@@ -13,5 +14,5 @@ namespace dem
 /// springs of dropped ones held is added to `retired`.
 void rebuild_walls(const ParticleSystem &particles,
                    const std::vector<PairKey> &near, const BatchLayout &layout,
-                   ContactBatch &batch, Dissipation &retired);
+                   ContactBatch &batch, LostEnergy &retired);
 } // namespace dem

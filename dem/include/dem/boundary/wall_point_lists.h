@@ -4,6 +4,7 @@
 #include <dem/boundary/facet_contacts.h>
 #include <dem/boundary/facet_motion.h>
 #include <dem/boundary/plane.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/neighbor/contact_point_lists.h>
 
 namespace dem
@@ -47,18 +48,18 @@ struct PlaneCandidates
 ContactPointEvents renew_planes(const ContactPointSearchInput &input,
                                 const PlaneCandidates &walls,
                                 std::vector<CandidatePair> &listed,
-                                ContactBatch &batch, Dissipation &retired);
+                                ContactBatch &batch, LostEnergy &retired);
 
 /// Particles against the parts of a drum; `b` becomes n_drum_parts times the
 /// number of the contact plus the part.
 ContactPointEvents renew_drum(const ContactPointSearchInput &input,
                               const DrumCandidates &drum,
                               std::vector<CandidatePair> &listed,
-                              ContactBatch &batch, Dissipation &retired);
+                              ContactBatch &batch, LostEnergy &retired);
 
 /// Particles against a facet surface, whose candidates keep the list; `b`
 /// becomes the number of the contact.
 ContactPointEvents renew_facets(const ContactPointSearchInput &input,
                                 const FacetCandidateRows &facets,
-                                ContactBatch &batch, Dissipation &retired);
+                                ContactBatch &batch, LostEnergy &retired);
 } // namespace dem

@@ -140,7 +140,8 @@ struct ContactBatch
   std::vector<Narrow> reduced_radius; ///< Prefactors::radius, with sides [m]
 
   std::size_t size() const { return n; }
-  /// Numbers of the contacts by (a, b); those of one pair keep their order.
+  /// Numbers of the contacts by (a, b), those of one pair by their directions
+  /// on A: whatever order they stand in.
   std::vector<std::int32_t> by_pair() const;
   bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
   /// Touches, or pulls across a gap.
@@ -166,6 +167,11 @@ struct ContactBatch
   /// that is negative.
   void rearrange(const BatchLayout &new_layout,
                  const std::vector<std::int32_t> &source);
+
+  /// Some contacts, in this order.
+  ContactBatch select(const std::vector<std::int32_t> &rows) const;
+  /// Adds contacts of the same layout at the end.
+  void append(const ContactBatch &more);
 
   /// Contact k alone, and back again.
   ContactBatch extract(std::size_t k) const;

@@ -2,9 +2,11 @@
 
 #include <dem/contact/batch.h>
 #include <dem/contact/elasticity_table.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/contact/overlap_watch.h>
 #include <dem/contact/pair_loads.h>
 #include <dem/contact/range_sum.h>
+#include <dem/contact/sum_grid.h>
 #include <dem/parameters/engine.h>
 #include <dem/particles/particle_system.h>
 
@@ -43,6 +45,7 @@ struct ForceContext
   /// Forces stay as the last step left them, only loads are added: after some
   /// contacts were reset.
   bool adds_loads_only = false;
+  SumGrid grid = {}; ///< of loads and losses
   /// No overlap up to this exceeds the recent ratios of OverlapRecord [m].
   double known_overlap = 0.;
 };
@@ -58,7 +61,8 @@ BatchLayout wall_layout(const EngineParameters &parameters,
 /// (ContactBatch::event).
 struct ForceSum
 {
-  Dissipation lost;
+  LostEnergy lost;
+  bool is_overloaded = false; ///< some loss was beyond SumGrid
   bool wants_breakage = false;
   bool has_switched = false;  ///< as RangeSum
   bool has_displaced = false; ///< as RangeSum

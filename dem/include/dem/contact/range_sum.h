@@ -4,16 +4,14 @@
 
 namespace dem
 {
-/// What one step of a range of contacts adds up to. The ranges of a batch
-/// depend on its size alone, so their sums are the same for any number of
-/// threads.
+/// What one step of a range of contacts adds up to; see SumGrid.
 struct RangeSum
 {
   /// Load on the particle that is side A of the first contact of the range; the
   /// range before may add to it too force [N], moment [N m]. Particles that
   /// come after it in the range get theirs directly.
   double load[6] = {};
-  Dissipation lost;
+  Dissipation lost; ///< multiples of SumGrid::loss
   bool wants_breakage = false;
   bool has_switched = false;  ///< patches keep factors: contacts began or ended
   bool has_displaced = false; ///< some contact is no more where it was

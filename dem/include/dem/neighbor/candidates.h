@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/batch.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/neighbor/near_pairs.h>
 #include <dem/particles/particle_system.h>
 
@@ -12,7 +13,7 @@ namespace dem
 /// added to `retired`.
 void rebuild_pairs(const ParticleSystem &particles, const BatchLayout &layout,
                    const std::vector<PairKey> &near, ContactBatch &batch,
-                   Dissipation &retired);
+                   LostEnergy &retired);
 
 /// c of (1 + c)|v| + reach |omega|, the bound of the speed at which a particle
 /// can close a gap, where overlap is of local radii along the branch: largest

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/forces.h>
+#include <dem/contact/lost_energy.h>
 #include <dem/neighbor/candidate_pair.h>
 #include <dem/neighbor/particle_maps.h>
 
@@ -49,7 +50,21 @@ class ContactPointLists
 public:
   void renew_pairs(const ContactPointSearchInput &input,
                    const PathLengths &paths, ContactBatch &batch,
-                   Dissipation &retired);
+                   LostEnergy &retired);
+
+  /// Whether renew_pairs() with this skin [m] would search for pairs.
+  bool needs_search(double skin, const PathLengths &paths) const
+  {
+    return reach < paths.centres + skin;
+  }
+  /// Distance between bounding spheres up to which it would do so [m].
+  static double search_range(double skin) { return 3. * skin; }
+  /// Searches now. Ghosts must be there up to search_range().
+  void search(const ParticleSystem &particles, double skin,
+              const PathLengths &paths);
+  /// Marks the particles that some pair names, by row.
+  std::vector<std::uint8_t> named(std::size_t n_particles) const;
+  std::vector<CandidatePair> &candidates() { return pairs; }
 
   /// Particles have been added.
   void forget() { reach = -1.; }

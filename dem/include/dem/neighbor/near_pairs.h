@@ -9,7 +9,7 @@
 
 namespace dem
 {
-/// Two particles, the one with the lower number first.
+/// Two particles, the junior first (ParticleSystem::is_junior).
 using PairKey = std::pair<std::int32_t, std::int32_t>;
 
 /// Path lengths of a pair: sums over all steps of how far two particles can
@@ -42,6 +42,21 @@ public:
                             ContactGeometry geometry, double skin,
                             const PathLengths &paths);
 
+  /// Whether find() of this `skin` [m] would search for candidates.
+  bool needs_search(double skin, const PathLengths &paths) const
+  {
+    return reach < paths.centres + skin;
+  }
+  /// Distance between bounding spheres up to which it would do so [m].
+  static double search_range(const ParticleSystem &particles, double skin);
+  /// Searches now. Ghosts must be there up to search_range().
+  void search(const ParticleSystem &particles, ContactGeometry geometry,
+              double skin, const PathLengths &paths);
+  /// Marks the particles that some candidate names, by row.
+  std::vector<std::uint8_t> named(std::size_t n_particles) const;
+  /// The particles have got other rows.
+  void renumber(const std::vector<std::int32_t> &new_row);
+
   /// The particles have got other numbers or were added to.
   void forget()
   {
@@ -59,9 +74,6 @@ private:
   };
   static Candidate between_spheres(const ParticleSystem &particles,
                                    const PairKey &pair, double path_length);
-
-  void search(const ParticleSystem &particles, ContactGeometry geometry,
-              double range, const PathLengths &paths);
 
   std::vector<Candidate> candidates; ///< sorted
   /// PathLengths::centres up to which pairs below it less that are all there

@@ -51,6 +51,8 @@ public:
   void grow(double length);
 
   void invalidate() { is_stale = true; }
+  /// Whether contact points have displaced since the lists were made.
+  bool displaced() const { return has_displaced; }
   void note_displaced() { has_displaced = true; }
   void note_displaced_on_deforming() { has_displaced_on_deforming = true; }
 

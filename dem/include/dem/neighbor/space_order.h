@@ -18,7 +18,7 @@ std::vector<std::int32_t> space_order(const std::vector<Vec3> &position);
 std::vector<std::int32_t> new_rows(const std::vector<std::int32_t> &order);
 
 /// The contacts name the particles by their new rows and stand in the order
-/// (a, b) again, a < b; sides change their roles where they must.
+/// (a, b) again.
 void renumber_pairs(const std::vector<std::int32_t> &new_row,
                     ContactBatch &batch);
 } // namespace dem

@@ -12,4 +12,7 @@ namespace dem
 /// MPI and Zoltan throw std::runtime_error. This function and the destruction
 /// of what it returns are collective.
 std::shared_ptr<Ranks> mpi_ranks();
+
+/// mpi_ranks() where MPI is running, else one_rank().
+std::shared_ptr<Ranks> ranks_of_program();
 } // namespace dem

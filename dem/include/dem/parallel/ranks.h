@@ -21,7 +21,7 @@ public:
   virtual std::size_t n_sent() const = 0;
   virtual std::size_t n_received() const = 0;
   /// Sends item k to the rank that the plan names for it; `received` takes
-  /// n_received() items, the same ones at the same places at each call: by the
+  /// n_received() items, the same ones in the same order at each call: by the
   /// rank of the sender, then in the order in which it sends them. Collective.
   virtual void forward(const void *items, std::size_t bytes,
                        void *received) = 0;

@@ -68,7 +68,13 @@ struct ParticleSystem
 
   PeriodicCell cell; ///< not there: particles meet where they are
 
-  std::size_t size() const { return id.size(); }
+  /// Particles of other ranks that owned ones meet: the last rows. Their loads
+  /// are sent to the ranks that own them. None on one rank.
+  std::size_t n_ghosts = 0;
+
+  std::size_t size() const { return id.size(); } ///< with ghosts
+  /// Particles of this rank: the first rows.
+  std::size_t n_owned() const { return size() - n_ghosts; }
   /// From particle a to the nearest image of particle b [m].
   Vec3 branch(std::size_t a, std::size_t b) const
   {
@@ -83,6 +89,15 @@ struct ParticleSystem
                ? Vec3(direct + cell.image_velocity(state[b].position -
                                                    state[a].position))
                : direct;
+  }
+  /// Whether a comes before b in a pair: the particle that was lighter at
+  /// first, of equal ones that of the smaller id. No number that a step
+  /// computes depends on the order of the columns therefore.
+  bool is_junior(std::size_t a, std::size_t b) const
+  {
+    return initial_mass[a] != initial_mass[b]
+               ? initial_mass[a] < initial_mass[b]
+               : id[a] < id[b];
   }
   /// Not as a sphere does; spheres among spheres turn as spheres.
   bool turns_as_tensor() const { return follows_surfaces && has_shapes; }

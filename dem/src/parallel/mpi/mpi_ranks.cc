@@ -154,4 +154,9 @@ std::shared_ptr<Ranks> mpi_ranks()
     throw std::logic_error("ranks of MPI: MPI is not running");
   return std::make_shared<MpiRanks>();
 }
+
+std::shared_ptr<Ranks> ranks_of_program()
+{
+  return mpi_is_running() ? mpi_ranks() : one_rank();
+}
 } // namespace dem

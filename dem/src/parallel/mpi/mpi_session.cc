@@ -4,8 +4,13 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
 #include <exception>
 #include <stdexcept>
+#include <thread>
 #include <zoltan.h>
 
 namespace dem
@@ -23,6 +28,19 @@ void start_mpi()
 }
 } // namespace
 
+bool is_launched()
+{
+  return std::ranges::any_of(
+      std::array{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"},
+      [](const char *name) { return std::getenv(name) != nullptr; });
+}
+
+void end_all_ranks(int status)
+{
+  MPI_Abort(MPI_COMM_WORLD, status);
+  std::abort(); // never reached
+}
+
 MpiSession::MpiSession() : n_exceptions(std::uncaught_exceptions())
 {
   int is_over = 0;
@@ -34,6 +52,28 @@ MpiSession::MpiSession() : n_exceptions(std::uncaught_exceptions())
     start_mpi();
   float version = 0.f;
   check_zoltan(Zoltan_Initialize(0, nullptr, &version), "start");
+}
+
+bool MpiSession::all_arrive(double seconds) const
+{
+  MPI_Request request = MPI_REQUEST_NULL;
+  check_mpi(MPI_Ibarrier(MPI_COMM_WORLD, &request), "wait for all ranks");
+  const double end = MPI_Wtime() + seconds;
+  int is_done = 0;
+  while (!is_done && MPI_Wtime() < end)
+  {
+    check_mpi(MPI_Test(&request, &is_done, MPI_STATUS_IGNORE),
+              "wait for all ranks");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return is_done != 0;
+}
+
+bool MpiSession::is_first() const
+{
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank == 0;
 }
 
 MpiSession::~MpiSession()

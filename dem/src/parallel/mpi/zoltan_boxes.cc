@@ -23,7 +23,7 @@ int count_points(void *data, int *code)
   return static_cast<int>(static_cast<WeightedPoints *>(data)->points.size());
 }
 
-// Ids are places in the list: they need not differ between ranks, as no list
+// Ids are rows of the list: they need not differ between ranks, as no list
 // of points is asked for.
 void list_points(void *data, int, int, ZOLTAN_ID_PTR id, ZOLTAN_ID_PTR, int,
                  float *weight, int *code)

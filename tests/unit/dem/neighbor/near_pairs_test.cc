@@ -34,8 +34,13 @@ std::vector<dem::PairKey> by_brute_force(const dem::ParticleSystem &particles,
       if ((particles.position(j) - particles.position(i)).norm() -
               particles.radius(i) - particles.radius(j) <
           margin)
-        pairs.emplace_back(static_cast<std::int32_t>(i),
-                           static_cast<std::int32_t>(j));
+      {
+        const auto a = static_cast<std::int32_t>(i),
+                   b = static_cast<std::int32_t>(j);
+        pairs.push_back(particles.is_junior(i, j) ? dem::PairKey(a, b)
+                                                  : dem::PairKey(b, a));
+      }
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 } // namespace

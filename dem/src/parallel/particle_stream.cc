@@ -1,0 +1,41 @@
+#include "particle_stream.h"
+
+#include <dem/binary.h>
+#include <dem/shape/shape_stream.h>
+
+namespace dem
+{
+void write_particles(std::ostream &out, const ParticleSystem &particles,
+                     const std::vector<std::int32_t> &rows, SeriesPool &pool)
+{
+  ParticleSystem::visit(particles, [&](const auto &column)
+                        { write_column(out, selected(column, rows)); });
+  std::vector<SeriesKey> keys;
+  for (const std::int32_t row : rows)
+    keys.push_back(
+        pool.add(particles.shape[static_cast<std::size_t>(row)].series));
+  write_column(out, keys);
+  for (const std::int32_t row : rows)
+    write_measures(out, particles.shape[static_cast<std::size_t>(row)]);
+}
+
+std::size_t read_particles(std::istream &in, ParticleSystem &particles,
+                           std::vector<SeriesKey> &series)
+{
+  const std::size_t before = particles.size();
+  ParticleSystem::visit(particles,
+                        [&in](auto &column)
+                        {
+                          std::decay_t<decltype(column)> more;
+                          read_column(in, more);
+                          column.insert(column.end(), more.begin(), more.end());
+                        });
+  std::vector<SeriesKey> keys;
+  read_column(in, keys);
+  series.insert(series.end(), keys.begin(), keys.end());
+  particles.shape.resize(particles.size());
+  for (std::size_t i = before; i < particles.size(); ++i)
+    read_measures(in, particles.shape[i]);
+  return particles.size() - before;
+}
+} // namespace dem

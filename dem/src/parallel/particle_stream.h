@@ -1,0 +1,34 @@
+#pragma once
+
+#include <dem/contact/batch_stream.h>
+#include <dem/parallel/series_pool.h>
+#include <dem/particles/particle_system.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <vector>
+
+/// Rows of the columns of particles to and from parcels.
+namespace dem
+{
+/// These rows of all columns; series by key alone.
+void write_particles(std::ostream &out, const ParticleSystem &particles,
+                     const std::vector<std::int32_t> &rows, SeriesPool &pool);
+
+/// Appends the rows; their series are null and their keys are appended to
+/// `series`. Returns how many there were.
+std::size_t read_particles(std::istream &in, ParticleSystem &particles,
+                           std::vector<SeriesKey> &series);
+
+/// Entries of a column.
+template <class Entry>
+std::vector<Entry> selected(const std::vector<Entry> &column,
+                            const std::vector<std::int32_t> &rows)
+{
+  std::vector<Entry> some;
+  some.reserve(rows.size());
+  for (const std::int32_t row : rows)
+    some.push_back(column[static_cast<std::size_t>(row)]);
+  return some;
+}
+} // namespace dem
