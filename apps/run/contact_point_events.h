@@ -6,15 +6,15 @@
 
 namespace spall
 {
-/// Adds `contact_places` to a summary: what became of contacts that follow the
-/// true surfaces. Nothing if none do.
+/// Adds `contact_point_events` to a summary: what became of contacts that
+/// follow the true surfaces. Nothing if none do.
 inline void add_contact_point_events(const dem::Engine &engine,
                                      nlohmann::ordered_json &summary)
 {
   if (!engine.particles().follows_surfaces)
     return;
   const dem::ContactPointEvents &events = engine.contact_point_events();
-  summary["contact_places"] = {
+  summary["contact_point_events"] = {
       {"searches", events.n_scans},  {"found_late", events.n_late},
       {"jumped", events.n_jumps},    {"ended", events.n_ended},
       {"merged", events.n_merged},   {"not_listed", events.n_unlisted},

@@ -39,8 +39,8 @@ def faults(folder):
     # over nine seeds.
     if not 2.5 < result["coordination_start_1"] < 6.:
         found.append(f"coordination {result['coordination_start_1']}")
-    if "contact_places" not in result:
-        found.append("no entry contact_places")
+    if "contact_point_events" not in result:
+        found.append("no entry contact_point_events")
     return found
 
 

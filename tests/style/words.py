@@ -48,7 +48,7 @@ ALLOWED = re.compile(r"deprecated|old_columns|old_names|[Bb]allast stones?\b|"
                      r'\{"[A-Za-z_]+"\}\}|'
                      r'^\s*\{"[a-z_A-Z]+", "[a-z_A-Z]+"\},$|'
                      r"min_ball_radius|Stone/|LLVMFuzzerTestOneInput|"
-                     r"contact_places\b|place_plane|in place\b|the place of|"
+                     r"place_plane|in place\b|the place of|"
                      r"MPI_IN_PLACE|sleep_for")
 PART = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 
@@ -95,7 +95,7 @@ def self_check():
             "double slack = 0.;\nint one_place;\nplace_plane(); // in place\n")
         (root / "apps/b.cc").write_text(
             "double slack = 0.;\nstruct WallPlaces;\n"
-            'summary["contact_places"] = events;\n// in place of it\n')
+            '// in place of it\n')
         (root / "docs/a.md").write_text("A spot on a stone.\nBallast stones.\n")
         found = list(faults(root))
     expected = ["dem/a.h:1: stone: use particle",
