@@ -231,10 +231,10 @@ void EngineState::renew_grid()
   std::vector<LawChoice> laws{law_of(settings.particle)};
   for (const auto &boundary : walls)
     laws.push_back(law_of(boundary->material));
-  const double deepest =
-      keeps_inside ? std::min(1., settings.geometry.overlap.stop) : 1.;
+  // Deeper contacts make the spacing larger when they come.
+  constexpr double usual_overlap = 0.01;
   grid = sum_grid(laws, elasticity, 1 + settings.other_solids.size(),
-                  {largest_radius, deepest, load_factor});
+                  {least_radius, usual_overlap, load_factor});
 }
 
 /// What is left of the skin stays: but for pairs whose contact points have

@@ -45,6 +45,6 @@ SumGrid sum_grid(std::span<const LawChoice> laws,
   const double moment = force * power_of_two(largest.radius);
   // Losses are collected in units of 2^-80 J in the end (ExactSum).
   return {0x1p-50 * force, 0x1p-50 * moment,
-          std::max(0x1p-62 * moment, 0x1p-80)};
+          std::max(0x1p-50 * moment, 0x1p-80)};
 }
 } // namespace dem

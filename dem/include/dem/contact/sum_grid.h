@@ -40,14 +40,14 @@ private:
 /// What the spacings of a scene follow from.
 struct LargestLoad
 {
-  double radius = 0.;  ///< of the largest particle, R [m]
-  double overlap = 1.; ///< that no contact exceeds, over R [-]
+  double radius = 0.;  ///< of the particle, R [m]
+  double overlap = 1.; ///< that few contacts exceed, over R [-]
   double factor = 1.;  ///< on the force of such a contact, a power of two [-]
 };
 
 /// The spacings of a scene with these contact laws: 2^-50 of the force F of the
-/// stiffest one where the largest particle overlaps a plate by `largest`, and
-/// 2^-50 F R for moments, 2^-62 F R for losses. `n_materials` are those of
+/// stiffest one where a particle overlaps a plate by `largest`, and
+/// 2^-50 F R for moments, 2^-50 F R for losses. `n_materials` are those of
 /// ElasticityTable.
 SumGrid sum_grid(std::span<const LawChoice> laws,
                  const ElasticityTable &elasticity, std::size_t n_materials,
