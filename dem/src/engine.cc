@@ -74,9 +74,10 @@ void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
 Boundary &EngineState::add_boundary(std::unique_ptr<Boundary> boundary)
 {
   // Sums over boundaries are in one order, in whatever order a scene is built.
-  const auto after = std::ranges::upper_bound(
-      walls, boundary->rank(), {},
-      [](const std::unique_ptr<Boundary> &one) { return one->rank(); });
+  const auto after =
+      std::ranges::upper_bound(walls, boundary->evaluation_order(), {},
+                               [](const std::unique_ptr<Boundary> &one)
+                               { return one->evaluation_order(); });
   schedule.invalidate();
   return **walls.insert(after, std::move(boundary));
 }
@@ -155,6 +156,7 @@ void EngineState::advance_deferred(double time_step)
   ++step_count;
   send_states();
   keep_lists(fastest, time_step);
+  keep_grid();
   wants_breakage = evaluate_contacts(time_step);
   load_boundaries(time_step);
   pending_half_kick = 0.5 * time_step;
@@ -179,13 +181,12 @@ void EngineState::evaluate(double time_step)
 Speeds EngineState::move_particles(double time_step)
 {
   const PhaseTimer timer(spent.motion);
-  Speeds fastest =
-      kick_and_drift(system,
-                     {kick_parameters(), steepest,
-                      std::exchange(pending_half_kick, 0.), time_step},
-                     work);
-  fastest.is_overloaded |= has_large_losses;
-  return fastest;
+  return kick_and_drift(system,
+                        {{settings.gravity, settings.local_damping},
+                         steepest,
+                         std::exchange(pending_half_kick, 0.),
+                         time_step},
+                        work);
 }
 
 void EngineState::synchronize()
@@ -193,13 +194,8 @@ void EngineState::synchronize()
   if (pending_half_kick == 0.)
     return;
   const PhaseTimer timer(spent.motion);
-  kick(system, kick_parameters(), std::exchange(pending_half_kick, 0.), work);
-}
-
-KickParameters EngineState::kick_parameters() const
-{
-  return {settings.gravity, settings.local_damping, grid.largest_force(),
-          grid.largest_moment()};
+  kick(system, {settings.gravity, settings.local_damping},
+       std::exchange(pending_half_kick, 0.), work);
 }
 
 void EngineState::require_synchronized() const
@@ -245,7 +241,8 @@ bool EngineState::run_contacts(const ForceContext &all)
   }
   system.cell.force = sum.cell_force;
   lost += sum.lost;
-  has_large_losses = sum.is_overloaded;
+  largest_force = sum.largest_force;
+  recent_force = std::max(recent_force, largest_force);
 
   count_contact_point_events(sum);
   note_overlap(sum.overlap_ratio);
@@ -259,6 +256,15 @@ void EngineState::count_contact_point_events(const ForceSum &sum)
   // Two contacts may be one now, and what is gone may be found elsewhere.
   if (sum.has_displaced)
     schedule.note_displaced();
+}
+
+/// The loads of all contacts with their forces as they are.
+void EngineState::add_loads_again()
+{
+  ForceContext still = context(0.);
+  still.adds_loads_only = true;
+  std::fill(system.load.begin(), system.load.end(), ParticleLoad{});
+  run_contacts(still);
 }
 
 void EngineState::exchange_factors()
@@ -293,10 +299,7 @@ void EngineState::break_corners()
   }
   note_extremes();
   event_count += static_cast<std::int64_t>(events.size() - before);
-  ForceContext still = context(0.);
-  still.adds_loads_only = true;
-  std::fill(system.load.begin(), system.load.end(), ParticleLoad{});
-  run_contacts(still);
+  add_loads_again();
   load_boundaries(0.);
   // A chip may have moved contacts of the particle.
   visit_batches(*this,

@@ -5,6 +5,7 @@
 #include <dem/engine_boundaries.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace dem
@@ -71,14 +72,30 @@ double EngineState::cell_speed() const
 
 void EngineState::load_boundaries(double time_step)
 {
+  sum_loads();
+  if (has_large_forces)
+  {
+    // Some sums may not be exact: again, with a larger spacing.
+    std::array largest{largest_force};
+    distribution.ranks().max(largest);
+    note_forces(largest[0]);
+    add_loads_again();
+    sum_loads();
+  }
   book_cell(time_step);
+  for (const auto &boundary : walls)
+    boundary->apply_loads(time_step);
+}
+
+/// Loads of boundaries that are sums over many contacts.
+void EngineState::sum_loads()
+{
+  has_large_forces = largest_force > grid.largest_force();
   if (distribution.is_shared())
     share_loads();
   else
     for (const auto &boundary : walls)
       boundary->sum_loads(grid);
-  for (const auto &boundary : walls)
-    boundary->apply_loads(time_step);
 }
 
 PlaneBoundary &plane_boundary(Engine &engine)

@@ -5,6 +5,7 @@
 #include <dem/shape/shape_stream.h>
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 namespace dem
@@ -71,8 +72,8 @@ void EngineState::visit_state(Self &self, const Visit &visit)
   visit(self.event_count);
   visit(self.refused_count);
   visit(self.grid);
-  visit(self.load_factor);
-  visit(self.has_large_losses);
+  visit(self.grid_force);
+  visit(self.recent_force);
   visit(self.lost);
   visit(self.overlap);
   visit(self.system.cell);
@@ -82,9 +83,19 @@ void EngineState::visit_state(Self &self, const Visit &visit)
   visit(self.added_count);
 }
 
+void EngineState::copy_values_to(EngineState &copy) const
+{
+  std::stringstream values;
+  visit_state(*this,
+              [&values](const auto &value) { write_value(values, value); });
+  visit_state(copy, [&values](auto &value) { read_value(values, value); });
+}
+
 void EngineState::save(std::ostream &out, const Library &library) const
 {
   require_synchronized();
+  if (distribution.is_shared())
+    throw std::logic_error("engine: on many ranks gathered() can be saved");
   const auto put = [&out](const auto &column) { write_column(out, column); };
   ParticleSystem::visit(system, put);
   for (const ParticleShape &body : system.shape)
@@ -138,5 +149,6 @@ void EngineState::restore(std::istream &in, const Library &library)
   visit_state(*this, get_value);
   ContactPointLists::visit(contact_points, get_value, get);
   events.clear();
+  deal_out();
 }
 } // namespace dem

@@ -10,6 +10,11 @@ Engine::Engine(const EngineParameters &parameters, std::shared_ptr<Ranks> ranks)
 {
 }
 
+Engine::Engine(std::unique_ptr<EngineState> its_state)
+    : state(std::move(its_state))
+{
+}
+
 Engine::Engine(Engine &&) noexcept = default;
 Engine &Engine::operator=(Engine &&) noexcept = default;
 Engine::~Engine() = default;
@@ -198,6 +203,17 @@ std::int64_t Engine::n_events() const
 int Engine::n_refused_events() const
 {
   return std::as_const(*state).n_refused_events();
+}
+
+Engine Engine::gathered() const
+{
+  return Engine(state->gathered());
+}
+
+void Engine::order_by_id()
+{
+  state->synchronize();
+  state->order_by_id();
 }
 
 void Engine::save(

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 // The lists of contacts: kept as long as no particle can have come to a new
 // one.
@@ -156,11 +157,6 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
                                       not_finite_fault(system, now));
     throw std::runtime_error("some particle moves by no finite number");
   }
-  if (fastest.is_overloaded)
-  {
-    load_factor *= 64.; // before any sum is so large that it is not exact
-    renew_grid();
-  }
   require_sane(fastest.moving, time_step, largest_radius);
   const bool has_deforming_lists = follows_walls() && deforms(walls);
   schedule.advance({fastest.moving, fastest.closing,
@@ -223,18 +219,36 @@ void EngineState::note_extremes()
   steepest = largest[0];
   least_radius = -largest[1];
   largest_radius = largest[2];
-  renew_grid();
+  grid = sum_grid(grid_force, largest_radius);
 }
 
-void EngineState::renew_grid()
+/// From time to time forces may have fallen so far that loads need a smaller
+/// spacing. When this is looked at must not depend on the lists.
+void EngineState::keep_grid()
 {
+  constexpr std::int64_t interval = 4096; // steps
+  if (grid_force > 0. && step_count % interval != 0)
+    return;
+  std::array largest{std::exchange(recent_force, 0.)};
+  distribution.ranks().max(largest);
+  note_forces(largest[0]);
+}
+
+/// Chooses the spacing of loads for contacts that have had forces of up to
+/// `recent` [N] of late: with a reserve, and seldom another one.
+void EngineState::note_forces(double recent)
+{
+  constexpr double reserve = 16., much = 1024.;
   std::vector<LawChoice> laws{law_of(settings.particle)};
   for (const auto &boundary : walls)
     laws.push_back(law_of(boundary->material));
-  // Deeper contacts make the spacing larger when they come.
-  constexpr double usual_overlap = 0.01;
-  grid = sum_grid(laws, elasticity, 1 + settings.other_solids.size(),
-                  {least_radius, usual_overlap, load_factor});
+  const double wanted =
+      std::max(reserve * recent,
+               usual_force(laws, elasticity, 1 + settings.other_solids.size(),
+                           least_radius));
+  if (wanted > grid_force || much * wanted < grid_force)
+    grid_force = wanted;
+  grid = sum_grid(grid_force, largest_radius);
 }
 
 /// What is left of the skin stays: but for pairs whose contact points have
@@ -338,8 +352,12 @@ void EngineState::sort_in_space()
   if (schedule.n_made > 0 && schedule.path_length - path_at_sort < diameter)
     return;
   path_at_sort = schedule.path_length;
-  const std::vector<std::int32_t> order =
-      space_order(system.column(&ParticleState::position));
+  put_in_order(space_order(system.column(&ParticleState::position)));
+}
+
+/// Entry k of every column becomes entry order[k].
+void EngineState::put_in_order(const std::vector<std::int32_t> &order)
+{
   system.reorder(order);
   pair_finder.forget();
   reorder_column(work.damped, order);

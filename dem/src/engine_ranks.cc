@@ -23,7 +23,6 @@ void EngineState::require_shareable() const
       throw std::invalid_argument(what +
                                   " cannot be spread over ranks: use one rank");
   };
-
   refuse(settings.breakage.is_active &&
              settings.breakage.memory == FactorMemory::patch,
          "breakage with factors that patches keep");
@@ -40,15 +39,14 @@ Speeds EngineState::over_ranks(const Speeds &own)
     return own;
   const PhaseTimer timer(spent.exchange);
   std::array largest{own.moving, own.closing, own.is_finite ? 0. : 1.,
-                     own.is_overloaded ? 1. : 0.,
                      schedule.displaced() ? 1. : 0.};
   // A maximum may pass over what is no number.
   for (double &value : largest)
     value = std::isfinite(value) ? value : 0.;
   distribution.ranks().max(largest);
-  if (largest[4] > 0.)
+  if (largest[3] > 0.)
     schedule.note_displaced();
-  return {largest[0], largest[1], largest[2] == 0., largest[3] > 0.};
+  return {largest[0], largest[1], largest[2] == 0.};
 }
 
 /// Particles go to the ranks that own them, and candidates of pairs are
@@ -56,7 +54,6 @@ Speeds EngineState::over_ranks(const Speeds &own)
 void EngineState::redistribute()
 {
   require_shareable();
-
   ++redistribution_count;
   distribution.migrate(parts(),
                        partition_interval > 0 &&
@@ -102,13 +99,14 @@ void EngineState::send_states()
 }
 
 /// Loads of boundaries become sums over all ranks; a fault of one rank stops
-/// all, and all take part where one asks for breakage.
+/// all, and all take part where one asks for breakage or has large forces.
 void EngineState::share_loads()
 {
   const PhaseTimer timer(spent.exchange);
-  std::vector<ExactSum> sums(2);
+  std::vector<ExactSum> sums(3);
   sums[0].add(fault.empty() ? 0. : 1.);
   sums[1].add(wants_breakage ? 1. : 0.);
+  sums[2].add(has_large_forces ? 1. : 0.);
   std::vector<std::span<ExactSum>> of_boundaries;
   for (const auto &boundary : walls)
   {
@@ -120,7 +118,8 @@ void EngineState::share_loads()
   if (sums[0].value() > 0.)
     stop_together<OverlapStop>(distribution.ranks(), fault);
   wants_breakage = sums[1].value() > 0.;
-  auto next = sums.begin() + 2;
+  has_large_forces = sums[2].value() > 0.;
+  auto next = sums.begin() + 3;
   for (const std::span<ExactSum> of_boundary : of_boundaries)
     for (ExactSum &sum : of_boundary)
       sum = *next++;

@@ -77,10 +77,15 @@ public:
        const std::vector<std::shared_ptr<const Coefficients>> &library) const;
   void restore(std::istream &in,
                const std::vector<std::shared_ptr<const Coefficients>> &library);
+  std::unique_ptr<EngineState> gathered();
+  void order_by_id();
 
 private:
+  /// Every plain value that a checkpoint stores.
+  void copy_values_to(EngineState &copy) const;
+  void gather_into(EngineState &whole);
+  void deal_out();
   Speeds move_particles(double time_step);
-  KickParameters kick_parameters() const;
   /// Throws std::logic_error where a half kick is pending.
   void require_synchronized() const;
   void move_boundaries(double time_step);
@@ -102,7 +107,10 @@ private:
   SkinWidth::Lists list_counts() const;
   void rebuild_lists();
   void note_extremes();
-  void renew_grid();
+  void keep_grid();
+  void note_forces(double recent);
+  void add_loads_again();
+  void sum_loads();
   void renew_lists();
   void update_maps();
   void rebuild_pair_list();
@@ -113,6 +121,7 @@ private:
   ContactPointSearchInput contact_point_search(const ForceContext &still,
                                                const BatchLayout &layout) const;
   void sort_in_space();
+  void put_in_order(const std::vector<std::int32_t> &order);
   bool evaluate_contacts(double time_step);
   void meet_walls(double time_step);
   bool run_contacts(const ForceContext &all);
@@ -168,9 +177,11 @@ private:
   double now = 0.;
   std::int64_t step_count = 0, event_count = 0;
   int refused_count = 0;
-  SumGrid grid; ///< as the particles were when the lists were rebuilt
-  double load_factor = 1.;       ///< LargestLoad::factor
-  bool has_large_losses = false; ///< in the last step, on this rank
+  SumGrid grid;              ///< of loads
+  double grid_force = 0.;    ///< contact force that it is made for [N]
+  double largest_force = 0.; ///< of a contact in this step, on this rank [N]
+  bool has_large_forces = false; ///< beyond the grid, on any rank
+  double recent_force = 0.;      ///< since keep_grid() last looked [N]
   LostEnergy lost;
   OverlapRecord overlap;
   /// Equivalent spheres of all ranks [m].

@@ -35,10 +35,11 @@ public:
   /// rank adds all particles, before the first step; one keeps it.
   void add_particle(const ParticleShape &body, const Vec3 &position,
                     const Quaternion &orientation, std::uint8_t material = 0);
-  /// Adds a boundary after all of its Boundary::rank() or a lower one: planes,
-  /// the drum, facet surfaces, others. What it is can be changed at any time;
-  /// lists_changed() must be called where particles may meet what they did not
-  /// see before. See dem/engine_boundaries.h for planes, drum and facets.
+  /// Adds a boundary after all of its Boundary::evaluation_order() or a lower
+  /// one: planes, the drum, facet surfaces, others. What it is can be changed
+  /// at any time; lists_changed() must be called where particles may meet what
+  /// they did not see before. See dem/engine_boundaries.h for planes, drum and
+  /// facets.
   Boundary &add_boundary(std::unique_ptr<Boundary> boundary);
   std::span<const std::unique_ptr<Boundary>> boundaries() const;
   /// All lists of contacts are rebuilt in the next step.
@@ -121,8 +122,19 @@ public:
   std::int64_t n_events() const;
   int n_refused_events() const;
 
+  /// A copy of the scene of all ranks on every one of them, with the particles
+  /// in the order of their ids and the contacts in that of the particles: the
+  /// same bits on any number of ranks. What is measured and stored is taken
+  /// from it. Throws std::logic_error while a half kick is pending.
+  Engine gathered() const;
+  /// Puts the scene of one rank in that order. Throws std::logic_error on many
+  /// ranks.
+  void order_by_id();
+
   /// Full state, bit for bit, into a stream; restore() on an engine with the
-  /// same parameters and the same shared shapes (`library`, in order).
+  /// same parameters and the same shared shapes (`library`, in order), which
+  /// may be on another number of ranks. On many ranks the state of gathered()
+  /// can be saved; save() itself throws std::logic_error.
   void
   save(std::ostream &out,
        const std::vector<std::shared_ptr<const Coefficients>> &library) const;
@@ -131,6 +143,8 @@ public:
                const std::vector<std::shared_ptr<const Coefficients>> &library);
 
 private:
+  explicit Engine(std::unique_ptr<EngineState> state);
+
   std::unique_ptr<EngineState> state;
 };
 } // namespace dem

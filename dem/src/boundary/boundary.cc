@@ -57,6 +57,31 @@ void Boundary::unpack(std::istream &in)
   unpack_parts(in);
 }
 
+void Boundary::keep_contacts(const std::vector<std::int32_t> &order)
+{
+  batch = batch.select(order);
+}
+
+std::vector<std::int32_t> Boundary::sort_contacts()
+{
+  std::vector<std::int32_t> order = batch.by_pair();
+  batch.rearrange(batch.layout, order);
+  return order;
+}
+
+void Boundary::swap_contacts(Boundary &other)
+{
+  std::swap(batch, other.batch);
+}
+
+void Boundary::take_contact(std::size_t k, const Boundary &other, std::size_t l)
+{
+  ContactBatch one = other.batch.extract(l);
+  one.a[0] = batch.a[k];
+  one.b[0] = batch.b[k];
+  batch.replace(k, one);
+}
+
 bool follows_surfaces(const ForceContext &context)
 {
   return context.particles.has_shapes &&

@@ -1,11 +1,11 @@
 #include <dem/binary.h>
 #include <dem/boundary/drum_boundary.h>
 #include <dem/boundary/drum_contacts.h>
-#include <dem/boundary/renumber.h>
 #include <dem/boundary/wall_point_lists.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dem
 {
@@ -49,7 +49,7 @@ void DrumBoundary::find_candidates(const BoundarySearch &search)
     rebuild_drum(particles, drum,
                  {input.layout, parameters.geometry.wall_geometry,
                   search.skin + input.layout.law.range()},
-                 batch, search.retired);
+                 batch, rows, search.retired);
     return;
   }
   lifter.turn(drum);
@@ -57,14 +57,72 @@ void DrumBoundary::find_candidates(const BoundarySearch &search)
                               listed, batch, search.retired);
 }
 
-void DrumBoundary::renumber(const std::vector<std::int32_t> &new_row,
-                            bool follows_surfaces)
+void DrumBoundary::renumber(const std::vector<std::int32_t> &new_row, bool)
 {
   renumber_candidates(new_row, listed);
-  if (follows_surfaces)
-    renumber_drum_contacts(new_row, batch, rows);
-  else
-    renumber_planes(new_row, batch);
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    batch.a[k] = new_row[static_cast<std::size_t>(batch.a[k])];
+  sort_contacts();
+}
+
+void DrumBoundary::keep_contacts(const std::vector<std::int32_t> &order)
+{
+  name_by_part(batch);
+  Boundary::keep_contacts(order);
+  number_drum_contacts(order, batch, rows);
+}
+
+std::vector<std::int32_t> DrumBoundary::sort_contacts()
+{
+  name_by_part(batch);
+  std::vector<std::int32_t> order = Boundary::sort_contacts();
+  number_drum_contacts(order, batch, rows);
+  return order;
+}
+
+void DrumBoundary::pack_contacts(
+    std::ostream &out, const std::vector<std::int32_t> &contacts) const
+{
+  std::vector<WallRow> some;
+  for (const std::int32_t k : contacts)
+    some.push_back(
+        rows[static_cast<std::size_t>(batch.b[static_cast<std::size_t>(k)])]);
+  write_column(out, some);
+}
+
+void DrumBoundary::unpack_contacts(std::istream &in)
+{
+  std::vector<WallRow> more;
+  read_column(in, more);
+  rows.resize(batch.size() * static_cast<std::size_t>(n_drum_parts));
+  const std::size_t first = batch.size() - more.size();
+  for (std::size_t k = first; k < batch.size(); ++k)
+  {
+    batch.b[k] = n_drum_parts * static_cast<std::int32_t>(k) +
+                 static_cast<std::int32_t>(drum_part(batch, k));
+    rows[static_cast<std::size_t>(batch.b[k])] = more[k - first];
+  }
+}
+
+void DrumBoundary::swap_contacts(Boundary &other)
+{
+  auto &another = static_cast<DrumBoundary &>(other);
+  Boundary::swap_contacts(other);
+  std::swap(rows, another.rows);
+  std::swap(overlap, another.overlap);
+  overlap.resize(rows.size()); // found again before they are read
+}
+
+void DrumBoundary::take_contact(std::size_t k, const Boundary &other,
+                                std::size_t l)
+{
+  Boundary::take_contact(k, other, l);
+  const auto &another = static_cast<const DrumBoundary &>(other);
+  const auto row = static_cast<std::size_t>(batch.b[k]),
+             from = static_cast<std::size_t>(another.batch.b[l]);
+  rows[row] = another.rows[from];
+  if (row < overlap.size() && from < another.overlap.size())
+    overlap[row] = another.overlap[from];
 }
 
 ForceSum DrumBoundary::meet(const ForceContext &context)
@@ -90,10 +148,22 @@ Walls DrumBoundary::walls(const ForceContext &context)
           { relocate_again(still, followed(), batch, k); }};
 }
 
+std::span<ExactSum> DrumBoundary::sum_loads(const SumGrid &)
+{
+  load_sums = {};
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    const WallRow &row = rows[static_cast<std::size_t>(batch.b[k])];
+    load_sums[0].add(torque_on_drum(drum, batch, k, row));
+    load_sums[1].add(thrust_on_drum(batch, k, row));
+  }
+  return load_sums;
+}
+
 void DrumBoundary::apply_loads(double time_step)
 {
-  drum.torque = drum_torque(drum, batch, rows);
-  drum.thrust = drum_thrust(batch, rows);
+  drum.torque = load_sums[0].value();
+  drum.thrust = load_sums[1].value();
   book(time_step);
 }
 

@@ -1,11 +1,34 @@
 #include <dem/boundary/drum_contacts.h>
 
+#include <utility>
+
 namespace dem
 {
+void name_by_part(ContactBatch &batch)
+{
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    batch.b[k] %= n_drum_parts;
+}
+
+void number_drum_contacts(const std::vector<std::int32_t> &source,
+                          ContactBatch &batch, std::vector<WallRow> &rows)
+{
+  std::vector<WallRow> fresh(batch.size() *
+                             static_cast<std::size_t>(n_drum_parts));
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    const std::int32_t part = batch.b[k];
+    batch.b[k] = n_drum_parts * static_cast<std::int32_t>(k) + part;
+    if (source[k] >= 0)
+      fresh[static_cast<std::size_t>(batch.b[k])] =
+          rows[static_cast<std::size_t>(n_drum_parts * source[k] + part)];
+  }
+  rows = std::move(fresh);
+}
+
 void find_drum(const ParticleSystem &particles, const Drum &drum,
                const ContactBatch &batch, std::vector<WallRow> &rows)
 {
-  rows.resize(particles.size() * static_cast<std::size_t>(n_drum_parts));
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const auto i = static_cast<std::size_t>(batch.a[k]);
@@ -24,25 +47,17 @@ void find_drum(const ParticleSystem &particles, const Drum &drum,
   }
 }
 
-double drum_torque(const Drum &drum, const ContactBatch &batch,
-                   const std::vector<WallRow> &rows)
+double torque_on_drum(const Drum &drum, const ContactBatch &batch,
+                      std::size_t k, const WallRow &row)
 {
-  double torque = 0.;
-  for (std::size_t k = 0; k < batch.size(); ++k)
-  {
-    const Vec3 &point = rows[static_cast<std::size_t>(batch.b[k])].point;
-    torque -= (point - drum.centre).cross(batch.load[k].force).dot(drum.axis);
-  }
-  return torque;
+  return -(row.point - drum.centre).cross(batch.load[k].force).dot(drum.axis);
 }
 
-double drum_thrust(const ContactBatch &batch, const std::vector<WallRow> &rows)
+double thrust_on_drum(const ContactBatch &batch, std::size_t k,
+                      const WallRow &row)
 {
-  double thrust = 0.;
-  for (std::size_t k = 0; k < batch.size(); ++k)
-    if (drum_part(batch, k) == DrumPart::cylinder)
-      thrust -= batch.load[k].force.dot(
-          rows[static_cast<std::size_t>(batch.b[k])].normal);
-  return thrust;
+  return drum_part(batch, k) == DrumPart::cylinder
+             ? -batch.load[k].force.dot(row.normal)
+             : 0.;
 }
 } // namespace dem

@@ -10,16 +10,6 @@
 
 namespace dem
 {
-namespace
-{
-/// Sum of loads on a plane: exact in double as long as the sum of their sizes
-/// is so small that every part of it is.
-struct LoadSum
-{
-  Vec3 force = Vec3::Zero(), size = Vec3::Zero();
-};
-} // namespace
-
 std::string PlaneBoundary::name_of(std::size_t k) const
 {
   const Vec3 &normal = planes[static_cast<std::size_t>(batch.b[k])].normal;
@@ -94,21 +84,21 @@ ForceSum PlaneBoundary::meet(const ForceContext &)
 
 std::span<ExactSum> PlaneBoundary::sum_loads(const SumGrid &grid)
 {
-  std::vector<LoadSum> sums(planes.size());
+  load_sums.assign(planes.size(), {});
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
-    LoadSum &sum = sums[static_cast<std::size_t>(batch.b[k])];
+    LoadSum &sum = load_sums[static_cast<std::size_t>(batch.b[k])];
     const Vec3 &force = batch.load[k].force;
     sum.force -= force;
     sum.size += force.cwiseAbs();
   }
   force_sums.assign(3 * planes.size(), {});
   const bool is_exact = std::ranges::all_of(
-      sums, [&grid](const LoadSum &sum)
+      load_sums, [&grid](const LoadSum &sum)
       { return sum.size.maxCoeff() <= grid.largest_sum(); });
   if (is_exact)
     for (std::size_t p = 0; p < planes.size(); ++p)
-      add_force(sums[p].force, p);
+      add_force(load_sums[p].force, p);
   else
     for (std::size_t k = 0; k < batch.size(); ++k)
       add_force(-batch.load[k].force, static_cast<std::size_t>(batch.b[k]));

@@ -1,4 +1,3 @@
-#include <dem/boundary/drum.h>
 #include <dem/boundary/renumber.h>
 
 #include <algorithm>
@@ -71,28 +70,6 @@ void renumber_facets(const std::vector<std::int32_t> &new_row,
   candidates.triangle.clear();
   candidates.triangle_reactivation.clear();
   candidates.reactivation.clear();
-}
-
-void renumber_drum_contacts(const std::vector<std::int32_t> &new_row,
-                            ContactBatch &batch, std::vector<WallRow> &rows)
-{
-  const auto part_of = [&batch](std::int32_t k)
-  { return batch.b[static_cast<std::size_t>(k)] % n_drum_parts; };
-  const std::vector<std::int32_t> order =
-      renumbered_order(new_row, batch, part_of);
-  std::vector<WallRow> fresh(order.size() *
-                             static_cast<std::size_t>(n_drum_parts));
-  std::vector<std::int32_t> b;
-  for (const std::int32_t k : order)
-  {
-    b.push_back(n_drum_parts * static_cast<std::int32_t>(b.size()) +
-                part_of(k));
-    fresh[static_cast<std::size_t>(b.back())] =
-        rows[static_cast<std::size_t>(batch.b[static_cast<std::size_t>(k)])];
-  }
-  batch.rearrange(batch.layout, order);
-  std::copy(b.begin(), b.end(), batch.b.begin());
-  rows = std::move(fresh);
 }
 
 void renumber_facet_contacts(const std::vector<std::int32_t> &new_row,

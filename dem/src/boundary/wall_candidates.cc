@@ -54,12 +54,14 @@ void carry_over_slots(const ParticleSystem &particles,
 }
 } // namespace
 
-void rebuild_walls(const ParticleSystem &particles,
-                   const std::vector<PairKey> &keys, const BatchLayout &layout,
-                   ContactBatch &batch, LostEnergy &retired)
+std::vector<std::int32_t> rebuild_walls(const ParticleSystem &particles,
+                                        const std::vector<PairKey> &keys,
+                                        const BatchLayout &layout,
+                                        ContactBatch &batch,
+                                        LostEnergy &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
-  const std::vector<std::int32_t> source =
+  std::vector<std::int32_t> source =
       match(keys_of(batch), keys,
             [&](std::size_t k) { retire_contact(batch, k, retired); });
   batch.rearrange(layout, source);
@@ -70,6 +72,7 @@ void rebuild_walls(const ParticleSystem &particles,
   }
   if (is_damage_new)
     note_corners(particles, batch);
+  return source;
 }
 
 void rebuild_planes(const ParticleSystem &particles,
@@ -89,7 +92,7 @@ void rebuild_planes(const ParticleSystem &particles,
 
 void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
                   const WallSearch &search, ContactBatch &batch,
-                  LostEnergy &retired)
+                  std::vector<WallRow> &rows, LostEnergy &retired)
 {
   std::vector<PairKey> keys;
   for (std::size_t i = 0; i < particles.n_owned(); ++i)
@@ -98,10 +101,11 @@ void rebuild_drum(const ParticleSystem &particles, const Drum &drum,
                           particles.position(i))
               .distance <
           wall_bound(particles, i, search.geometry) + search.skin)
-        keys.emplace_back(
-            static_cast<std::int32_t>(i),
-            n_drum_parts * static_cast<std::int32_t>(particles.id[i]) + part);
-  rebuild_walls(particles, keys, search.layout, batch, retired);
+        keys.emplace_back(static_cast<std::int32_t>(i), part);
+  name_by_part(batch);
+  number_drum_contacts(
+      rebuild_walls(particles, keys, search.layout, batch, retired), batch,
+      rows);
 }
 
 double facet_reach(const ParticleSystem &particles, std::size_t particle,

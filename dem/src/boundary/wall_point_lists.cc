@@ -269,7 +269,7 @@ ContactPointEvents renew_planes(const ContactPointSearchInput &input,
   const auto path_length = [&](const PairKey &key)
   { return particles.path_length[row_of(key.first)] + walls.path_length; };
   return renew(
-      input, Watch{listed, path_length, itself},
+      input, CandidateList{listed, path_length, itself},
       [&](const CandidatePair &pair, const OldRows &old)
       {
         return list_support(input, pair.key, planes[row_of(pair.key.second)],
@@ -302,8 +302,8 @@ ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
   { return particles.path_length[row_of(key.first)] + drum.path_length; };
   return renew(
       input,
-      Watch{listed, path_length,
-            [](std::int32_t b) { return b % n_drum_parts; }},
+      CandidateList{listed, path_length,
+                    [](std::int32_t b) { return b % n_drum_parts; }},
       [&](const CandidatePair &pair, const OldRows &old)
       {
         const ParticleOnWall on{input, batch, old, gap(pair.key)};
@@ -334,8 +334,8 @@ ContactPointEvents renew_facets(const ContactPointSearchInput &asked,
   };
   return renew(
       input,
-      Watch{facets.particles, moved,
-            [](std::int32_t) { return std::int32_t{0}; }},
+      CandidateList{facets.particles, moved,
+                    [](std::int32_t) { return std::int32_t{0}; }},
       [&](const CandidatePair &pair, const OldRows &old)
       {
         facets.watch.note(particles, surface, pair.key.first,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <ranges>
+#include <type_traits>
 #include <utility>
 
 namespace dem
@@ -86,6 +88,25 @@ std::vector<std::int32_t> ContactBatch::by_pair() const
               order.begin() + start[static_cast<std::size_t>(i) + 1],
               is_before);
   return order;
+}
+
+void ContactBatch::clear_signs_of_zeros()
+{
+  const auto clear = [this](auto &column)
+  {
+    using Entry = std::ranges::range_value_t<decltype(column)>;
+    for (std::size_t k = 0; k < std::min(n, column.size()); ++k)
+    {
+      if (has_force(k))
+        continue;
+      if constexpr (std::is_floating_point_v<Entry>)
+        column[k] += Entry(0);
+      else if constexpr (std::is_same_v<Entry, ParticleLoad>)
+        column[k] += ParticleLoad{};
+    }
+  };
+  visit(
+      layout, [&clear](bool, auto &column) { clear(column); }, *this);
 }
 
 ContactHistory<double> ContactBatch::history(std::size_t k) const

@@ -4,6 +4,7 @@
 #include "force_kernels.h"
 
 #include <dem/contact/damage.h>
+#include <dem/contact/rounding.h>
 
 /// What contacts with particles and with walls have in common, in lanes.
 /// Internal to the units that are compiled once per instruction set.
@@ -59,15 +60,35 @@ Simd expanded_radius(const Side &side, std::int64_t k,
   return load(side.radius + k) + dot(gradient, w) + 0.5 * diagonal + mixed;
 }
 
-/// Adds losses, rounded so that sums are exact: see SumGrid.
-void add_losses(const Losses<Simd> &lost, const Task &task, Losses<Simd> &sum)
+/// What the contacts of a range add up to, lane by lane.
+struct LaneSums
 {
-  sum.friction += on_grid(lost.friction, task.loss_shift);
-  sum.rolling += on_grid(lost.rolling, task.loss_shift);
-  sum.damping += on_grid(lost.damping, task.loss_shift);
-  sum.non_conservative_work +=
-      on_grid(lost.non_conservative_work, task.loss_shift);
-}
+  Losses<Simd> lost, lost_rest; ///< see loss_spacing
+  Simd largest_force = 0.;      ///< component, without its sign
+
+  void add(const Losses<Simd> &losses)
+  {
+    add(losses.friction, lost.friction, lost_rest.friction);
+    add(losses.rolling, lost.rolling, lost_rest.rolling);
+    add(losses.damping, lost.damping, lost_rest.damping);
+    add(losses.non_conservative_work, lost.non_conservative_work,
+        lost_rest.non_conservative_work);
+  }
+  void note(const SimdVector &force)
+  {
+    largest_force =
+        stdx::max(stdx::max(largest_force, stdx::abs(force.x)),
+                  stdx::max(stdx::abs(force.y), stdx::abs(force.z)));
+  }
+
+private:
+  static void add(const Simd &loss, Simd &sum, Simd &rest)
+  {
+    const Simd first = on_grid(loss, rounding_shift(loss_spacing));
+    sum += first;
+    rest += on_grid(loss - first, rounding_shift(loss_rest_spacing));
+  }
+};
 
 /// Springs of contacts whose overlaps were these.
 template <class Law>
@@ -117,6 +138,9 @@ bool any_alive(const Task &task, std::int64_t k, const Simd &reach,
   if constexpr (Law::attracts)
     return any(reach > 0. || overlap_before > 0. ||
                load(task.contacts.attraction + k) > 0.);
+  // The pull of a linear contact that has just ended (cut_at_crossing).
+  else if (task.adds_loads_only)
+    return any(reach > 0. || load(task.contacts.normal_force + k) != 0.);
   else
     return any(reach > 0. || overlap_before > 0.);
 }
@@ -187,7 +211,7 @@ template <class Law>
 SimdVector advance_law(const Task &task, const ContactMotion<Simd> &motion,
                        const Simd &overlap, const Simd &overlap_before,
                        NormalSpring<Simd> spring, ContactHistory<Simd> &history,
-                       Losses<Simd> &lost)
+                       LaneSums &sums)
 {
   if constexpr (!Law::scales_with_curvature && Law::exponent == 1.)
     cut_at_crossing<Law>(task, motion, overlap, overlap_before, history,
@@ -195,7 +219,7 @@ SimdVector advance_law(const Task &task, const ContactMotion<Simd> &motion,
   Losses<Simd> in_step;
   const SimdVector force = advance_contact<Law>(
       motion, spring, task.coefficients, task.time_step, history, in_step);
-  add_losses(in_step, task, lost);
+  sums.add(in_step);
   return force;
 }
 

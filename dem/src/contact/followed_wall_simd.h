@@ -30,14 +30,14 @@ SupportGeometry followed_geometry(const Task &task, std::int64_t k,
 
 template <class Law>
 [[gnu::flatten]] void advance_followed_walls(const Task &task, std::int64_t k,
-                                             int n_valid, Losses<Simd> &lost,
+                                             int n_valid, LaneSums &sums,
                                              const Target &target)
 {
   const ParticleSimd a(task.particles.state, task.contacts.a + k);
   const WallSimd wall(task.walls, task.contacts.b + k);
   advance_at_wall<Law>(
       task, k, n_valid, a, wall,
-      followed_geometry(task, k, a, wall, valid_lanes(n_valid)), lost, target);
+      followed_geometry(task, k, a, wall, valid_lanes(n_valid)), sums, target);
 }
 } // namespace
 } // namespace dem::kernel

@@ -133,7 +133,7 @@ struct Task
   bool is_periodic;   ///< pairs meet at their nearest images
   double cell_length[3], cell_rate[3]; ///< PeriodicCell; 0: not periodic
   /// rounding_shift() of SumGrid; 0: nothing is rounded.
-  double force_shift, moment_shift, loss_shift;
+  double force_shift, moment_shift;
   bool adds_loads_only;       ///< forces are taken as the last step left them
   const double *walls;        ///< WallRow
   const double *wall_overlap; ///< by row; null unless found before

@@ -24,7 +24,7 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
                RangeSum &sum)
 {
   const Target target{task.contacts.a[first], sum};
-  Losses<Simd> lost;
+  LaneSums sums;
   for (std::int64_t k = first; k < last; k += lane_block)
   {
     if (task.ahead.n > 0)
@@ -35,10 +35,12 @@ void run_range(const Task &task, std::int64_t first, std::int64_t last,
       const std::int64_t n_valid =
           last - from < n_lanes ? last - from : n_lanes;
       if (n_valid > 0)
-        advance(task, from, static_cast<int>(n_valid), lost, target);
+        advance(task, from, static_cast<int>(n_valid), sums, target);
     }
   }
-  sum.lost += sum_of(lost);
+  sum.lost += sum_of(sums.lost);
+  sum.lost_rest += sum_of(sums.lost_rest);
+  sum.largest_force = stdx::hmax(sums.largest_force);
 }
 
 /// The row of one law in the table of kernels. Laws that attract do so along

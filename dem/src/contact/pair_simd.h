@@ -238,7 +238,7 @@ NormalSpring<Simd> pair_spring(const Task &task, std::int64_t k,
 /// One step of `n_valid` contacts from k.
 template <class Law>
 [[gnu::flatten]] void advance_pairs(const Task &task, std::int64_t k,
-                                    int n_valid, Losses<Simd> &lost,
+                                    int n_valid, LaneSums &sums,
                                     const Target &target)
 {
   const Contacts &contacts = task.contacts;
@@ -269,7 +269,7 @@ template <class Law>
     const ContactMotion<Simd> motion = pair_motion(task, a, b, pair);
     force = advance_law<Law>(task, motion, pair.overlap, overlap_before,
                              pair_spring<Law>(task, k, pair, overlap, motion),
-                             history, lost);
+                             history, sums);
     store_history<Law>(history, contacts, k);
     store(pair.overlap, contacts.overlap + k);
   }
@@ -277,6 +277,7 @@ template <class Law>
   const PairLoad load(task, force, pair.arm_a() * turning + history.rolling,
                       pair.arm_b() * turning - history.rolling);
   scatter_pairs(task, k, n_valid, load, target);
+  sums.note(load.force);
   if (task.is_periodic)
     add_cell_force(pair.images, load.force, n_valid, target.sum);
   if (task.has_damage)

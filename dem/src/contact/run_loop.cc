@@ -170,7 +170,6 @@ kernel::Task make_task(SurfaceOwner &owner,
       context.parameters.breakage.memory == FactorMemory::patch;
   task.force_shift = rounding_shift(context.grid.force);
   task.moment_shift = rounding_shift(context.grid.moment);
-  task.loss_shift = rounding_shift(context.grid.loss);
 
   task.adds_loads_only = context.adds_loads_only;
   const PeriodicCell &cell = context.particles.cell;
@@ -183,7 +182,7 @@ kernel::Task make_task(SurfaceOwner &owner,
 ForceSum &ForceSum::operator+=(const ForceSum &part)
 {
   lost += part.lost;
-  is_overloaded |= part.is_overloaded;
+  largest_force = std::max(largest_force, part.largest_force);
 
   wants_breakage |= part.wants_breakage;
   has_displaced |= part.has_displaced;
@@ -216,7 +215,7 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
         static_cast<std::size_t>(first), static_cast<std::size_t>(last));
   }
   ForceSum sum;
-  const double largest_loss = owner.context.grid.largest_loss();
+
   for (std::int64_t r = 0; r < n_ranges; ++r)
   {
     const RangeSum &range = ranges[static_cast<std::size_t>(r)];
@@ -225,7 +224,8 @@ ForceSum run_loop(kernel::Loop loop, const kernel::Task &task,
     for (int c = 0; c < 6; ++c)
       row[c] += range.load[c];
     sum.lost += range.lost;
-    sum.is_overloaded |= range.lost.largest() > largest_loss;
+    sum.lost += range.lost_rest;
+    sum.largest_force = std::max(sum.largest_force, range.largest_force);
 
     sum.wants_breakage |= range.wants_breakage;
     sum.has_switched |= range.has_switched;

@@ -200,7 +200,7 @@ Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
 /// One step of `n_valid` contacts from k.
 template <class Law>
 [[gnu::flatten]] void advance_surface_pairs(const Task &task, std::int64_t k,
-                                            int n_valid, Losses<Simd> &lost,
+                                            int n_valid, LaneSums &sums,
                                             const Target &target)
 {
   const Contacts &contacts = task.contacts;
@@ -227,14 +227,14 @@ template <class Law>
                        dot(motion.spin, pair.normal));
     force = advance_law<Law>(task, motion, pair.overlap, overlap_before,
                              mixed_spring<Law>(task, k, pair.overlap), history,
-                             lost);
+                             sums);
     store_history<Law>(history, contacts, k);
     store(pair.overlap, contacts.overlap + k);
   }
-  scatter_pairs(task, k, n_valid,
-                {task, force, cross(pair.arm_a, force) + history.rolling,
-                 -cross(pair.arm_b, force) - history.rolling},
-                target);
+  const PairLoad load(task, force, cross(pair.arm_a, force) + history.rolling,
+                      -cross(pair.arm_b, force) - history.rolling);
+  scatter_pairs(task, k, n_valid, load, target);
+  sums.note(load.force);
   if (task.has_damage)
     find_damage(task, k, {pair.overlap, energy_before, history.normal_energy},
                 target.sum);
@@ -342,7 +342,7 @@ ContactMotion<Simd> support_motion(const ParticleSimd &a, const WallSimd &wall,
 template <class Law>
 void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
                      const ParticleSimd &a, const WallSimd &wall,
-                     const SupportGeometry &geometry, Losses<Simd> &lost,
+                     const SupportGeometry &geometry, LaneSums &sums,
                      const Target &target)
 {
   const Contacts &contacts = task.contacts;
@@ -360,10 +360,11 @@ void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
     force = advance_law<Law>(
         task, motion, geometry.overlap, overlap_before,
         wall_spring<Law>(task, k, motion.rolling_radius, geometry.overlap),
-        history, lost);
+        history, sums);
     store_history<Law>(history, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }
+  sums.note(force);
   scatter_walls(task, k, n_valid, force,
                 cross(geometry.arm, force) + history.rolling, target);
   if (task.has_damage)
@@ -374,14 +375,14 @@ void advance_at_wall(const Task &task, std::int64_t k, int n_valid,
 
 template <class Law>
 [[gnu::flatten]] void advance_surface_walls(const Task &task, std::int64_t k,
-                                            int n_valid, Losses<Simd> &lost,
+                                            int n_valid, LaneSums &sums,
                                             const Target &target)
 {
   const ParticleSimd a(task.particles.state, task.contacts.a + k);
   const WallSimd wall(task.walls, task.contacts.b + k);
   advance_at_wall<Law>(
       task, k, n_valid, a, wall,
-      locate_support(task, k, a, wall, valid_lanes(n_valid), target.sum), lost,
+      locate_support(task, k, a, wall, valid_lanes(n_valid), target.sum), sums,
       target);
 }
 } // namespace

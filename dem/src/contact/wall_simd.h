@@ -113,7 +113,7 @@ bool any_loaded(const Task &task, std::int64_t k, const Simd &overlap)
 
 template <class Law>
 [[gnu::flatten]] void advance_walls(const Task &task, std::int64_t k,
-                                    int n_valid, Losses<Simd> &lost,
+                                    int n_valid, LaneSums &sums,
                                     const Target &target)
 {
   const Contacts &contacts = task.contacts;
@@ -137,10 +137,11 @@ template <class Law>
     force = advance_law<Law>(
         task, wall_motion(a, wall, geometry), geometry.overlap, overlap_before,
         wall_spring<Law>(task, k, geometry.reach, signed_overlap), history,
-        lost);
+        sums);
     store_history<Law>(history, contacts, k);
     store(geometry.overlap, contacts.overlap + k);
   }
+  sums.note(force);
   scatter_walls(task, k, n_valid, force,
                 cross(geometry.distance * geometry.normal, force) +
                     history.rolling,

@@ -2,6 +2,7 @@
 #include <dem/control/box_servo.h>
 #include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
+#include <dem/parallel/distribution.h>
 
 #include <algorithm>
 #include <numbers>
@@ -191,7 +192,8 @@ double BoxServo::heeded_error(int d) const
 void BoxServo::update(Engine &engine, double time_step)
 {
   if (engine.n_steps() % 20 == 0)
-    stiffness = affine_stiffness(engine.particles(), engine.pairs());
+    stiffness = affine_stiffness(engine.particles(), engine.pairs(),
+                                 engine.distribution().ranks());
   const double share = std::min(1., 5. * time_step / parameters.response_time);
   average += share * (box_stress(engine, walls) - average);
   for (int d = 0; d < 3; ++d)

@@ -188,24 +188,10 @@ void store_positions(const Motion &motion, const Movers &particles, Simd &check)
                  particles.spin.y + particles.spin.z);
 }
 
-/// Largest component, without its sign.
-Simd largest_component(const SimdVector &v)
-{
-  return stdx::max(stdx::max(stdx::abs(v.x), stdx::abs(v.y)), stdx::abs(v.z));
-}
-
-/// Whether the sum of some load may not be exact any more: see SumGrid.
-bool any_overloaded(const Motion &motion, const Movers &particles)
-{
-  return any(largest_component(particles.force) > motion.largest_force ||
-             largest_component(particles.moment) > motion.largest_moment);
-}
-
 [[gnu::flatten]] Fastest move_some(const Motion &motion, const LaneRows &rows,
                                    Simd &check)
 {
   Movers particles(motion, rows);
-  const bool is_overloaded = any_overloaded(motion, particles);
   if (motion.owed > 0.)
     kick(motion, motion.owed, rows, particles);
   kick(motion, motion.kick, rows, particles);
@@ -218,7 +204,6 @@ bool any_overloaded(const Motion &motion, const Movers &particles)
   }
   particles.state.set(at_velocity, {particles.velocity, particles.mass});
   particles.state.set(at_spin, {particles.spin, particles.inertia});
-  speeds.n_overloaded = is_overloaded ? 1. : 0.;
   return speeds;
 }
 
@@ -233,7 +218,6 @@ Fastest move_range(const Motion &motion, std::int64_t first, std::int64_t last)
         fastest.moving > speeds.moving ? fastest.moving : speeds.moving;
     fastest.closing =
         fastest.closing > speeds.closing ? fastest.closing : speeds.closing;
-    fastest.n_overloaded += speeds.n_overloaded;
   }
   fastest.check = stdx::reduce(check);
   return fastest;

@@ -24,7 +24,6 @@ struct Motion
   double steepness;     ///< StartOfStep
   double owed;          ///< of a kick before, 0: none [s]
   double kick, drift;   ///< [s]; drift 0: the kick alone
-  double largest_force, largest_moment; ///< SumGrid, by component
 };
 
 /// Of some particles, as Speeds.
@@ -35,7 +34,6 @@ struct Fastest
   /// Zero times the position and all speeds: NaN if some of them is no finite
   /// number, which a maximum may pass over.
   double check = 0.;
-  double n_overloaded = 0.; ///< particles beyond the largest force or moment
 };
 
 /// Moves the particles [first, last).

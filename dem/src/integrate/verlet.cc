@@ -40,21 +40,17 @@ kernel::Motion motion_of(ParticleSystem &particles,
           0.,
           0.,
           time_step,
-          0.,
-          parameters.largest_force,
-          parameters.largest_moment};
+          0.};
 }
 
 Speeds move_all(const kernel::Motion &motion, std::size_t n_particles)
 {
   const auto n = static_cast<std::int64_t>(n_particles);
   const kernel::MotionLoop loop = kernel::motion_loop();
-  double moving = 0., closing = 0., check = 0., n_overloaded = 0.;
+  double moving = 0., closing = 0., check = 0.;
 #pragma omp parallel for schedule(static)                                      \
     reduction(max                                                              \
-              : moving, closing) reduction(+                                   \
-                                           : check, n_overloaded)              \
-    if (n >= n_worth_threads)
+              : moving, closing) reduction(+ : check) if (n >= n_worth_threads)
   for (std::int64_t first = 0; first < n; first += range)
   {
     const kernel::Fastest fastest =
@@ -62,11 +58,9 @@ Speeds move_all(const kernel::Motion &motion, std::size_t n_particles)
     moving = std::max(moving, fastest.moving);
     closing = std::max(closing, fastest.closing);
     check += fastest.check; // zeros: in any order the same
-    n_overloaded += fastest.n_overloaded;
   }
   moving = std::sqrt(moving);
-  return {moving, std::max(closing, moving), std::isfinite(check),
-          n_overloaded > 0.};
+  return {moving, std::max(closing, moving), std::isfinite(check)};
 }
 } // namespace
 

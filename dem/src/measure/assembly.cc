@@ -1,5 +1,8 @@
 #include <dem/contact/common_normal.h>
 #include <dem/measure/assembly.h>
+#include <dem/parallel/rank_sums.h>
+
+#include <array>
 
 namespace dem
 {
@@ -104,9 +107,9 @@ double unbalanced_force_ratio(const ParticleSystem &particles,
 }
 
 Vec3 affine_stiffness(const ParticleSystem &particles,
-                      const ContactBatch &pairs)
+                      const ContactBatch &pairs, const Ranks &ranks)
 {
-  Vec3 sum = Vec3::Zero();
+  std::array<ExactSum, 3> sums;
   for (std::size_t k = 0; k < pairs.size(); ++k)
   {
     if (!pairs.is_touching(k))
@@ -118,8 +121,10 @@ Vec3 affine_stiffness(const ParticleSystem &particles,
                  shear = 1. / pairs.shear_compliance[k];
     const Vec3 n2 = branch.cwiseAbs2() / square;
     for (int d = 0; d < 3; ++d)
-      sum[d] += (normal * n2[d] + shear * (1. - n2[d])) * n2[d] * square;
+      sums[static_cast<std::size_t>(d)].add(
+          (normal * n2[d] + shear * (1. - n2[d])) * n2[d] * square);
   }
-  return sum;
+  sum_over_ranks(ranks, sums);
+  return {sums[0].value(), sums[1].value(), sums[2].value()};
 }
 } // namespace dem

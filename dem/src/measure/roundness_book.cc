@@ -1,6 +1,8 @@
 #include <dem/measure/roundness_book.h>
 #include <dem/shape/measures.h>
 
+#include <utility>
+
 namespace dem
 {
 double RoundnessBook::of(const ParticleShape &body)
@@ -16,15 +18,16 @@ double RoundnessBook::of(const ParticleShape &body)
 double RoundnessBook::mean(const ParticleSystem &particles)
 {
   double sum = 0., weight = 0.;
+  decltype(known) present; // shapes that no particle has any more are forgotten
   for (const ParticleShape &body : particles.shape)
     if (body.series)
     {
-      sum += body.volume * of(body);
+      const double value = of(body);
+      present.emplace(body.series, value);
+      sum += body.volume * value;
       weight += body.volume;
     }
-  // Shapes that no particle has any more.
-  std::erase_if(known,
-                [](const auto &entry) { return entry.first.use_count() == 1; });
+  known = std::move(present);
   return weight > 0. ? sum / weight : 1.;
 }
 } // namespace dem

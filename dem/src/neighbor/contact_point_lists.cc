@@ -107,7 +107,7 @@ void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
            particles.path_length[row_of(key.second)];
   };
   events += renew(
-      input, Watch{pairs, path_length, itself},
+      input, CandidateList{pairs, path_length, itself},
       [&](const CandidatePair &pair, const OldRows &old)
       { return list_pair(input, pair, batch, old); },
       batch, retired, [](const Arrangement &) {});

@@ -300,7 +300,7 @@ merged(const std::vector<PairKey> &keys,
 /// Pairs that may touch, with the path length of each, and what is listed
 /// by.
 template <class Path>
-struct Watch
+struct CandidateList
 {
   std::vector<CandidatePair> &pairs;
   Path path_length;
@@ -308,7 +308,8 @@ struct Watch
 };
 // Clang 14 deduces no arguments of an aggregate without a guide.
 template <class Path>
-Watch(std::vector<CandidatePair> &, Path, SecondOf) -> Watch<Path>;
+CandidateList(std::vector<CandidatePair> &, Path, SecondOf)
+    -> CandidateList<Path>;
 
 /// `b` is the particle or the plane itself.
 inline std::int32_t itself(std::int32_t b)
@@ -320,18 +321,18 @@ inline std::int32_t itself(std::int32_t b)
 /// arranged(Arrangement) if that is another one.
 template <class Path, class Make, class Arranged>
 ContactPointEvents renew(const ContactPointSearchInput &input,
-                         const Watch<Path> &watch, const Make &make,
-                         ContactBatch &batch, LostEnergy &retired,
-                         const Arranged &arranged)
+                         const CandidateList<Path> &candidates,
+                         const Make &make, ContactBatch &batch,
+                         LostEnergy &retired, const Arranged &arranged)
 {
-  std::vector<CandidatePair> &pairs = watch.pairs;
+  std::vector<CandidatePair> &pairs = candidates.pairs;
   const std::vector<std::int32_t> old_order = batch.by_pair();
   const std::vector<PairList> lists = make_lists(
-      pairs, OldList(batch, watch.second_of, old_order),
+      pairs, OldList(batch, candidates.second_of, old_order),
       [&](const CandidatePair &pair, const OldRows &old)
       {
         const bool is_due =
-            pair.due < watch.path_length(pair.key) + input.notice ||
+            pair.due < candidates.path_length(pair.key) + input.notice ||
             have_displaced(batch, old) ||
             (pair.skin > 2. * input.skin && has_open_contacts(batch, old));
         return is_due ? make(pair, old) : unchanged(old);
@@ -342,7 +343,7 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
     events += lists[p].events;
     if (lists[p].is_new)
     {
-      pairs[p].due = watch.path_length(pairs[p].key) + lists[p].clear;
+      pairs[p].due = candidates.path_length(pairs[p].key) + lists[p].clear;
       pairs[p].skin = input.skin;
       pairs[p].between = lists[p].between;
     }

@@ -61,19 +61,24 @@ std::set<std::int64_t> asked_to_break(const Ranks &ranks,
   return all;
 }
 
-/// Copies of some contacts of all ranks, sorted, and where they come from.
+/// Copies of some contacts of all ranks, sorted, and where they come from: of
+/// pairs, or with a boundary.
 struct CopiedContacts
 {
-  ContactBatch copies;
+  std::unique_ptr<Boundary> on; ///< has those with a boundary
+  ContactBatch of_pairs;
   Rows own_rows;              ///< of the batch of this rank
   std::int32_t first_own = 0; ///< of them, as gathered
   Rows order;                 ///< gathered number of each copy
 
+  ContactBatch &copies() { return on ? on->batch : of_pairs; }
+
   /// Contacts that have one of the particles as a side, named by id.
-  /// Collective.
+  /// `boundary`: null, of pairs. Collective.
   CopiedContacts(const Ranks &ranks, const ParticleSystem &particles,
-                 const ContactBatch &batch,
+                 const ContactBatch &batch, const Boundary *boundary,
                  const std::set<std::int64_t> &of_particles)
+      : on(boundary ? make_boundary(boundary->kind()) : nullptr)
   {
     const auto id = [&particles](std::int32_t row)
     { return particles.id[row_of(row)]; };
@@ -90,17 +95,19 @@ struct CopiedContacts
     }
     std::ostringstream out;
     write_batch(out, own);
+    if (boundary)
+      boundary->pack_contacts(out, own_rows);
+    copies() = batch.select({});
     for (const Parcel &parcel : gather(ranks, out))
     {
       ParcelReader in(parcel);
       ContactBatch more;
       read_batch(in.stream, more);
       if (parcel.rank == ranks.rank())
-        first_own = static_cast<std::int32_t>(copies.size());
-      if (copies.size() == 0)
-        copies = std::move(more);
-      else if (more.size() > 0)
-        copies.append(more);
+        first_own = static_cast<std::int32_t>(copies().size());
+      copies().append(more);
+      if (boundary)
+        on->unpack_contacts(in.stream);
     }
   }
 
@@ -108,35 +115,47 @@ struct CopiedContacts
   void
   name_by_row(const std::unordered_map<std::int64_t, std::int32_t> &row_of_id)
   {
-    for (std::size_t k = 0; k < copies.size(); ++k)
+    ContactBatch &batch = copies();
+    for (std::size_t k = 0; k < batch.size(); ++k)
     {
-      copies.a[k] = row_of_id.at(copies.a[k]);
-      if (copies.layout.has_partners)
-        copies.b[k] = row_of_id.at(copies.b[k]);
+      batch.a[k] = row_of_id.at(batch.a[k]);
+      if (batch.layout.has_partners)
+        batch.b[k] = row_of_id.at(batch.b[k]);
     }
-    order = copies.by_pair();
-    copies = copies.select(order);
+    if (on)
+    {
+      order = on->sort_contacts();
+      return;
+    }
+    order = batch.by_pair();
+    batch = batch.select(order);
   }
 
-  /// Own contacts take over what their copies have become.
-  void put_back(ContactBatch &batch) const
+  /// Calls call(own row, copy) for those that this rank has.
+  template <class Call>
+  void for_own(const Call &call) const
   {
     const auto n_own = static_cast<std::int32_t>(own_rows.size());
-    for (std::size_t k = 0; k < copies.size(); ++k)
-    {
-      const std::int32_t own = order[k] - first_own;
-      if (own < 0 || own >= n_own)
-        continue;
-      const std::size_t row = row_of(own_rows[row_of(own)]);
-      ContactBatch one = copies.extract(k);
-      one.a[0] = batch.a[row];
-      one.b[0] = batch.b[row];
-      if (one.layout.has_partners)
-        one.target[0] = batch.target[row];
-      batch.replace(row, one);
-    }
+    for (std::size_t k = 0; k < order.size(); ++k)
+      if (const std::int32_t own = order[k] - first_own;
+          own >= 0 && own < n_own)
+        call(row_of(own_rows[row_of(own)]), k);
   }
 };
+
+/// Own pairs take over what their copies have become.
+void put_back(const CopiedContacts &pairs, ContactBatch &batch)
+{
+  pairs.for_own(
+      [&](std::size_t row, std::size_t k)
+      {
+        ContactBatch one = pairs.of_pairs.extract(k);
+        one.a[0] = batch.a[row];
+        one.b[0] = batch.b[row];
+        one.target[0] = batch.target[row];
+        batch.replace(row, one);
+      });
+}
 
 /// Copies of particles of all ranks, in the order of their ids. Collective.
 ParticleSystem copied_particles(Distribution &distribution,
@@ -227,31 +246,35 @@ BreakingSum break_shared(const ForceContext &context,
 {
   const Ranks &ranks = distribution.ranks();
   const std::set<std::int64_t> asked = asked_to_break(ranks, parts);
-  CopiedContacts pairs(ranks, parts.particles, parts.pairs, asked);
+  CopiedContacts pairs(ranks, parts.particles, parts.pairs, nullptr, asked);
   std::vector<CopiedContacts> on_boundaries;
   for (const auto &boundary : parts.boundaries)
-    on_boundaries.emplace_back(ranks, parts.particles, boundary->batch, asked);
+    on_boundaries.emplace_back(ranks, parts.particles, boundary->batch,
+                               boundary.get(), asked);
   std::set<std::int64_t> ids = asked;
-  for (std::size_t k = 0; k < pairs.copies.size(); ++k)
-    ids.insert({pairs.copies.a[k], pairs.copies.b[k]});
+  for (std::size_t k = 0; k < pairs.of_pairs.size(); ++k)
+    ids.insert({pairs.of_pairs.a[k], pairs.of_pairs.b[k]});
   ParticleSystem copies = copied_particles(distribution, parts.particles, ids);
   const auto row_of_id = rows_by_id(copies);
   pairs.name_by_row(row_of_id);
-  for (std::size_t w = 0; w < on_boundaries.size(); ++w)
+  const auto swap_contacts = [&]
   {
-    on_boundaries[w].name_by_row(row_of_id);
-    std::swap(parts.boundaries[w]->batch, on_boundaries[w].copies);
-  }
+    for (std::size_t w = 0; w < on_boundaries.size(); ++w)
+      parts.boundaries[w]->swap_contacts(*on_boundaries[w].on);
+  };
+  for (CopiedContacts &contacts : on_boundaries)
+    contacts.name_by_row(row_of_id);
+  swap_contacts();
   const std::size_t before = events.size();
-  ContactSet contacts{pairs.copies, parts.boundaries};
+  ContactSet contacts{pairs.of_pairs, parts.boundaries};
   const BreakingSum done =
       break_particles(with(copies, context), copies, contacts, time, events);
-  pairs.put_back(parts.pairs);
+  swap_contacts();
+  put_back(pairs, parts.pairs);
   for (std::size_t w = 0; w < on_boundaries.size(); ++w)
-  {
-    std::swap(parts.boundaries[w]->batch, on_boundaries[w].copies);
-    on_boundaries[w].put_back(parts.boundaries[w]->batch);
-  }
+    on_boundaries[w].for_own(
+        [&](std::size_t row, std::size_t k)
+        { parts.boundaries[w]->take_contact(row, *on_boundaries[w].on, k); });
   put_back(copies, std::span(events).subspan(before),
            context.parameters.particle.density, parts.particles);
   return done;

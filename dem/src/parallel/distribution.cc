@@ -1,3 +1,4 @@
+#include "balance.h"
 #include "parcel_stream.h"
 #include "particle_stream.h"
 
@@ -28,6 +29,16 @@ void visit_batches(const DistributedParts &parts, const Call &call)
   call(parts.pairs);
   for (const auto &boundary : parts.boundaries)
     call(boundary->batch);
+}
+
+/// Numbers of the contacts whose particle A keeps a row.
+Rows kept_contacts(const ContactBatch &batch, const Rows &new_row)
+{
+  Rows kept;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (new_row[row_of(batch.a[k])] >= 0)
+      kept.push_back(static_cast<std::int32_t>(k));
+  return kept;
 }
 
 /// Calls call(candidates) for those of pairs and of each boundary that has
@@ -114,14 +125,12 @@ void keep_particles(const DistributedParts &parts, const Rows &order)
   parts.particles.reorder(order);
   reorder_column(parts.work.damped, order);
   reorder_column(parts.work.lifted, order);
+  parts.pairs = parts.pairs.select(kept_contacts(parts.pairs, new_row));
+  for (const auto &boundary : parts.boundaries)
+    boundary->keep_contacts(kept_contacts(boundary->batch, new_row));
   visit_batches(parts,
                 [&new_row](ContactBatch &batch)
                 {
-                  Rows kept;
-                  for (std::size_t k = 0; k < batch.size(); ++k)
-                    if (new_row[row_of(batch.a[k])] >= 0)
-                      kept.push_back(static_cast<std::int32_t>(k));
-                  batch = batch.select(kept);
                   for (std::size_t k = 0; k < batch.size(); ++k)
                     batch.a[k] = new_row[row_of(batch.a[k])];
                 });
@@ -155,7 +164,8 @@ struct Leaving
   }
 };
 
-void write_contacts(std::ostream &out, const ContactBatch &batch,
+/// Returns their numbers.
+Rows write_contacts(std::ostream &out, const ContactBatch &batch,
                     const Leaving &leaving)
 {
   Rows rows, particles;
@@ -169,6 +179,7 @@ void write_contacts(std::ostream &out, const ContactBatch &batch,
   ContactBatch some = batch.select(rows);
   std::copy(particles.begin(), particles.end(), some.a.begin());
   write_batch(out, some);
+  return rows;
 }
 
 void read_contacts(std::istream &in, std::size_t first_row, ContactBatch &batch)
@@ -209,8 +220,9 @@ Parcel pack(const DistributedParts &parts, int rank, const Leaving &leaving,
   write_particles(out, parts.particles, leaving.rows, pool);
   write_column(out, selected(parts.work.damped, leaving.rows));
   write_column(out, selected(parts.work.lifted, leaving.rows));
-  visit_batches(parts, [&](ContactBatch &batch)
-                { write_contacts(out, batch, leaving); });
+  write_contacts(out, parts.pairs, leaving);
+  for (const auto &boundary : parts.boundaries)
+    boundary->pack_contacts(out, write_contacts(out, boundary->batch, leaving));
   visit_candidates(parts, [&](const std::vector<CandidatePair> &candidates)
                    { write_candidates(out, candidates, leaving); });
   return parcel_for(rank, out);
@@ -233,39 +245,15 @@ std::size_t unpack(const Parcel &parcel, const DistributedParts &parts,
   const std::size_t n = read_particles(in.stream, parts.particles, series);
   append_column(in.stream, parts.work.damped);
   append_column(in.stream, parts.work.lifted);
-  visit_batches(parts, [&](ContactBatch &batch)
-                { read_contacts(in.stream, first, batch); });
+  read_contacts(in.stream, first, parts.pairs);
+  for (const auto &boundary : parts.boundaries)
+  {
+    read_contacts(in.stream, first, boundary->batch);
+    boundary->unpack_contacts(in.stream);
+  }
   visit_candidates(parts, [&](std::vector<CandidatePair> &candidates)
                    { read_candidates(in.stream, first, candidates); });
   return n;
-}
-
-/// Cost of each owned particle in a step, by the contacts that it is the junior
-/// of, over that of some 2.5 pairs of spheres [-].
-std::vector<float> weights(const DistributedParts &parts)
-{
-  constexpr float of_motion = 0.15f, of_contact = 0.4f;
-  std::vector<float> weight(parts.particles.size(), of_motion);
-  visit_batches(parts,
-                [&weight](const ContactBatch &batch)
-                {
-                  for (std::size_t k = 0; k < batch.size(); ++k)
-                    weight[row_of(batch.a[k])] += of_contact;
-                });
-  return weight;
-}
-
-/// Largest weight of a rank over the mean.
-double imbalance(const Ranks &ranks, const std::vector<float> &weight)
-{
-  const double own = std::accumulate(weight.begin(), weight.end(), 0.);
-  // In thousandths: the same on every rank.
-  std::array sum{std::int64_t(std::llround(1e3 * own))};
-  std::array largest{static_cast<double>(sum[0])};
-  ranks.sum(sum);
-  ranks.max(largest);
-  return sum[0] > 0 ? largest[0] * ranks.size() / static_cast<double>(sum[0])
-                    : 1.;
 }
 
 double reach_of(const ParticleSystem &particles, std::size_t i,
@@ -336,9 +324,53 @@ void Distribution::fetch_series(
 
 void Distribution::migrate(const DistributedParts &parts, bool repartitions)
 {
-  ParticleSystem &particles = parts.particles;
   name_partners_by_id(parts);
-  drop_ghosts(particles);
+  drop_ghosts(parts.particles);
+  send_home(parts, repartitions);
+}
+
+void Distribution::deal_out(const DistributedParts &parts)
+{
+  name_partners_by_id(parts);
+  Rows own;
+  for (std::size_t i = 0; i < parts.particles.size(); ++i)
+    if (parts.particles.id[i] % among->size() == among->rank())
+      own.push_back(static_cast<std::int32_t>(i));
+  keep_particles(parts, own);
+  send_home(parts, true);
+}
+
+void Distribution::gather(const DistributedParts &from,
+                          const DistributedParts &into)
+{
+  ContactBatch pairs = from.pairs;
+  std::vector<CandidatePair> candidates = from.pair_candidates;
+  const DistributedParts named{from.particles, from.work, pairs, candidates,
+                               from.boundaries};
+  name_partners_by_id(named);
+  Leaving own;
+  for (std::size_t i = 0; i < from.particles.n_owned(); ++i)
+    own.add(static_cast<std::int32_t>(i));
+  const Parcel parcel = pack(named, among->rank(), own, pool);
+  std::vector<std::pair<int, SeriesKey>> wanted;
+  int rank = 0;
+  for (std::vector<std::byte> &content : among->gather(parcel.content))
+  {
+    std::vector<SeriesKey> series;
+    unpack({rank, std::move(content)}, into, series);
+    for (const SeriesKey &key : series)
+      wanted.emplace_back(rank, key);
+    ++rank;
+  }
+  fetch_series(into.particles, 0, wanted);
+  into.particles.renew_frames();
+  name_partners_by_row(into);
+}
+
+/// Partners are named by id.
+void Distribution::send_home(const DistributedParts &parts, bool repartitions)
+{
+  ParticleSystem &particles = parts.particles;
   pool.prune();
   partition(parts, repartitions);
   std::vector<Leaving> leaving(static_cast<std::size_t>(among->size()));
@@ -370,8 +402,7 @@ void Distribution::migrate(const DistributedParts &parts, bool repartitions)
   particles.renew_frames();
   sort_in_space(parts);
   for (const auto &boundary : parts.boundaries)
-    boundary->batch.rearrange(boundary->batch.layout,
-                              boundary->batch.by_pair());
+    boundary->sort_contacts();
   visit_candidates(parts, [](std::vector<CandidatePair> &candidates)
                    { std::ranges::sort(candidates, {}, &CandidatePair::key); });
 }
@@ -412,6 +443,10 @@ void Distribution::add_ghosts(const DistributedParts &parts, double range,
     ghost_rank.insert(ghost_rank.end(), n, parcel.rank);
   }
   particles.n_ghosts = ghost_rank.size();
+  // What acts on a particle is known to its owner.
+  std::fill(particles.load.end() -
+                static_cast<std::ptrdiff_t>(particles.n_ghosts),
+            particles.load.end(), ParticleLoad{});
   particles.renew_frames();
   name_partners_by_row(parts);
 }

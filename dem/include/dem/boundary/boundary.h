@@ -40,8 +40,8 @@ public:
   virtual std::string name_of(std::size_t k) const = 0;
   /// Order in which the engine evaluates the kinds, lower first: planes 0, drum
   /// 1, facet surfaces 2, other kinds 3 unless they choose another. Boundaries
-  /// of the same rank keep the order in which they were added.
-  virtual int rank() const { return 3; }
+  /// of the same order keep the sequence in which they were added.
+  virtual int evaluation_order() const { return 3; }
   /// BreakageEvent::kind and other of contact k.
   virtual int event_kind() const = 0;
   virtual std::int64_t event_other(std::size_t) const { return -1; }
@@ -61,12 +61,29 @@ public:
 
   /// Makes the list of contacts; known ones keep what they carry.
   virtual void find_candidates(const BoundarySearch &search) = 0;
-  /// Whether its contacts can be spread over ranks: `batch` and candidates()
-  /// are all that goes with a particle, and sum_loads() all that ranks must
-  /// sum.
+  /// Whether its contacts can be spread over ranks: with the six functions
+  /// below all that it stores of contacts goes with them, and sum_loads() is
+  /// all that ranks must sum.
   virtual bool can_be_shared() const { return false; }
   /// What it stores of single particles besides; null: nothing.
   virtual std::vector<CandidatePair> *candidates() { return nullptr; }
+  /// Contact k becomes contact order[k]; others are gone.
+  virtual void keep_contacts(const std::vector<std::int32_t> &order);
+  /// Sorts the contacts by particle, part of the boundary, and where they are
+  /// on the particle; returns which contact each one was.
+  virtual std::vector<std::int32_t> sort_contacts();
+  /// Writes what it stores of these contacts besides `batch`; a boundary of the
+  /// same kind, whose batch has got them at its end, reads it.
+  virtual void pack_contacts(std::ostream &,
+                             const std::vector<std::int32_t> &) const
+  {
+  }
+  virtual void unpack_contacts(std::istream &) {}
+  /// Swaps all contacts with a boundary of the same kind.
+  virtual void swap_contacts(Boundary &other);
+  /// Contact k becomes contact l of the other one, with its own particle.
+  virtual void take_contact(std::size_t k, const Boundary &other,
+                            std::size_t l);
   /// The particles have got other numbers: new_row[old] = new.
   virtual void renumber(const std::vector<std::int32_t> &new_row,
                         bool follows_surfaces) = 0;

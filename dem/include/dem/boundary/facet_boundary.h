@@ -24,7 +24,7 @@ public:
   {
     return "the facets '" + label + "'";
   }
-  int rank() const override { return 2; }
+  int evaluation_order() const override { return 2; }
   int event_kind() const override { return 2; }
   std::int64_t event_other(std::size_t) const override { return number; }
   bool deforms() const override { return true; }

@@ -2,10 +2,13 @@
 
 #include <dem/vector.h>
 
+#include <cstdint>
+
 namespace dem
 {
 /// A rigid plane that moves without turning; particles are on the side of the
-/// normal.
+/// normal. No byte of it is unused, so that checkpoints of equal planes are
+/// equal.
 struct Plane
 {
   Vec3 point = Vec3::Zero();    ///< any point of it [m]
@@ -15,6 +18,6 @@ struct Plane
   double work = 0.;             ///< done by the plane on the particles, out [J]
   Vec3 impulse = Vec3::Zero();  ///< force over time, set to zero by its reader
                                 ///< [N s]
-  bool is_active = true;        ///< false: particles do not see it
+  std::int64_t is_active = 1;   ///< 0: particles do not see it
 };
 } // namespace dem

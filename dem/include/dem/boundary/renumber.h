@@ -17,9 +17,7 @@ void renumber_planes(const std::vector<std::int32_t> &new_row,
 void renumber_facets(const std::vector<std::int32_t> &new_row,
                      FacetCandidates &candidates, ContactBatch &batch);
 /// The same where particles follow their surfaces: contacts of any number per
-/// particle, whose rows or contact_points go with them.
-void renumber_drum_contacts(const std::vector<std::int32_t> &new_row,
-                            ContactBatch &batch, std::vector<WallRow> &rows);
+/// particle, whose contact points go with them.
 void renumber_facet_contacts(const std::vector<std::int32_t> &new_row,
                              FacetCandidates &candidates, ContactBatch &batch);
 } // namespace dem

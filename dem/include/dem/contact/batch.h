@@ -183,6 +183,10 @@ struct ContactBatch
   static void visit(const BatchLayout &has, const Visit &call,
                     Batches &...batches);
 
+  /// Zeros of contacts without a force lose their signs, which depend on the
+  /// contacts that they were worked on with.
+  void clear_signs_of_zeros();
+
   /// For restoring: the columns are set by hand.
   void set_size(std::size_t n_entries) { n = n_entries; }
 

@@ -45,7 +45,7 @@ struct ForceContext
   /// Forces stay as the last step left them, only loads are added: after some
   /// contacts were reset.
   bool adds_loads_only = false;
-  SumGrid grid = {}; ///< of loads and losses
+  SumGrid grid = {}; ///< of loads
   /// No overlap up to this exceeds the recent ratios of OverlapRecord [m].
   double known_overlap = 0.;
 };
@@ -62,7 +62,7 @@ BatchLayout wall_layout(const EngineParameters &parameters,
 struct ForceSum
 {
   LostEnergy lost;
-  bool is_overloaded = false; ///< some loss was beyond SumGrid
+  double largest_force = 0.; ///< as RangeSum [N]
   bool wants_breakage = false;
   bool has_switched = false;  ///< as RangeSum
   bool has_displaced = false; ///< as RangeSum

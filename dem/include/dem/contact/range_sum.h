@@ -11,7 +11,9 @@ struct RangeSum
   /// range before may add to it too force [N], moment [N m]. Particles that
   /// come after it in the range get theirs directly.
   double load[6] = {};
-  Dissipation lost; ///< multiples of SumGrid::loss
+  Dissipation lost;          ///< multiples of loss_spacing
+  Dissipation lost_rest;     ///< multiples of loss_rest_spacing
+  double largest_force = 0.; ///< component of the force of a contact [N]
   bool wants_breakage = false;
   bool has_switched = false;  ///< patches keep factors: contacts began or ended
   bool has_displaced = false; ///< some contact is no more where it was

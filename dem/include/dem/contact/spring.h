@@ -142,14 +142,6 @@ struct Losses
     non_conservative_work += other.non_conservative_work;
     return *this;
   }
-  /// Largest entry, without its sign.
-  Real largest() const
-  {
-    using std::abs;
-    using std::max;
-    return max(max(abs(friction), abs(rolling)),
-               max(abs(damping), abs(non_conservative_work)));
-  }
 };
 
 using Dissipation = Losses<double>;

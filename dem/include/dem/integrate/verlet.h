@@ -2,8 +2,6 @@
 
 #include <dem/particles/particle_system.h>
 
-#include <limits>
-
 namespace dem
 {
 /// Input of the kicks.
@@ -11,9 +9,6 @@ struct KickParameters
 {
   Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
   double local_damping = 0.;   ///< D_a of F <- F - D_a |F| sgn(v) [-]
-  /// Largest component of loads that were summed exactly, see SumGrid.
-  double largest_force = std::numeric_limits<double>::infinity();  ///< [N]
-  double largest_moment = std::numeric_limits<double>::infinity(); ///< [N m]
 
   bool has_gravity() const { return !gravity.isZero(0.); }
 };
@@ -32,7 +27,6 @@ struct Speeds
   double closing = 0.; ///< closing_speed [m/s]
   /// False if a position, a velocity or a spin is no finite number.
   bool is_finite = true;
-  bool is_overloaded = false; ///< some load was beyond KickParameters
 };
 
 /// Input of the first half of a step.

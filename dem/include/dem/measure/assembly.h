@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/contact/batch.h>
+#include <dem/parallel/ranks.h>
 #include <dem/particles/particle_system.h>
 
 namespace dem
@@ -35,8 +36,8 @@ double unbalanced_force_ratio(const ParticleSystem &particles,
 
 /// Stiffness of the packing along x, y, z times its volume, if all particles
 /// moved with the mean strain: sum over contacts of (k_n n_i^2 + k_s (1 -
-/// n_i^2)) n_i^2 l^2: divided by the volume it is an upper bound of the modulus
-/// [N m].
+/// n_i^2)) n_i^2 l^2, of all ranks: divided by the volume it is an upper bound
+/// of the modulus [N m]. Collective.
 Vec3 affine_stiffness(const ParticleSystem &particles,
-                      const ContactBatch &pairs);
+                      const ContactBatch &pairs, const Ranks &ranks);
 } // namespace dem

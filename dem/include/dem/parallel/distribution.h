@@ -39,6 +39,12 @@ public:
   /// differ by more than a tenth, or always. Partners in pairs
   /// and candidates are named by id from here on. Collective.
   void migrate(const DistributedParts &parts, bool repartitions);
+  /// Of a scene that every rank has as a whole, each keeps its own part: as
+  /// after migrate(). Collective.
+  void deal_out(const DistributedParts &parts);
+  /// Appends copies of the particles and contacts of all ranks to `into`, which
+  /// has none; partners are named by row there. Collective.
+  void gather(const DistributedParts &from, const DistributedParts &into);
   /// Appends ghosts: all particles that may be the senior of an owned one
   /// within a `range` between their bounding spheres [m], of circumscribed or
   /// equivalent spheres. Partners are named by row again; those that are
@@ -65,6 +71,7 @@ public:
   std::int64_t n_partitions() const { return partition_count; }
 
 private:
+  void send_home(const DistributedParts &parts, bool repartitions);
   void partition(const DistributedParts &parts, bool always);
   void fetch_series(ParticleSystem &particles, std::size_t first,
                     const std::vector<std::pair<int, SeriesKey>> &keys);

@@ -13,6 +13,6 @@ namespace dem
 /// of what it returns are collective.
 std::shared_ptr<Ranks> mpi_ranks();
 
-/// mpi_ranks() where MPI is running, else one_rank().
+/// mpi_ranks() where MPI is running on several ranks, else one_rank().
 std::shared_ptr<Ranks> ranks_of_program();
 } // namespace dem

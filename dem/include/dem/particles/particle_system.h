@@ -3,6 +3,7 @@
 #include <dem/particles/periodic_cell.h>
 #include <dem/shape/particle_shape.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct alignas(64) ParticleLoad
 {
   Vec3 force = Vec3::Zero();  ///< [N]
   Vec3 moment = Vec3::Zero(); ///< about the centre [N m]
+  std::array<double, 2> unused{};
 
   ParticleLoad &operator+=(const ParticleLoad &other)
   {

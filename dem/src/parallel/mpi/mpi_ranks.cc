@@ -157,6 +157,9 @@ std::shared_ptr<Ranks> mpi_ranks()
 
 std::shared_ptr<Ranks> ranks_of_program()
 {
-  return mpi_is_running() ? mpi_ranks() : one_rank();
+  if (!mpi_is_running())
+    return one_rank();
+  std::shared_ptr<Ranks> all = mpi_ranks();
+  return all->size() > 1 ? all : one_rank();
 }
 } // namespace dem

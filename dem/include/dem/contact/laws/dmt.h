@@ -42,9 +42,9 @@ struct Dmt
     const Real depth = max(overlap, Real(0.));
     NormalSpring<Real> spring = Hertz::spring(values, of, depth);
     const Real pull_off = 2. * std::numbers::pi * values[0] * of.radius;
-    // 1 while the surfaces overlap, 0 beyond the range.
-    const Real share =
-        max(Real(0.), Real(1. + min(overlap, Real(0.)) * (1. / values[1])));
+    // 1 while the surfaces overlap, 0 from the range on, to the last digit.
+    const Real share = max(Real(0.), Real((values[1] + min(overlap, Real(0.))) *
+                                          (1. / values[1])));
     spring.attraction = share * pull_off;
     spring.force -= spring.attraction;
     spring.energy -= pull_off * (depth + (0.5 * values[1]) * share * share);

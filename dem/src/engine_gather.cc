@@ -1,0 +1,157 @@
+// The scene of all ranks on each of them, and back.
+#include "engine_state.h"
+
+#include <dem/parallel/rank_sums.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace dem
+{
+namespace
+{
+std::unique_ptr<Boundary> copy_of(const Boundary &boundary)
+{
+  std::stringstream bytes;
+  boundary.pack(bytes);
+  auto copy = make_boundary(boundary.kind());
+  copy->unpack(bytes);
+  return copy;
+}
+
+void forget_particles(Boundary &boundary)
+{
+  boundary.keep_contacts({});
+  if (std::vector<CandidatePair> *candidates = boundary.candidates())
+    candidates->clear();
+}
+
+std::vector<std::int32_t> order_of(const std::vector<std::int64_t> &ids)
+{
+  std::vector<std::int32_t> order(ids.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {},
+                    [&ids](std::int32_t row)
+                    { return ids[static_cast<std::size_t>(row)]; });
+  return order;
+}
+
+LostEnergy sum_over_ranks(const Ranks &ranks, const LostEnergy &own)
+{
+  std::array sums{own.friction, own.rolling, own.damping,
+                  own.non_conservative_work};
+  dem::sum_over_ranks(ranks, sums);
+  return {sums[0], sums[1], sums[2], sums[3]};
+}
+
+ContactPointEvents sum_over_ranks(const Ranks &ranks,
+                                  const ContactPointEvents &own)
+{
+  std::array sums{own.n_scans,  own.n_late,     own.n_jumps, own.n_ended,
+                  own.n_merged, own.n_unlisted, own.n_lost};
+  ranks.sum(sums);
+  return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6]};
+}
+
+OverlapRecord largest_of(const Ranks &ranks, const OverlapRecord &own)
+{
+  std::array largest{own.recent, own.largest};
+  ranks.max(largest);
+  return {largest[0], largest[1]};
+}
+} // namespace
+
+std::unique_ptr<EngineState> EngineState::gathered()
+{
+  require_synchronized();
+  auto whole = std::make_unique<EngineState>(settings, one_rank());
+  copy_values_to(*whole);
+  whole->keeps_inside = keeps_inside;
+  whole->spent = spent;
+  for (const auto &boundary : walls)
+    whole->walls.push_back(copy_of(*boundary));
+  whole->contact_points = contact_points;
+  whole->patches = patches;
+  if (distribution.is_shared())
+    gather_into(*whole);
+  else
+  {
+    whole->system = system;
+    whole->work = work;
+    whole->pair_batch = pair_batch;
+  }
+  whole->order_by_id();
+  return whole;
+}
+
+void EngineState::gather_into(EngineState &whole)
+{
+  const Ranks &ranks = distribution.ranks();
+  whole.system.has_shapes = system.has_shapes;
+  whole.system.has_materials = system.has_materials;
+  whole.system.follows_surfaces = system.follows_surfaces;
+  whole.pair_batch = pair_batch.select({});
+  whole.contact_points.candidates().clear();
+  std::ranges::for_each(whole.walls, [](const auto &boundary)
+                        { forget_particles(*boundary); });
+  distribution.gather(parts(), whole.parts());
+  whole.lost = sum_over_ranks(ranks, lost);
+  whole.overlap = largest_of(ranks, overlap);
+  whole.contact_points.events = sum_over_ranks(ranks, contact_points.events);
+  std::array largest{recent_force, schedule.displaced() ? 1. : 0.};
+  ranks.max(largest);
+  whole.recent_force = largest[0];
+  if (largest[1] > 0.)
+    whole.schedule.note_displaced();
+}
+
+/// The order of rows and contacts is that of the ids, whatever it was: sums
+/// over a scene are the same on any number of ranks.
+void EngineState::order_by_id()
+{
+  if (distribution.is_shared())
+    throw std::logic_error("engine: on many ranks gathered() has an order");
+  put_in_order(order_of(system.id));
+  path_at_sort = 0.; // in another order
+  for (const auto &boundary : walls)
+    if (boundary->can_be_shared())
+      boundary->sort_contacts();
+  visit_batches(*this,
+                [](ContactBatch &batch) { batch.clear_signs_of_zeros(); });
+  pair_loads.prepare(pair_batch);
+}
+
+/// Each rank keeps its part of a scene that all of them have as a whole.
+void EngineState::deal_out()
+{
+  if (!distribution.is_shared())
+    return;
+  require_shareable();
+  if (distribution.ranks().rank() != 0) // those of all
+  {
+    lost = {};
+    contact_points.events = {};
+  }
+  distribution.deal_out(parts());
+  if (schedule.n_made == 0)
+    return;
+  // Lists and candidates stay as they are, as in the run that was stored. Their
+  // partners may have moved apart since.
+  constexpr double reserve = 2.;
+  const bool reads_shape =
+      follows_pairs() || traits(pair_geometry()).reads_shape;
+  const double range =
+      follows_pairs() ? ContactPointLists::search_range(contact_point_skin())
+                      : PairFinder::search_range(system, pair_skin());
+  distribution.add_ghosts(parts(), reserve * range, reads_shape);
+  std::vector<std::uint8_t> is_named = contact_points.named(system.size());
+  for (std::size_t k = 0; k < pair_batch.size(); ++k)
+    is_named.at(static_cast<std::size_t>(pair_batch.b[k])) = 1;
+  distribution.keep_ghosts(parts(), is_named);
+  pair_finder.forget();
+  pair_loads.prepare(pair_batch);
+}
+} // namespace dem
