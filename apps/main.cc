@@ -24,8 +24,9 @@ using namespace spall;
 enum class Processes
 {
   without_mpi,
-  one_rank,
-  many_ranks
+  one_rank,     ///< with deal.II
+  many_ranks,   ///< with deal.II
+  engine_ranks, ///< without it
 };
 
 struct Command
@@ -46,7 +47,7 @@ constexpr std::array<Command, 8> commands = {
       "[--overwrite] [--until CYCLES] [--set Section/key=value ...]",
       "run the case; --resume goes on with a stopped one, --overwrite begins "
       "it again",
-      run_command, Processes::one_rank},
+      run_command, Processes::many_ranks},
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command,
       Processes::without_mpi},
@@ -69,7 +70,7 @@ constexpr std::array<Command, 8> commands = {
       "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "
       "[--save P.csv]",
       "time the particle engine on a packing", bench_command,
-      Processes::many_ranks},
+      Processes::engine_ranks},
      {"verify", "[FAMILY ...] [--list] [--csv FILE] [--page FILE]",
       "print what is known beside what the program computes", verify_command,
       Processes::without_mpi}}};
@@ -93,6 +94,11 @@ void use_one_blas_thread()
     set(1);
 }
 
+/// What deal.II and the engine hold of MPI, while a command runs with it. They
+/// outlive a failure, which ranks report to each other.
+std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+std::unique_ptr<dem::MpiSession> session;
+
 int run_with_mpi(const Command &command, Words words)
 {
   // PETSc would read our words as its own options.
@@ -100,20 +106,16 @@ int run_with_mpi(const Command &command, Words words)
   std::string name = "spall";
   std::array<char *, 2> arguments = {name.data(), nullptr};
   char **argv = arguments.data();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (const auto n = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-      n > 1)
-  {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cerr << "spall: " << command.name << ": started on " << n
-                << " MPI ranks: must be 1 for now, use --threads\n";
-    return 1;
-  }
+  mpi =
+      std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
+  session = std::make_unique<dem::MpiSession>();
+  const auto n = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  if (n > 1 && command.processes == Processes::one_rank)
+    throw InputError(std::string(command.name) + ": started on " +
+                     std::to_string(n) +
+                     " MPI ranks: must be 1, use --threads");
   return command.run(words);
 }
-
-/// The session of all ranks, while a command runs on them.
-std::unique_ptr<dem::MpiSession> session;
 
 int run_on_ranks(const Command &command, Words words)
 {
@@ -137,8 +139,9 @@ int dispatch(const Command &command, Words words)
   switch (command.processes)
   {
   case Processes::one_rank:
-    return run_with_mpi(command, words);
   case Processes::many_ranks:
+    return run_with_mpi(command, words);
+  case Processes::engine_ranks:
     return run_on_ranks(command, words);
   case Processes::without_mpi:
     break;
@@ -241,5 +244,6 @@ int main(int argc, char **argv)
   use_one_blas_thread();
   const int status = run_to_end(argc, argv);
   session.reset();
+  mpi.reset();
   return status;
 }

@@ -84,6 +84,11 @@ bool is_stop_asked()
   return stop_asked != 0;
 }
 
+void request_stop()
+{
+  stop_asked = 1;
+}
+
 int run_command(Words words)
 {
   const RunOptions options = parse_options(words);

@@ -18,6 +18,13 @@ void set_defaults(Case &c)
   c.time.local_damping = 0.; // particles fly
 }
 
+std::string part_for_one_rank(const Case &c)
+{
+  return c.breakage.memory == dem::FactorMemory::patch
+             ? "Breakage/memory = patch"
+             : "";
+}
+
 std::unique_ptr<Test> make(const Case &parameters)
 {
   return std::make_unique<LosAngeles>(parameters);
@@ -34,6 +41,7 @@ TestKind los_angeles_kind()
           .set_defaults = set_defaults,
           .check = check_los_angeles,
           .make = make,
+          .needs_one_rank = part_for_one_rank,
           .seed_key = "Charge/seed",
           .gradation_section = "Charge",
           .report = los_angeles_report};

@@ -12,6 +12,7 @@
 #include <dem/measure/assembly.h>
 #include <dem/packing/insertion.h>
 #include <dem/packing/pouring.h>
+#include <dem/parallel/mpi_ranks.h>
 
 #include <nlohmann/json.hpp>
 
@@ -114,7 +115,7 @@ struct LosAngeles::Scene
     for (const dem::ParticleShape &body : bodies)
       smallest = std::min(smallest, dem::mean_radius(body));
     settings.geometry.usual_skin = 0.25 * smallest;
-    engine = std::make_unique<dem::Engine>(settings);
+    engine = std::make_unique<dem::Engine>(settings, dem::ranks_of_program());
     const auto n_balls = static_cast<std::size_t>(parameters.charge.balls);
     for (std::size_t i = 0; i < bodies.size(); ++i)
       engine->add_particle(bodies[i], placements[i].position,
@@ -168,7 +169,7 @@ bool LosAngeles::is_settled()
   const bool is_over = spent > d.settling_time + d.settling_max_time;
   if (!is_over && engine().n_steps() % rest_interval != 0)
     return false;
-  unrest = dem::unbalanced_weight_ratio(engine().particles(),
+  unrest = dem::unbalanced_weight_ratio(whole().particles(),
                                         engine().parameters().gravity);
   return is_over || unrest <= d.settling_unbalanced_ratio;
 }
@@ -213,7 +214,7 @@ std::vector<std::string> LosAngeles::warnings() const
 std::string LosAngeles::outcome() const
 {
   double lost = 0.;
-  const dem::ParticleSystem &all = engine().particles();
+  const dem::ParticleSystem &all = whole().particles();
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)
       lost += all.initial_mass[i] - all.mass(i);
@@ -222,8 +223,8 @@ std::string LosAngeles::outcome() const
                 "LAA %.5f %%, mass lost %.4g g, roundness %.4f, drum work "
                 "%.4g J, %lld events",
                 abrasion_percent(), 1e3 * lost,
-                roundness.mean(engine().particles()),
-                engine().energy().work_of("drum"),
+                roundness.mean(whole().particles()),
+                whole().energy().work_of("drum"),
                 static_cast<long long>(engine().n_events()));
   return text;
 }
@@ -231,7 +232,7 @@ std::string LosAngeles::outcome() const
 void LosAngeles::store_roundness()
 {
   files.push_back({roundness_file(engine().time() - start_time),
-                   roundness_table(engine().particles(), roundness)});
+                   roundness_table(whole().particles(), roundness)});
 }
 
 std::vector<NamedText> LosAngeles::take_files()
@@ -310,19 +311,19 @@ Due LosAngeles::due() const
 std::vector<Quantity> LosAngeles::measured() const
 {
   const dem::ContactNetwork network =
-      dem::contact_network(engine().particles(), engine().pairs());
+      dem::contact_network(whole().particles(), whole().pairs());
   return {{"turn_1", turns()},
           {"torque_Nm", dem::drum(engine()).torque},
-          {"drum_work_J", engine().energy().work_of("drum")},
+          {"drum_work_J", whole().energy().work_of("drum")},
           {"n_contacts_1", static_cast<double>(network.n_contacts)},
           {"mean_contact_force_N", network.mean_force},
-          {"roundness_1", roundness.mean(engine().particles())}};
+          {"roundness_1", roundness.mean(whole().particles())}};
 }
 
 void LosAngeles::summarise(nlohmann::ordered_json &summary) const
 {
   Test::summarise(summary);
-  const dem::ParticleSystem &all = engine().particles();
+  const dem::ParticleSystem &all = whole().particles();
   double lost = 0., now = 0.;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)

@@ -22,6 +22,8 @@ struct RunOptions
 
 /// Whether the user requested a stop (SIGINT, SIGTERM).
 bool is_stop_asked();
+/// Requests one, as such a signal does.
+void request_stop();
 
 /// Runs a case of its kind into its folder. Throws InputError or RunFailure.
 void run_test(const RunOptions &options, const Case &parameters);

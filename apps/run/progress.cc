@@ -16,10 +16,11 @@ constexpr const char *cut_at_edge = "\r\x1b[?7l",
 } // namespace
 
 Progress::Progress(const std::string &log_file)
-    : is_terminal(isatty(STDOUT_FILENO) == 1), started(Clock::now()),
-      last_shown(started)
+    : is_silent(log_file.empty()), is_terminal(isatty(STDOUT_FILENO) == 1),
+      started(Clock::now()), last_shown(started)
 {
-  log.open_at_end(log_file);
+  if (!is_silent)
+    log.open_at_end(log_file);
 }
 
 Progress::~Progress()
@@ -30,13 +31,16 @@ Progress::~Progress()
 
 bool Progress::is_due() const
 {
-  return std::chrono::duration<double>(Clock::now() - last_shown).count() >
-         (is_terminal ? 0.5 : 10.);
+  return !is_silent &&
+         std::chrono::duration<double>(Clock::now() - last_shown).count() >
+             (is_terminal ? 0.5 : 10.);
 }
 
 void Progress::show(const std::string &phase, double share, double rate,
                     const std::string &numbers)
 {
+  if (is_silent)
+    return;
   last_shown = Clock::now();
   char text[160];
   std::snprintf(text, sizeof text, "%-13s %5.1f %%  %8.0f steps/s",
@@ -57,6 +61,8 @@ void Progress::show(const std::string &phase, double share, double rate,
 
 void Progress::say(const std::string &line)
 {
+  if (is_silent)
+    return;
   if (has_open_line)
     std::cout << '\n';
   has_open_line = false;

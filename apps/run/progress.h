@@ -14,8 +14,8 @@ namespace spall
 class Progress
 {
 public:
-  /// Appends to `log_file`. Throws RunFailure if it cannot be written, as
-  /// say() does.
+  /// Appends to `log_file`; says nothing if that is empty. Throws RunFailure if
+  /// it cannot be written, as say() does.
   explicit Progress(const std::string &log_file);
   ~Progress();
   Progress(const Progress &) = delete;
@@ -33,6 +33,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
   AppendedFile log;
+  bool is_silent;
   bool is_terminal;
   bool has_open_line = false;
   Clock::time_point started, last_shown;

@@ -9,6 +9,7 @@
 #include "specimen/sheet_file.h"
 
 #include <dem/packing/insertion.h>
+#include <dem/parallel/mpi_ranks.h>
 #include <fem/membrane.h>
 
 #include <algorithm>
@@ -149,7 +150,8 @@ Specimen make_specimen(const Case &parameters)
   }
   dem::EngineParameters engine = engine_parameters(parameters);
   engine.geometry.usual_skin = 0.25 * smallest;
-  specimen.engine = std::make_unique<dem::Engine>(engine);
+  specimen.engine =
+      std::make_unique<dem::Engine>(engine, dem::ranks_of_program());
   for (std::size_t i = 0; i < particles.size(); ++i)
     specimen.engine->add_particle(particles[i], placements[i].position,
                                   placements[i].orientation);

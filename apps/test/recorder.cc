@@ -3,6 +3,7 @@
 #include "case/file.h"
 #include "run/cost.h"
 #include "run/event_rows.h"
+#include "run/first_rank.h"
 #include "run/frames.h"
 #include "run/ledger_rows.h"
 #include "run/whole_file.h"
@@ -66,7 +67,9 @@ void Recorder::write_gradation(const Test &test)
 {
   drawn = obtained_gradation(parameters, test.all_particles());
   if (drawn)
-    write_text(folder / gradation_file, gradation_table(*drawn));
+    on_first_rank(
+        test.ranks(),
+        [&] { write_text(folder / gradation_file, gradation_table(*drawn)); });
 }
 
 std::filesystem::path Recorder::checkpoint(const std::string &name) const
@@ -77,9 +80,14 @@ std::filesystem::path Recorder::checkpoint(const std::string &name) const
 void Recorder::start(Test &test)
 {
   write_gradation(test);
-  write_text(folder / "case.prm", resolved_case(parameters));
-  for (const TableHeader &table : headers_of(test))
-    tables[table.file].open(folder / table.file, table.header);
+  const std::vector<TableHeader> headers = headers_of(test);
+  on_first_rank(test.ranks(),
+                [&]
+                {
+                  write_text(folder / "case.prm", resolved_case(parameters));
+                  for (const TableHeader &table : headers)
+                    tables[table.file].open(folder / table.file, table.header);
+                });
   write_due(test, test.due_at_start());
 }
 
@@ -90,10 +98,18 @@ Progressed Recorder::restore_state(Test &test, const std::string &name)
   read_checkpoint(
       checkpoint(name), parameters,
       [&test](std::istream &in) { test.restore(in); }, done);
-  for (const TableHeader &table : headers_of(test))
-    tables[table.file].resume(folder / table.file,
-                              done.table_sizes[table.file]);
+  const std::vector<TableHeader> headers = headers_of(test);
+  on_first_rank(test.ranks(),
+                [&]
+                {
+                  for (const TableHeader &table : headers)
+                    tables[table.file].resume(folder / table.file,
+                                              done.table_sizes[table.file]);
+                });
   frames = present_frames(folder, done.frames);
+  framed_at.reset();
+  if (!frames.empty())
+    framed_at = frames.back().time;
   n_frames = done.n_frames;
   return done;
 }
@@ -102,7 +118,9 @@ void Recorder::resume(Test &test)
 {
   write_gradation(test); // before what has broken is restored
   spent_before = restore_state(test, "state.bin").spent;
-  write_text(folder / "case.prm", resolved_case(parameters));
+  on_first_rank(
+      test.ranks(),
+      [&] { write_text(folder / "case.prm", resolved_case(parameters)); });
   follow_rewind(test); // the run may have ended before it had
 }
 
@@ -141,10 +159,18 @@ void Recorder::after_step(Test &test)
 
 void Recorder::write_files(Test &test)
 {
-  for (const NamedText &file : test.take_files())
-    write_text(folder / file.name, file.text);
-  for (const TableRow &row : test.take_table_rows())
-    tables.at(row.file).write_row(row.values);
+  const std::vector<NamedText> files = test.take_files();
+  const std::vector<TableRow> rows = test.take_table_rows();
+  if (files.empty() && rows.empty())
+    return;
+  on_first_rank(test.ranks(),
+                [&]
+                {
+                  for (const NamedText &file : files)
+                    write_text(folder / file.name, file.text);
+                  for (const TableRow &row : rows)
+                    tables.at(row.file).write_row(row.values);
+                });
 }
 
 void Recorder::write_due(Test &test, const Due &due)
@@ -166,26 +192,37 @@ void Recorder::write_row(Test &test)
   std::vector<double> row;
   add_values(test.take_row(), row);
   require_energy(test.energy_balance().residual, test.engine().time());
-  tables.at(history).write_row(row);
+  on_first_rank(test.ranks(), [&] { tables.at(history).write_row(row); });
   test.engine().begin_overlap_interval();
   if (!test.has_ledger() || !test.exchange())
     return;
   std::vector<double> exchanged =
       ledger_row(*test.exchange(), test.engine(), test.window());
   add_values(test.own_ledger(), exchanged);
-  tables.at(ledger).write_row(exchanged);
+  on_first_rank(test.ranks(), [&] { tables.at(ledger).write_row(exchanged); });
 }
 
 void Recorder::write_events(Test &test)
 {
-  for (const dem::BreakageEvent &e : test.take_events())
-    tables.at(events).write_row(event_row(e, test.progress_at(e.time)));
+  const std::vector<dem::BreakageEvent> fresh = test.take_events();
+  on_first_rank(test.ranks(),
+                [&]
+                {
+                  for (const dem::BreakageEvent &e : fresh)
+                    tables.at(events).write_row(
+                        event_row(e, test.progress_at(e.time)));
+                });
 }
 
 void Recorder::write_frame(const Test &test)
 {
-  spall::write_frame(folder, test.engine(), test.frame_parts(), n_frames++,
-                     frames);
+  const dem::Engine &scene = test.whole();
+  const FrameParts parts = test.frame_parts();
+  on_first_rank(
+      test.ranks(),
+      [&] { spall::write_frame(folder, scene, parts, n_frames, frames); });
+  ++n_frames;
+  framed_at = test.engine().time();
 }
 
 /// By phase [s]; the phases of stepping are those after the preparation. Adds
@@ -201,6 +238,8 @@ std::map<std::string, double> Recorder::wall_clock(const Test &test) const
       {"breakage", now.breakage - then.breakage},
       {"motion", now.motion - then.motion},
       {"output", output_seconds}};
+  if (test.ranks().size() > 1)
+    seconds["exchange"] = now.exchange - then.exchange;
   if (has_prepared && prepared_at)
     seconds["preparation"] = prepared_at->wall;
   test.add_clocks(seconds);
@@ -233,15 +272,20 @@ void Recorder::write_checkpoint(Test &test, const std::string &name)
 {
   test.engine().synchronize();
   write_events(test);
-  Progressed done;
-  for (auto &[file, table] : tables)
-    done.table_sizes[file] = table.flushed_size();
-  done.frames = frames;
-  done.n_frames = n_frames;
-  done.spent = wall_clock(test);
-  spall::write_checkpoint(
-      checkpoint(name), parameters,
-      [&test](std::ostream &out) { test.save(out); }, done);
+  test.whole(); // of all ranks
+  on_first_rank(test.ranks(),
+                [&]
+                {
+                  Progressed done;
+                  for (auto &[file, table] : tables)
+                    done.table_sizes[file] = table.flushed_size();
+                  done.frames = frames;
+                  done.n_frames = n_frames;
+                  done.spent = wall_clock(test);
+                  spall::write_checkpoint(
+                      checkpoint(name), parameters,
+                      [&test](std::ostream &out) { test.save(out); }, done);
+                });
 }
 
 void Recorder::finish(Test &test)
@@ -249,13 +293,14 @@ void Recorder::finish(Test &test)
   const double begun = elapsed();
   // Before the frame: a resumed run has none here.
   write_checkpoint(test);
-  if (frames.empty() || frames.back().time != test.engine().time())
+  if (framed_at != test.engine().time())
     write_frame(test);
   output_seconds += elapsed() - begun;
   nlohmann::ordered_json summary;
   summary["kind"] = parameters.kind;
   summary["title"] = parameters.title;
   summary["is_complete"] = test.share_done() >= 1. && !test.ends_early();
+  summary["ranks"] = test.ranks().size();
   summary["threads"] = omp_get_max_threads();
   test.summarise(summary);
   if (drawn)
@@ -266,7 +311,9 @@ void Recorder::finish(Test &test)
   summary["warnings"] = test.warnings();
   add_cost(wall_clock(test), summary);
   summary["version"] = SPALL_VERSION;
-  write_text(folder / "summary.json", summary.dump(2) + "\n");
+  on_first_rank(
+      test.ranks(),
+      [&] { write_text(folder / "summary.json", summary.dump(2) + "\n"); });
 }
 
 std::string Recorder::save_stopped(Test &test)

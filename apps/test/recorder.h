@@ -64,6 +64,7 @@ private:
   std::map<std::string, CsvFile> tables; ///< by file name
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
+  std::optional<double> framed_at; ///< time of the last frame [s]
   double output_seconds = 0.;
   /// Clocks when the preparation had ended.
   struct Spent

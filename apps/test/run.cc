@@ -1,4 +1,6 @@
+#include "case/file.h"
 #include "errors.h"
+#include "run/first_rank.h"
 #include "run/folder.h"
 #include "run/options.h"
 #include "run/overlap_news.h"
@@ -10,6 +12,8 @@
 #include "test/preparation_store.h"
 #include "test/recorder.h"
 #include "test/to_end.h"
+
+#include <dem/parallel/mpi_ranks.h>
 
 #include <chrono>
 #include <cstdio>
@@ -60,8 +64,14 @@ void use_store(const std::optional<PreparationStore> &store, Test &test,
   test.when_prepared(
       [&]
       {
-        progress.say(store->store([&test](std::ostream &out)
-                                  { test.save_prepared(out); }));
+        test.whole(); // of all ranks
+        on_first_rank(test.ranks(),
+                      [&]
+                      {
+                        progress.say(
+                            store->store([&test](std::ostream &out)
+                                         { test.save_prepared(out); }));
+                      });
       });
   std::string said;
   if (!new_run)
@@ -122,13 +132,27 @@ private:
   std::int64_t steps_before;
 };
 
+/// Whether a stop was requested: where there are many ranks all of them learn
+/// it at the same step, some time after one was told.
+bool is_stopped(const dem::Ranks &ranks, std::int64_t n_steps)
+{
+  constexpr std::int64_t interval = 16;
+  if (ranks.size() == 1)
+    return is_stop_asked();
+  if (n_steps % interval != 0 || !on_any_rank(ranks, is_stop_asked()))
+    return false;
+  request_stop();
+  return true;
+}
+
 /// Steps until the test is done or a stop is requested.
 void run_loop(Test &test, Recorder &recorder, Progress &progress,
               ThreadChoice &threads)
 {
   News news(test.engine());
   StepRate rate(test.engine().n_steps());
-  for (std::int64_t n = 1; test.share_done() < 1. && !is_stop_asked(); ++n)
+  for (std::int64_t n = 1;
+       test.share_done() < 1. && !is_stopped(test.ranks(), n); ++n)
   {
     threads.before_step();
     test.advance();
@@ -138,7 +162,7 @@ void run_loop(Test &test, Recorder &recorder, Progress &progress,
     recorder.after_step(test);
     say_notes(test, progress);
     news.say(test.engine(), progress);
-    if (n % 64 != 0 || !progress.is_due())
+    if (n % 64 != 0 || !on_any_rank(test.ranks(), progress.is_due()))
       continue;
     test.engine().synchronize();
     progress.show(test.phase(), test.share_done(),
@@ -147,10 +171,36 @@ void run_loop(Test &test, Recorder &recorder, Progress &progress,
 }
 } // namespace
 
+namespace
+{
+/// Throws InputError on many ranks where the case needs one.
+void require_shareable(const dem::Ranks &ranks, const Case &parameters)
+{
+  const std::string what = needs_one_rank(parameters);
+  if (ranks.size() > 1 && !what.empty())
+    throw InputError(parameters.file + ": " + what +
+                     ": runs on one MPI rank alone, not on " +
+                     std::to_string(ranks.size()) + ": use --threads");
+}
+
+/// What is to be known of the folder before any file is made; a note for the
+/// log.
+std::string look_at_folder(const dem::Ranks &ranks, RunOptions &options)
+{
+  std::string note;
+  on_first_rank(ranks, [&] { note = start_over_if_interrupted(options); });
+  options.is_resumed =
+      on_any_rank(ranks, ranks.rank() == 0 && options.is_resumed);
+  return of_first_rank(ranks, note);
+}
+} // namespace
+
 void run_test(const RunOptions &asked, const Case &parameters)
 {
+  const std::shared_ptr<dem::Ranks> ranks = dem::ranks_of_program();
+  require_shareable(*ranks, parameters);
   RunOptions options = asked;
-  const std::string note = start_over_if_interrupted(options);
+  const std::string note = look_at_folder(*ranks, options);
   const std::filesystem::path folder = options.out;
   const std::unique_ptr<Test> test = make_test(parameters);
   if (options.until)
@@ -161,13 +211,15 @@ void run_test(const RunOptions &asked, const Case &parameters)
   if (const std::string text = test->preparation_text();
       !options.preparations.empty() && !text.empty())
     store.emplace(options.preparations, text);
-  prepare_run_folder(options);
+  on_first_rank(*ranks, [&] { prepare_run_folder(options); });
   Recorder recorder(parameters, folder);
-  Progress progress((folder / "log.txt").string());
+  Progress progress(ranks->rank() == 0 ? (folder / "log.txt").string() : "");
   if (options.is_resumed)
   {
     recorder.resume(*test);
-    std::filesystem::remove(folder / "summary.json"); // of where it had ended
+    on_first_rank(*ranks,
+                  [&] // of where it had ended
+                  { std::filesystem::remove(folder / "summary.json"); });
   }
   else
     recorder.start(*test);

@@ -7,6 +7,7 @@
 #include "run/warnings.h"
 
 #include <dem/binary.h>
+#include <dem/parallel/distribution.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,8 +32,8 @@ double first_step(const Case &parameters, const dem::StepLimit &limit)
 Test::Test(const Case &c, ShapeLibrary library,
            std::unique_ptr<dem::Engine> scene)
     : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
-      limit(dem::critical_step(owned_engine->parameters(),
-                               owned_engine->particles())),
+      is_shareable(needs_one_rank(c).empty()),
+      limit(dem::critical_step(whole().parameters(), whole().particles())),
       watch(c.time, limit.step), step(first_step(c, limit))
 {
 }
@@ -40,8 +41,8 @@ Test::Test(const Case &c, ShapeLibrary library,
 Test::Test(const Case &c, ShapeLibrary library,
            std::unique_ptr<dem::Engine> scene, double its_step)
     : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
-      limit(dem::critical_step(owned_engine->parameters(),
-                               owned_engine->particles())),
+      is_shareable(needs_one_rank(c).empty()),
+      limit(dem::critical_step(whole().parameters(), whole().particles())),
       watch(c.time, limit.step), step(its_step)
 {
 }
@@ -50,8 +51,28 @@ Test::Test(const Case &c, ShapeLibrary library,
            std::unique_ptr<dem::Engine> scene, const dem::StepLimit &its_limit,
            double its_step)
     : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
-      limit(its_limit), watch(c.time, limit.step), step(its_step)
+      is_shareable(needs_one_rank(c).empty()), limit(its_limit),
+      watch(c.time, limit.step), step(its_step)
 {
+}
+
+const dem::Engine &Test::whole() const
+{
+  owned_engine->synchronize();
+  if (!is_gathered())
+    return *owned_engine;
+  if (!copy)
+  {
+    const Stopwatch watch;
+    copy = std::make_unique<dem::Engine>(owned_engine->gathered());
+    gathering += watch.seconds();
+  }
+  return *copy;
+}
+
+const dem::Ranks &Test::ranks() const
+{
+  return owned_engine->distribution().ranks();
 }
 
 void Test::advance()
@@ -67,7 +88,7 @@ void Test::advance()
 void Test::check_contacts()
 {
   engine().synchronize();
-  watch.update(engine(), surroundings(), step);
+  watch.update(whole(), surroundings(), step);
   if (!watch.is_fixed())
     step = watch.state().longest;
 }
@@ -117,7 +138,7 @@ std::vector<dem::BreakageEvent> Test::take_events()
 
 double Test::abrasion_percent() const
 {
-  const dem::ParticleSystem &all = engine().particles();
+  const dem::ParticleSystem &all = whole().particles();
   double now = 0., before = 0.;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)
@@ -130,14 +151,14 @@ double Test::abrasion_percent() const
 
 double Test::external_work() const
 {
-  const dem::EngineEnergy energy = engine().energy();
+  const dem::EngineEnergy energy = whole().energy();
   return energy.work_of("planes") + energy.work_of("drum") +
          energy.gravity_work + body_energy().external;
 }
 
 EnergyBalance Test::energy_balance() const
 {
-  const dem::EngineEnergy e = engine().energy();
+  const dem::EngineEnergy e = whole().energy();
   const coupling::BodyEnergy bodies = body_energy();
   const double work = external_work();
   return {work,
@@ -152,13 +173,13 @@ std::vector<Quantity> Test::row() const
   std::vector<Quantity> all = {{"time_s", engine().time()}};
   for (const Quantity &one : measured())
     all.push_back(one);
-  const dem::EngineEnergy e = engine().energy();
+  const dem::EngineEnergy e = whole().energy();
   const coupling::BodyEnergy bodies = body_energy();
   const EnergyBalance balance = energy_balance();
   const std::vector<Quantity> common = {
       {"laa_percent", abrasion_percent(), true},
       {"n_events_1", static_cast<double>(engine().n_events()), true},
-      {"overlap_over_radius_1", engine().overlaps().recent},
+      {"overlap_over_radius_1", whole().overlaps().recent},
       {"external_work_J", balance.external_work},
       {"kinetic_energy_J", e.kinetic + bodies.kinetic},
       {"elastic_energy_J", e.elastic + bodies.stored},
@@ -193,12 +214,14 @@ std::string Test::live_numbers()
 void Test::add_clocks(std::map<std::string, double> &seconds) const
 {
   seconds["step_watch"] = watch.seconds();
+  if (gathering > 0.)
+    seconds["gathering"] = gathering;
 }
 
 std::vector<std::string> Test::warnings() const
 {
   std::vector<std::string> all;
-  add_overlap_warning(engine(), all);
+  add_overlap_warning(whole(), all);
   add_step_warning(parameters.time, watch.state(), all);
   add_energy_warning(reported_balance(), all);
   return all;
@@ -206,7 +229,7 @@ std::vector<std::string> Test::warnings() const
 
 void Test::summarise(nlohmann::ordered_json &summary) const
 {
-  const dem::ParticleSystem &all = engine().particles();
+  const dem::ParticleSystem &all = whole().particles();
   summary["n_particles"] = std::ranges::count(all.material, std::uint8_t{0});
   summary["n_breakable"] =
       std::ranges::count(all.is_breakable, std::uint8_t{1});
@@ -225,8 +248,8 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   summary["laa_percent"] = abrasion_percent();
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
-  summary["overlap_over_radius_1"] = engine().overlaps().largest;
-  add_contact_point_events(engine(), summary);
+  summary["overlap_over_radius_1"] = whole().overlaps().largest;
+  add_contact_point_events(whole(), summary);
   if (first_event.time >= 0.)
   {
     summary["first_event_force_N"] = first_event.force;
@@ -240,7 +263,7 @@ void Test::save(std::ostream &out) const
   dem::write_value(out, step);
   dem::write_value(out, watch.state());
   dem::write_value(out, first_event);
-  engine().save(out, shapes);
+  whole().save(out, shapes);
 }
 
 void Test::restore(std::istream &in)
@@ -251,6 +274,13 @@ void Test::restore(std::istream &in)
   watch.set_state(record);
   dem::read_value(in, first_event);
   engine().restore(in, shapes);
+}
+
+std::string needs_one_rank(const Case &parameters)
+{
+  const TestKind *kind = find_kind(parameters.kind);
+  return kind && kind->needs_one_rank ? kind->needs_one_rank(parameters)
+                                      : "Case/kind = " + parameters.kind;
 }
 
 std::unique_ptr<Test> make_test(const Case &parameters)

@@ -113,7 +113,7 @@ public:
   /// What is to be written before the first step.
   virtual Due due_at_start() const
   {
-    return {true, engine().particles().size() > 0, false};
+    return {true, whole().particles().size() > 0, false};
   }
   /// What is to be written after the last step.
   virtual Due due() const = 0;
@@ -158,12 +158,23 @@ public:
 
   // Scene.
 
+  /// On many ranks its particles are those of this rank: whole() has all.
   const dem::Engine &engine() const { return *owned_engine; }
-  dem::Engine &engine() { return *owned_engine; }
+  dem::Engine &engine()
+  {
+    copy.reset();
+    return *owned_engine;
+  }
+  /// The scene as it is measured and stored: dem::Engine::gathered(), or the
+  /// engine itself, see is_gathered(). Finishes a half kick that is pending.
+  /// The first call after a change is collective.
+  const dem::Engine &whole() const;
+  /// All ranks that the test runs on.
+  const dem::Ranks &ranks() const;
   /// All particles that the test will have; only what does not move counts.
   virtual const dem::ParticleSystem &all_particles() const
   {
-    return engine().particles();
+    return whole().particles();
   }
   /// Exchange of particles and bodies; null while there is none.
   virtual const coupling::Exchange *exchange() const { return nullptr; }
@@ -235,6 +246,9 @@ protected:
        std::unique_ptr<dem::Engine> scene, const dem::StepLimit &limit,
        double first_step);
 
+  /// Whether whole() is a copy in the order of the ids: where the case can be
+  /// spread over ranks.
+  virtual bool is_gathered() const { return is_shareable; }
   /// Advances particles and bodies by a window [s]. Where a guard stops it,
   /// advance() throws after move().
   void exchange_window(coupling::Exchange &joined, double window);
@@ -248,7 +262,7 @@ protected:
   void report_step()
   {
     engine().synchronize();
-    watch.report(engine(), surroundings(), step);
+    watch.report(whole(), surroundings(), step);
   }
   /// Reports that the particles are prepared, see when_prepared().
   void say_prepared() const;
@@ -276,6 +290,9 @@ protected:
 
 private:
   std::unique_ptr<dem::Engine> owned_engine;
+  bool is_shareable = false; ///< the case can be spread over ranks
+  mutable std::unique_ptr<dem::Engine> copy; ///< for whole(), since a change
+  mutable double gathering = 0.;             ///< wall-clock of copying [s]
   dem::StepLimit limit;
 
 protected:
@@ -295,6 +312,9 @@ private:
 /// The fixed step, or the longest for the lightest particle on one wall. Throws
 /// InputError if the fixed one is longer.
 double first_step(const Case &parameters, const dem::StepLimit &limit);
+
+/// What of a case cannot be spread over ranks; empty: all can.
+std::string needs_one_rank(const Case &parameters);
 
 /// The scene of a case. Throws InputError.
 std::unique_ptr<Test> make_test(const Case &parameters);

@@ -62,9 +62,9 @@ bool Triaxial::is_consolidated()
   consolidation.load_error =
       std::abs(plate.resultant()) / (l.confining_pressure * area);
   consolidation.motion_error = std::sqrt(
-      plate.kinetic_energy() / std::max(engine().energy().elastic, 1e-300));
+      plate.kinetic_energy() / std::max(whole().energy().elastic, 1e-300));
   consolidation.unbalanced_ratio =
-      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
+      dem::unbalanced_force_ratio(whole().particles(), whole().pairs());
   if (!cell->has_membrane())
   {
     const dem::Vec3 stress = dem::box_stress(engine(), box);
@@ -109,7 +109,7 @@ void Triaxial::begin_loading()
   start_volume = volume();
   engine().set_breaking(parameters.breakage.is_active);
   servo.follow_load();
-  watch.report(engine(), surroundings(), time_step());
+  watch.report(whole(), surroundings(), time_step());
   say(consolidated_text());
   if (parameters.loading.form == LoadForm::compression)
     hold_plate();

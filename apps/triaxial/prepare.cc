@@ -71,7 +71,7 @@ void Triaxial::densify()
 /// Now [-].
 double Triaxial::porosity() const
 {
-  return 1. - solid_volume(engine().particles()) / volume();
+  return 1. - solid_volume(whole().particles()) / volume();
 }
 
 void Triaxial::finish_preparation()
@@ -123,21 +123,21 @@ bool Triaxial::is_at_rest()
 {
   preparation.stress = dem::box_stress(engine(), box);
   preparation.unbalanced_ratio =
-      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
+      dem::unbalanced_force_ratio(whole().particles(), whole().pairs());
   const PreparationParameters &limits = parameters.preparation;
   const double worst =
       (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
   return worst < limits.stress_tolerance &&
          preparation.unbalanced_ratio < limits.unbalanced_ratio &&
-         dem::contact_network(engine().particles(), engine().pairs())
-                 .n_contacts > 0;
+         dem::contact_network(whole().particles(), whole().pairs()).n_contacts >
+             0;
 }
 
 void Triaxial::save_prepared(std::ostream &out) const
 {
   dem::write_value(out, watch.state());
   dem::write_value(out, preparation);
-  engine().save(out, shapes);
+  whole().save(out, shapes);
   servo.save(out);
 }
 
@@ -155,9 +155,19 @@ void Triaxial::take_prepared(std::istream &in)
   note_due();
 }
 
+/// Specimens are prepared in the same way whatever closes them later: what is
+/// kept serves all.
+bool Triaxial::is_gathered() const
+{
+  return Test::is_gathered() || now == Stage::preparation;
+}
+
 /// From the walls to what closes the specimen from now on.
 void Triaxial::hand_over()
 {
+  // As from a file, where sums depend on the order.
+  if (is_gathered() && !Test::is_gathered())
+    engine().order_by_id();
   place_boundaries();
   enter(Stage::consolidation);
 }
@@ -168,7 +178,7 @@ void Triaxial::place_boundaries()
   area = dem::box_section(engine(), box);
   if (refines_membrane())
     pressed = coupling::pressed_quads(lateral_mesh(parameters, lower, upper),
-                                      dem::contact_network_of(engine()));
+                                      dem::contact_network_of(whole()));
   servo.release(engine(), 2);
   // Particles that carry nothing would fly on for ever.
   engine().come_to_rest();

@@ -66,7 +66,7 @@ std::vector<Quantity> Triaxial::take_row()
   const bool is_loading = now >= Stage::loading;
   if (recorded.roundness == 0. ||
       (is_loading && schedule.intervals() % cycle_intervals == 0))
-    recorded.roundness = known_roundness.mean(engine().particles());
+    recorded.roundness = known_roundness.mean(whole().particles());
   recorded.last = sample(recorded.roundness);
   if (membrane())
     recorded.worst_gain = std::max(recorded.worst_gain, exchange_gain());
@@ -84,7 +84,7 @@ std::vector<Quantity> Triaxial::take_row()
 std::vector<Quantity> Triaxial::own_ledger() const
 {
   const double plate_work = cell ? cell->plate().drive_work() : 0.;
-  return {{"membrane_work_J", engine().energy().work_of("facets")},
+  return {{"membrane_work_J", whole().energy().work_of("facets")},
           {"plate_work_J", plate_work},
           {"energy_residual_J", recorded.last.energy_residual}};
 }

@@ -83,7 +83,7 @@ void Triaxial::settle_step()
   if (watch.is_due(engine().n_steps() / steps_in_move()))
   {
     engine().synchronize();
-    watch.update(engine(), surroundings(), time_step());
+    watch.update(whole(), surroundings(), time_step());
     // The steps of a probe stay as they are: they are to meet.
     if (!watch.is_fixed() && probe.fine_left == 0)
       schedule.replan(longest_step());
@@ -109,7 +109,7 @@ void Triaxial::resume_schedule(const TimeParameters &then,
         "(rules stable and error) Output/samples_per_cycle must be as before");
   probe = {};
   watch.set_state(StepWatch(parameters.time, setup.cap).state());
-  watch.update(engine(), surroundings(), setup.step);
+  watch.update(whole(), surroundings(), setup.step);
   schedule.begin(period() / static_cast<double>(cycle_intervals),
                  longest_step(),
                  schedule.intervals() / intervals_then * cycle_intervals);

@@ -39,7 +39,7 @@ void Triaxial::summarise(nlohmann::ordered_json &out) const
 {
   Test::summarise(out);
   const Sample &start = recorded.loading_start, &end = recorded.last;
-  out["n_particles"] = engine().particles().size();
+  out["n_particles"] = whole().particles().size();
   out["lateral"] =
       parameters.boundary.lateral == Lateral::membrane ? "membrane" : "rigid";
   out["initial_porosity"] = preparation.porosity;

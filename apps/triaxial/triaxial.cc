@@ -36,7 +36,7 @@ Triaxial::Triaxial(const Case &c) : Triaxial(c, make_specimen(c)) {}
 Triaxial::Triaxial(const Case &c, Specimen specimen)
     : Test(c, std::move(specimen.shapes), std::move(specimen.engine), 0.),
       box(specimen.walls), servo(box, servo_parameters(c)),
-      setup(choose_step(c, engine())),
+      setup(choose_step(c, whole())),
       cycle_intervals(is_fixed()
                           ? std::llround(c.loading.period() /
                                          (setup.step * steps_in_window()))
@@ -282,9 +282,9 @@ coupling::StressBalance Triaxial::stress_balance() const
 
 Sample Triaxial::sample(double roundness) const
 {
-  const dem::ParticleSystem &particles = engine().particles();
+  const dem::ParticleSystem &particles = whole().particles();
   const dem::ContactNetwork network =
-      dem::contact_network(particles, engine().pairs());
+      dem::contact_network(particles, whole().pairs());
   Sample s;
   s.time = engine().time();
   s.stage = std::min(2., static_cast<double>(now));
@@ -309,15 +309,15 @@ Sample Triaxial::sample(double roundness) const
   s.n_contacts = static_cast<double>(network.n_contacts);
   s.n_events = static_cast<double>(engine().n_events());
   s.unbalanced_force_ratio =
-      dem::unbalanced_force_ratio(particles, engine().pairs());
-  s.overlap_over_radius = engine().overlaps().recent;
+      dem::unbalanced_force_ratio(particles, whole().pairs());
+  s.overlap_over_radius = whole().overlaps().recent;
   add_energies(s);
   return s;
 }
 
 void Triaxial::add_energies(Sample &s) const
 {
-  const dem::EngineEnergy energy = engine().energy();
+  const dem::EngineEnergy energy = whole().energy();
   s.external_work =
       energy.work_of("planes") + energy.work_of("drum") + energy.gravity_work;
   s.kinetic_energy = energy.kinetic;
@@ -366,7 +366,7 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, plan);
   coupling::save(out, observed_from);
   coupling::save(out, mean_motion);
-  engine().save(out, shapes);
+  whole().save(out, shapes);
   servo.save(out);
   if (joined)
     joined->save(out);

@@ -104,7 +104,7 @@ public:
   }
   coupling::EnclosedSpecimen enclosed() const
   {
-    return {engine(), walls(), membrane()};
+    return {whole(), walls(), membrane()};
   }
   /// Only with a membrane.
   bool has_ledger() const override
@@ -164,6 +164,7 @@ private:
 
   Triaxial(const Case &parameters, Specimen specimen);
   void move(double time_step) override;
+  bool is_gathered() const override;
   std::vector<dem::BreakageEvent> fresh_events() override;
   void note_due();
   double exchange_gain() const;

@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+"""Any number of MPI ranks gives the same bits; faults end all ranks at once.
+
+    ranks.py SPALL same|drum|continued|faults   77: no mpirun on this machine
+"""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from lab import DRUM, write_prm
+from triaxial_runs import (ENVIRONMENT, QUICK, command, differing,
+                           report_faults, run, summary, summary_faults)
+
+MPIRUN = shutil.which("mpirun")
+TABLES = ["history.csv", "events.csv", "cycles.csv", "gradation.csv",
+          "boundary_profile_start.csv", "boundary_profile_end.csv",
+          "sections_start.csv", "sections_end.csv", "case.prm", "run.pvd"]
+# Root in a container, and fewer cores than ranks, are fine for this.
+LAUNCHED = {**ENVIRONMENT, "OMPI_ALLOW_RUN_AS_ROOT": "1",
+            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+PATIENCE = 10.  # of the user, with ranks that have nothing to wait for [s]
+
+
+def on_ranks(n_ranks, words):
+    return [MPIRUN, "-n", str(n_ranks), "--oversubscribe", "--bind-to", "none",
+            "--mca", "mpi_yield_when_idle", "1", *map(str, words)]
+
+
+def launch(n_ranks, words, timeout=600):
+    return subprocess.run(on_ranks(n_ranks, words), env=LAUNCHED, check=False,
+                          capture_output=True, text=True, timeout=timeout)
+
+
+def go(spall, n_ranks, folder, *options, settings=()):
+    """A run of the small case between rigid walls, to its end."""
+    ended = launch(n_ranks, command(spall, folder, "rigid", *options,
+                                    settings=(*QUICK, *settings)))
+    if ended.returncode != 0:
+        raise SystemExit(f"{n_ranks} ranks: status {ended.returncode}\n"
+                         f"{ended.stdout}\n{ended.stderr}")
+
+
+def differences(name, folder, whole):
+    """Where a run differs from that of one rank, costs left out."""
+    frames = sorted({str(path.relative_to(of)) for of in (folder, whole)
+                     for path in (of / "frames").iterdir()})
+    faults = [f"{name}: {path} differs"
+              for path in differing(folder, whole, [*TABLES, *frames])]
+    return faults + [f"{name}: {fault}" for fault in summary_faults(
+        summary(folder), summary(whole), left_out=("ranks",))]
+
+
+def same(spall, root):
+    faults = []
+    for name, ranks, settings in (
+            ("fixed", (2, 3), ("Time/step=fixed",)),
+            ("stable", (2,), ("Time/step=stable",)),
+            ("error", (2,), ("Time/step=error",)),
+            ("surfaces", (2,), ("Contact/geometry=surface",
+                                "Contact/wall_geometry=surface",
+                                "Particle/rolling_friction=0",
+                                "Specimen/initial_solid_fraction=0.12",
+                                "Time/step=stable", "Loading/cycles=1")),
+            ("cylinder", (2,), ("Specimen/form=cylinder",
+                                "Specimen/diameter=0.05",
+                                "Specimen/height=0.07"))):
+        whole = root / name
+        run(spall, whole, "rigid", settings=(*QUICK, *settings))
+        for n_ranks in ranks:
+            folder = root / f"{name}_{n_ranks}"
+            go(spall, n_ranks, folder, settings=settings)
+            faults += differences(f"{name}, {n_ranks} ranks", folder, whole)
+            if summary(folder)["ranks"] != n_ranks:
+                faults.append(f"{n_ranks} ranks: not in summary.json")
+    if summary(root / "fixed")["n_events"] == 0:
+        faults.append("no event: the test shows nothing of breakage")
+    return faults
+
+
+def drum(spall, root):
+    """A Los Angeles drum with a few large bodies and a ball."""
+    case = write_prm(root / "drum.prm", DRUM)
+    words = [spall, "run", case, "--threads", 1, "--out"]
+    subprocess.run([*map(str, words), str(root / "whole")], check=True,
+                   stdout=subprocess.DEVNULL, env=ENVIRONMENT)
+    ended = launch(2, [*words, root / "two"])
+    if ended.returncode != 0:
+        raise SystemExit(f"drum: status {ended.returncode}\n{ended.stderr}")
+    faults = differences("drum", root / "two", root / "whole")
+    faults += [f"drum: {path.name} differs"
+               for path in (root / "whole").glob("roundness_*.csv")
+               if differing(root / "two", root / "whole", [path.name])]
+    if summary(root / "whole")["n_events"] == 0:
+        faults.append("drum: no event")
+    return faults
+
+
+def continued(spall, root):
+    """Of two ranks, then three, then one, a cycle each."""
+    whole, parts = root / "whole", root / "parts"
+    settings = ("Loading/cycles=3",)
+    run(spall, whole, "rigid", settings=(*QUICK, *settings))
+    go(spall, 2, parts, "--until", "1", settings=settings)
+    go(spall, 3, parts, "--resume", "--until", "2", settings=settings)
+    run(spall, parts, "rigid", "--resume", settings=(*QUICK, *settings))
+    faults = differences("2, 3, 1 ranks", parts, whole)
+
+    # Preparations that one number of ranks keeps serve any other.
+    kept = root / "kept"
+    for n_ranks, name in ((2, "first"), (3, "second")):
+        go(spall, n_ranks, root / name, "--preparations", kept,
+           settings=settings)
+    return faults + [
+        f"preparation kept: {path} differs" for path in
+        differing(root / "second", root / "first", ["events.csv", "cycles.csv"])]
+
+
+def children(process):
+    """The ranks that mpirun has started."""
+    found = subprocess.run(["ps", "-o", "pid=,comm=", "--ppid",
+                            str(process.pid)], capture_output=True, text=True,
+                           check=False)
+    return [int(line.split()[0]) for line in found.stdout.splitlines()
+            if "spall" in line]
+
+
+def started(spall, folder, n_ranks):
+    """A run that would take long, after its first checkpoint."""
+    words = command(spall, folder, "rigid",
+                    settings=(*QUICK, "Loading/cycles=200"))
+    running = subprocess.Popen(on_ranks(n_ranks, words), env=LAUNCHED,
+                               stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True)
+    state = folder / "checkpoint" / "state.bin"
+    while running.poll() is None and not state.exists():
+        time.sleep(0.01)
+    return running
+
+
+def ends(running, name):
+    """What stderr has, and faults: it takes too long."""
+    try:
+        return running.communicate(timeout=PATIENCE)[1], []
+    except subprocess.TimeoutExpired:
+        running.kill()
+        return running.communicate()[1], [f"{name}: runs on"]
+
+
+def one_line(name, ended, said):
+    lines = [line for line in ended.stderr.splitlines()
+             if line.startswith("spall: ")]
+    if ended.returncode == 1 and len(lines) == 1 and said in lines[0]:
+        return []
+    return [f"{name}: status {ended.returncode}, {ended.stderr}"]
+
+
+def faults(spall, root):
+    found = []
+    # What no rank can do is said once.
+    found += one_line("check", launch(2, [spall, "check", "x.prm"]),
+                      "2 MPI ranks")
+    found += one_line("no file", launch(2, [spall, "run", "x.prm"]), "x.prm")
+    found += one_line("membrane", launch(2, command(
+        spall, root / "membrane", "membrane")), "Boundary/lateral = membrane")
+    if (root / "membrane").exists():
+        found.append("membrane: left a folder")
+    (root / "file").write_text("")
+    found += one_line("no folder", launch(2, command(
+        spall, root / "file", "rigid")), "is a file")
+
+    # A rank is killed: all end.
+    folder = root / "killed"
+    running = started(spall, folder, 2)
+    os.kill(children(running)[1], signal.SIGKILL)
+    found += ends(running, "killed")[1]
+    go(spall, 2, folder, "--resume", "--until", "3",
+       settings=("Loading/cycles=200",))
+
+    # A request to stop reaches all.
+    folder = root / "stopped"
+    running = started(spall, folder, 3)
+    running.send_signal(signal.SIGTERM)
+    stderr, late = ends(running, "stopped")
+    found += late
+    lines = [line for line in stderr.splitlines()
+             if line.startswith("spall: ")]
+    if len(lines) > 1 or (lines and "--resume" not in lines[0]):
+        found.append(f"stopped: {stderr}")
+    return found
+
+
+def main():
+    if not MPIRUN:
+        print("no mpirun on this machine: skipped")
+        return 77
+    spall = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as name:
+        ask = {"same": same, "drum": drum, "continued": continued,
+               "faults": faults}[sys.argv[2]]
+        return report_faults(ask(spall, pathlib.Path(name)))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
