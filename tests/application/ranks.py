@@ -122,11 +122,16 @@ def continued(spall, root):
 
 def children(process):
     """The ranks that mpirun has started."""
-    found = subprocess.run(["ps", "-o", "pid=,comm=", "--ppid",
-                            str(process.pid)], capture_output=True, text=True,
-                           check=False)
-    return [int(line.split()[0]) for line in found.stdout.splitlines()
-            if "spall" in line]
+    found = []
+    for status in pathlib.Path("/proc").glob("[0-9]*/status"):
+        try:
+            lines = dict(line.split(":", 1)
+                         for line in status.read_text().splitlines())
+        except OSError:  # it has ended
+            continue
+        if int(lines["PPid"]) == process.pid and "spall" in lines["Name"]:
+            found.append(int(lines["Pid"]))
+    return found
 
 
 def started(spall, folder, n_ranks):

@@ -9,6 +9,26 @@ namespace
 {
 using namespace many_ranks;
 
+Scene of_spheres()
+{
+  Scene scene;
+  scene.parameters = parameters();
+  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  return scene;
+}
+
+/// With each other and with the walls.
+Scene of_surfaces()
+{
+  Scene scene;
+  scene.parameters = parameters();
+  scene.parameters.geometry.geometry = dem::ContactGeometry::surface;
+  scene.parameters.geometry.wall_geometry = dem::ContactGeometry::surface;
+  scene.has_shapes = true;
+  scene.n_along = 4;
+  return scene;
+}
+
 void expect_same_bits(const Scene &scene, std::int64_t partition_interval)
 {
   Twins twins(scene);
@@ -33,19 +53,14 @@ void expect_same_bits(const Scene &scene, std::int64_t partition_interval)
 
 TEST(ManyRanks, SpheresInAClosingBox)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
-  expect_same_bits(scene, 0);
+  expect_same_bits(of_spheres(), 0);
 }
 
 /// Forces grow a hundredfold in a few steps: loads are added again with a
 /// larger spacing, on all ranks.
 TEST(ManyRanks, BlowInAGentlePacking)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  Scene scene = of_spheres();
   scene.jitter_speed = 1e-4;
   scene.n_steps = 500;
   Twins twins(scene);
@@ -66,18 +81,14 @@ TEST(ManyRanks, BlowInAGentlePacking)
 
 TEST(ManyRanks, BoxesAreMadeAgainAtEveryMigration)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  Scene scene = of_spheres();
   scene.jitter_speed = 3.;
   expect_same_bits(scene, 1);
 }
 
 TEST(ManyRanks, LocalDampingAndDmtAttraction)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  Scene scene = of_spheres();
   scene.parameters.local_damping = 0.3;
   scene.parameters.particle.law = "dmt";
   scene.parameters.particle.law_values = {0.1, 1e-5};
@@ -106,32 +117,19 @@ TEST(ManyRanks, RadiiTowardsTheWallsToo)
 
 TEST(ManyRanks, TrueSurfaces)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::surface;
-  scene.parameters.geometry.wall_geometry = dem::ContactGeometry::surface;
-  scene.has_shapes = true;
-  scene.n_along = 4;
-  expect_same_bits(scene, 1);
+  expect_same_bits(of_surfaces(), 1);
 }
 
 TEST(ManyRanks, SpheresInATurningDrum)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  Scene scene = of_spheres();
   scene.has_drum = true;
   expect_same_bits(scene, 1);
 }
 
 TEST(ManyRanks, TrueSurfacesInATurningDrum)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::surface;
-  scene.parameters.geometry.wall_geometry = dem::ContactGeometry::surface;
-  scene.has_shapes = true;
-  scene.n_along = 4;
+  Scene scene = of_surfaces();
   scene.has_drum = true;
   expect_same_bits(scene, 1);
 }
@@ -181,11 +179,7 @@ TEST(ManyRanks, CornersBreakOff)
 
 TEST(ManyRanks, CornersOfTrueSurfacesBreakOff)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::surface;
-  scene.parameters.geometry.wall_geometry = dem::ContactGeometry::surface;
-  expect_same_events(scene);
+  expect_same_events(of_surfaces());
 }
 
 TEST(ManyRanks, CornersBreakOffInATurningDrum)
@@ -199,10 +193,7 @@ TEST(ManyRanks, CornersBreakOffInATurningDrum)
 
 TEST(ManyRanks, CornersOfTrueSurfacesBreakOffInATurningDrum)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::surface;
-  scene.parameters.geometry.wall_geometry = dem::ContactGeometry::surface;
+  Scene scene = of_surfaces();
   scene.has_drum = true;
   expect_same_events(scene);
 }
@@ -210,9 +201,7 @@ TEST(ManyRanks, CornersOfTrueSurfacesBreakOffInATurningDrum)
 /// Fewer particles than ranks, and ranks whose boxes are empty.
 TEST(ManyRanks, OneParticle)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  Scene scene = of_spheres();
   scene.n_along = 1;
   Twins twins(scene);
   twins.advance(scene, 500);
@@ -224,9 +213,7 @@ TEST(ManyRanks, OneParticle)
 /// A fault that one rank sees ends all of them with its message.
 TEST(ManyRanks, AFaultOfOneRankIsOneOfAll)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  Scene scene = of_spheres();
   Twins twins(scene);
   twins.advance(scene, 10);
   for (dem::Engine *engine : {&twins.shared, &twins.alone})
@@ -255,9 +242,7 @@ TEST(ManyRanks, AFaultOfOneRankIsOneOfAll)
 
 TEST(ManyRanks, TooDeepAnOverlapStopsAll)
 {
-  Scene scene;
-  scene.parameters = parameters();
-  scene.parameters.geometry.geometry = dem::ContactGeometry::sphere;
+  Scene scene = of_spheres();
   scene.parameters.geometry.overlap.stop = 1e-3;
   Twins twins(scene);
   const auto steps = [&scene](dem::Engine &engine)

@@ -61,7 +61,7 @@ public:
 
   /// Makes the list of contacts; known ones keep what they carry.
   virtual void find_candidates(const BoundarySearch &search) = 0;
-  /// Whether its contacts can be spread over ranks: with the six functions
+  /// Whether its contacts can be spread over ranks: with the functions
   /// below all that it stores of contacts goes with them, and sum_loads() is
   /// all that ranks must sum.
   virtual bool can_be_shared() const { return false; }
