@@ -122,19 +122,17 @@ public:
   std::int64_t n_events() const;
   int n_refused_events() const;
 
-  /// A copy of the scene of all ranks on every one of them, with the particles
-  /// in the order of their ids and the contacts in that of the particles: the
-  /// same bits on any number of ranks. What is measured and stored is taken
-  /// from it. Throws std::logic_error while a half kick is pending.
+  /// A copy of the scene of all ranks on each of them, in the order of the ids:
+  /// the same bits on any number of ranks. Throws std::logic_error while a half
+  /// kick is pending.
   Engine gathered() const;
   /// Puts the scene of one rank in that order. Throws std::logic_error on many
   /// ranks.
   void order_by_id();
 
   /// Full state, bit for bit, into a stream; restore() on an engine with the
-  /// same parameters and the same shared shapes (`library`, in order), which
-  /// may be on another number of ranks. On many ranks the state of gathered()
-  /// can be saved; save() itself throws std::logic_error.
+  /// same parameters and shared shapes (`library`, in order), on any number of
+  /// ranks. On many ranks gathered() can be saved, and save() throws.
   void
   save(std::ostream &out,
        const std::vector<std::shared_ptr<const Coefficients>> &library) const;
