@@ -90,9 +90,10 @@ def rest_faults(spall, root):
                  if row["stage_1"] == 2.)
     carried = start["axial_stress_Pa"] + start["membrane_axial_stress_Pa"]
     faults = []
-    # 2 % each of the load and the motion of the plate, at the check before the
-    # row; 4.2 and 5.0 % were found, 34 % without a check.
-    if abs(carried / CONFINEMENT - 1.) > 0.06:
+    # 2 % each of the load and the motion of the plate, and what the mean stress
+    # of the membrane leaves out: 4 to 10 % in three specimens of two versions,
+    # 34 % without a check.
+    if abs(carried / CONFINEMENT - 1.) > 0.15:
         faults.append(f"axial stress of {carried} Pa where loading begins")
     rest = summary(folder)["consolidation"]
     if not rest["load_error_1"] < 0.02 or \
