@@ -38,7 +38,10 @@ FLEXIBLE = {
     "MembraneContact": {"normal_stiffness": 1e6, "shear_stiffness": 0.85e6},
 }
 PLATES = {
-    "tilting": {"Plate": {"form": "tilting", "height": 0.05}},
+    # Of six specimens the plate of the first tips over by half a radian, and
+    # loses contact.
+    "tilting": {"Plate": {"form": "tilting", "height": 0.05},
+                "Filling": {"seed": 4}},
     "elastic": {
         "Plate": {"form": "elastic", "thickness": 0.01, "load_radius": 0.02,
                   "elements": 3},
