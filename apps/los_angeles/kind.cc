@@ -18,13 +18,6 @@ void set_defaults(Case &c)
   c.time.local_damping = 0.; // particles fly
 }
 
-std::string part_for_one_rank(const Case &c)
-{
-  return c.breakage.memory == dem::FactorMemory::patch
-             ? "Breakage/memory = patch"
-             : "";
-}
-
 std::unique_ptr<Test> make(const Case &parameters)
 {
   return std::make_unique<LosAngeles>(parameters);
@@ -41,7 +34,7 @@ TestKind los_angeles_kind()
           .set_defaults = set_defaults,
           .check = check_los_angeles,
           .make = make,
-          .needs_one_rank = part_for_one_rank,
+          .needs_one_rank = [](const Case &) { return std::string(); },
           .seed_key = "Charge/seed",
           .gradation_section = "Charge",
           .report = los_angeles_report};

@@ -279,8 +279,11 @@ void Test::restore(std::istream &in)
 std::string needs_one_rank(const Case &parameters)
 {
   const TestKind *kind = find_kind(parameters.kind);
-  return kind && kind->needs_one_rank ? kind->needs_one_rank(parameters)
-                                      : "Case/kind = " + parameters.kind;
+  if (!kind || !kind->needs_one_rank)
+    return "Case/kind = " + parameters.kind;
+  if (parameters.breakage.memory == dem::FactorMemory::patch)
+    return "Breakage/memory = patch";
+  return kind->needs_one_rank(parameters);
 }
 
 std::unique_ptr<Test> make_test(const Case &parameters)

@@ -26,11 +26,7 @@ std::string part_for_one_rank(const Case &c)
 {
   if (c.boundary.lateral != Lateral::rigid)
     return "Boundary/lateral = membrane";
-  if (c.cycle_jump.is_on())
-    return "CycleJump";
-  return c.breakage.memory == dem::FactorMemory::patch
-             ? "Breakage/memory = patch"
-             : "";
+  return c.cycle_jump.is_on() ? "CycleJump" : "";
 }
 
 std::unique_ptr<Test> make(const Case &parameters)

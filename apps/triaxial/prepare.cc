@@ -165,7 +165,8 @@ bool Triaxial::is_gathered() const
 /// From the walls to what closes the specimen from now on.
 void Triaxial::hand_over()
 {
-  // As from a file, where sums depend on the order.
+  // What follows depends on the order of the particles, where the membrane sums
+  // their loads: it is that of a preparation from a file.
   if (is_gathered() && !Test::is_gathered())
     engine().order_by_id();
   place_boundaries();

@@ -214,11 +214,13 @@ void EngineState::note_extremes()
   std::array largest{branch_steepness(),
                      is_empty ? -std::numeric_limits<double>::infinity()
                               : -system.smallest_radius(),
-                     is_empty ? 0. : system.largest_radius()};
+                     is_empty ? 0. : system.largest_radius(), overlap.recent,
+                     overlap.largest};
   distribution.ranks().max(largest);
   steepest = largest[0];
   least_radius = -largest[1];
   largest_radius = largest[2];
+  overlap = {largest[3], largest[4]};
   grid = sum_grid(grid_force, largest_radius);
 }
 

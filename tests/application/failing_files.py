@@ -48,12 +48,12 @@ class Setup:
     """A run, its unbroken folder, and the library that makes it fail."""
     words: list
     whole: pathlib.Path
-    library: str
+    preloaded: str
     root: pathlib.Path
 
     def run(self, folder, *options, **fault):
         """fault: at = operation, kind = fail, full or kill."""
-        return spall([*self.words, "--out", folder, *options], self.library,
+        return spall([*self.words, "--out", folder, *options], self.preloaded,
                      folder, **fault)
 
 
@@ -72,7 +72,7 @@ def spall(words, library="", folder="", at=0, kind="fail", stdout=None):
 def operations(setup):
     """What an unbroken run does with its files: lines "name path"."""
     log, folder = setup.root / "operations", setup.root / "counted"
-    environment = {**ENVIRONMENT, "LD_PRELOAD": setup.library,
+    environment = {**ENVIRONMENT, "LD_PRELOAD": setup.preloaded,
                    "FAULT_FOLDER": str(folder), "FAULT_LOG": str(log)}
     subprocess.run(list(map(str, [*setup.words, "--out", folder])),
                    stdout=subprocess.DEVNULL, check=True, env=environment)

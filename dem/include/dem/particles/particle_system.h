@@ -25,9 +25,9 @@ struct alignas(64) ParticleState
 /// What acts on a particle, gravity and local damping left out: one cache line.
 struct alignas(64) ParticleLoad
 {
-  Vec3 force = Vec3::Zero();  ///< [N]
-  Vec3 moment = Vec3::Zero(); ///< about the centre [N m]
-  std::array<double, 2> unused{};
+  Vec3 force = Vec3::Zero();      ///< [N]
+  Vec3 moment = Vec3::Zero();     ///< about the centre [N m]
+  std::array<double, 2> unused{}; ///< so that equal loads have equal bytes
 
   ParticleLoad &operator+=(const ParticleLoad &other)
   {
