@@ -24,7 +24,6 @@ using namespace spall;
 enum class Processes
 {
   without_mpi,
-  one_rank,     ///< with deal.II
   many_ranks,   ///< with deal.II
   engine_ranks, ///< without it
 };
@@ -41,7 +40,7 @@ constexpr std::array<Command, 8> commands = {
       Processes::without_mpi},
      {"check", "CASE.prm [--preparations DIR] [--set Section/key=value ...]",
       "validate; print particles, stable step, gain, memory, time",
-      check_command, Processes::one_rank},
+      check_command, Processes::many_ranks},
      {"run",
       "CASE.prm [--out DIR] [--preparations DIR] [--threads N] [--resume] "
       "[--overwrite] [--until CYCLES] [--set Section/key=value ...]",
@@ -109,11 +108,6 @@ int run_with_mpi(const Command &command, Words words)
   mpi =
       std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
   session = std::make_unique<dem::MpiSession>();
-  const auto n = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-  if (n > 1 && command.processes == Processes::one_rank)
-    throw InputError(std::string(command.name) + ": started on " +
-                     std::to_string(n) +
-                     " MPI ranks: must be 1, use --threads");
   return command.run(words);
 }
 
@@ -138,7 +132,6 @@ int dispatch(const Command &command, Words words)
   }
   switch (command.processes)
   {
-  case Processes::one_rank:
   case Processes::many_ranks:
     return run_with_mpi(command, words);
   case Processes::engine_ranks:

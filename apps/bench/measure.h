@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bench/state.h"
+#include "run/rank_share.h"
 
 namespace spall
 {

@@ -82,28 +82,4 @@ std::uint64_t position_checksum(const dem::Engine &engine)
   return static_cast<std::uint64_t>(halves[0]) +
          (static_cast<std::uint64_t>(halves[1]) << 32);
 }
-
-RankShare rank_share(const dem::Engine &engine)
-{
-  const dem::Distribution &distribution = engine.distribution();
-  const dem::Ranks &ranks = distribution.ranks();
-  const auto n_ghosts =
-      static_cast<std::int64_t>(distribution.exchange().n_ghosts());
-  const auto n_contacts = static_cast<std::int64_t>(
-      engine.pairs().size() + dem::on_planes(engine).size());
-  std::array sums{n_ghosts, n_contacts};
-  std::array largest{
-      static_cast<double>(n_ghosts), static_cast<double>(n_contacts),
-      static_cast<double>(distribution.exchange().bytes_per_step())};
-  ranks.sum(sums);
-  ranks.max(largest);
-  RankShare share;
-  share.n_ranks = ranks.size();
-  share.mean_ghosts = static_cast<double>(sums[0]) / ranks.size();
-  share.most_ghosts = largest[0];
-  share.most_bytes = largest[2];
-  if (sums[1] > 0)
-    share.imbalance = largest[1] * ranks.size() / static_cast<double>(sums[1]);
-  return share;
-}
 } // namespace spall

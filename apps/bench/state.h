@@ -19,17 +19,6 @@ struct ContactCount
   std::int64_t touching() const { return pairs + walls; }
 };
 
-/// How the particles are spread over ranks.
-struct RankShare
-{
-  int n_ranks = 1;
-  double mean_ghosts = 0., most_ghosts = 0.; ///< of a rank
-  double most_bytes = 0.; ///< sent and received by a rank in a step
-  double imbalance = 1.;  ///< most listed contacts of a rank over the mean [-]
-};
-
-RankShare rank_share(const dem::Engine &engine);
-
 ContactCount count_contacts(const dem::Engine &engine);
 
 /// Particles that may break.

@@ -4,11 +4,15 @@
 #include "run/cost.h"
 #include "run/folder.h"
 #include "run/forecast.h"
+#include "run/rank_share.h"
 #include "run/scratch_folder.h"
 #include "run/thread_choice.h"
 #include "test/preparation_store.h"
 #include "test/recorder.h"
 
+#include <dem/parallel/mpi_ranks.h>
+
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -76,10 +80,24 @@ void take_kept(const std::optional<PreparationStore> &store, Test &test)
               said.empty() ? "none of this kept" : said.c_str());
 }
 
-void print_memory()
+/// Of the rank that needs most.
+void print_memory(const dem::Ranks &ranks)
 {
-  std::printf("memory           %.0f MiB\n",
-              memory_use().peak / (1024. * 1024.));
+  std::array peak{memory_use().peak};
+  ranks.max(peak);
+  std::printf("memory           %.0f MiB%s\n", peak[0] / (1024. * 1024.),
+              ranks.size() > 1 ? " of a rank at most" : "");
+}
+
+/// How the particles are spread now.
+void print_ranks(const dem::Engine &engine)
+{
+  const RankShare share = rank_share(engine);
+  if (share.n_ranks > 1)
+    std::printf("ranks            %d, of %.0f to %.0f particles and at most "
+                "%.0f ghosts, %.1f kB in a step, imbalance %.3f\n",
+                share.n_ranks, share.fewest_particles, share.most_particles,
+                share.most_ghosts, 1e-3 * share.most_bytes, share.imbalance);
 }
 
 void print_particles(const dem::ParticleSystem &particles)
@@ -142,6 +160,7 @@ void print_step(const Test &test)
 
 void check_test(const Case &parameters, const std::string &preparations)
 {
+  require_shareable(*dem::ranks_of_program(), parameters);
   const std::unique_ptr<Test> test = make_test(parameters);
   print_particles(test->all_particles());
   print_gradation(parameters, test->all_particles());
@@ -168,7 +187,8 @@ void check_test(const Case &parameters, const std::string &preparations)
                     fast.cost ? *fast.cost
                               : time_particles(test->engine(), fast.step));
   test->describe_time(step);
-  print_memory();
+  print_ranks(test->engine());
+  print_memory(test->ranks());
 }
 } // namespace
 
@@ -190,7 +210,10 @@ int check_command(Words words)
   if (file.empty())
     throw InputError("check: a case file must be given");
   const Case parameters = read_case(file, overrides);
-  report_deprecated(parameters.deprecated);
+  if (dem::ranks_of_program()->rank() == 0)
+    report_deprecated(parameters.deprecated);
+  else if (!std::freopen("/dev/null", "w", stdout)) // one speaks for all
+    throw RunFailure("check: /dev/null cannot be opened");
   std::printf("case             %s: %s\n", file.c_str(),
               parameters.title.c_str());
   check_test(parameters, preparations);

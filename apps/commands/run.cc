@@ -2,6 +2,8 @@
 #include "errors.h"
 #include "run/options.h"
 
+#include <dem/parallel/mpi_ranks.h>
+
 #include <charconv>
 #include <csignal>
 #include <filesystem>
@@ -93,7 +95,8 @@ int run_command(Words words)
 {
   const RunOptions options = parse_options(words);
   const Case parameters = read_case(options.case_file, options.overrides);
-  report_deprecated(parameters.deprecated);
+  if (dem::ranks_of_program()->rank() == 0)
+    report_deprecated(parameters.deprecated);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   run_test(options, parameters);

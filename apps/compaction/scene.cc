@@ -9,6 +9,7 @@
 
 #include <coupling/triaxial_cell.h>
 #include <dem/engine_boundaries.h>
+#include <dem/parallel/mpi_ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,8 @@ std::unique_ptr<dem::Engine> empty_container(dem::EngineParameters settings,
                                              double radius)
 {
   settings.geometry.usual_skin = 0.25 * all.smallest_radius();
-  auto engine = std::make_unique<dem::Engine>(settings);
+  auto engine =
+      std::make_unique<dem::Engine>(settings, dem::ranks_of_program());
   dem::add_plane(*engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   dem::Drum wall;
   wall.axis = dem::Vec3::UnitZ();

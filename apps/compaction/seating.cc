@@ -18,16 +18,11 @@ void Compaction::wait_for_rest()
   if (spent < parameters.plate.seating_time)
     return;
   const bool is_asked = joined->n_windows() % rest_interval == 0;
-  if (is_asked)
-    engine().synchronize();
   if (is_asked && is_seated())
     start_vibration();
   else if (spent >
            parameters.plate.seating_time + parameters.plate.seating_max_time)
-  {
-    engine().synchronize();
     throw RunFailure(unseated_text());
-  }
 }
 
 /// A load in balance may pass through a plate that swings: its motion would
@@ -36,10 +31,10 @@ bool Compaction::is_seated() const
 {
   const PlateParameters &p = parameters.plate;
   const double swing =
-      plate->energy().kinetic / std::max(engine().energy().elastic, 1e-300);
+      plate->energy().kinetic / std::max(whole().energy().elastic, 1e-300);
   return std::abs(plate_load() / weight() - 1.) < p.seating_load_tolerance &&
          swing < p.seating_load_tolerance * p.seating_load_tolerance &&
-         dem::unbalanced_force_ratio(engine().particles(), engine().pairs()) <
+         dem::unbalanced_force_ratio(whole().particles(), whole().pairs()) <
              p.seating_unbalanced_ratio;
 }
 
@@ -47,7 +42,7 @@ std::string Compaction::unseated_text() const
 {
   const PlateParameters &p = parameters.plate;
   const double unbalanced =
-      dem::unbalanced_force_ratio(engine().particles(), engine().pairs());
+      dem::unbalanced_force_ratio(whole().particles(), whole().pairs());
   return "plate and particles are not at rest within Plate/seating_max_time "
          "= " +
          number_text(p.seating_max_time) +

@@ -169,8 +169,7 @@ bool LosAngeles::is_settled()
   const bool is_over = spent > d.settling_time + d.settling_max_time;
   if (!is_over && engine().n_steps() % rest_interval != 0)
     return false;
-  unrest = dem::unbalanced_weight_ratio(whole().particles(),
-                                        engine().parameters().gravity);
+  unrest = dem::unbalanced_weight_ratio(whole());
   return is_over || unrest <= d.settling_unbalanced_ratio;
 }
 

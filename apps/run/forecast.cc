@@ -1,7 +1,10 @@
 #include "run/forecast.h"
 
 #include "run/cost.h"
+#include "run/first_rank.h"
 #include "run/thread_choice.h"
+
+#include <dem/parallel/distribution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,12 +71,14 @@ double whole_periods(const Ran &ran, double period)
 MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
                     int threads, const std::function<bool()> &advance)
 {
+  const dem::Ranks &ranks = engine.distribution().ranks();
   ThreadChoice choice(threads);
   const Meter meter(engine, test.n_frames);
   const auto run_until = [&](const std::function<bool()> &is_enough)
   {
     bool is_on = true;
-    while (is_on && !is_enough())
+    // Clocks of ranks differ: when the first of them is at its end, all are.
+    while (is_on && !on_any_rank(ranks, is_enough()))
     {
       choice.before_step();
       is_on = advance();
@@ -123,8 +128,12 @@ MeanStep time_particles(dem::Engine &engine, double length)
 {
   const Stopwatch watch;
   int n = 0;
-  for (; n == 0 || watch.seconds() < 0.1 * half; ++n)
+  for (bool is_enough = false; !is_enough; ++n)
+  {
     engine.advance_deferred(length);
+    is_enough = on_any_rank(engine.distribution().ranks(),
+                            watch.seconds() >= 0.1 * half);
+  }
   engine.synchronize();
   return {length, watch.seconds() / n};
 }

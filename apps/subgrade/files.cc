@@ -49,7 +49,7 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   summary["particle_velocity_peak_m_per_s"] = now.fastest;
   if (now.stage >= Stage::loading)
   {
-    const double mean = roundness.mean(engine().particles());
+    const double mean = roundness.mean(whole().particles());
     summary["density_start_kg_per_m3"] = now.density;
     summary["density_kg_per_m3"] = density();
     summary["roundness_start_1"] = now.roundness;
@@ -68,7 +68,7 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   add_stresses(stress_names, dead_stress, peak_stress, summary);
   summary["coordination_start_1"] = now.coordination;
   summary["coordination_end_1"] =
-      dem::contact_network(engine().particles(), engine().pairs())
+      dem::contact_network(whole().particles(), whole().pairs())
           .coordination_number;
   if (now.stage < Stage::loading)
     return;
@@ -176,12 +176,12 @@ double Subgrade::density() const
                             plate_body(p, now.plate_start).centre.z();
   return parameters.particle.density *
          dem::solid_fraction(column_below(p, -ground_settlement(), lower_face),
-                             engine().particles());
+                             whole().particles());
 }
 
 void Subgrade::note_roundness(double time)
 {
   files.push_back(
-      {roundness_file(time), roundness_table(engine().particles(), roundness)});
+      {roundness_file(time), roundness_table(whole().particles(), roundness)});
 }
 } // namespace spall

@@ -47,6 +47,7 @@ TestKind subgrade_kind()
       .set_template = set_template,
       .check = check_subgrade,
       .make = make,
+      .needs_one_rank = [](const Case &) { return std::string(); },
       .seed_key = "Layer/seed",
       .gradation_section = "Layer",
       .report = subgrade_report};

@@ -7,6 +7,7 @@
 #include "specimen/obtained_gradation.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/parallel/mpi_ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ ParticleBox make_particle_box(const Case &c)
   scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
   dem::EngineParameters settings = engine_settings(c);
   settings.geometry.usual_skin = 0.25 * scene.all.smallest_radius();
-  scene.engine = std::make_unique<dem::Engine>(settings);
+  scene.engine =
+      std::make_unique<dem::Engine>(settings, dem::ranks_of_program());
   const dem::Vec3 half(0.5 * l.length, 0.5 * l.width, 0.);
   for (int d = 0; d < 2; ++d)
     for (const double sign : {-1., 1.})

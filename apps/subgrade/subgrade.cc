@@ -201,8 +201,7 @@ bool Subgrade::is_at_rest() const
   const double on_plate = p.mass * gravity + p.static_load;
   return plate->plate().velocity().norm() < rest_speed &&
          std::abs(force_on_plate() - on_plate) < rest_share * on_plate &&
-         dem::unbalanced_weight_ratio(engine().particles(),
-                                      engine().parameters().gravity) <
+         dem::unbalanced_weight_ratio(whole()) <
              parameters.subgrade.layer.unbalanced_ratio;
 }
 
@@ -212,8 +211,6 @@ void Subgrade::place(double time_step)
   const double spent = engine().time() - now.placed_at;
   const bool is_asked =
       joined->n_windows() % rest_interval == 0 && spent > 2. * ramp;
-  if (is_asked)
-    engine().synchronize();
   if (is_asked && is_at_rest())
     start_loading();
   else if (spent > parameters.subgrade.layer.max_time)
@@ -225,23 +222,21 @@ void Subgrade::place(double time_step)
 
 void Subgrade::start_loading()
 {
-  engine().synchronize();
   const LayerParameters &layer = parameters.subgrade.layer;
-  const dem::ParticleSystem &all = engine().particles();
   now.loaded_at = engine().time();
   now.plate_rest = plate->plate().centre().z();
   now.height =
       now.plate_start + now.plate_rest -
       plate_body(parameters.subgrade.plate, now.plate_start).centre.z();
-  now.porosity =
-      1. - solid_volume(all) / (layer.length * layer.width * now.height);
+  now.porosity = 1. - solid_volume(whole().particles()) /
+                          (layer.length * layer.width * now.height);
   if (now.porosity <= 0.)
     throw RunFailure("porosity of the layer " + number_text(now.porosity) +
                      ": the particles lie in each other: stiffer contacts "
                      "(Particle/shear_modulus, Wall and GroundContact"
                      "/normal_stiffness) or less load on the plate");
-  now.coordination =
-      dem::contact_network(all, engine().pairs()).coordination_number;
+  now.coordination = dem::contact_network(whole().particles(), whole().pairs())
+                         .coordination_number;
   const coupling::FieldView loads = joined->load_on(*ground);
   rest_load.assign(loads.begin(), loads.end());
   now.dead_load = sum_down(rest_load);
@@ -251,7 +246,7 @@ void Subgrade::start_loading()
   now.stage = Stage::loading;
   report_step();
   now.density = density();
-  now.roundness = roundness.mean(all);
+  now.roundness = roundness.mean(whole().particles());
   note_roundness(0.);
   record.begin(parameters.subgrade.record.slices, now.height,
                solid ? axis.heights(solid->solid()) : std::vector<double>());
@@ -402,7 +397,7 @@ std::vector<double> Subgrade::stresses() const
 
 void Subgrade::note_row()
 {
-  const dem::ParticleSystem &all = engine().particles();
+  const dem::ParticleSystem &all = whole().particles();
   const double time = loading_time();
   const double plate_down = -plate->plate().velocity().z();
   const double ground_down =
@@ -423,7 +418,7 @@ void Subgrade::note_row()
   now.peak_force = std::max(now.peak_force, force_on_ground());
   now.worst_gain =
       std::max(now.worst_gain,
-               joined->gain(engine(), joined->particle_steps() * time_step()));
+               joined->gain(whole(), joined->particle_steps() * time_step()));
   const std::vector<double> stress = stresses();
   for (std::size_t k = 0; k < stress.size(); ++k)
     peak_stress[k] = std::max(peak_stress[k], stress[k]);
@@ -431,9 +426,9 @@ void Subgrade::note_row()
 
 std::vector<Quantity> Subgrade::measured() const
 {
-  const dem::ParticleSystem &all = engine().particles();
+  const dem::ParticleSystem &all = whole().particles();
   const dem::ContactNetwork network =
-      dem::contact_network(all, engine().pairs());
+      dem::contact_network(all, whole().pairs());
   double sum = 0., peak = 0.;
   for (std::size_t i = 0; i < all.size(); ++i)
   {

@@ -169,20 +169,6 @@ void run_loop(Test &test, Recorder &recorder, Progress &progress,
                   rate.take(test.engine().n_steps()), test.live_numbers());
   }
 }
-} // namespace
-
-namespace
-{
-/// Throws InputError on many ranks where the case needs one.
-void require_shareable(const dem::Ranks &ranks, const Case &parameters)
-{
-  const std::string what = needs_one_rank(parameters);
-  if (ranks.size() > 1 && !what.empty())
-    throw InputError(parameters.file + ": " + what +
-                     ": runs on one MPI rank alone, not on " +
-                     std::to_string(ranks.size()) + ": use --threads");
-}
-
 /// What is to be known of the folder before any file is made; a note for the
 /// log.
 std::string look_at_folder(const dem::Ranks &ranks, RunOptions &options)

@@ -286,6 +286,15 @@ std::string needs_one_rank(const Case &parameters)
   return kind->needs_one_rank(parameters);
 }
 
+void require_shareable(const dem::Ranks &ranks, const Case &parameters)
+{
+  const std::string what = needs_one_rank(parameters);
+  if (ranks.size() > 1 && !what.empty())
+    throw InputError(parameters.file + ": " + what +
+                     ": runs on one MPI rank alone, not on " +
+                     std::to_string(ranks.size()) + ": use --threads");
+}
+
 std::unique_ptr<Test> make_test(const Case &parameters)
 {
   return find_kind(parameters.kind)->make(parameters);

@@ -315,6 +315,8 @@ double first_step(const Case &parameters, const dem::StepLimit &limit);
 
 /// What of a case cannot be spread over ranks; empty: all can.
 std::string needs_one_rank(const Case &parameters);
+/// Throws InputError on many ranks where the case needs one.
+void require_shareable(const dem::Ranks &ranks, const Case &parameters);
 
 /// The scene of a case. Throws InputError.
 std::unique_ptr<Test> make_test(const Case &parameters);

@@ -63,12 +63,11 @@ FastPreparation Triaxial::fast_preparation()
         const double share = stress() / target;
         return share > 0.8 && share < 1.25 &&
                (!has_surfaces ||
-                dem::unbalanced_force_ratio(engine().particles(),
-                                            engine().pairs()) < unrest);
+                dem::unbalanced_force_ratio(whole().particles(),
+                                            whole().pairs()) < unrest);
       });
   is_rough = true;
-  engine().synchronize();
-  watch.update(engine(), {}, time_step());
+  watch.update(whole(), {}, time_step());
   result.step = time_step();
   result.cost = time_particles(engine(), time_step());
   hand_over();

@@ -38,7 +38,7 @@ void Triaxial::shorten_jump(const coupling::JumpPlan &refused)
 {
   plan.shorten(refused);
   if (plan.observed() == 0)
-    observed_from = coupling::pose_of(engine(), *cell);
+    observed_from = coupling::pose_of(whole(), *cell);
   std::ostringstream text;
   text << "cycle " << cycle() << ": a jump over " << refused.length()
        << " cycles was too far";
@@ -58,9 +58,9 @@ void Triaxial::begin_damage_cycles()
   if (plan.due() == coupling::JumpStep::save_state)
   {
     mean_motion = coupling::mean_motion_between(
-        observed_from, coupling::pose_of(engine(), *cell),
+        observed_from, coupling::pose_of(whole(), *cell),
         static_cast<double>(parameters.cycle_jump.observed));
-    coupling::calm_rattlers(engine(), mean_motion);
+    coupling::calm_rattlers(whole(), mean_motion);
   }
   plan.begin();
   schedule.skip(plan.skipping() * cycle_intervals);
@@ -83,7 +83,7 @@ void Triaxial::end_cycle()
   engine().set_repetitions(1.);
   plan.take(slow_state());
   if (plan.observed() == 0)
-    observed_from = coupling::pose_of(engine(), *cell);
+    observed_from = coupling::pose_of(whole(), *cell);
 }
 
 /// At the peak of the load, adds the strain of the skipped cycles by displacing

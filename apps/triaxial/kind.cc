@@ -22,13 +22,6 @@ void set_template(Case &c)
   c.coupling.exchange = ExchangeChoice::every_step;
 }
 
-std::string part_for_one_rank(const Case &c)
-{
-  if (c.boundary.lateral != Lateral::rigid)
-    return "Boundary/lateral = membrane";
-  return c.cycle_jump.is_on() ? "CycleJump" : "";
-}
-
 std::unique_ptr<Test> make(const Case &parameters)
 {
   return std::make_unique<Triaxial>(parameters);
@@ -51,7 +44,7 @@ TestKind triaxial_kind()
           .set_template = set_template,
           .check = check_triaxial,
           .make = make,
-          .needs_one_rank = part_for_one_rank,
+          .needs_one_rank = [](const Case &) { return std::string(); },
           .seed_key = "Specimen/seed",
           .gradation_section = "Specimen",
           // The step may change the cycle end: Triaxial::restore() checks it.

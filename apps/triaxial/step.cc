@@ -64,7 +64,7 @@ Surroundings Triaxial::surroundings() const
 
 double Triaxial::exchange_gain() const
 {
-  return joined ? joined->gain(engine(), schedule.step()) : 0.;
+  return joined ? joined->gain(whole(), schedule.step()) : 0.;
 }
 
 /// Of the schedule: of particles in the preparation, of windows from then on.

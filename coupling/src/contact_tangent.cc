@@ -1,6 +1,11 @@
 #include <coupling/exchange.h>
+#include <dem/parallel/distribution.h>
+#include <dem/parallel/rank_sums.h>
 
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 // The stiffness of contacts in the implicit steps of bodies
 // (docs/theory/interface.md).
@@ -14,7 +19,55 @@ Eigen::Matrix3d give(const ContactTangent &tangent, std::size_t k,
 {
   return tangent.springs[k] + 2. / window * tangent.dashpots[k];
 }
+
+/// Entries of a symmetric matrix.
+constexpr std::array<std::pair<int, int>, 6> triangle{
+    {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+
+void add_triangle(const Eigen::Matrix3d &matrix, std::span<dem::ExactSum> sums)
+{
+  for (std::size_t e = 0; e < triangle.size(); ++e)
+    sums[e].add(matrix(triangle[e].first, triangle[e].second));
+}
+
+Eigen::Matrix3d symmetric(std::span<const dem::ExactSum> sums)
+{
+  Eigen::Matrix3d matrix;
+  for (std::size_t e = 0; e < triangle.size(); ++e)
+  {
+    const auto [row, column] = triangle[e];
+    matrix(row, column) = matrix(column, row) = sums[e].value();
+  }
+  return matrix;
+}
 } // namespace
+
+void ContactTangent::clear(std::size_t n_nodes)
+{
+  sums.assign(2 * triangle.size() * n_nodes, {});
+}
+
+void ContactTangent::add(std::size_t node, const Eigen::Matrix3d &spring,
+                         const Eigen::Matrix3d &dashpot)
+{
+  const auto entries =
+      std::span(sums).subspan(2 * triangle.size() * node, 2 * triangle.size());
+  add_triangle(spring, entries);
+  add_triangle(dashpot, entries.subspan(triangle.size()));
+}
+
+void ContactTangent::finish(const dem::Ranks &ranks)
+{
+  dem::sum_over_ranks(ranks, sums);
+  springs.clear();
+  dashpots.clear();
+  for (std::size_t k = 0; k < sums.size(); k += 2 * triangle.size())
+  {
+    const auto entries = std::span<const dem::ExactSum>(sums).subspan(k);
+    springs.push_back(symmetric(entries));
+    dashpots.push_back(symmetric(entries.subspan(triangle.size())));
+  }
+}
 
 /// Of the contacts that are there, on the nodes that take it and move freely;
 /// false: there are none.
@@ -24,9 +77,9 @@ bool Exchange::find_tangent(CoupledBody &coupled, const dem::Engine &engine,
   const std::size_t n = coupled.body->n_sprung();
   if (!parameters.has_contact_tangent || n == 0)
     return false;
-  for (auto *column : {&coupled.tangent.springs, &coupled.tangent.dashpots})
-    column->assign(coupled.at.size(), Eigen::Matrix3d::Zero());
+  coupled.tangent.clear(coupled.at.size());
   coupled.adapter->add_tangent(engine, coupled.tangent);
+  coupled.tangent.finish(engine.distribution().ranks());
   const std::vector<double> mass = coupled.body->nodal_mass();
   coupled.springs.stiffness.clear();
   for (std::size_t k = 0; k < n; ++k)

@@ -1,10 +1,13 @@
 #include <coupling/exchange.h>
 #include <dem/boundary/surface_guard.h>
 #include <dem/engine_boundaries.h>
+#include <dem/parallel/distribution.h>
+#include <dem/parallel/faults.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -457,20 +460,24 @@ void Exchange::check_surfaces(dem::Engine &engine)
   constexpr std::int64_t crossing_interval = 8; // rebuilds
   const auto check = [&](const dem::FacetBoundary &facets)
   {
-    auto fault = dem::find_fold(facets.mesh());
-    if (!fault)
-      fault = dem::find_left(facets, engine.particles(),
-                             engine.parameters().geometry.wall_geometry);
-    if (!fault && surfaces_seen_at % crossing_interval == 0)
-      fault = dem::find_crossing(facets.mesh());
-    if (!fault)
+    const auto words = [&](const std::optional<dem::SurfaceFault> &fault)
+    {
+      return fault ? "coupling: at " + text_of(engine.time()) +
+                         " s in the surface '" + facets.label + "' " +
+                         dem::describe(*fault)
+                   : std::string();
+    };
+    // All ranks see the same surface, each its own particles.
+    if (const auto fold = dem::find_fold(facets.mesh()))
+      throw FoldStop(words(fold));
+    dem::stop_together<GuardStop>(
+        engine.distribution().ranks(),
+        words(dem::find_left(facets, engine.particles(),
+                             engine.parameters().geometry.wall_geometry)));
+    if (surfaces_seen_at % crossing_interval != 0)
       return;
-    const std::string what = "coupling: at " + text_of(engine.time()) +
-                             " s in the surface '" + facets.label + "' " +
-                             dem::describe(*fault);
-    if (fault->flaw == dem::SurfaceFlaw::left)
-      throw GuardStop(what);
-    throw FoldStop(what);
+    if (const auto crossing = dem::find_crossing(facets.mesh()))
+      throw FoldStop(words(crossing));
   };
   timed(spent.guards,
         [&]

@@ -1,5 +1,7 @@
 #include <coupling/exchange.h>
 #include <dem/measure/contact_springs.h>
+#include <dem/parallel/distribution.h>
+#include <dem/parallel/rank_sums.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,8 +15,12 @@ double Exchange::gain(const dem::Engine &engine, double window) const
   double largest = 0.;
   for (const CoupledBody &coupled : coupled_bodies)
   {
-    std::vector<double> stiffness(coupled.at.size(), 0.);
-    coupled.adapter->add_stiffness(engine, stiffness);
+    std::vector<dem::ExactSum> sums(coupled.at.size());
+    coupled.adapter->add_stiffness(engine, sums);
+    dem::sum_over_ranks(engine.distribution().ranks(), sums);
+    std::vector<double> stiffness;
+    for (const dem::ExactSum &sum : sums)
+      stiffness.push_back(sum.value());
     largest = std::max(largest, coupled.body->squared_frequency(stiffness));
   }
   return 0.25 * window * window * largest;

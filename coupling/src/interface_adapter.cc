@@ -13,7 +13,7 @@ using Vector = Eigen::Vector3d;
 /// carry it.
 double tangent(const dem::FacetBoundary &facets, std::size_t k)
 {
-  return static_cast<double>(facets.candidates.contact_point[k].shares.walls) *
+  return static_cast<double>(facets.contact_points.point[k].shares.walls) *
          facets.batch.normal_stiffness(k);
 }
 
@@ -23,7 +23,7 @@ template <class Visit>
 void for_each_share(const dem::FacetBoundary &facets, std::size_t k,
                     const InterfaceMap &map, const Visit &visit)
 {
-  dem::for_shares(facets.surface, facets.candidates.contact_point[k],
+  dem::for_shares(facets.surface, facets.contact_points.point[k],
                   [&](const dem::VertexShare &vertex)
                   {
                     for (const dem::FarShare &share :
@@ -38,8 +38,8 @@ void for_each_share(const dem::FacetBoundary &facets, std::size_t k,
 /// nothing, and nothing changes with its motion.
 bool presses(const dem::FacetBoundary &facets, std::size_t k)
 {
-  return facets.batch.load[k].force.dot(
-             facets.candidates.contact_point[k].normal) < 0.;
+  return facets.batch.load[k].force.dot(facets.contact_points.point[k].normal) <
+         0.;
 }
 
 /// Springs of a contact along and across its normal, none across if it slides,
@@ -55,8 +55,7 @@ ContactSprings springs_of(const dem::FacetBoundary &facets, std::size_t k,
 {
   const dem::ContactBatch &batch = facets.batch;
   const dem::WallMaterial &m = facets.material;
-  const dem::FacetContactPoint &contact_point =
-      facets.candidates.contact_point[k];
+  const dem::FacetContactPoint &contact_point = facets.contact_points.point[k];
   const double particle = particles.mass(static_cast<std::size_t>(batch.a[k]));
   const double mass =
       1. / (1. / particle +
@@ -111,7 +110,7 @@ InterfaceSums FacetAdapter::sums(const dem::Engine &engine) const
 }
 
 void FacetAdapter::add_stiffness(const dem::Engine &engine,
-                                 std::span<double> nodal) const
+                                 std::span<dem::ExactSum> nodal) const
 {
   const dem::FacetBoundary &facets = dem::facet_boundary(engine, number);
   for (std::size_t k = 0; k < facets.batch.size(); ++k)
@@ -121,7 +120,7 @@ void FacetAdapter::add_stiffness(const dem::Engine &engine,
     const double stiffness = tangent(facets, k);
     for_each_share(facets, k, map,
                    [&](std::size_t node, double share)
-                   { nodal[node] += stiffness * share; });
+                   { nodal[node].add(stiffness * share); });
   }
 }
 
@@ -134,12 +133,10 @@ void FacetAdapter::add_tangent(const dem::Engine &engine,
     if (!facets.batch.is_touching(k) || !presses(facets, k))
       continue;
     const ContactSprings contact = springs_of(facets, k, engine.particles());
-    for_each_share(facets, k, map,
-                   [&](std::size_t node, double share)
-                   {
-                     nodal.springs[node] += share * contact.spring;
-                     nodal.dashpots[node] += share * contact.dashpot;
-                   });
+    for_each_share(
+        facets, k, map,
+        [&](std::size_t node, double share)
+        { nodal.add(node, share * contact.spring, share * contact.dashpot); });
   }
 }
 
@@ -167,12 +164,12 @@ InterfaceSums PlaneAdapter::sums(const dem::Engine &engine) const
 }
 
 void PlaneAdapter::add_stiffness(const dem::Engine &engine,
-                                 std::span<double> nodal) const
+                                 std::span<dem::ExactSum> nodal) const
 {
   const dem::ContactBatch &batch = dem::on_planes(engine);
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.is_touching(k) && batch.b[k] == static_cast<std::int32_t>(number))
-      nodal[0] += batch.normal_stiffness(k);
+      nodal[0].add(batch.normal_stiffness(k));
 }
 
 void SplitAdapter::place(const NodeMotion &motion, dem::Engine &engine) const
@@ -209,7 +206,7 @@ InterfaceSums SplitAdapter::sums(const dem::Engine &engine) const
 }
 
 void SplitAdapter::add_stiffness(const dem::Engine &engine,
-                                 std::span<double> nodal) const
+                                 std::span<dem::ExactSum> nodal) const
 {
   one->add_stiffness(engine, nodal.first(n));
   other->add_stiffness(engine, nodal.subspan(n));

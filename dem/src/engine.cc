@@ -39,9 +39,6 @@ void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
     throw std::invalid_argument(
         "particle " + std::to_string(added_count) +
         ": position and orientation must be finite numbers");
-  if (distribution.is_shared() && schedule.n_made > 0)
-    throw std::logic_error("engine: on many ranks particles are added before "
-                           "the first step only");
   synchronize(); // none for the new one
   system.follows_surfaces = settings.geometry.follows_surfaces();
   system.has_materials |= material != 0;
@@ -49,20 +46,29 @@ void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
   schedule.invalidate();
   const std::int64_t id = added_count++;
   largest_radius = std::max(largest_radius, mean_radius(body));
-  // Until the first boxes are made particles are dealt out.
-  if (id % distribution.ranks().size() != distribution.ranks().rank())
-    return;
-  ParticleShape particle = body;
-  if (settings.breakage.inscribed == InscribedSphereAt::free)
-    free_corner_radius(particle,
-                       sphere_rule(settings.breakage.quadrature_rings));
-  system.add(particle, position, orientation,
-             material == 0 ? settings.particle.density
-                           : settings.other_solids.at(material - 1u).density);
-  system.id.back() = id;
-  system.material.back() = material;
   pair_finder.forget();
   contact_points.forget();
+  // Until they go to their owners particles are dealt out.
+  if (id % distribution.ranks().size() != distribution.ranks().rank())
+    return;
+  const NewParticle particle{body, position, orientation, material, id};
+  if (distribution.is_shared() && schedule.n_made > 0)
+    arrivals.push_back(particle);
+  else
+    append(particle);
+}
+
+void EngineState::append(const NewParticle &particle)
+{
+  ParticleShape body = particle.body;
+  const std::uint8_t material = particle.material;
+  if (settings.breakage.inscribed == InscribedSphereAt::free)
+    free_corner_radius(body, sphere_rule(settings.breakage.quadrature_rings));
+  system.add(body, particle.position, particle.orientation,
+             material == 0 ? settings.particle.density
+                           : settings.other_solids.at(material - 1u).density);
+  system.id.back() = particle.id;
+  system.material.back() = material;
   const double diameter = 2. * system.last().radius;
   system.is_breakable.back() =
       body.series && material == 0 &&
@@ -149,6 +155,7 @@ void EngineState::advance(double time_step)
 
 void EngineState::advance_deferred(double time_step)
 {
+  admit_arrivals();
   move_boundaries(time_step);
   move_cell(time_step);
   const Speeds fastest = over_ranks(move_particles(time_step));
@@ -169,6 +176,8 @@ void EngineState::evaluate(double time_step)
   if (schedule.n_made > 0)
     throw std::logic_error("engine: contacts are evaluated as placed before "
                            "the first step only");
+  if (distribution.is_shared())
+    throw std::logic_error("engine: contacts are evaluated on one rank");
   rebuild_lists();
   std::fill(system.load.begin(), system.load.end(), ParticleLoad{});
   // Of few contacts, and to the last digit.

@@ -3,6 +3,7 @@
 #include "engine_state.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/parallel/rank_sums.h>
 
 #include <algorithm>
 #include <array>
@@ -19,12 +20,15 @@ bool EngineState::follows_walls() const
 void EngineState::find_boundary_candidates(bool of_deforming_alone)
 {
   const ForceContext still = context(0.);
-  const BoundarySearch search{contact_point_search(still, {}),
-                              schedule.skin.width,
-                              schedule.rigid_path,
-                              schedule.deforming_left,
-                              lost,
-                              contact_points.events};
+  const BoundarySearch search{
+      contact_point_search(still, {}),
+      [this](bool own) { return any_of_ranks(distribution.ranks(), own); },
+      least_radius,
+      schedule.skin.width,
+      schedule.rigid_path,
+      schedule.deforming_left,
+      lost,
+      contact_points.events};
   for (const auto &boundary : walls)
     if (!of_deforming_alone || boundary->deforms())
       boundary->find_candidates(search);

@@ -94,8 +94,6 @@ void EngineState::copy_values_to(EngineState &copy) const
 void EngineState::save(std::ostream &out, const Library &library) const
 {
   require_synchronized();
-  if (distribution.is_shared())
-    throw std::logic_error("engine: on many ranks gathered() can be saved");
   const auto put = [&out](const auto &column) { write_column(out, column); };
   ParticleSystem::visit(system, put);
   for (const ParticleShape &body : system.shape)

@@ -220,6 +220,8 @@ void Engine::save(
     std::ostream &out,
     const std::vector<std::shared_ptr<const Coefficients>> &library) const
 {
+  if (distribution().is_shared())
+    return state->gathered()->save(out, library);
   std::as_const(*state).save(out, library);
 }
 

@@ -22,9 +22,10 @@ std::unique_ptr<Boundary> copy_of(const Boundary &boundary)
   return copy;
 }
 
-void forget_particles(Boundary &boundary)
+void forget_particles(Boundary &boundary, std::size_t n_particles)
 {
   boundary.keep_contacts({});
+  boundary.keep_particles(std::vector<std::int32_t>(n_particles, -1));
   if (std::vector<CandidatePair> *candidates = boundary.candidates())
     candidates->clear();
 }
@@ -67,6 +68,7 @@ OverlapRecord largest_of(const Ranks &ranks, const OverlapRecord &own)
 std::unique_ptr<EngineState> EngineState::gathered()
 {
   require_synchronized();
+  admit_arrivals();
   auto whole = std::make_unique<EngineState>(settings, one_rank());
   copy_values_to(*whole);
   whole->keeps_inside = keeps_inside;
@@ -95,17 +97,20 @@ void EngineState::gather_into(EngineState &whole)
   whole.system.follows_surfaces = system.follows_surfaces;
   whole.pair_batch = pair_batch.select({});
   whole.contact_points.candidates().clear();
-  std::ranges::for_each(whole.walls, [](const auto &boundary)
-                        { forget_particles(*boundary); });
+  std::ranges::for_each(whole.walls, [this](const auto &boundary)
+                        { forget_particles(*boundary, system.size()); });
   distribution.gather(parts(), whole.parts());
   whole.lost = sum_over_ranks(ranks, lost);
   whole.overlap = largest_of(ranks, overlap);
   whole.contact_points.events = sum_over_ranks(ranks, contact_points.events);
-  std::array largest{recent_force, schedule.displaced() ? 1. : 0.};
+  std::array largest{recent_force, schedule.displaced() ? 1. : 0.,
+                     schedule.displaced_on_deforming() ? 1. : 0.};
   ranks.max(largest);
   whole.recent_force = largest[0];
   if (largest[1] > 0.)
     whole.schedule.note_displaced();
+  if (largest[2] > 0.)
+    whole.schedule.note_displaced_on_deforming();
 }
 
 /// The order of rows and contacts is that of the ids, whatever it was: sums
@@ -135,12 +140,18 @@ void EngineState::deal_out()
     lost = {};
     contact_points.events = {};
   }
+  arrivals.clear();
+  n_admitted = added_count;
   distribution.deal_out(parts());
-  if (schedule.n_made == 0)
-    return;
-  // Lists and candidates stay as they are, as in the run that was stored. Their
-  // partners may have moved apart since.
-  constexpr double reserve = 2.;
+  if (schedule.n_made > 0)
+    keep_partners();
+}
+
+/// Ghosts are the partners of the pairs and candidates that are listed, which
+/// stay as they are.
+void EngineState::keep_partners()
+{
+  constexpr double reserve = 2.; // they may have moved apart since the search
   const bool reads_shape =
       follows_pairs() || traits(pair_geometry()).reads_shape;
   const double range =

@@ -199,9 +199,9 @@ void EngineState::rebuild_lists()
   schedule.skin.renew(settings.geometry.usual_skin, list_counts());
   if (!distribution.is_shared() && system.size() >= sorted_from)
     sort_in_space();
+  note_extremes();
   renew_lists();
   image_span = span_in_lengths(system);
-  note_extremes();
   schedule.skin_renewed();
 }
 
@@ -368,7 +368,7 @@ void EngineState::put_in_order(const std::vector<std::int32_t> &order)
   contact_points.renumber(new_row);
   renumber_pairs(new_row, pair_batch);
   for (const auto &boundary : walls)
-    boundary->renumber(new_row, follows_walls());
+    boundary->renumber(new_row);
 }
 
 double EngineState::branch_steepness() const

@@ -39,13 +39,16 @@ Speeds EngineState::over_ranks(const Speeds &own)
     return own;
   const PhaseTimer timer(spent.exchange);
   std::array largest{own.moving, own.closing, own.is_finite ? 0. : 1.,
-                     schedule.displaced() ? 1. : 0.};
+                     schedule.displaced() ? 1. : 0.,
+                     schedule.displaced_on_deforming() ? 1. : 0.};
   // A maximum may pass over what is no number.
   for (double &value : largest)
     value = std::isfinite(value) ? value : 0.;
   distribution.ranks().max(largest);
   if (largest[3] > 0.)
     schedule.note_displaced();
+  if (largest[4] > 0.)
+    schedule.note_displaced_on_deforming();
   return {largest[0], largest[1], largest[2] == 0.};
 }
 
@@ -62,6 +65,26 @@ void EngineState::redistribute()
     search_contact_points();
   else
     search_pairs();
+}
+
+/// Particles that were added since the last step go to their owners. Nothing is
+/// searched: that is done when the lists are made, as on one rank.
+void EngineState::admit_arrivals()
+{
+  if (!distribution.is_shared() || n_admitted == added_count)
+    return;
+  n_admitted = added_count;
+  if (schedule.n_made == 0) // they were dealt out
+    return;
+  require_shareable();
+  distribution.migrate(parts(), false,
+                       [this]
+                       {
+                         for (const NewParticle &particle : arrivals)
+                           append(particle);
+                         arrivals.clear();
+                       });
+  keep_partners();
 }
 
 DistributedParts EngineState::parts()
@@ -107,21 +130,28 @@ void EngineState::share_loads()
   sums[0].add(fault.empty() ? 0. : 1.);
   sums[1].add(wants_breakage ? 1. : 0.);
   sums[2].add(has_large_forces ? 1. : 0.);
-  std::vector<std::span<ExactSum>> of_boundaries;
+  std::vector<std::int64_t> counts;
+  std::vector<BoundarySums> of_boundaries;
   for (const auto &boundary : walls)
   {
-    of_boundaries.push_back(boundary->sum_loads(grid));
-    sums.insert(sums.end(), of_boundaries.back().begin(),
-                of_boundaries.back().end());
+    const BoundarySums own = boundary->sum_loads(grid);
+    sums.insert(sums.end(), own.exact.begin(), own.exact.end());
+    counts.insert(counts.end(), own.counts.begin(), own.counts.end());
+    of_boundaries.push_back(own);
   }
-  sum_over_ranks(distribution.ranks(), sums);
+  sum_over_ranks(distribution.ranks(), sums, counts);
   if (sums[0].value() > 0.)
     stop_together<OverlapStop>(distribution.ranks(), fault);
   wants_breakage = sums[1].value() > 0.;
   has_large_forces = sums[2].value() > 0.;
-  auto next = sums.begin() + 3;
-  for (const std::span<ExactSum> of_boundary : of_boundaries)
-    for (ExactSum &sum : of_boundary)
-      sum = *next++;
+  auto next_sum = sums.begin() + 3;
+  auto next_count = counts.begin();
+  for (const BoundarySums &own : of_boundaries)
+  {
+    for (ExactSum &sum : own.exact)
+      sum = *next_sum++;
+    for (std::int64_t &count : own.counts)
+      count = *next_count++;
+  }
 }
 } // namespace dem

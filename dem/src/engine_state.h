@@ -9,6 +9,16 @@
 
 namespace dem
 {
+/// A particle that is to be added.
+struct NewParticle
+{
+  ParticleShape body;
+  Vec3 position;
+  Quaternion orientation;
+  std::uint8_t material = 0;
+  std::int64_t id = 0;
+};
+
 /// What an engine owns, and the order of a step. The functions that Engine has,
 /// too, are described there.
 class EngineState
@@ -85,6 +95,9 @@ private:
   void copy_values_to(EngineState &copy) const;
   void gather_into(EngineState &whole);
   void deal_out();
+  void keep_partners();
+  void append(const NewParticle &particle);
+  void admit_arrivals();
   Speeds move_particles(double time_step);
   /// Throws std::logic_error where a half kick is pending.
   void require_synchronized() const;
@@ -171,6 +184,9 @@ private:
   double steepest = 0.;         ///< c of closing_speed [-]
   std::int64_t added_count = 0; ///< particles, on all ranks
   std::int64_t partition_interval = 0, redistribution_count = 0;
+  /// Particles that this rank adds when they can go to their owners.
+  std::vector<NewParticle> arrivals;
+  std::int64_t n_admitted = 0; ///< of added_count
   bool wants_breakage = false; ///< some contact, of any rank
   std::string fault;           ///< of this rank in this step, for all of them
   double path_at_sort = 0.;    ///< when the particles were last sorted [m]

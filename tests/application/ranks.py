@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """Any number of MPI ranks gives the same bits; faults end all ranks at once.
 
-    ranks.py SPALL same|drum|continued|faults   77: no mpirun on this machine
+    ranks.py SPALL same|membrane|jumps|drum|compaction|subgrade|continued|faults
+    ranks.py SPALL membrane_long|compaction_long|subgrade_long
+
+77: no mpirun on this machine
 """
 import os
 import pathlib
@@ -12,14 +15,19 @@ import sys
 import tempfile
 import time
 
+import compaction
+import cycle_jump
+import subgrade
 from lab import DRUM, write_prm
 from triaxial_runs import (ENVIRONMENT, QUICK, command, differing,
                            report_faults, run, summary, summary_faults)
 
 MPIRUN = shutil.which("mpirun")
-TABLES = ["history.csv", "events.csv", "cycles.csv", "gradation.csv",
-          "boundary_profile_start.csv", "boundary_profile_end.csv",
-          "sections_start.csv", "sections_end.csv", "case.prm", "run.pvd"]
+TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
+          "gradation.csv", "boundary_profile_start.csv",
+          "boundary_profile_end.csv", "sections_start.csv",
+          "sections_end.csv", "transfer.csv", "profile.csv", "bowl.csv",
+          "case.prm", "run.pvd"]
 # Root in a container, and fewer cores than ranks, are fine for this.
 LAUNCHED = {**ENVIRONMENT, "OMPI_ALLOW_RUN_AS_ROOT": "1",
             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -36,9 +44,9 @@ def launch(n_ranks, words, timeout=600):
                           capture_output=True, text=True, timeout=timeout)
 
 
-def go(spall, n_ranks, folder, *options, settings=()):
-    """A run of the small case between rigid walls, to its end."""
-    ended = launch(n_ranks, command(spall, folder, "rigid", *options,
+def go(spall, n_ranks, folder, *options, lateral="rigid", settings=()):
+    """A run of the small case to its end."""
+    ended = launch(n_ranks, command(spall, folder, lateral, *options,
                                     settings=(*QUICK, *settings)))
     if ended.returncode != 0:
         raise SystemExit(f"{n_ranks} ranks: status {ended.returncode}\n"
@@ -82,19 +90,108 @@ def same(spall, root):
     return faults
 
 
+WINDOWS = ("Coupling/particle_steps=4", "Time/step=stable")
+MEMBRANES = {
+    "every_step": ("Time/step=stable",),
+    "one_pass": ("Coupling/exchange=one_pass", "Loading/cycles=1", *WINDOWS),
+    "iterated": ("Coupling/exchange=iterated", "Loading/cycles=1", *WINDOWS),
+    "error": ("Time/step=error", "Loading/cycles=1"),
+    "surfaces": ("Contact/geometry=surface", "Contact/wall_geometry=surface",
+                 "Particle/rolling_friction=0",
+                 "Specimen/initial_solid_fraction=0.12", "Time/step=stable",
+                 "Loading/cycles=1"),
+}
+
+
+def membrane_faults(spall, root, names):
+    """In a flexible membrane, by each way of exchange."""
+    faults = []
+    for name in names:
+        settings = MEMBRANES[name]
+        run(spall, root / name, "membrane", settings=(*QUICK, *settings))
+        go(spall, 2, root / f"{name}_2", lateral="membrane",
+           settings=settings)
+        faults += differences(f"membrane, {name}", root / f"{name}_2",
+                              root / name)
+    return faults
+
+
+def membrane(spall, root):
+    """And continued on other numbers of ranks, between which it breaks."""
+    faults = membrane_faults(spall, root,
+                             ("every_step", "one_pass", "surfaces"))
+    parts, settings = root / "parts", MEMBRANES["every_step"]
+    go(spall, 3, parts, "--until", "1", lateral="membrane", settings=settings)
+    run(spall, parts, "membrane", "--resume", settings=(*QUICK, *settings))
+    faults += differences("3 ranks, then 1", parts, root / "every_step")
+    if summary(parts)["n_events"] == 0:
+        faults.append("no event: the test shows nothing of breakage")
+    return faults
+
+
+def membrane_long(spall, root):
+    return membrane_faults(spall, root, ("iterated", "error"))
+
+
+def jumps(spall, root):
+    """Over load cycles, of particles in a membrane."""
+    whole, two = root / "whole", root / "two"
+    settings = (*cycle_jump.SETTINGS, *QUICK)
+    run(spall, whole, "membrane", settings=settings)
+    go(spall, 2, two, lateral="membrane", settings=settings)
+    faults = differences("jumps", two, whole)
+    if summary(whole)["skipped_cycles_1"] == 0:
+        faults.append("jumps: no cycle was skipped")
+    return faults
+
+
+def case_faults(spall, root, name, case):
+    words = [spall, "run", case, "--threads", 1, "--out"]
+    subprocess.run([*map(str, words), str(root / name)], check=True,
+                   stdout=subprocess.DEVNULL, env=ENVIRONMENT)
+    ended = launch(2, [*words, root / f"{name}_2"])
+    if ended.returncode != 0:
+        raise SystemExit(f"{name}: status {ended.returncode}\n{ended.stderr}")
+    return differences(name, root / f"{name}_2", root / name)
+
+
+def compaction_faults(spall, root, forms):
+    """Particles are added layer by layer; plates and a sleeve deform."""
+    faults = []
+    for form in forms:
+        faults += case_faults(spall, root, form,
+                              compaction.write_case(root, form))
+        if summary(root / form)["n_events"] == 0:
+            faults.append(f"{form}: no event")
+    return faults
+
+
+def compacted(spall, root):
+    return compaction_faults(spall, root, ("flexible", "elastic"))
+
+
+def compacted_long(spall, root):
+    return compaction_faults(spall, root, ("rigid", "tilting"))
+
+
+def ground(spall, root):
+    case = write_prm(root / "case.prm", subgrade.SCENE)
+    return case_faults(spall, root, "subgrade", case)
+
+
+def ground_long(spall, root):
+    case = write_prm(root / "case.prm",
+                     subgrade.changed(Subgrade={"body": "full"}))
+    return case_faults(spall, root, "full subgrade", case)
+
+
 def drum(spall, root):
     """A Los Angeles drum with a few large bodies and a ball."""
-    case = write_prm(root / "drum.prm", DRUM)
-    words = [spall, "run", case, "--threads", 1, "--out"]
-    subprocess.run([*map(str, words), str(root / "whole")], check=True,
-                   stdout=subprocess.DEVNULL, env=ENVIRONMENT)
-    ended = launch(2, [*words, root / "two"])
-    if ended.returncode != 0:
-        raise SystemExit(f"drum: status {ended.returncode}\n{ended.stderr}")
-    faults = differences("drum", root / "two", root / "whole")
+    faults = case_faults(spall, root, "whole",
+                         write_prm(root / "drum.prm", DRUM))
     faults += [f"drum: {path.name} differs"
                for path in (root / "whole").glob("roundness_*.csv")
-               if differing(root / "two", root / "whole", [path.name])]
+               if differing(root / "whole_2", root / "whole", [path.name])]
     if summary(root / "whole")["n_events"] == 0:
         faults.append("drum: no event")
     return faults
@@ -167,13 +264,13 @@ def one_line(name, ended, said):
 def faults(spall, root):
     found = []
     # What no rank can do is said once.
-    found += one_line("check", launch(2, [spall, "check", "x.prm"]),
-                      "2 MPI ranks")
+    found += one_line("check", launch(2, [spall, "check", "x.prm"]), "x.prm")
     found += one_line("no file", launch(2, [spall, "run", "x.prm"]), "x.prm")
-    found += one_line("membrane", launch(2, command(
-        spall, root / "membrane", "membrane")), "Boundary/lateral = membrane")
-    if (root / "membrane").exists():
-        found.append("membrane: left a folder")
+    found += one_line("patch", launch(2, command(
+        spall, root / "patch", "membrane",
+        settings=("Breakage/memory=patch",))), "Breakage/memory = patch")
+    if (root / "patch").exists():
+        found.append("patch: left a folder")
     (root / "file").write_text("")
     found += one_line("no folder", launch(2, command(
         spall, root / "file", "rigid")), "is a file")
@@ -205,7 +302,11 @@ def main():
         return 77
     spall = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
-        ask = {"same": same, "drum": drum, "continued": continued,
+        ask = {"same": same, "membrane": membrane,
+               "membrane_long": membrane_long, "jumps": jumps,
+               "drum": drum, "compaction": compacted,
+               "compaction_long": compacted_long, "subgrade": ground,
+               "subgrade_long": ground_long, "continued": continued,
                "faults": faults}[sys.argv[2]]
         return report_faults(ask(spall, pathlib.Path(name)))
 

@@ -1,7 +1,6 @@
 #include "hollow_sphere.h"
 
 #include <dem/binary.h>
-#include <dem/boundary/renumber.h>
 #include <dem/boundary/wall_list.h>
 
 void HollowSphere::find_candidates(const dem::BoundarySearch &search)
@@ -19,11 +18,6 @@ void HollowSphere::find_candidates(const dem::BoundarySearch &search)
       near.emplace_back(static_cast<std::int32_t>(i),
                         static_cast<std::int32_t>(particles.id[i]));
   dem::rebuild_walls(particles, near, layout, batch, search.retired);
-}
-
-void HollowSphere::renumber(const std::vector<std::int32_t> &new_row, bool)
-{
-  dem::renumber_planes(new_row, batch);
 }
 
 dem::ForceSum HollowSphere::meet(const dem::ForceContext &context)

@@ -25,7 +25,6 @@ public:
     return point.norm() - radius;
   }
   void find_candidates(const dem::BoundarySearch &search) override;
-  void renumber(const std::vector<std::int32_t> &new_row, bool) override;
   dem::ForceSum meet(const dem::ForceContext &context) override;
   dem::Walls walls(const dem::ForceContext &) override
   {

@@ -43,7 +43,8 @@ struct ExchangeParameters
 };
 
 /// The side of the particles, with all that steps along with them: what an
-/// iteration must undo. save and restore are for the rule iterated only.
+/// iteration must undo. save and restore are for the rule iterated only; on
+/// many ranks both are collective.
 struct CoupledParticles
 {
   dem::Engine &engine;
@@ -86,7 +87,9 @@ struct WindowReport
 /// Takes particles and bodies through time together, window by window. In a
 /// window the boundaries move straight and evenly to where the bodies are
 /// expected; the mean load over the window, impulse over length, then moves the
-/// bodies from its start to its end (docs/theory/interface.md).
+/// bodies from its start to its end (docs/theory/interface.md). Where the
+/// particles are spread over ranks, every rank has all bodies and moves them in
+/// the same way.
 class Exchange
 {
 public:
@@ -135,7 +138,7 @@ public:
               const CoupledParticles &particles, double time_step);
 
   /// k dt^2 / (4 m) of the present contacts, at most: of every node with all
-  /// that press on it (docs/theory/interface.md) [-].
+  /// that press on it (docs/theory/interface.md). Collective [-].
   double gain(const dem::Engine &engine, double window) const;
   /// dem::contact_springs() with the nodes as points; in windows, where bodies
   /// move as prescribed, with walls instead. The facet surfaces of the

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <coupling/contact_tangent.h>
 #include <coupling/interface_map.h>
 #include <dem/engine_boundaries.h>
+#include <dem/exact_sum.h>
 
 #include <memory>
 
@@ -21,13 +23,6 @@ enum class Collected
   impulse ///< since forget_impulse [N s]
 };
 
-/// Of contacts on each node, what its neighbours do left out.
-struct ContactTangent
-{
-  std::vector<Eigen::Matrix3d> springs;  ///< [N/m]
-  std::vector<Eigen::Matrix3d> dashpots; ///< [N s/m]
-};
-
 /// Where some nodes of a body are a boundary of the engine.
 class InterfaceAdapter
 {
@@ -40,10 +35,12 @@ public:
                        std::span<Eigen::Vector3d> nodal) const = 0;
   virtual void forget_impulse(dem::Engine &engine) const = 0;
   virtual InterfaceSums sums(const dem::Engine &engine) const = 0;
-  /// Normal springs of the contacts that touch, on each node [N/m].
+  /// Normal springs of the contacts of this rank that touch, on each node
+  /// [N/m].
   virtual void add_stiffness(const dem::Engine &engine,
-                             std::span<double> nodal) const = 0;
-  /// How the loads of the contacts that touch change with the nodes.
+                             std::span<dem::ExactSum> nodal) const = 0;
+  /// How the loads of the contacts of this rank that touch change with the
+  /// nodes.
   virtual void add_tangent(const dem::Engine &, ContactTangent &) const {}
   /// Of the first nodes, if they are those of a facet surface; else null.
   virtual const InterfaceMap *facets() const { return nullptr; }
@@ -63,7 +60,7 @@ public:
   void forget_impulse(dem::Engine &engine) const override;
   InterfaceSums sums(const dem::Engine &engine) const override;
   void add_stiffness(const dem::Engine &engine,
-                     std::span<double> nodal) const override;
+                     std::span<dem::ExactSum> nodal) const override;
   void add_tangent(const dem::Engine &engine,
                    ContactTangent &nodal) const override;
   const InterfaceMap *facets() const override { return &map; }
@@ -84,7 +81,7 @@ public:
   void forget_impulse(dem::Engine &engine) const override;
   InterfaceSums sums(const dem::Engine &engine) const override;
   void add_stiffness(const dem::Engine &engine,
-                     std::span<double> nodal) const override;
+                     std::span<dem::ExactSum> nodal) const override;
 
 private:
   std::size_t number;
@@ -105,7 +102,7 @@ public:
   void forget_impulse(dem::Engine &engine) const override;
   InterfaceSums sums(const dem::Engine &engine) const override;
   void add_stiffness(const dem::Engine &engine,
-                     std::span<double> nodal) const override;
+                     std::span<dem::ExactSum> nodal) const override;
   void add_tangent(const dem::Engine &engine,
                    ContactTangent &nodal) const override;
   const InterfaceMap *facets() const override { return one->facets(); }

@@ -32,7 +32,8 @@ public:
 
   /// A particle at rest, at any time; of another material than 0 it does not
   /// break. Its id is the number of particles before it. On many ranks every
-  /// rank adds all particles, before the first step; one keeps it.
+  /// rank adds all particles, and one keeps it; one that is added after the
+  /// first step is there from the next step on.
   void add_particle(const ParticleShape &body, const Vec3 &position,
                     const Quaternion &orientation, std::uint8_t material = 0);
   /// Adds a boundary after all of its Boundary::evaluation_order() or a lower
@@ -70,7 +71,7 @@ public:
   /// nothing moves. Dashpots see the velocities; tangential and rolling springs
   /// start at zero and take up the motion of `time_step` [s]. To inspect
   /// one contact see dem/measure/single_contact.h. Throws std::logic_error once
-  /// lists of contacts are there.
+  /// lists of contacts are there, and on many ranks.
   void evaluate(double time_step);
 
   const EngineParameters &parameters() const;
@@ -132,7 +133,8 @@ public:
 
   /// Full state, bit for bit, into a stream; restore() on an engine with the
   /// same parameters and shared shapes (`library`, in order), on any number of
-  /// ranks. On many ranks gathered() can be saved, and save() throws.
+  /// ranks. On many ranks the state is that of gathered(), and save() is
+  /// collective.
   void
   save(std::ostream &out,
        const std::vector<std::shared_ptr<const Coefficients>> &library) const;

@@ -82,9 +82,4 @@ inline const ContactBatch &on_facets(const Engine &engine,
 {
   return facet_boundary(engine, number).batch;
 }
-inline const FacetCandidates &facets(const Engine &engine,
-                                     std::size_t number = 0)
-{
-  return facet_boundary(engine, number).candidates;
-}
 } // namespace dem

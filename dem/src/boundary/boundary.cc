@@ -4,6 +4,7 @@
 #include <dem/boundary/facet_boundary.h>
 #include <dem/boundary/plane_boundary.h>
 #include <dem/contact/batch_stream.h>
+#include <dem/neighbor/candidate_pair.h>
 
 #include <map>
 #include <stdexcept>
@@ -55,6 +56,16 @@ void Boundary::unpack(std::istream &in)
   visit_material(material, [&in](auto &field) { read_value(in, field); });
   read_batch(in, batch);
   unpack_parts(in);
+}
+
+void Boundary::renumber(const std::vector<std::int32_t> &new_row)
+{
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    batch.a[k] = new_row[static_cast<std::size_t>(batch.a[k])];
+  sort_contacts();
+  if (std::vector<CandidatePair> *pairs = candidates())
+    renumber_candidates(new_row, *pairs);
+  keep_particles(new_row);
 }
 
 void Boundary::keep_contacts(const std::vector<std::int32_t> &order)

@@ -53,16 +53,10 @@ void DrumBoundary::find_candidates(const BoundarySearch &search)
     return;
   }
   lifter.turn(drum);
+  // Overlaps with a wall that was not there before count in full.
+  input.is_first |= std::exchange(was_searched, true) == 0;
   search.events += renew_drum(input, {drum, lifter, search.rigid_path, rows},
                               listed, batch, search.retired);
-}
-
-void DrumBoundary::renumber(const std::vector<std::int32_t> &new_row, bool)
-{
-  renumber_candidates(new_row, listed);
-  for (std::size_t k = 0; k < batch.size(); ++k)
-    batch.a[k] = new_row[static_cast<std::size_t>(batch.a[k])];
-  sort_contacts();
 }
 
 void DrumBoundary::keep_contacts(const std::vector<std::int32_t> &order)
@@ -148,7 +142,7 @@ Walls DrumBoundary::walls(const ForceContext &context)
           { relocate_again(still, followed(), batch, k); }};
 }
 
-std::span<ExactSum> DrumBoundary::sum_loads(const SumGrid &)
+BoundarySums DrumBoundary::sum_loads(const SumGrid &)
 {
   load_sums = {};
   for (std::size_t k = 0; k < batch.size(); ++k)
@@ -157,7 +151,7 @@ std::span<ExactSum> DrumBoundary::sum_loads(const SumGrid &)
     load_sums[0].add(torque_on_drum(drum, batch, k, row));
     load_sums[1].add(thrust_on_drum(batch, k, row));
   }
-  return load_sums;
+  return {load_sums};
 }
 
 void DrumBoundary::apply_loads(double time_step)
@@ -179,6 +173,7 @@ void DrumBoundary::pack_parts(std::ostream &out) const
   write_value(out, drum);
   write_column(out, rows);
   write_column(out, listed);
+  write_value(out, was_searched);
 }
 
 void DrumBoundary::unpack_parts(std::istream &in)
@@ -188,5 +183,6 @@ void DrumBoundary::unpack_parts(std::istream &in)
   set_drum(read);
   read_column(in, rows);
   read_column(in, listed);
+  read_value(in, was_searched);
 }
 } // namespace dem

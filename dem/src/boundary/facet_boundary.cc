@@ -1,12 +1,14 @@
+#include "facet_stream.h"
+
 #include <dem/binary.h>
 #include <dem/boundary/facet_boundary.h>
 #include <dem/boundary/followed_walls.h>
-#include <dem/boundary/renumber.h>
 #include <dem/boundary/wall_candidates.h>
 #include <dem/boundary/wall_point_lists.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -34,70 +36,27 @@ void visit_surface(Surface &surface, const Visit &visit)
   visit(surface.load);
 }
 
-template <class Candidates, class Visit>
-void visit_candidates(Candidates &candidates, const Visit &visit)
+/// Spacing of the loads on vertices [N]. Where the grid rounds nothing contacts
+/// are few: finer than their last digits.
+double load_spacing_of(const SumGrid &grid, const ContactBatch &batch)
 {
-  visit(candidates.particle);
-  visit(candidates.row_start);
-  visit(candidates.triangle);
-  visit(candidates.triangle_reactivation);
-  visit(candidates.reactivation);
+  if (grid.force > 0.)
+    return grid.vertex_load();
+  double largest = std::numeric_limits<double>::min();
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    largest = std::max(largest, batch.load[k].force.lpNorm<Eigen::Infinity>());
+  return std::ldexp(1., std::max(-1000, std::ilogb(largest) - 57));
 }
 
-/// What a FacetContactPoint has beside the vertices that carry it.
-struct ContactPointHead
+/// Adds the number next to `value`. What is far beyond the range of the grid
+/// is cut off: loads are then added again with another one.
+void add_count(double value, std::int64_t &sum)
 {
-  std::int64_t triangle = -1;
-  std::array<double, 3> weight{};
-  Vec3 normal = Vec3::Zero();
-  std::int64_t walls = 1;
-  double extra = 0.;
-  std::int64_t n_shares = 0;
-};
-
-/// Heads in one column, the shares of all contact_points in another.
-void save_contact_points(std::ostream &out,
-                         const std::vector<FacetContactPoint> &contact_points)
-{
-  std::vector<ContactPointHead> heads;
-  std::vector<VertexShare> shares;
-  heads.reserve(contact_points.size());
-  for (const FacetContactPoint &contact_point : contact_points)
-  {
-    heads.push_back(
-        {contact_point.triangle, contact_point.weight, contact_point.normal,
-         contact_point.shares.walls, contact_point.shares.extra,
-         static_cast<std::int64_t>(contact_point.shares.of.size())});
-    shares.insert(shares.end(), contact_point.shares.of.begin(),
-                  contact_point.shares.of.end());
-  }
-  write_column(out, heads);
-  write_column(out, shares);
-}
-
-void restore_contact_points(std::istream &in,
-                            std::vector<FacetContactPoint> &contact_points)
-{
-  std::vector<ContactPointHead> heads;
-  std::vector<VertexShare> shares;
-  read_column(in, heads);
-  read_column(in, shares);
-  contact_points.resize(heads.size());
-  auto next = shares.cbegin();
-  for (std::size_t k = 0; k < heads.size(); ++k)
-  {
-    const ContactPointHead &head = heads[k];
-    if (head.n_shares < 0 || head.n_shares > shares.cend() - next)
-      throw std::runtime_error("checkpoint is damaged");
-    FacetContactPoint &contact_point = contact_points[k];
-    contact_point.triangle = head.triangle;
-    contact_point.weight = head.weight;
-    contact_point.normal = head.normal;
-    contact_point.shares.walls = head.walls;
-    contact_point.shares.extra = head.extra;
-    contact_point.shares.of.assign(next, next + head.n_shares);
-    next += head.n_shares;
-  }
+  constexpr double most = 0x1p62;
+  const std::int64_t count = std::llrint(std::clamp(value, -most, most));
+  // In numbers that may pass their end.
+  sum = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) +
+                                  static_cast<std::uint64_t>(count));
 }
 } // namespace
 
@@ -116,13 +75,13 @@ FacetBoundary::FacetBoundary(std::string its_label, std::int64_t its_number,
 
 Vec3 FacetBoundary::point_of(std::size_t k) const
 {
-  return point_at(surface, candidates.contact_point[k]);
+  return point_at(surface, contact_points.point[k]);
 }
 
 Mat3 FacetBoundary::spread_of(std::size_t k) const
 {
   Mat3 sum = Mat3::Zero();
-  const FacetContactPoint &contact_point = candidates.contact_point[k];
+  const FacetContactPoint &contact_point = contact_points.point[k];
   const Vec3 &force = batch.load[k].force, point = point_of(k);
   for_loads(surface, contact_point, force,
             [&](std::size_t vertex, const Vec3 &part)
@@ -145,16 +104,6 @@ double FacetBoundary::speed() const
   return std::sqrt(square);
 }
 
-void FacetBoundary::gather(const ForceContext &context,
-                           const WallSearch &search)
-{
-  FacetCandidates near = near_facets(context.particles, surface, search);
-  near.contact_point = std::move(candidates.contact_point);
-  near.reactivation = std::move(candidates.reactivation);
-  candidates = std::move(near);
-  watch.start(context.particles, surface, candidates, search);
-}
-
 void FacetBoundary::find_candidates(const BoundarySearch &all)
 {
   ContactPointSearchInput input = all.points;
@@ -164,41 +113,35 @@ void FacetBoundary::find_candidates(const BoundarySearch &all)
   WallSearch search{input.layout, parameters.geometry.wall_geometry, all.skin};
   if (!follows_surfaces(input.context))
   {
-    rebuild_facets(particles, surface, search, candidates, batch, all.retired);
+    rebuild_facets(particles, surface, search, near, contact_points.point,
+                   batch, all.retired);
     return;
   }
-  input.skin = search_skin * particles.smallest_radius();
+  // Overlaps with a wall that was not there before count in full.
+  input.is_first |= std::exchange(was_searched, true) == 0;
+  input.skin = search_skin * all.least_radius;
   if (all.deforming_left < 0.)
     all.deforming_left = notice_share * input.skin;
   input.notice = all.deforming_left;
   search.skin = input.skin;
   search.reach = gathering_reach;
-  if (!watch.covers(particles, surface, input.skin))
-    gather(input.context, search);
-  all.events += renew_facets(input, {mesh(), candidates, near_particles, watch},
-                             batch, all.retired);
-}
-
-void FacetBoundary::renumber(const std::vector<std::int32_t> &new_row,
-                             bool follows_surfaces)
-{
-  if (!follows_surfaces)
+  if (all.is_on_any_rank(!watch.covers(particles, surface, input.skin)))
   {
-    renumber_facets(new_row, candidates, batch);
-    return;
+    near = near_facets(particles, surface, search);
+    watch.start(particles, surface, near, search);
   }
-  renumber_facet_contacts(new_row, candidates, batch);
-  renumber_candidates(new_row, near_particles);
-  watch = {}; // rows take other numbers
+  all.events +=
+      renew_facets(input, {mesh(), near, contact_points, near_particles, watch},
+                   batch, all.retired);
 }
 
 ForceSum FacetBoundary::meet(const ForceContext &context)
 {
   if (follows_surfaces(context))
     return relocate_on_facets(
-        context, {mesh(), candidates, context.deforming_path, rows, overlap},
-        batch);
-  find_facets(context, mesh(), batch, candidates, rows, extra);
+        context,
+        {mesh(), contact_points, context.deforming_path, rows, overlap}, batch);
+  find_facets(context, mesh(), batch, near, contact_points.point, rows, extra);
   return {};
 }
 
@@ -214,14 +157,36 @@ Walls FacetBoundary::walls(const ForceContext &context)
           {
             relocate_again(
                 still,
-                {mesh(), candidates, still.deforming_path, rows, overlap},
+                {mesh(), contact_points, still.deforming_path, rows, overlap},
                 batch, k);
           }};
 }
 
+BoundarySums FacetBoundary::sum_loads(const SumGrid &grid)
+{
+  load_spacing = load_spacing_of(grid, batch);
+  load_counts.assign(3 * surface.load.size(), 0);
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    if (batch.load[k].force.isZero(0.))
+      continue; // it may never have met anything
+    for_loads(surface, contact_points.point[k], batch.load[k].force,
+              [this](std::size_t vertex, const Vec3 &part)
+              {
+                for (std::size_t d = 0; d < 3; ++d)
+                  add_count(part[static_cast<Eigen::Index>(d)] / load_spacing,
+                            load_counts[3 * vertex + d]);
+              });
+  }
+  return {{}, load_counts};
+}
+
 void FacetBoundary::apply_loads(double time_step)
 {
-  load_surface(candidates, batch, surface);
+  for (std::size_t v = 0; v < surface.load.size(); ++v)
+    for (std::size_t d = 0; d < 3; ++d)
+      surface.load[v][static_cast<Eigen::Index>(d)] =
+          load_spacing * static_cast<double>(-load_counts[3 * v + d]);
   double power = 0.;
   for (std::size_t v = 0; v < surface.load.size(); ++v)
   {
@@ -239,13 +204,14 @@ void FacetBoundary::pack_parts(std::ostream &out) const
   write_name(out, label);
   write_value(out, number);
   visit_surface(surface, put);
-  visit_candidates(candidates, put);
+  FacetCandidates::visit(near, put);
   put(near_particles);
   FacetMotion::visit(watch, put);
   put(impulse);
   put(load_before);
-  save_contact_points(out, candidates.contact_point);
+  write_contact_points(out, contact_points);
   write_value(out, work_done);
+  write_value(out, was_searched);
 }
 
 void FacetBoundary::unpack_parts(std::istream &in)
@@ -255,12 +221,13 @@ void FacetBoundary::unpack_parts(std::istream &in)
   read_value(in, number);
   visit_surface(surface, get);
   topology = FacetTopology(surface);
-  visit_candidates(candidates, get);
+  FacetCandidates::visit(near, get);
   get(near_particles);
   FacetMotion::visit(watch, get);
   get(impulse);
   get(load_before);
-  restore_contact_points(in, candidates.contact_point);
+  read_contact_points(in, contact_points);
   read_value(in, work_done);
+  read_value(in, was_searched);
 }
 } // namespace dem

@@ -1,3 +1,5 @@
+#include "row_table.h"
+
 #include <dem/boundary/facet_contacts.h>
 
 #include <algorithm>
@@ -199,8 +201,9 @@ WallRow move_slot(const FacetSurface &surface, const NearestFacetPoint &touch,
 /// Walls of all slots of the particle in this row.
 void find_row(const ForceContext &context, const FacetMesh &mesh,
               const ContactBatch &batch, std::size_t row, Found &found,
-              FacetCandidates &candidates, std::vector<WallRow> &rows,
-              std::vector<double> &extra)
+              FacetCandidates &candidates,
+              std::vector<FacetContactPoint> &contact_points,
+              std::vector<WallRow> &rows, std::vector<double> &extra)
 {
   const FacetSurface &surface = mesh.surface;
   if (candidates.reactivation[row] > context.path_length)
@@ -218,7 +221,7 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
   find_nearest_points(context, mesh, batch, i, found);
   const std::vector<NearestFacetPoint> &touches = found.touches;
   std::array<std::int32_t, slots_per_particle> slot_of;
-  assign_slots(touches, batch, candidates.contact_point, first, slot_of);
+  assign_slots(touches, batch, contact_points, first, slot_of);
   std::array<bool, slots_per_particle> is_used{};
   for (std::size_t t = 0; t < touches.size() && t < slots_per_particle; ++t)
   {
@@ -226,20 +229,65 @@ void find_row(const ForceContext &context, const FacetMesh &mesh,
     is_used[slot] = true;
     rows[first + slot] = move_slot(surface, touches[t], found.shares[t],
                                    batch.is_touching(first + slot),
-                                   candidates.contact_point[first + slot]);
+                                   contact_points[first + slot]);
     extra[first + slot] = found.shares[t].extra;
   }
   for (std::size_t s = 0; s < slots_per_particle; ++s)
     if (!is_used[s])
     {
-      rows[first + s] =
-          batch.is_touching(first + s)
-              ? left_wall(surface, candidates.contact_point[first + s])
-              : no_wall;
+      rows[first + s] = batch.is_touching(first + s)
+                            ? left_wall(surface, contact_points[first + s])
+                            : no_wall;
       extra[first + s] = 0.;
     }
 }
 } // namespace
+
+FacetCandidates
+FacetCandidates::select(const std::vector<std::int32_t> &rows) const
+{
+  FacetCandidates some;
+  for (const std::int32_t row : rows)
+  {
+    some.particle.push_back(particle[static_cast<std::size_t>(row)]);
+    if (!reactivation.empty())
+      some.reactivation.push_back(reactivation[static_cast<std::size_t>(row)]);
+  }
+  some.row_start = starts_of(row_start, rows);
+  some.triangle = entries_of(triangle, row_start, rows);
+  some.triangle_reactivation =
+      entries_of(triangle_reactivation, row_start, rows);
+  return some;
+}
+
+void FacetCandidates::append(const FacetCandidates &more)
+{
+  append_entries(more.particle, particle);
+  append_starts(more.row_start, row_start);
+  append_entries(more.triangle, triangle);
+  append_entries(more.triangle_reactivation, triangle_reactivation);
+  append_entries(more.reactivation, reactivation);
+}
+
+FacetContactPoints
+FacetContactPoints::select(const std::vector<std::int32_t> &contacts) const
+{
+  FacetContactPoints some;
+  for (const std::int32_t contact : contacts)
+  {
+    const auto k = static_cast<std::size_t>(contact);
+    some.point.push_back(point[k]);
+    if (!reactivation.empty())
+      some.reactivation.push_back(reactivation[k]);
+  }
+  return some;
+}
+
+void FacetContactPoints::append(const FacetContactPoints &more)
+{
+  append_entries(more.point, point);
+  append_entries(more.reactivation, reactivation);
+}
 
 WallRow facet_row(const FacetSurface &surface, const FacetContactPoint &now,
                   const FacetContactPoint &before)
@@ -252,6 +300,7 @@ WallRow facet_row(const FacetSurface &surface, const FacetContactPoint &now,
 
 void find_facets(const ForceContext &context, const FacetMesh &mesh,
                  const ContactBatch &batch, FacetCandidates &candidates,
+                 std::vector<FacetContactPoint> &contact_points,
                  std::vector<WallRow> &rows, std::vector<double> &extra)
 {
   // Rows of a new list are all active, those of a restored one far if inactive.
@@ -267,21 +316,7 @@ void find_facets(const ForceContext &context, const FacetMesh &mesh,
 #pragma omp for schedule(static)
     for (std::int64_t row = 0; row < n; ++row)
       find_row(context, mesh, batch, static_cast<std::size_t>(row), found,
-               candidates, rows, extra);
-  }
-}
-
-void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
-                  FacetSurface &surface)
-{
-  std::fill(surface.load.begin(), surface.load.end(), Vec3::Zero());
-  for (std::size_t k = 0; k < batch.size(); ++k)
-  {
-    if (batch.load[k].force.isZero(0.))
-      continue; // it may never have met anything
-    for_loads(surface, candidates.contact_point[k], batch.load[k].force,
-              [&surface](std::size_t vertex, const Vec3 &part)
-              { surface.load[vertex] -= part; });
+               candidates, contact_points, rows, extra);
   }
 }
 } // namespace dem

@@ -1,3 +1,5 @@
+#include "row_table.h"
+
 #include <dem/boundary/facet_motion.h>
 #include <dem/boundary/wall_candidates.h>
 
@@ -87,6 +89,32 @@ void FacetMotion::note(const ParticleSystem &particles,
                [this](std::size_t k, const Vec3 &now)
                { vertex_position[k] = now; });
   volume[row] = particles.shape[index(particle)].volume;
+}
+
+FacetMotion
+FacetMotion::select(const std::vector<std::int32_t> &rows,
+                    const std::vector<std::int32_t> &particles) const
+{
+  FacetMotion some;
+  for (const std::int32_t particle : particles)
+    if (index(particle) < gathered.size())
+      some.gathered.push_back(gathered[index(particle)]);
+  some.vertices = vertices;
+  some.row_start = starts_of(row_start, rows);
+  some.vertex = entries_of(vertex, row_start, rows);
+  some.vertex_position = entries_of(vertex_position, row_start, rows);
+  for (const std::int32_t row : rows)
+    some.volume.push_back(volume[index(row)]);
+  return some;
+}
+
+void FacetMotion::append(const FacetMotion &more)
+{
+  append_entries(more.gathered, gathered);
+  append_starts(more.row_start, row_start);
+  append_entries(more.vertex, vertex);
+  append_entries(more.vertex_position, vertex_position);
+  append_entries(more.volume, volume);
 }
 
 // In the frame of the particle, points of a triangle move no farther than the

@@ -181,8 +181,8 @@ void relocate_one(const ForceContext &context, const FollowedDrum &walls,
 void relocate_one(const ForceContext &context, const FollowedFacets &walls,
                   ContactBatch &batch, std::size_t k, Events &events)
 {
-  FacetContactPoint &contact_point = walls.candidates.contact_point[k];
-  double &reactivation = walls.candidates.reactivation[k];
+  FacetContactPoint &contact_point = walls.contact_points.point[k];
+  double &reactivation = walls.contact_points.reactivation[k];
   const double path_length =
       context.particles.path_length[row_of(batch.a[k])] + walls.path_length;
   walls.overlap[k] = 0.;
@@ -242,7 +242,7 @@ void relocate_again(const ForceContext &context, const FollowedFacets &walls,
                     ContactBatch &batch, std::size_t k)
 {
   Events events;
-  walls.candidates.reactivation[k] = 0.;
+  walls.contact_points.reactivation[k] = 0.;
   relocate_one(context, walls, batch, k, events);
 }
 } // namespace dem

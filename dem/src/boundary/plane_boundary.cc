@@ -1,6 +1,5 @@
 #include <dem/binary.h>
 #include <dem/boundary/plane_boundary.h>
-#include <dem/boundary/renumber.h>
 #include <dem/boundary/wall_candidates.h>
 #include <dem/boundary/wall_point_lists.h>
 
@@ -64,12 +63,6 @@ void PlaneBoundary::find_candidates(const BoundarySearch &search)
                    batch, search.retired);
 }
 
-void PlaneBoundary::renumber(const std::vector<std::int32_t> &new_row, bool)
-{
-  renumber_planes(new_row, batch);
-  renumber_candidates(new_row, supports);
-}
-
 ForceSum PlaneBoundary::meet(const ForceContext &)
 {
   rows.resize(planes.size());
@@ -82,7 +75,7 @@ ForceSum PlaneBoundary::meet(const ForceContext &)
   return {};
 }
 
-std::span<ExactSum> PlaneBoundary::sum_loads(const SumGrid &grid)
+BoundarySums PlaneBoundary::sum_loads(const SumGrid &grid)
 {
   load_sums.assign(planes.size(), {});
   for (std::size_t k = 0; k < batch.size(); ++k)
@@ -102,7 +95,7 @@ std::span<ExactSum> PlaneBoundary::sum_loads(const SumGrid &grid)
   else
     for (std::size_t k = 0; k < batch.size(); ++k)
       add_force(-batch.load[k].force, static_cast<std::size_t>(batch.b[k]));
-  return force_sums;
+  return {force_sums};
 }
 
 void PlaneBoundary::add_force(const Vec3 &force, std::size_t plane)

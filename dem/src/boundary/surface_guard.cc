@@ -201,7 +201,7 @@ std::optional<SurfaceFault> find_left(const FacetBoundary &facets,
                                       const ParticleSystem &particles,
                                       ContactGeometry geometry)
 {
-  const FacetCandidates &near = facets.candidates;
+  const FacetCandidates &near = facets.near;
   for (std::size_t row = 0; row < near.particle.size(); ++row)
   {
     const std::size_t i = index(near.particle[row]);

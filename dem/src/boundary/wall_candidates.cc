@@ -7,6 +7,7 @@
 #include <dem/boundary/wall_list.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dem
 {
@@ -23,8 +24,9 @@ std::vector<PairKey> keys_of(const ContactBatch &batch)
 /// Slots of the particles that stay near go with them, the others retire.
 void carry_over_slots(const ParticleSystem &particles,
                       const FacetCandidates &before, const BatchLayout &layout,
-                      FacetCandidates &after, ContactBatch &batch,
-                      LostEnergy &retired)
+                      const FacetCandidates &after,
+                      std::vector<FacetContactPoint> &contact_points,
+                      ContactBatch &batch, LostEnergy &retired)
 {
   const bool is_damage_new = layout.has_damage && !batch.layout.has_damage;
   constexpr auto n_slots = static_cast<std::size_t>(slots_per_particle);
@@ -40,12 +42,12 @@ void carry_over_slots(const ParticleSystem &particles,
       match(keys(before), keys(after),
             [&](std::size_t k) { retire_contact(batch, k, retired); });
   batch.rearrange(layout, source);
-  after.contact_point.resize(source.size());
+  const auto points_before = std::exchange(
+      contact_points, std::vector<FacetContactPoint>(source.size()));
   for (std::size_t k = 0; k < source.size(); ++k)
   {
     if (source[k] >= 0)
-      after.contact_point[k] =
-          before.contact_point[static_cast<std::size_t>(source[k])];
+      contact_points[k] = points_before[static_cast<std::size_t>(source[k])];
     batch.a[k] = after.particle[k / n_slots];
     batch.b[k] = static_cast<std::int32_t>(k);
   }
@@ -121,7 +123,6 @@ FacetCandidates near_facets(const ParticleSystem &particles,
 {
   const TriangleBins bins(surface);
   FacetCandidates fresh;
-  fresh.row_start.push_back(0);
   std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < particles.n_owned(); ++i)
   {
@@ -149,13 +150,15 @@ FacetCandidates near_facets(const ParticleSystem &particles,
 
 void rebuild_facets(const ParticleSystem &particles,
                     const FacetSurface &surface, const WallSearch &search,
-                    FacetCandidates &candidates, ContactBatch &batch,
-                    LostEnergy &retired)
+                    FacetCandidates &candidates,
+                    std::vector<FacetContactPoint> &contact_points,
+                    ContactBatch &batch, LostEnergy &retired)
 {
   FacetCandidates fresh = near_facets(particles, surface, search);
   fresh.reactivation.assign(fresh.particle.size(), 0.);
   fresh.triangle_reactivation.assign(fresh.triangle.size(), 0.);
-  carry_over_slots(particles, candidates, search.layout, fresh, batch, retired);
+  carry_over_slots(particles, candidates, search.layout, fresh, contact_points,
+                   batch, retired);
   candidates = std::move(fresh);
 }
 } // namespace dem

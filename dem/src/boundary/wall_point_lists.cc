@@ -5,6 +5,7 @@
 #include <dem/boundary/wall_point_lists.h>
 
 #include <limits>
+#include <utility>
 
 namespace dem
 {
@@ -152,7 +153,7 @@ PairList list_facets(const ParticleOnWall &on, const PairKey &key,
 {
   return list_on_wall(
       on, row_of(key.first),
-      [&](std::size_t k) { return facets.candidates.contact_point[k]; },
+      [&](std::size_t k) { return facets.contact_points.point[k]; },
       [&](ParticleView &particle, const WallContactPoint &start)
       { return refine_on_facets(particle, facets.mesh, start); },
       [&](const MappedParticlePose &particle,
@@ -163,14 +164,6 @@ PairList list_facets(const ParticleOnWall &on, const PairKey &key,
             facets.candidates.triangles_of(facets.row_of_particle(key.first)),
             on.input.skin, known);
       });
-}
-
-/// Overlaps with a wall that was not there before count in full.
-ContactPointSearchInput first_check(ContactPointSearchInput input,
-                                    const std::vector<CandidatePair> &known)
-{
-  input.is_first = input.is_first || known.empty();
-  return input;
 }
 
 /// Gap between the circumscribed sphere of a particle and its triangles [m].
@@ -278,12 +271,12 @@ ContactPointEvents renew_planes(const ContactPointSearchInput &input,
       batch, retired, [](const Arrangement &) {});
 }
 
-ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
+ContactPointEvents renew_drum(const ContactPointSearchInput &input,
                               const DrumCandidates &drum,
                               std::vector<CandidatePair> &listed,
                               ContactBatch &batch, LostEnergy &retired)
 {
-  const ParticleSystem &particles = asked.context.particles;
+  const ParticleSystem &particles = input.context.particles;
   const auto gap = [&](const PairKey &key)
   {
     return nearest_on_drum(drum.drum, static_cast<DrumPart>(key.second),
@@ -294,9 +287,8 @@ ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
   std::vector<PairKey> keys;
   for (std::int32_t i = 0; row_of(i) < particles.n_owned(); ++i)
     for (std::int32_t part = 0; part < n_drum_parts; ++part)
-      if (gap({i, part}) < far_skins * asked.skin)
+      if (gap({i, part}) < far_skins * input.skin)
         keys.emplace_back(i, part);
-  const ContactPointSearchInput input = first_check(asked, listed);
   listed = merged(keys, listed);
   const auto path_length = [&](const PairKey &key)
   { return particles.path_length[row_of(key.first)] + drum.path_length; };
@@ -315,15 +307,14 @@ ContactPointEvents renew_drum(const ContactPointSearchInput &asked,
       [&](const Arrangement &to) { number_drum(to, drum, batch); });
 }
 
-ContactPointEvents renew_facets(const ContactPointSearchInput &asked,
+ContactPointEvents renew_facets(const ContactPointSearchInput &input,
                                 const FacetCandidateRows &facets,
                                 ContactBatch &batch, LostEnergy &retired)
 {
-  const ParticleSystem &particles = asked.context.particles;
+  const ParticleSystem &particles = input.context.particles;
   std::vector<PairKey> keys;
   for (const std::int32_t particle : facets.candidates.particle)
     keys.emplace_back(particle, 0);
-  const ContactPointSearchInput input = first_check(asked, facets.particles);
   facets.particles = merged(keys, facets.particles);
   const FacetSurface &surface = facets.mesh.surface;
   // Since its last search: a list is good for so much of it.
@@ -346,17 +337,19 @@ ContactPointEvents renew_facets(const ContactPointSearchInput &asked,
       batch, retired,
       [&](const Arrangement &to)
       {
-        std::vector<FacetContactPoint> contact_points;
+        // When known contacts are looked at again does not depend on others.
+        const FacetContactPoints known =
+            std::exchange(facets.contact_points, {});
+        auto &[points, reactivation] = facets.contact_points;
         for (std::size_t k = 0; k < to.source.size(); ++k)
         {
-          contact_points.push_back(
-              to.source[k] >= 0
-                  ? facets.candidates.contact_point[row_of(to.source[k])]
-                  : on_facets(to.row[k]->foot));
+          const std::int32_t from = to.source[k];
+          points.push_back(from >= 0 ? known.point[row_of(from)]
+                                     : on_facets(to.row[k]->foot));
+          reactivation.push_back(from >= 0 ? known.reactivation[row_of(from)]
+                                           : 0.);
           batch.b[k] = static_cast<std::int32_t>(k);
         }
-        facets.candidates.contact_point = std::move(contact_points);
-        facets.candidates.reactivation.assign(batch.size(), 0.);
       });
 }
 } // namespace dem

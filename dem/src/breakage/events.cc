@@ -171,9 +171,12 @@ std::vector<ContactIndex> forget_surface(ContactSet &contacts,
   return found;
 }
 
-/// Factors of a contact that has opened: lost, or marked for their patches.
+/// Factors of a contact that has opened: lost, or marked for their patches. The
+/// loops look at an open contact only together with others that touch.
 void end_damage(ContactBatch &batch, std::size_t k, FactorMemory memory)
 {
+  if (batch.layout.has_reversal)
+    batch.reversal[k] = 0.;
   if (memory == FactorMemory::patch)
   {
     batch.event[k] = static_cast<std::uint8_t>(batch.event[k] | 4u);

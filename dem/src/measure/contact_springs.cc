@@ -333,7 +333,7 @@ void add_facets(const Engine &engine, const FacetBoundary &facets,
   const FacetSurface &surface = facets.surface;
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
-    const FacetContactPoint &contact_point = facets.candidates.contact_point[k];
+    const FacetContactPoint &contact_point = facets.contact_points.point[k];
     if (!batch.is_touching(k) || contact_point.triangle < 0)
       continue;
     const double depth = batch.overlap[k] + overlap_offset_of(batch, k) -

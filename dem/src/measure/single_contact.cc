@@ -98,8 +98,9 @@ ContactState evaluate_contact(const EngineParameters &parameters,
   attach_surface(engine, surface);
   engine.evaluate(time_step);
   surface.load = dem::surface(engine).load;
-  return state_on_wall(engine, on_facets(engine),
-                       [&engine](std::size_t k)
-                       { return facets(engine).contact_point[k].normal; });
+  return state_on_wall(
+      engine, on_facets(engine),
+      [&engine](std::size_t k)
+      { return facet_boundary(engine).contact_points.point[k].normal; });
 }
 } // namespace dem

@@ -1,8 +1,11 @@
 #include <dem/binary.h>
 #include <dem/engine_boundaries.h>
 #include <dem/packing/pouring.h>
+#include <dem/parallel/distribution.h>
+#include <dem/parallel/rank_sums.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -36,26 +39,32 @@ double Room::section() const
                   : width_x * width_y;
 }
 
-double top_of(const ParticleSystem &particles, double floor)
+double top_of(const Engine &engine, double floor)
 {
-  double top = floor;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    top = std::max(top, particles.position(i).z() +
-                            std::max(particles.radius(i),
-                                     particles.shape[i].circumscribed_radius));
-  return top;
+  const ParticleSystem &particles = engine.particles();
+  std::array top{floor};
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
+    top[0] =
+        std::max(top[0], particles.position(i).z() +
+                             std::max(particles.radius(i),
+                                      particles.shape[i].circumscribed_radius));
+  engine.distribution().ranks().max(top);
+  return top[0];
 }
 
-double unbalanced_weight_ratio(const ParticleSystem &particles,
-                               const Vec3 &gravity)
+double unbalanced_weight_ratio(const Engine &engine)
 {
-  double force = 0., weight = 0.;
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  const ParticleSystem &particles = engine.particles();
+  const Vec3 &gravity = engine.parameters().gravity;
+  ExactSum force, weight;
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
   {
-    force += (particles.load[i].force + particles.mass(i) * gravity).norm();
-    weight += particles.mass(i) * gravity.norm();
+    force.add((particles.load[i].force + particles.mass(i) * gravity).norm());
+    weight.add(particles.mass(i) * gravity.norm());
   }
-  return force / weight;
+  std::array sums{force, weight};
+  sum_over_ranks(engine.distribution().ranks(), sums);
+  return sums[0].value() / sums[1].value();
 }
 
 std::vector<std::vector<ParticleShape>>
@@ -189,7 +198,8 @@ std::vector<Placement> Pouring::cloud_above(double floor,
 void Pouring::pour(Engine &engine)
 {
   const std::vector<ParticleShape> &layer = bodies[finished.size()];
-  const double floor = top_of(engine.particles(), room.floor.z());
+  engine.synchronize();
+  const double floor = top_of(engine, room.floor.z());
   const Vec3 half(0.5 * room.width_x,
                   0.5 * (room.is_round ? room.width_x : room.width_y), 0.);
   InsertionBox box;
@@ -213,8 +223,8 @@ bool Pouring::is_at_rest(Engine &engine, double limit)
 {
   if (engine.n_steps() % rest_interval != 0 || engine.time() == now.since)
     return false;
-  now.unbalanced_ratio =
-      unbalanced_weight_ratio(engine.particles(), engine.parameters().gravity);
+  engine.synchronize();
+  now.unbalanced_ratio = unbalanced_weight_ratio(engine);
   if (engine.time() - now.since > parameters.max_time)
   {
     std::ostringstream text;
@@ -239,8 +249,9 @@ void Pouring::settle(Engine &engine)
 
 void Pouring::lower_tamper(Engine &engine)
 {
+  engine.synchronize();
   const double start =
-      top_of(engine.particles(), room.floor.z()) + clearance * room.width_x;
+      top_of(engine, room.floor.z()) + clearance * room.width_x;
   place_plane(engine, plane, {room.floor.x(), room.floor.y(), start});
   planes(engine)[plane].velocity = -parameters.tamper_speed * Vec3::UnitZ();
   ++now.strokes;

@@ -1,6 +1,8 @@
 #include <dem/engine_boundaries.h>
 #include <dem/measure/contact_springs.h>
 #include <dem/packing/rough_packing.h>
+#include <dem/parallel/distribution.h>
+#include <dem/parallel/rank_sums.h>
 #include <dem/stopwatch.h>
 
 #include <algorithm>
@@ -35,11 +37,26 @@ std::vector<Placement> shrunk_cloud(std::span<const ParticleShape> particles,
   return placements;
 }
 
+/// Of the contacts of all ranks.
+SpringNetwork springs_of(const Engine &engine)
+{
+  return engine.distribution().is_shared()
+             ? contact_springs(engine.gathered(), 0.)
+             : contact_springs(engine, 0.);
+}
+
+/// Clocks of ranks differ: when the first of them is at its end, all are.
+bool has_patience(const Engine &engine, const Stopwatch &spent)
+{
+  return !any_of_ranks(engine.distribution().ranks(),
+                       spent.seconds() >= patience);
+}
+
 void run_a_little(Engine &engine, double longest_step,
                   const std::function<void(double)> &steer)
 {
   engine.synchronize();
-  const SpringNetwork network = contact_springs(engine, 0.);
+  const SpringNetwork network = springs_of(engine);
   const double step =
       std::min(longest_step, 0.5 * guaranteed_step(network).step);
   for (int k = 0; k < n_between; ++k)
@@ -91,7 +108,7 @@ void relax(Engine &engine, double longest_step, int n_rounds)
   engine.allow_escape();
   engine.advance_deferred(frozen); // finds the contacts
   const Stopwatch spent;
-  for (int round = 0; round < n_rounds && spent.seconds() < patience; ++round)
+  for (int round = 0; round < n_rounds && has_patience(engine, spent); ++round)
   {
     run_a_little(engine, longest_step, [](double) {});
     engine.come_to_rest();
@@ -103,7 +120,7 @@ void draw_gently(Engine &engine, double factor, double longest_step,
 {
   const Stopwatch spent;
   for (int pull = 0;
-       pull < n_pulls && !is_pressing() && spent.seconds() < patience; ++pull)
+       pull < n_pulls && !is_pressing() && has_patience(engine, spent); ++pull)
   {
     draw_together(engine, std::pow(factor, 1. / n_pulls));
     relax(engine, longest_step, n_rest_rounds);
@@ -116,7 +133,7 @@ bool run_roughly(Engine &engine, double longest_step,
 {
   const Stopwatch spent;
   bool is_there = is_over();
-  while (!is_there && spent.seconds() < patience)
+  while (!is_there && has_patience(engine, spent))
   {
     run_a_little(engine, longest_step, steer);
     is_there = is_over();
@@ -127,7 +144,7 @@ bool run_roughly(Engine &engine, double longest_step,
 void press(Engine &engine, std::size_t plane, double load, double longest_step)
 {
   constexpr double speed = 0.1; // [m/s]
-  place_plane(engine, plane, top_of(engine.particles(), 0.) * Vec3::UnitZ());
+  place_plane(engine, plane, top_of(engine, 0.) * Vec3::UnitZ());
   planes(engine)[plane].velocity = -speed * Vec3::UnitZ();
   run_roughly(
       engine, longest_step, [](double) {},

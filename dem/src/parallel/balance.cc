@@ -10,15 +10,16 @@ std::vector<float> weights(const DistributedParts &parts)
 {
   constexpr float of_motion = 0.15f, of_contact = 0.4f, of_open = 0.05f;
   std::vector<float> weight(parts.particles.size(), of_motion);
-  const auto add = [&weight](const ContactBatch &batch)
+  const auto add = [&weight](const ContactBatch &batch, double cost)
   {
+    const auto touching = static_cast<float>(cost * of_contact);
     for (std::size_t k = 0; k < batch.size(); ++k)
       weight[static_cast<std::size_t>(batch.a[k])] +=
-          batch.is_touching(k) ? of_contact : of_open;
+          batch.is_touching(k) ? touching : of_open;
   };
-  add(parts.pairs);
+  add(parts.pairs, 1.);
   for (const auto &boundary : parts.boundaries)
-    add(boundary->batch);
+    add(boundary->batch, boundary->contact_cost());
   return weight;
 }
 

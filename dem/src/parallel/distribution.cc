@@ -127,7 +127,10 @@ void keep_particles(const DistributedParts &parts, const Rows &order)
   reorder_column(parts.work.lifted, order);
   parts.pairs = parts.pairs.select(kept_contacts(parts.pairs, new_row));
   for (const auto &boundary : parts.boundaries)
+  {
     boundary->keep_contacts(kept_contacts(boundary->batch, new_row));
+    boundary->keep_particles(new_row);
+  }
   visit_batches(parts,
                 [&new_row](ContactBatch &batch)
                 {
@@ -222,7 +225,10 @@ Parcel pack(const DistributedParts &parts, int rank, const Leaving &leaving,
   write_column(out, selected(parts.work.lifted, leaving.rows));
   write_contacts(out, parts.pairs, leaving);
   for (const auto &boundary : parts.boundaries)
+  {
     boundary->pack_contacts(out, write_contacts(out, boundary->batch, leaving));
+    boundary->pack_particles(out, leaving.rows);
+  }
   visit_candidates(parts, [&](const std::vector<CandidatePair> &candidates)
                    { write_candidates(out, candidates, leaving); });
   return parcel_for(rank, out);
@@ -250,6 +256,7 @@ std::size_t unpack(const Parcel &parcel, const DistributedParts &parts,
   {
     read_contacts(in.stream, first, boundary->batch);
     boundary->unpack_contacts(in.stream);
+    boundary->unpack_particles(in.stream, first);
   }
   visit_candidates(parts, [&](std::vector<CandidatePair> &candidates)
                    { read_candidates(in.stream, first, candidates); });
@@ -322,10 +329,13 @@ void Distribution::fetch_series(
     particles.shape[first + k].series = found[k];
 }
 
-void Distribution::migrate(const DistributedParts &parts, bool repartitions)
+void Distribution::migrate(const DistributedParts &parts, bool repartitions,
+                           const std::function<void()> &arrive)
 {
   name_partners_by_id(parts);
   drop_ghosts(parts.particles);
+  if (arrive)
+    arrive();
   send_home(parts, repartitions);
 }
 

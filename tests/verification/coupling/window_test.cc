@@ -132,9 +132,8 @@ TEST(Windows, ContinueBitForBit)
     resumed.advance(n * particle_step, 1200 / n);
     EXPECT_EQ(resumed.state(), unbroken.state()) << int(rule);
     EXPECT_GT(unbroken.engine.n_events(), 0);
-    EXPECT_LT(
-        std::size_t(0),
-        dem::facet_boundary(unbroken.engine, 0).candidates.particle.size());
+    EXPECT_LT(std::size_t(0),
+              dem::facet_boundary(unbroken.engine, 0).near.particle.size());
   }
 }
 

@@ -138,10 +138,11 @@ Balance balance_of(const dem::Engine &engine)
     sum.moment +=
         engine.particles().position(i).cross(force) + batch.load[k].moment;
     // The particle feels the force where the surface does, which moves so:
-    sum.power +=
-        force.dot(dem::facet_row(surface, dem::facets(engine).contact_point[k],
-                                 dem::facets(engine).contact_point[k])
-                      .velocity);
+    sum.power += force.dot(
+        dem::facet_row(surface,
+                       dem::facet_boundary(engine).contact_points.point[k],
+                       dem::facet_boundary(engine).contact_points.point[k])
+            .velocity);
   }
   return sum;
 }
@@ -308,7 +309,7 @@ bool is_shared(const dem::Engine &engine, std::size_t ball)
   const dem::ContactBatch &batch = dem::on_facets(engine);
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.a[k] == static_cast<std::int32_t>(ball) && batch.is_touching(k) &&
-        !dem::facets(engine).contact_point[k].shares.of.empty())
+        !dem::facet_boundary(engine).contact_points.point[k].shares.of.empty())
       return true;
   return false;
 }

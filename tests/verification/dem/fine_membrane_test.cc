@@ -154,8 +154,9 @@ TEST(FineMembrane, ABallRestsOnCellsOfAnySize)
     EXPECT_NEAR(dem::on_facets(scene.engine).overlap[k], weight / stiffness,
                 1e-3 * weight / stiffness)
         << n;
-    const std::size_t vertices =
-        dem::facets(scene.engine).contact_point[k].shares.of.size();
+    const std::size_t vertices = dem::facet_boundary(scene.engine)
+                                     .contact_points.point[k]
+                                     .shares.of.size();
     std::printf("cells of %.2f c: %.5f to %.5f N, %.1e J/s, %zu vertices\n",
                 8. / n, low, high, energy_error, vertices);
     if (n > 10)

@@ -24,6 +24,7 @@ struct Scene
   int n_steps = 1500;
   double time_step = 2e-6; ///< [s]
   bool has_drum = false;   ///< instead of the box: it turns, with a lifter
+  bool has_sheet = false;  ///< instead of the lid: a sheet with ripples
 };
 
 inline dem::EngineParameters parameters()
@@ -53,6 +54,28 @@ inline std::vector<std::shared_ptr<const dem::Coefficients>> series()
     all.push_back(std::make_shared<const dem::Coefficients>(std::move(bumpy)));
   }
   return all;
+}
+
+/// A sheet over the box, seen from above counter-clockwise.
+inline dem::FacetSurface sheet(double edge)
+{
+  constexpr int n = 9;
+  dem::FacetSurface surface;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      surface.position.emplace_back(edge * (1.2 * i / n - 0.1),
+                                    edge * (1.2 * j / n - 0.1), edge);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+    {
+      const int at = j * (n + 1) + i;
+      surface.triangles.push_back({at, at + 1, at + n + 2});
+      surface.triangles.push_back({at, at + n + 2, at + n + 1});
+    }
+  surface.velocity.assign(surface.position.size(), dem::Vec3::Zero());
+  surface.mass.assign(surface.position.size(), 1e-4);
+  surface.load = surface.velocity;
+  return surface;
 }
 
 /// Graded particles on a lattice in a box that its lid closes slowly.
@@ -107,7 +130,33 @@ inline dem::Engine build(const Scene &scene, std::shared_ptr<dem::Ranks> ranks)
                 normal);
     }
   planes(engine).back().velocity = {0., 0., -0.5};
+  if (scene.has_sheet)
+  {
+    deactivate_plane(engine, 5);
+    attach_surface(engine, sheet(edge));
+  }
   return engine;
+}
+
+/// Presses on the particles, with ripples that run along it.
+inline void move_sheet(dem::Engine &engine, double time_step)
+{
+  dem::FacetSurface &lid = dem::surface(engine);
+  const double time = engine.time() + time_step;
+  for (std::size_t v = 0; v < lid.position.size(); ++v)
+  {
+    const dem::Vec3 &x = lid.position[v];
+    lid.velocity[v] = {0.2 * std::sin(300. * x.y()), 0.,
+                       -0.5 + std::sin(200. * x.x() + 2e4 * time)};
+    lid.position[v] += time_step * lid.velocity[v];
+  }
+}
+
+inline void advance(const Scene &scene, dem::Engine &engine)
+{
+  if (scene.has_sheet)
+    move_sheet(engine, scene.time_step);
+  engine.advance(scene.time_step);
 }
 
 /// What a particle is, in numbers.
@@ -198,8 +247,8 @@ struct Twins
   {
     for (int step = 0; step < n_steps; ++step)
     {
-      shared.advance(scene.time_step);
-      alone.advance(scene.time_step);
+      many_ranks::advance(scene, shared);
+      many_ranks::advance(scene, alone);
       std::array listed{std::int64_t(shared.pairs().size())};
       all->sum(listed);
       ASSERT_EQ(listed[0], std::int64_t(alone.pairs().size()));
@@ -258,6 +307,14 @@ struct Twins
     {
       EXPECT_EQ(planes(some)[p].force, planes(all_here)[p].force);
       EXPECT_EQ(planes(some)[p].work, planes(all_here)[p].work);
+    }
+    for (std::size_t s = 0; s < surfaces(all_here).size(); ++s)
+    {
+      const dem::FacetBoundary &mine = facet_boundary(some, s),
+                               &yours = facet_boundary(all_here, s);
+      EXPECT_EQ(mine.surface.load, yours.surface.load);
+      EXPECT_EQ(mine.impulse, yours.impulse);
+      EXPECT_EQ(mine.work(), yours.work());
     }
     const dem::Drum &mine = drum(some), &yours = drum(all_here);
     EXPECT_EQ(mine.torque, yours.torque);

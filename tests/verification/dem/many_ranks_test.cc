@@ -43,6 +43,8 @@ void expect_same_bits(const Scene &scene, std::int64_t partition_interval)
     if (part == 3)
       twins.restore_alone(scene);
   }
+  for (const dem::FacetBoundary &lid : surfaces(twins.alone))
+    EXPECT_NE(lid.work(), 0.);
   if (twins.all->size() == 1)
     return;
   EXPECT_GT(twins.shared.distribution().n_partitions(), 0);
@@ -134,6 +136,32 @@ TEST(ManyRanks, TrueSurfacesInATurningDrum)
   expect_same_bits(scene, 1);
 }
 
+TEST(ManyRanks, SpheresUnderASheet)
+{
+  Scene scene = of_spheres();
+  scene.has_sheet = true;
+  expect_same_bits(scene, 1);
+}
+
+TEST(ManyRanks, RadiiTowardsASheet)
+{
+  Scene scene;
+  scene.parameters = parameters();
+  scene.parameters.geometry.wall_geometry = dem::ContactGeometry::radial;
+  scene.parameters.surface.law = "hertz";
+  scene.has_shapes = true;
+  scene.n_along = 5;
+  scene.has_sheet = true;
+  expect_same_bits(scene, 2);
+}
+
+TEST(ManyRanks, TrueSurfacesUnderASheet)
+{
+  Scene scene = of_surfaces();
+  scene.has_sheet = true;
+  expect_same_bits(scene, 1);
+}
+
 /// Particles that spall at contacts with others and with walls.
 void expect_same_events(Scene scene)
 {
@@ -142,7 +170,7 @@ void expect_same_events(Scene scene)
   scene.parameters.breakage.min_diameter = 0.;
   scene.has_shapes = true;
   scene.n_along = 4;
-  scene.n_steps = 900;
+  scene.n_steps = std::min(scene.n_steps, 900);
   Twins twins(scene);
   twins.shared.set_partition_interval(1);
   for (int part = 0; part < 5; ++part)
@@ -195,6 +223,23 @@ TEST(ManyRanks, CornersOfTrueSurfacesBreakOffInATurningDrum)
 {
   Scene scene = of_surfaces();
   scene.has_drum = true;
+  expect_same_events(scene);
+}
+
+TEST(ManyRanks, CornersBreakOffUnderASheet)
+{
+  Scene scene;
+  scene.parameters = parameters();
+  scene.parameters.geometry.wall_geometry = dem::ContactGeometry::radial;
+  scene.has_sheet = true;
+  expect_same_events(scene);
+}
+
+TEST(ManyRanks, CornersOfTrueSurfacesBreakOffUnderASheet)
+{
+  Scene scene = of_surfaces();
+  scene.n_steps = 500;
+  scene.has_sheet = true;
   expect_same_events(scene);
 }
 

@@ -16,11 +16,23 @@ namespace dem
 struct BoundarySearch
 {
   ContactPointSearchInput points; ///< of true surfaces; layout of no boundary
-  double skin = 0.;               ///< how far beyond contact lists look [m]
-  double rigid_path = 0.;         ///< by the fastest rigid boundary [m]
-  double &deforming_left;         ///< skin left of boundaries that deform [m]
-  LostEnergy &retired;            ///< takes what dropped springs held
+  /// Whether it is so on any rank: all ranks search at the same time.
+  std::function<bool(bool)> is_on_any_rank;
+  double least_radius = 0.; ///< of the equivalent spheres of all ranks [m]
+  double skin = 0.;         ///< how far beyond contact lists look [m]
+  double rigid_path = 0.;   ///< by the fastest rigid boundary [m]
+  double &deforming_left;   ///< skin left of boundaries that deform [m]
+  LostEnergy &retired;      ///< takes what dropped springs held
   ContactPointEvents &events;
+};
+
+/// Sums over the contacts of a boundary that do not depend on the order of
+/// their terms, nor on the ranks that have them.
+struct BoundarySums
+{
+  std::span<ExactSum> exact = {};
+  /// Sums of multiples of a spacing that all ranks choose alike: for many sums.
+  std::span<std::int64_t> counts = {};
 };
 
 /// What particles meet besides each other. The engine holds any number of them
@@ -65,8 +77,18 @@ public:
   /// below all that it stores of contacts goes with them, and sum_loads() is
   /// all that ranks must sum.
   virtual bool can_be_shared() const { return false; }
-  /// What it stores of single particles besides; null: nothing.
+  /// Pairs of particles and itself that may touch; null: it stores none.
   virtual std::vector<CandidatePair> *candidates() { return nullptr; }
+  /// What it stores of single particles besides follows them to other rows:
+  /// new_row[old] = new, -1: they are gone.
+  virtual void keep_particles(const std::vector<std::int32_t> &) {}
+  /// Writes what it stores of these rows; a boundary of the same kind adds it,
+  /// for particles from row `first` on.
+  virtual void pack_particles(std::ostream &,
+                              const std::vector<std::int32_t> &) const
+  {
+  }
+  virtual void unpack_particles(std::istream &, std::size_t) {}
   /// Contact k becomes contact order[k]; others are gone.
   virtual void keep_contacts(const std::vector<std::int32_t> &order);
   /// Sorts the contacts by particle, part of the boundary, and where they are
@@ -84,9 +106,8 @@ public:
   /// Contact k becomes contact l of the other one, with its own particle.
   virtual void take_contact(std::size_t k, const Boundary &other,
                             std::size_t l);
-  /// The particles have got other numbers: new_row[old] = new.
-  virtual void renumber(const std::vector<std::int32_t> &new_row,
-                        bool follows_surfaces) = 0;
+  /// Work of a touching contact over that of two spheres [-].
+  virtual double contact_cost() const { return 1.; }
 
   /// Finds where the particles meet it now.
   virtual ForceSum meet(const ForceContext &context) = 0;
@@ -94,11 +115,14 @@ public:
   virtual Walls walls(const ForceContext &context) = 0;
   /// Sums over the contacts of this rank, which the engine makes sums over all
   /// ranks before apply_loads().
-  virtual std::span<ExactSum> sum_loads(const SumGrid &) { return {}; }
+  virtual BoundarySums sum_loads(const SumGrid &) { return {}; }
   /// Takes the loads of the contacts; books the other half of the work.
   virtual void apply_loads(double time_step) = 0;
   /// Done on the particles [J].
   virtual double work() const = 0;
+
+  /// The particles have got other numbers: new_row[old] = new.
+  void renumber(const std::vector<std::int32_t> &new_row);
 
   /// Full state, bit for bit; unpack() on a new one of the kind.
   void pack(std::ostream &out) const;

@@ -32,8 +32,6 @@ public:
   void find_candidates(const BoundarySearch &search) override;
   bool can_be_shared() const override { return true; }
   std::vector<CandidatePair> *candidates() override { return &listed; }
-  void renumber(const std::vector<std::int32_t> &new_row,
-                bool follows_surfaces) override;
   void keep_contacts(const std::vector<std::int32_t> &order) override;
   std::vector<std::int32_t> sort_contacts() override;
   void pack_contacts(std::ostream &out,
@@ -44,7 +42,7 @@ public:
                     std::size_t l) override;
   ForceSum meet(const ForceContext &context) override;
   Walls walls(const ForceContext &context) override;
-  std::span<ExactSum> sum_loads(const SumGrid &grid) override;
+  BoundarySums sum_loads(const SumGrid &grid) override;
   void apply_loads(double time_step) override;
   double work() const override { return drum.work; }
 
@@ -58,6 +56,7 @@ private:
 
   DrumLifter lifter;                 ///< where `drum` stands
   std::vector<CandidatePair> listed; ///< of true surfaces, sorted
+  std::uint8_t was_searched = 0;     ///< by true surfaces
   std::vector<WallRow> rows;         ///< those of the last step are read
   std::vector<double> overlap;
   std::array<ExactSum, 2> load_sums; ///< torque [N m], thrust [N]

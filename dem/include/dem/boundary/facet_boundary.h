@@ -28,22 +28,38 @@ public:
   int event_kind() const override { return 2; }
   std::int64_t event_other(std::size_t) const override { return number; }
   bool deforms() const override { return true; }
+  bool can_be_shared() const override { return true; }
+  double contact_cost() const override { return follows() ? 20. : 5.; }
   /// Whoever deforms it moves it.
   void move(double) override {}
   /// Throws std::runtime_error where a velocity is no finite number.
   double speed() const override;
   void find_candidates(const BoundarySearch &search) override;
-  void renumber(const std::vector<std::int32_t> &new_row,
-                bool follows_surfaces) override;
+  std::vector<CandidatePair> *candidates() override { return &near_particles; }
+  void keep_particles(const std::vector<std::int32_t> &new_row) override;
+  void
+  pack_particles(std::ostream &out,
+                 const std::vector<std::int32_t> &particles) const override;
+  void unpack_particles(std::istream &in, std::size_t first) override;
+  void keep_contacts(const std::vector<std::int32_t> &order) override;
+  std::vector<std::int32_t> sort_contacts() override;
+  void pack_contacts(std::ostream &out,
+                     const std::vector<std::int32_t> &contacts) const override;
+  void unpack_contacts(std::istream &in) override;
+  void swap_contacts(Boundary &other) override;
+  void take_contact(std::size_t k, const Boundary &other,
+                    std::size_t l) override;
   ForceSum meet(const ForceContext &context) override;
   Walls walls(const ForceContext &context) override;
+  BoundarySums sum_loads(const SumGrid &grid) override;
   void apply_loads(double time_step) override;
   double work() const override { return work_done; }
 
   std::string label; ///< distinguishes the surfaces of a scene
   FacetSurface surface;
   FacetTopology topology;
-  FacetCandidates candidates;
+  FacetCandidates near; ///< particles and triangles
+  FacetContactPoints contact_points;
   /// Load on each vertex over time since somebody set it to zero, by the
   /// trapezoidal rule: the momentum that the particles have lost [N s].
   std::vector<Vec3> impulse;
@@ -56,16 +72,27 @@ public:
   Mat3 spread_of(std::size_t k) const;
 
 private:
-  void gather(const ForceContext &context, const WallSearch &search);
+  /// Particles meet it with their surfaces.
+  bool follows() const { return batch.layout.has_contact_points; }
+  /// Calls visit(column) for the columns of the work space by contact.
+  template <class Self, class Visit>
+  static void visit_work_space(Self &self, const Visit &visit);
+  void number_contacts();
   void pack_parts(std::ostream &out) const override;
   void unpack_parts(std::istream &in) override;
 
   std::int64_t number = 0;
   double work_done = 0.;         ///< on the particles [J]
+  std::uint8_t was_searched = 0; ///< by true surfaces
   std::vector<Vec3> load_before; ///< of the last step [N]
   /// Particles that may come to it, if they follow their surfaces; sorted.
   std::vector<CandidatePair> near_particles;
   FacetMotion watch; ///< what has moved since then
+
+  /// Loads of the particles on the vertices by component, negative, and their
+  /// spacing [N].
+  std::vector<std::int64_t> load_counts;
+  double load_spacing = 0.;
 
   // Space to work in, kept from step to step.
   std::vector<WallRow> rows;

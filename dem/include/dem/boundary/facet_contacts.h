@@ -69,21 +69,16 @@ inline Vec3 point_at(const FacetSurface &surface,
   return point;
 }
 
-/// Particles near the facet surface with the triangles each may reach, and the
-/// contact slots of each (slots_per_particle in a row, in the batch).
+/// Particles near the facet surface with the triangles each may reach.
 struct FacetCandidates
 {
   std::vector<std::int32_t> particle;
-  std::vector<std::int32_t> row_start; ///< size particles + 1
+  std::vector<std::int32_t> row_start{0}; ///< size particles + 1
   std::vector<std::int32_t> triangle;
   /// A triangle need not be checked before ForceContext::path_length has come
   /// this far; empty where particles follow their surfaces [m].
   std::vector<double> triangle_reactivation;
-  std::vector<FacetContactPoint> contact_point; ///< of each slot
-  /// A particle without contact need not be checked before
-  /// ForceContext::path_length has come this far; where particles follow their
-  /// surfaces one for each contact, of the path lengths of particle and surface
-  /// [m].
+  /// The same of a particle without contact [m].
   std::vector<double> reactivation;
 
   /// Candidates of the particle in this row.
@@ -93,6 +88,36 @@ struct FacetCandidates
         static_cast<std::size_t>(row_start[row]),
         static_cast<std::size_t>(row_start[row + 1] - row_start[row]));
   }
+
+  /// Some rows, in this order.
+  FacetCandidates select(const std::vector<std::int32_t> &rows) const;
+  /// Adds rows at the end.
+  void append(const FacetCandidates &more);
+
+  /// Calls call(column) for all that a checkpoint stores.
+  template <class Self, class Column>
+  static void visit(Self &self, const Column &column)
+  {
+    column(self.particle);
+    column(self.row_start);
+    column(self.triangle);
+    column(self.triangle_reactivation);
+    column(self.reactivation);
+  }
+};
+
+/// What contacts with a facet surface store besides their batch. Balls have
+/// slots_per_particle contacts for each row of the candidates, which stand in
+/// the same order.
+struct FacetContactPoints
+{
+  std::vector<FacetContactPoint> point;
+  /// Where particles follow their surfaces: a contact need not be looked at
+  /// before the path lengths of particle and surface have come this far [m].
+  std::vector<double> reactivation;
+
+  FacetContactPoints select(const std::vector<std::int32_t> &contacts) const;
+  void append(const FacetContactPoints &more);
 };
 
 /// Finds where the particles meet the facet surface, one slot per smooth patch;
@@ -102,14 +127,11 @@ struct FacetCandidates
 /// Walls::extra.
 void find_facets(const ForceContext &context, const FacetMesh &mesh,
                  const ContactBatch &batch, FacetCandidates &candidates,
+                 std::vector<FacetContactPoint> &contact_points,
                  std::vector<WallRow> &rows, std::vector<double> &extra);
 
 /// The surface at one of its contact_points, as a contact meets it that was
 /// `before` in the last step.
 WallRow facet_row(const FacetSurface &surface, const FacetContactPoint &now,
                   const FacetContactPoint &before);
-
-/// Adds the loads of the contacts to the vertices of the surface.
-void load_surface(const FacetCandidates &candidates, const ContactBatch &batch,
-                  FacetSurface &surface);
 } // namespace dem

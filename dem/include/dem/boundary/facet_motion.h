@@ -24,8 +24,8 @@ struct FacetMotion
   std::vector<Gathered> gathered;
   std::vector<Vec3> vertices; ///< of the surface then [m]
 
-  std::vector<std::int32_t> row_start; ///< size rows of the candidates + 1
-  std::vector<std::int32_t> vertex;    ///< of their triangles, each once
+  std::vector<std::int32_t> row_start{0}; ///< size rows of the candidates + 1
+  std::vector<std::int32_t> vertex;       ///< of their triangles, each once
   /// In the body frame at the last search [m].
   std::vector<Vec3> vertex_position;
   std::vector<double> volume; ///< of the particle then; < 0: none yet [m^3]
@@ -48,6 +48,13 @@ struct FacetMotion
   /// has changed [m].
   double moved(const ParticleSystem &particles, const FacetSurface &surface,
                std::int32_t particle, std::size_t row) const;
+
+  /// Some rows of the candidates, in this order, with `gathered` of these
+  /// particles; of those that have none the candidates hold nothing.
+  FacetMotion select(const std::vector<std::int32_t> &rows,
+                     const std::vector<std::int32_t> &particles) const;
+  /// Adds rows and particles at the end.
+  void append(const FacetMotion &more);
 
   /// Calls call(column) for all that a checkpoint stores.
   template <class Self, class Column>

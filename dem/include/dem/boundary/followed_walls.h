@@ -17,11 +17,11 @@ struct FollowedDrum
   std::vector<double> &overlap; ///< < 0: a gap [m]
 };
 
-/// The same for a facet surface, with the contact_points of the contacts.
+/// The same for a facet surface, with the contact points of the contacts.
 struct FollowedFacets
 {
   FacetMesh mesh;
-  FacetCandidates &candidates;
+  FacetContactPoints &contact_points;
   double path_length = 0.; ///< by the fastest vertex at each step [m]
   std::vector<WallRow> &rows;
   std::vector<double> &overlap; ///< < 0: a gap [m]

@@ -23,10 +23,9 @@ public:
   double speed() const override;
   double beyond(const Vec3 &point) const override;
   void find_candidates(const BoundarySearch &search) override;
-  void renumber(const std::vector<std::int32_t> &new_row, bool) override;
   ForceSum meet(const ForceContext &context) override;
   Walls walls(const ForceContext &) override { return {material, rows}; }
-  std::span<ExactSum> sum_loads(const SumGrid &grid) override;
+  BoundarySums sum_loads(const SumGrid &grid) override;
   bool can_be_shared() const override { return true; }
   std::vector<CandidatePair> *candidates() override { return &supports; }
   void apply_loads(double time_step) override;

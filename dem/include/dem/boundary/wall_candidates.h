@@ -36,6 +36,7 @@ FacetCandidates near_facets(const ParticleSystem &particles,
 /// triangles within reach; slots of particles that stay keep what they carry.
 void rebuild_facets(const ParticleSystem &particles,
                     const FacetSurface &surface, const WallSearch &search,
-                    FacetCandidates &candidates, ContactBatch &batch,
-                    LostEnergy &retired);
+                    FacetCandidates &candidates,
+                    std::vector<FacetContactPoint> &contact_points,
+                    ContactBatch &batch, LostEnergy &retired);
 } // namespace dem

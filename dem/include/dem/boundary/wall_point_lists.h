@@ -23,11 +23,12 @@ struct DrumCandidates
 };
 
 /// A facet surface with the triangles that each particle may reach and the
-/// contact_points of its contacts, which go with them.
+/// contact points of its contacts, which go with them.
 struct FacetCandidateRows
 {
   FacetMesh mesh;
-  FacetCandidates &candidates;
+  const FacetCandidates &candidates;
+  FacetContactPoints &contact_points;
   std::vector<CandidatePair> &particles; ///< on it, sorted
   FacetMotion &watch;                    ///< of these candidates
 

@@ -26,6 +26,9 @@ struct SumGrid
     return force > 0. ? 0x1p44 * force
                       : std::numeric_limits<double>::infinity();
   }
+  /// Spacing of loads on the vertices of surfaces, whose sums are integers of
+  /// 64 bits: 8192 contacts of the largest force fit on a vertex [N].
+  double vertex_load() const { return 0x1p-6 * force; }
   /// Sum of the sizes of forces up to which their sum is exact [N]; 0 where
   /// nothing is rounded.
   double largest_sum() const { return 0x1p53 * force; }

@@ -54,6 +54,7 @@ public:
   /// Whether contact points have displaced since the lists were made.
   bool displaced() const { return has_displaced; }
   void note_displaced() { has_displaced = true; }
+  bool displaced_on_deforming() const { return has_displaced_on_deforming; }
   void note_displaced_on_deforming() { has_displaced_on_deforming = true; }
 
   /// All lists were made within the skin, or those of deforming surfaces alone.

@@ -160,11 +160,11 @@ private:
   std::vector<Layer> finished;
 };
 
-/// Upper bound of where particles end [m]; the floor without particles.
-double top_of(const ParticleSystem &particles, double floor);
+/// Upper bound of where the particles of all ranks end [m]; the floor without
+/// particles. Collective.
+double top_of(const Engine &engine, double floor);
 
-/// Sum of the resultant forces on the particles over the sum of their weights
-/// [-].
-double unbalanced_weight_ratio(const ParticleSystem &particles,
-                               const Vec3 &gravity);
+/// Sum of the resultant forces on the particles of all ranks over the sum of
+/// their weights [-]. Collective.
+double unbalanced_weight_ratio(const Engine &engine);
 } // namespace dem

@@ -5,6 +5,7 @@
 #include <dem/parallel/halo.h>
 #include <dem/parallel/series_pool.h>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -37,8 +38,10 @@ public:
   /// Drops the ghosts, and gives all particles with their contacts to the ranks
   /// that own them; the boxes are made again where the loads of the ranks
   /// differ by more than a tenth, or always. Partners in pairs
-  /// and candidates are named by id from here on. Collective.
-  void migrate(const DistributedParts &parts, bool repartitions);
+  /// and candidates are named by id from here on. `arrive` may add particles of
+  /// this rank, wherever they are. Collective.
+  void migrate(const DistributedParts &parts, bool repartitions,
+               const std::function<void()> &arrive = {});
   /// Of a scene that every rank has as a whole, each keeps its own part: as
   /// after migrate(). Collective.
   void deal_out(const DistributedParts &parts);

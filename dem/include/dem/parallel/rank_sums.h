@@ -7,8 +7,13 @@
 
 namespace dem
 {
-/// Sums entry by entry over all ranks: the same bits on any number of ranks.
+/// Sums entry by entry over all ranks, in one message: the same bits on any
+/// number of ranks.
 /// Throws std::overflow_error on all of them where a sum is out of range.
 /// Collective.
-void sum_over_ranks(const Ranks &ranks, std::span<ExactSum> sums);
+void sum_over_ranks(const Ranks &ranks, std::span<ExactSum> sums,
+                    std::span<std::int64_t> counts = {});
+
+/// Whether any rank says so. Collective.
+bool any_of_ranks(const Ranks &ranks, bool own);
 } // namespace dem

@@ -211,7 +211,7 @@ TEST_P(EngineCheckpointOf, ContinuesBitForBit)
   // Breakage has made shapes of their own before and makes more after.
   EXPECT_GT(n_before, 0);
   for (const dem::FacetBoundary &facets : dem::surfaces(unbroken.engine))
-    EXPECT_FALSE(facets.candidates.particle.empty()) << facets.label;
+    EXPECT_FALSE(facets.near.particle.empty()) << facets.label;
 
   Scene resumed(GetParam());
   std::istringstream in(state, std::ios::binary);

@@ -107,8 +107,9 @@ int check_lists(const Gas &gas)
   const auto x = engine.particles().column(&dem::ParticleState::position);
   const Pairs pairs = listed(engine.pairs());
   const Pairs on_planes = listed(dem::on_planes(engine));
-  const std::set<std::int32_t> at_facets(dem::facets(engine).particle.begin(),
-                                         dem::facets(engine).particle.end());
+  const std::set<std::int32_t> at_facets(
+      dem::facet_boundary(engine).near.particle.begin(),
+      dem::facet_boundary(engine).near.particle.end());
   int n = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
   {
