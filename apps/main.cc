@@ -51,8 +51,8 @@ constexpr std::array<Command, 8> commands = {
       "write a self-contained report.html", report_command,
       Processes::without_mpi},
      {"study",
-      "STUDY.prm [--out DIR] [--jobs N] [--figures FOLDER] [--page FILE] "
-      "[--set Section/key=value ...]",
+      "STUDY.prm [--out DIR] [--jobs N] [--ranks-per-case N] [--mpirun WORDS] "
+      "[--figures FOLDER] [--page FILE] [--set Section/key=value ...]",
       "run a sweep of cases, or go on with it; table and report", study_command,
       Processes::without_mpi},
      {"shape",

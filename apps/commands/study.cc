@@ -11,6 +11,9 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <iterator>
+#include <optional>
+#include <sstream>
 #include <thread>
 
 namespace spall
@@ -25,13 +28,31 @@ struct StudyOptions
 {
   std::string file, out, figures, page;
   std::vector<Override> overrides;
-  int jobs =
-      static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  StudyRuns how;
 };
+
+/// A whole number from 1 up.
+int count_from(const std::string &option, const std::string &text)
+{
+  int n = 0;
+  const char *end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(text.data(), end, n);
+  if (status != std::errc{} || stop != end || n < 1)
+    throw InputError("study: " + option + " " + text +
+                     ": must be a whole number from 1 up");
+  return n;
+}
+
+std::vector<std::string> words_of(const std::string &text)
+{
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
 
 StudyOptions parse_options(Words words)
 {
   StudyOptions options;
+  std::optional<int> jobs;
   for (std::size_t k = 0; k < words.size(); ++k)
   {
     const std::string &word = words[k];
@@ -50,25 +71,25 @@ StudyOptions parse_options(Words words)
     else if (word == "--set")
       options.overrides.push_back(parse_override(value()));
     else if (word == "--jobs")
-    {
-      const std::string &text = value();
-      const auto [end, status] =
-          std::from_chars(text.data(), text.data() + text.size(), options.jobs);
-      if (status != std::errc{} || end != text.data() + text.size() ||
-          options.jobs < 1)
-        throw InputError("study: --jobs " + text +
-                         ": must be a whole number from 1 up");
-    }
+      jobs = count_from(word, value());
+    else if (word == "--ranks-per-case")
+      options.how.ranks = count_from(word, value());
+    else if (word == "--mpirun")
+      options.how.mpirun = words_of(value());
     else if (word.starts_with("--") || !options.file.empty())
-      throw InputError(
-          "study: " + word +
-          ": must be one study file, --out DIR, --jobs N, "
-          "--figures FOLDER, --page FILE or --set Section/key=value");
+      throw InputError("study: " + word +
+                       ": must be one study file, --out DIR, --jobs N, "
+                       "--ranks-per-case N, --mpirun WORDS, --figures FOLDER, "
+                       "--page FILE or --set Section/key=value");
     else
       options.file = word;
   }
   if (options.file.empty())
     throw InputError("study: a study file must be given");
+  const auto n_cores = static_cast<int>(std::thread::hardware_concurrency());
+  options.how.jobs = jobs.value_or(std::max(1, n_cores / options.how.ranks));
+  if (options.how.mpirun.empty())
+    throw InputError("study: --mpirun: must name a program");
   if (options.out.empty())
     options.out = "runs/" + fs::path(options.file).stem().string();
   return options;
@@ -165,9 +186,12 @@ int study_command(Words words)
   if (!options.figures.empty())
     make_folder(options.figures);
   std::cout << study.title << ": " << points.size() << " cases, "
-            << options.jobs << " at a time" << std::endl;
+            << options.how.jobs << " at a time";
+  if (options.how.ranks > 1)
+    std::cout << " on " << options.how.ranks << " ranks each";
+  std::cout << std::endl;
   const std::vector<PointResult> results =
-      run_points(study, points, folder, options.jobs);
+      run_points(study, points, folder, options.how);
   const auto n_failed =
       std::ranges::count(results, false, &PointResult::is_done);
   if (are_programs_stopped())

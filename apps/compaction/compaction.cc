@@ -122,10 +122,17 @@ void Compaction::take_prepared(std::istream &in)
   hand_over(height_above_layers());
 }
 
-/// The plate comes as the tamper did, from where that had touched [m].
+/// The plate comes as the tamper did, from where that had touched, or from
+/// above a particle that has sprung up since [m].
 double Compaction::height_above_layers() const
 {
-  return pouring.layers().back().height + 1e-3 * scene.room.width_x;
+  const dem::ParticleSystem &all = whole().particles();
+  double top = pouring.layers().back().height;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    top = std::max(
+        top, all.position(i).z() +
+                 dem::wall_bound(all, i, parameters.contact.wall_geometry));
+  return top + 1e-3 * scene.room.width_x;
 }
 
 /// From the tamper to the plate, which comes from this height [m].

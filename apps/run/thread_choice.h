@@ -8,7 +8,7 @@
 namespace spall
 {
 /// Numbers of threads that a run may have: every power of two up to `most`, and
-/// `most`; 0 stands for all cores.
+/// `most`; 0 stands for all cores that the process has.
 std::vector<int> thread_candidates(int most);
 
 /// Number of OpenMP threads of a run: the fastest now, as ThreadPlan finds it.

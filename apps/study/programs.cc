@@ -68,8 +68,10 @@ int run_program(const std::vector<std::string> &words,
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   pid_t child = 0;
-  const int fault = posix_spawn(&child, "/proc/self/exe", &actions, nullptr,
-                                arguments.data(), environ);
+  const bool is_this = words.front() == "spall";
+  const int fault =
+      posix_spawnp(&child, is_this ? "/proc/self/exe" : arguments.front(),
+                   &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (fault != 0)
     return -1;

@@ -7,7 +7,8 @@
 /// Concurrent runs of this program.
 namespace spall
 {
-/// Runs this program on the words, standard output and error into `log`;
+/// Runs a program with its words, of which the first names it ("spall": this
+/// one), standard output and error into `log`;
 /// returns the exit status, or -1. For up to 256 threads at a time.
 int run_program(const std::vector<std::string> &words,
                 const std::filesystem::path &log);

@@ -6,6 +6,7 @@
 #include "study/programs.h"
 #include "study/study.h"
 #include "test/checkpoint.h"
+#include "test/test.h"
 
 #include <algorithm>
 #include <atomic>
@@ -106,8 +107,22 @@ bool holds_case(const StudyPoint &point, const fs::path &run)
          case_of(run) == without_comments(point.resolved);
 }
 
+/// What comes before the words of a run: this program, on several ranks if the
+/// case can be spread over them.
+std::vector<std::string> launch_words(const StudyRuns &how,
+                                      const fs::path &file)
+{
+  if (how.ranks == 1 || !needs_one_rank(read_case(file.string(), {})).empty())
+    return {"spall"};
+  std::vector<std::string> words = how.mpirun;
+  words.insert(words.end(), {"-n", std::to_string(how.ranks),
+                             fs::read_symlink("/proc/self/exe").string()});
+  return words;
+}
+
 /// Runs the case of a point, or continues it.
-PointResult run_point(const StudyPoint &point, const fs::path &folder)
+PointResult run_point(const StudyPoint &point, const fs::path &folder,
+                      const StudyRuns &how)
 {
   PointResult result;
   const fs::path run = folder / point.folder,
@@ -118,9 +133,9 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
   {
     write_text(file, point.resolved);
     const std::string shared = folder / "preparations";
-    std::vector<std::string> words = {
-        "spall",     "run", file.string(),    "--out", run.string(),
-        "--threads", "1",   "--preparations", shared};
+    std::vector<std::string> words = launch_words(how, file);
+    words.insert(words.end(), {"run", file.string(), "--out", run.string(),
+                               "--threads", "1", "--preparations", shared});
     if (const fs::path state = run / "checkpoint" / "state.bin";
         is_same && fs::exists(state))
       words.emplace_back(is_of_this_version(state) && has_all_keys(point, run)
@@ -128,7 +143,10 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder)
                              : "--overwrite");
     if (const int status = run_program(words, log); status != 0)
     {
-      result.fault = "status " + std::to_string(status) + ": " + last_line(log);
+      result.fault =
+          status < 0
+              ? words.front() + " was not started, or was killed"
+              : "status " + std::to_string(status) + ": " + last_line(log);
       return result;
     }
   }
@@ -227,10 +245,11 @@ std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
 
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
-                                    const fs::path &folder, int jobs)
+                                    const fs::path &folder,
+                                    const StudyRuns &how)
 {
   std::vector<PointResult> results(points.size());
-  const std::vector<std::size_t> order = running_order(points, jobs);
+  const std::vector<std::size_t> order = running_order(points, how.jobs);
   pass_on_stops();
   std::atomic<std::size_t> next = 0;
   std::vector<char> is_found(points.size());
@@ -249,7 +268,7 @@ std::vector<PointResult> run_points(const Study &study,
       const fs::path run = folder / points[k].folder;
       try
       {
-        results[k] = run_point(points[k], folder);
+        results[k] = run_point(points[k], folder, how);
       }
       catch (const std::exception &error)
       {
@@ -260,7 +279,7 @@ std::vector<PointResult> run_points(const Study &study,
     }
   };
   std::vector<std::jthread> workers;
-  for (int j = 0; j < jobs; ++j)
+  for (int j = 0; j < how.jobs; ++j)
     workers.emplace_back(work);
   workers.clear(); // joins
   return results;

@@ -145,15 +145,23 @@ struct PointResult
 std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
                                        int jobs);
 
-/// Runs what is not done yet as programs of their own, `jobs` at a time, each
-/// with one thread, in the order above; a run with a checkpoint is resumed. A
+/// How the cases of a study run.
+struct StudyRuns
+{
+  int jobs = 1;  ///< cases at a time
+  int ranks = 1; ///< of each case that can be spread over ranks
+  std::vector<std::string> mpirun = {"mpirun"}; ///< words that start ranks
+};
+
+/// Runs what is not done yet as programs of their own, each with one thread of
+/// every rank, in the order above; a run with a checkpoint is resumed. A
 /// case that fails does not stop the others; SIGINT and SIGTERM do, each with
 /// its checkpoint. Cases that prepare the same specimen share it, in the folder
 /// `preparations`.
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const std::filesystem::path &folder,
-                                    int jobs);
+                                    const StudyRuns &how);
 
 /// study.csv: one row per case. Throws RunFailure.
 void write_study_table(const Study &study,

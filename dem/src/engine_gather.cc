@@ -6,22 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 
 namespace dem
 {
 namespace
 {
-std::unique_ptr<Boundary> copy_of(const Boundary &boundary)
-{
-  std::stringstream bytes;
-  boundary.pack(bytes);
-  auto copy = make_boundary(boundary.kind());
-  copy->unpack(bytes);
-  return copy;
-}
-
 void forget_particles(Boundary &boundary, std::size_t n_particles)
 {
   boundary.keep_contacts({});
@@ -74,7 +64,7 @@ std::unique_ptr<EngineState> EngineState::gathered()
   whole->keeps_inside = keeps_inside;
   whole->spent = spent;
   for (const auto &boundary : walls)
-    whole->walls.push_back(copy_of(*boundary));
+    whole->walls.push_back(boundary->copy());
   whole->contact_points = contact_points;
   whole->patches = patches;
   if (distribution.is_shared())

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Any number of MPI ranks gives the same bits; faults end all ranks at once.
 
-    ranks.py SPALL same|membrane|jumps|drum|compaction|subgrade|continued|faults
+    ranks.py SPALL same|membrane|jumps|drum|study|compaction|
+        subgrade|continued|faults
     ranks.py SPALL membrane_long|compaction_long|subgrade_long
 
 77: no mpirun on this machine
@@ -197,6 +198,38 @@ def drum(spall, root):
     return faults
 
 
+def study(spall, root):
+    """Cases on two ranks each; one that needs one rank gets it."""
+    write_prm(root / "drum.prm", {**DRUM, "Drum": {
+        **DRUM["Drum"], "turns": 0.25, "settling_time": 0.05}})
+    file = write_prm(root / "study.prm", {
+        "Study": {"case": "drum.prm", "outcomes": "n_events, laa_percent"},
+        "Sweep": {"Breakage/memory": "contact, patch"}})
+    faults = []
+    for name, more in (("one", ()), ("two", (
+            "--ranks-per-case", 2, "--mpirun",
+            f"{MPIRUN} --oversubscribe --bind-to none"))):
+        words = [spall, "study", file, "--out", root / name, "--jobs", 1,
+                 *more]
+        subprocess.run(list(map(str, words)), check=True, env=LAUNCHED,
+                       stdout=subprocess.DEVNULL, timeout=200)
+    if (root / "one/study.csv").read_text() != \
+            (root / "two/study.csv").read_text():
+        faults.append("study: other outcomes on two ranks")
+    ranks = sorted(summary(run)["ranks"]
+                   for run in (root / "two").glob("run_*") if run.is_dir())
+    return faults + ([] if ranks == [1, 2] else [f"study: ranks {ranks}"])
+
+
+def check_faults(spall, root):
+    case = command(spall, root / "none", "membrane")[2]
+    ended = launch(2, [spall, "check", case, "--set", "Loading/cycles=1"])
+    said = [line for line in ended.stdout.splitlines()
+            if line.startswith(("ranks", "predicted", "memory"))]
+    return [] if ended.returncode == 0 and len(said) == 3 else [
+        f"check: status {ended.returncode}, {ended.stdout}{ended.stderr}"]
+
+
 def continued(spall, root):
     """Of two ranks, then three, then one, a cycle each."""
     whole, parts = root / "whole", root / "parts"
@@ -265,6 +298,7 @@ def faults(spall, root):
     found = []
     # What no rank can do is said once.
     found += one_line("check", launch(2, [spall, "check", "x.prm"]), "x.prm")
+    found += check_faults(spall, root)
     found += one_line("no file", launch(2, [spall, "run", "x.prm"]), "x.prm")
     found += one_line("patch", launch(2, command(
         spall, root / "patch", "membrane",
@@ -304,7 +338,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         ask = {"same": same, "membrane": membrane,
                "membrane_long": membrane_long, "jumps": jumps,
-               "drum": drum, "compaction": compacted,
+               "drum": drum, "study": study, "compaction": compacted,
                "compaction_long": compacted_long, "subgrade": ground,
                "subgrade_long": ground_long, "continued": continued,
                "faults": faults}[sys.argv[2]]

@@ -7,6 +7,7 @@
 #include <dem/neighbor/candidate_pair.h>
 
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -66,6 +67,15 @@ void Boundary::renumber(const std::vector<std::int32_t> &new_row)
   if (std::vector<CandidatePair> *pairs = candidates())
     renumber_candidates(new_row, *pairs);
   keep_particles(new_row);
+}
+
+std::unique_ptr<Boundary> Boundary::copy() const
+{
+  std::stringstream bytes;
+  pack(bytes);
+  std::unique_ptr<Boundary> made = make_boundary(kind());
+  made->unpack(bytes);
+  return made;
 }
 
 void Boundary::keep_contacts(const std::vector<std::int32_t> &order)

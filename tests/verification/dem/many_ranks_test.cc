@@ -207,7 +207,9 @@ TEST(ManyRanks, CornersBreakOff)
 
 TEST(ManyRanks, CornersOfTrueSurfacesBreakOff)
 {
-  expect_same_events(of_surfaces());
+  Scene scene = of_surfaces();
+  scene.n_steps = 500;
+  expect_same_events(scene);
 }
 
 TEST(ManyRanks, CornersBreakOffInATurningDrum)

@@ -43,8 +43,9 @@ class Boundary
 public:
   explicit Boundary(const WallMaterial &of) : material(of) {}
   virtual ~Boundary() = default;
-  Boundary(const Boundary &) = delete;
   Boundary &operator=(const Boundary &) = delete;
+  /// Through pack() and unpack(), unless a kind has a shorter way.
+  virtual std::unique_ptr<Boundary> copy() const;
 
   /// Name of the kind, in checkpoints and ledgers.
   virtual std::string kind() const = 0;
@@ -130,6 +131,9 @@ public:
 
   WallMaterial material; ///< particles on it
   ContactBatch batch;    ///< `b` is the row in walls()
+
+protected:
+  Boundary(const Boundary &) = default;
 
 private:
   virtual void pack_parts(std::ostream &out) const = 0;

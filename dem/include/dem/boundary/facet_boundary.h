@@ -19,6 +19,10 @@ public:
                 const WallMaterial &law, FacetSurface at_start);
   FacetBoundary();
 
+  std::unique_ptr<Boundary> copy() const override
+  {
+    return std::make_unique<FacetBoundary>(*this);
+  }
   std::string kind() const override { return kind_name; }
   std::string name_of(std::size_t) const override
   {
