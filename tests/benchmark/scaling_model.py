@@ -5,10 +5,10 @@
                      [--latency S] [--bandwidth B_PER_S] [--neighbours N]
                      [--measured RANKS:MS,...] [--mpirun WORDS]
 
-The packing is spread over each number of ranks for a few steps, as many
+The packing is spread over each number of ranks for one step, as so many
 processes on one machine: particles, ghosts, imbalance and bytes of a rank are
-counted, times are not. The time per particle is that of a run on one rank. The
-time of a step is then
+counted, times are not. The time t per particle is that of a run on one rank.
+The time of a step is then
 
     imbalance * (particles * t + ghosts * t / 10)
     + messages * latency + bytes / bandwidth

@@ -78,7 +78,7 @@ public:
 private:
   /// Particles meet it with their surfaces.
   bool follows() const { return batch.layout.has_contact_points; }
-  /// Calls visit(column) for the columns of the work space by contact.
+  /// Calls visit(column) for the columns of the working space by contact.
   template <class Self, class Visit>
   static void visit_work_space(Self &self, const Visit &visit);
   void number_contacts();

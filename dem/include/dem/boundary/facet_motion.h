@@ -50,7 +50,7 @@ struct FacetMotion
                std::int32_t particle, std::size_t row) const;
 
   /// Some rows of the candidates, in this order, with `gathered` of these
-  /// particles; of those that have none the candidates hold nothing.
+  /// particles. One that was added since has none; covers() is false then.
   FacetMotion select(const std::vector<std::int32_t> &rows,
                      const std::vector<std::int32_t> &particles) const;
   /// Adds rows and particles at the end.
