@@ -45,9 +45,8 @@ struct TestKind
                 const SourceLocation &location) = nullptr;
   /// Builds the scene. Throws InputError.
   std::unique_ptr<Test> (*make)(const Case &parameters) = nullptr;
-  /// What of a case cannot be spread over ranks, such as "CycleJump", besides
-  /// what no kind can; empty: all can. Null: no case of the kind can.
-  std::string (*needs_one_rank)(const Case &parameters) = nullptr;
+  /// Its particles can be spread over ranks: measures take Test::whole().
+  bool runs_on_many_ranks = false;
   std::string seed_key; ///< Section/key of the seed of its particles
   /// Section with the key `gradation` of its particles; empty: it has none.
   std::string gradation_section = {};

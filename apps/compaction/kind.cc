@@ -40,7 +40,7 @@ TestKind compaction_kind()
       .set_defaults = set_defaults,
       .check = check_compaction,
       .make = make,
-      .needs_one_rank = [](const Case &) { return std::string(); },
+      .runs_on_many_ranks = true,
       .seed_key = "Filling/seed",
       .gradation_section = "Filling",
       .report = compaction_report};

@@ -34,7 +34,7 @@ TestKind los_angeles_kind()
           .set_defaults = set_defaults,
           .check = check_los_angeles,
           .make = make,
-          .needs_one_rank = [](const Case &) { return std::string(); },
+          .runs_on_many_ranks = true,
           .seed_key = "Charge/seed",
           .gradation_section = "Charge",
           .report = los_angeles_report};

@@ -47,7 +47,7 @@ TestKind subgrade_kind()
       .set_template = set_template,
       .check = check_subgrade,
       .make = make,
-      .needs_one_rank = [](const Case &) { return std::string(); },
+      .runs_on_many_ranks = true,
       .seed_key = "Layer/seed",
       .gradation_section = "Layer",
       .report = subgrade_report};

@@ -279,11 +279,11 @@ void Test::restore(std::istream &in)
 std::string needs_one_rank(const Case &parameters)
 {
   const TestKind *kind = find_kind(parameters.kind);
-  if (!kind || !kind->needs_one_rank)
+  if (!kind || !kind->runs_on_many_ranks)
     return "Case/kind = " + parameters.kind;
   if (parameters.breakage.memory == dem::FactorMemory::patch)
     return "Breakage/memory = patch";
-  return kind->needs_one_rank(parameters);
+  return {};
 }
 
 void require_shareable(const dem::Ranks &ranks, const Case &parameters)

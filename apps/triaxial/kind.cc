@@ -44,7 +44,7 @@ TestKind triaxial_kind()
           .set_template = set_template,
           .check = check_triaxial,
           .make = make,
-          .needs_one_rank = [](const Case &) { return std::string(); },
+          .runs_on_many_ranks = true,
           .seed_key = "Specimen/seed",
           .gradation_section = "Specimen",
           // The step may change the cycle end: Triaxial::restore() checks it.
