@@ -453,11 +453,17 @@ void Exchange::check_ledger(double time) const
 /// Surfaces that crossed stay crossed for longer: checked less often.
 void Exchange::check_surfaces(dem::Engine &engine)
 {
-  if (engine.n_rebuilds() == surfaces_seen_at)
+  // Lists on surfaces may be renewed every few steps: not far enough for a
+  // particle to get through.
+  constexpr std::int64_t least_interval = 50;   // steps
+  constexpr std::int64_t crossing_interval = 8; // checks
+  if (engine.n_rebuilds() == surfaces_seen_at ||
+      engine.n_steps() < next_surface_check)
     return;
   engine.synchronize();
   surfaces_seen_at = engine.n_rebuilds();
-  constexpr std::int64_t crossing_interval = 8; // rebuilds
+  next_surface_check = engine.n_steps() + least_interval;
+  const bool checks_crossing = n_surface_checks++ % crossing_interval == 0;
   const auto check = [&](const dem::FacetBoundary &facets)
   {
     const auto words = [&](const std::optional<dem::SurfaceFault> &fault)
@@ -474,7 +480,7 @@ void Exchange::check_surfaces(dem::Engine &engine)
         engine.distribution().ranks(),
         words(dem::find_left(facets, engine.particles(),
                              engine.parameters().geometry.wall_geometry)));
-    if (surfaces_seen_at % crossing_interval != 0)
+    if (!checks_crossing)
       return;
     if (const auto crossing = dem::find_crossing(facets.mesh()))
       throw FoldStop(words(crossing));

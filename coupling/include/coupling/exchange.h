@@ -201,7 +201,9 @@ private:
   WindowReport report;
   std::int64_t pass_count = 0, window_count = 0, unsettled_count = 0;
   std::int64_t step_count = 0;
-  std::int64_t surfaces_seen_at = -1; ///< rebuilds of the lists then
+  std::int64_t surfaces_seen_at = -1;  ///< rebuilds of the lists then
+  std::int64_t next_surface_check = 0; ///< not before this step of the engine
+  std::int64_t n_surface_checks = 0;
   std::vector<dem::BreakageEvent> held_events;
   ExchangeClock spent;
   std::vector<InterfaceSums> given_before;

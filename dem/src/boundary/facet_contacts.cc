@@ -277,8 +277,10 @@ FacetContactPoints::select(const std::vector<std::int32_t> &contacts) const
   {
     const auto k = static_cast<std::size_t>(contact);
     some.point.push_back(point[k]);
-    if (!reactivation.empty())
-      some.reactivation.push_back(reactivation[k]);
+    if (reactivation.empty())
+      continue;
+    some.reactivation.push_back(reactivation[k]);
+    some.patch_left.push_back(patch_left[k]);
   }
   return some;
 }
@@ -287,6 +289,7 @@ void FacetContactPoints::append(const FacetContactPoints &more)
 {
   append_entries(more.point, point);
   append_entries(more.reactivation, reactivation);
+  append_entries(more.patch_left, patch_left);
 }
 
 WallRow facet_row(const FacetSurface &surface, const FacetContactPoint &now,

@@ -286,6 +286,10 @@ WallContactPoint climbed(ParticleView &particle, const FacetMesh &mesh,
   return {};
 }
 
+/// A refinement that lacks more than so many times what the model promises does
+/// not come there.
+constexpr double trusted_gains = 2.;
+
 /// Limits of a refinement and the depth that it must reach; else it ends.
 struct Goal
 {
@@ -297,10 +301,11 @@ struct Goal
   {
     return (contact_point.point - centre).squaredNorm() > radius * radius;
   }
-  /// From the centre: no depth grows faster than the way, grad D = -n.
-  bool is_too_deep(const WallContactPoint &contact_point) const
+  /// What a refinement lacks that gains so much from here on;
+  /// WallContactPoint:: lead of the contact point whose depth it is to exceed.
+  double missing(const WallContactPoint &contact_point, double gain) const
   {
-    return contact_point.overlap + radius < depth;
+    return depth - contact_point.overlap - gain;
   }
 };
 
@@ -312,16 +317,25 @@ WallContactPoint refine(ParticleView &particle, const FacetMesh &mesh,
   snap(first);
   WallContactPoint contact_point = contact_point_at(
       particle, mesh, start.triangle, first, start.on_particle);
-  contact_point.is_found =
-      contact_point.is_found && !goal.is_too_deep(contact_point);
+  // From the centre: no depth grows faster than the way, grad D = -n.
+  contact_point.lead = goal.missing(contact_point, goal.radius);
+  contact_point.is_found = contact_point.is_found && !(contact_point.lead > 0.);
   for (int step = 0; step < control.most_steps && contact_point.is_found;
        ++step)
   {
+    contact_point.lead = goal.missing(contact_point, 0.);
     if (goal.is_out_of_reach(contact_point))
       break;
     const DepthModel model(particle, contact_point);
     const Ascent ascent = best_on_triangle(
         model, corners_of(mesh.surface, contact_point.triangle));
+    if (const double lead =
+            goal.missing(contact_point, trusted_gains * ascent.gain);
+        lead > 0.)
+    {
+      contact_point.lead = lead;
+      break;
+    }
     if (ascent.step.norm() < converged * particle.size())
     {
       const std::int32_t next = way_on(mesh, contact_point);
@@ -343,6 +357,8 @@ WallContactPoint refine(ParticleView &particle, const FacetMesh &mesh,
     if (ascent.gain < no_gain * particle.size() && ascent.is_summit &&
         (step + 1 == control.most_steps || !next.is_found))
       return contact_point;
+    if (!next.is_found)
+      break;
     contact_point = next;
   }
   contact_point.is_found = false;
@@ -372,67 +388,164 @@ void for_beside(const FacetMesh &mesh, std::int32_t triangle, const Call &call)
               });
 }
 
-/// No point of a triangle is deeper if none of its corners lies inwards.
-bool may_be_deeper(const DepthModel &model, const Corners &corner, double gain)
+/// Whether the triangle has the side or corner that the contact point is on:
+/// the depth falls off into it from there.
+bool has_contact_point(const FacetMesh &mesh,
+                       const WallContactPoint &contact_point,
+                       std::int32_t triangle)
 {
-  return std::any_of(corner.begin(), corner.end(),
-                     [&](const Vec3 &end)
-                     { return -model.normal.dot(end - model.point) > gain; });
+  const auto &own =
+      mesh.surface.triangles[static_cast<std::size_t>(contact_point.triangle)];
+  const auto &other =
+      mesh.surface.triangles[static_cast<std::size_t>(triangle)];
+  for (std::size_t c = 0; c < 3; ++c)
+    if (contact_point.weight[c] > 0. &&
+        std::find(other.begin(), other.end(), own[c]) == other.end())
+      return false;
+  return true;
 }
 
-/// A deeper contact point of the same patch on a triangle beside; not found if
-/// there is none.
-WallContactPoint deeper_beside(ParticleView &particle, const FacetMesh &mesh,
-                               const WallContactPoint &contact_point)
+/// A lead above this part of the radius need not be known better.
+constexpr double enough_lead = 0.02;
+
+/// The deepest contact point of a patch among those on the triangles beside a
+/// contact point.
+struct DeepestBeside
+{
+  WallContactPoint deeper; ///< not found if there is none
+  /// What the others have less than the contact point at least [m].
+  double lead = std::numeric_limits<double>::infinity();
+};
+
+/// Direction of about the point of the particle that is next to one a step from
+/// that of the model: by the model where it is near, else along the radius.
+Vec3 next_to(const ParticleView &particle, const DepthModel &model,
+             const Vec3 &step)
+{
+  const Vec3 along = model.follow * step;
+  return particle.towards(along.squaredNorm() < model.longest * model.longest
+                              ? Vec3(model.on_particle + along)
+                              : Vec3(model.point + step));
+}
+
+/// What the depth on the triangle of `start` lacks of the goal at least [m], by
+/// a few steps that follow the surface of the particle; not above zero where
+/// they cannot tell.
+double lead_over(ParticleView &particle, const FacetMesh &mesh,
+                 WallContactPoint start, const Goal &goal)
+{
+  constexpr int most_steps = 8;
+  constexpr double short_step = 0.002; // of the radius
+  const Corners corner = corners_of(mesh.surface, start.triangle);
+  double lead = 0.;
+  for (int step = 0; step < most_steps; ++step)
+  {
+    start.point = point_at(corner, start.weight);
+    if (goal.is_out_of_reach(start))
+      return lead;
+    // The model is that of the point beside it that x is next to.
+    const SurfacePoint &at = particle.at(start.on_particle);
+    start.normal = at.normal;
+    start.overlap = (at.position - start.point).dot(at.normal);
+    start.point = at.position - start.overlap * at.normal;
+    const DepthModel model(particle, start);
+    const Ascent ascent = best_on_triangle(model, corner);
+    lead = goal.missing(start, trusted_gains * std::max(0., ascent.gain));
+    if (lead > 0. || ascent.step.norm() < short_step * particle.size())
+      break;
+    start.weight = ascent.weight;
+    start.on_particle = next_to(particle, model, ascent.step);
+  }
+  return lead;
+}
+
+/// What a triangle lacks of a depth, as it is no nearer to the centre than this
+/// [m].
+double lead_by_distance(const ParticleView &particle, const Corners &corner,
+                        double depth)
+{
+  const Vec3 &centre = particle.centre();
+  return depth - particle.shape().circumscribed_radius +
+         (nearest_point(centre, corner).point - centre).norm();
+}
+
+/// Looks for a deeper one where the model has one on this triangle.
+void look_beside(ParticleView &particle, const FacetMesh &mesh,
+                 const WallContactPoint &contact_point, const DepthModel &model,
+                 std::int32_t triangle, DeepestBeside &beside)
 {
   const double gain = 1e-10 * particle.size();
-  const DepthModel model(particle, contact_point);
-  WallContactPoint best;
-  for_beside(mesh, contact_point.triangle,
-             [&](std::int32_t other)
-             {
-               const Corners corner = corners_of(mesh.surface, other);
-               if (!may_be_deeper(model, corner, gain))
-                 return;
-               const Ascent ascent = best_on_triangle(model, corner);
-               if (ascent.gain < gain)
-                 return;
-               WallContactPoint start = contact_point;
-               start.triangle = other;
-               start.weight = ascent.weight;
-               start.on_particle = particle.towards(model.on_particle +
-                                                    model.follow * ascent.step);
-               // Farther away the model was wrong.
-               const Goal goal{model.point + ascent.step,
-                               0.5 * ascent.step.norm(), contact_point.overlap};
-               // What is known of the particle here stays known if nothing is
-               // there.
-               ParticleView there = particle;
-               const WallContactPoint found = refine(there, mesh, start, goal);
-               if (found.is_found &&
-                   found.overlap > contact_point.overlap + 0.1 * gain &&
-                   (!best.is_found || found.overlap > best.overlap) &&
-                   is_one_patch(found.normal, contact_point.normal))
-                 best = found;
-             });
-  return best;
+  const Corners corner = corners_of(mesh.surface, triangle);
+  const double by_distance =
+      lead_by_distance(particle, corner, contact_point.overlap);
+  if (by_distance > enough_lead * particle.size())
+    return;
+  const Ascent ascent = best_on_triangle(model, corner);
+  if (ascent.gain < gain)
+  {
+    if (!has_contact_point(mesh, contact_point, triangle))
+      beside.lead = std::min(beside.lead, -ascent.gain);
+    return;
+  }
+  if (by_distance > 0.)
+  {
+    beside.lead = std::min(beside.lead, by_distance);
+    return;
+  }
+  WallContactPoint start = contact_point;
+  start.triangle = triangle;
+  start.weight = ascent.weight;
+  start.on_particle = next_to(particle, model, ascent.step);
+  // Farther away the model was wrong.
+  const Goal goal{model.point + ascent.step, 0.5 * ascent.step.norm(),
+                  contact_point.overlap};
+  // What is known of the particle here stays known if nothing is there.
+  ParticleView there = particle;
+  const double lead = lead_over(there, mesh, start, goal);
+  if (lead > 0.)
+  {
+    beside.lead = std::min(beside.lead, lead);
+    return;
+  }
+  const WallContactPoint found = refine(there, mesh, start, goal);
+  if (found.is_found && !is_one_patch(found.normal, contact_point.normal))
+    return;
+  beside.lead = std::min(beside.lead, found.lead);
+  if (found.is_found && found.overlap > contact_point.overlap + 0.1 * gain &&
+      (!beside.deeper.is_found || found.overlap > beside.deeper.overlap))
+    beside.deeper = found;
 }
 } // namespace
+
+WallContactPoint deepest_of_patch(ParticleView &particle, const FacetMesh &mesh,
+                                  const WallContactPoint &start)
+{
+  WallContactPoint contact_point = start;
+  constexpr int most_switches = 8;
+  for (int n = 0; n < most_switches; ++n)
+  {
+    const DepthModel model(particle, contact_point);
+    DeepestBeside beside;
+    for_beside(mesh, contact_point.triangle,
+               [&](std::int32_t triangle) {
+                 look_beside(particle, mesh, contact_point, model, triangle,
+                             beside);
+               });
+    contact_point.lead = std::max(0., beside.lead);
+    if (!beside.deeper.is_found)
+      break;
+    contact_point = beside.deeper;
+    contact_point.has_switched = true;
+  }
+  return contact_point;
+}
 
 WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
                                   const WallContactPoint &start)
 {
-  WallContactPoint contact_point = refine(particle, mesh, start);
-  constexpr int most_switches = 8;
-  for (int n = 0; n < most_switches && contact_point.is_found; ++n)
-  {
-    const WallContactPoint deeper =
-        deeper_beside(particle, mesh, contact_point);
-    if (!deeper.is_found)
-      break;
-    contact_point = deeper;
-    contact_point.has_switched = true;
-  }
-  return contact_point;
+  const WallContactPoint contact_point = refine(particle, mesh, start);
+  return contact_point.is_found
+             ? deepest_of_patch(particle, mesh, contact_point)
+             : contact_point;
 }
 } // namespace dem

@@ -1,6 +1,10 @@
 #include "../contact/follow.h"
+#include "facet_kernels.h"
 
 #include <dem/boundary/followed_walls.h>
+#include <dem/instruction_set.h>
+
+#include <cstddef>
 
 namespace dem
 {
@@ -123,9 +127,9 @@ WallContactPoint follow(const Followed &all, std::size_t k,
   return contact_point;
 }
 
-/// Calls call(k, events) for all contacts, by all threads.
+/// Calls call(first, end, events) for blocks of all contacts, by all threads.
 template <class Call>
-ForceSum for_contacts(const ContactBatch &batch, const Call &call)
+ForceSum for_blocks(const ContactBatch &batch, const Call &call)
 {
   const auto n = static_cast<std::int64_t>(batch.size());
   ForceSum sum;
@@ -133,8 +137,8 @@ ForceSum for_contacts(const ContactBatch &batch, const Call &call)
   {
     Events events;
 #pragma omp for schedule(static)
-    for (std::int64_t k = 0; k < n; ++k)
-      call(static_cast<std::size_t>(k), events);
+    for (std::int64_t first = 0; first < n; first += kernel::lane_block)
+      call(first, std::min(n, first + kernel::lane_block), events);
 #pragma omp critical
     events.add_to(sum);
   }
@@ -177,38 +181,166 @@ void relocate_one(const ForceContext &context, const FollowedDrum &walls,
   row = now;
 }
 
-/// Contact k with the facet surface.
-void relocate_one(const ForceContext &context, const FollowedFacets &walls,
-                  ContactBatch &batch, std::size_t k, Events &events)
+/// A contact looks at the triangles beside it when the depths of its patch may
+/// have come nearer to each other by this part of what it is deeper than they
+/// are: the rest is left for the error of the model.
+constexpr double patch_share = 0.5;
+/// But after this part of the radius.
+constexpr double longest_patch_path = 0.005;
+
+/// Notes when a contact with the facet surface must be looked at again.
+void note_rest(const ForceContext &context, const FollowedFacets &walls,
+               const ContactBatch &batch, std::size_t k,
+               const WallContactPoint &found)
+{
+  const std::size_t i = row_of(batch.a[k]);
+  const double radius = mean_radius(context.particles.shape[i]);
+  double &reactivation = walls.contact_points.reactivation[k],
+         &patch_left = walls.contact_points.patch_left[k];
+  patch_left = std::min(patch_share * found.lead, longest_patch_path * radius);
+  reactivation = 0.;
+  if (batch.is_touching(k) ||
+      found.overlap >= -kernel::least_resting_gap * radius)
+    return;
+  // Until the gap may be closed depths come nearer by no more than twice that.
+  reactivation =
+      context.particles.path_length[i] + walls.path_length - found.overlap;
+  patch_left += 2. * found.overlap;
+}
+
+/// Contact k with the facet surface, at what refine(particle, start) finds from
+/// where it was.
+template <class Refine>
+void relocate_on_facet(const ForceContext &context, const FollowedFacets &walls,
+                       ContactBatch &batch, std::size_t k, Events &events,
+                       const Refine &refine)
 {
   FacetContactPoint &contact_point = walls.contact_points.point[k];
-  double &reactivation = walls.contact_points.reactivation[k];
-  const double path_length =
-      context.particles.path_length[row_of(batch.a[k])] + walls.path_length;
-  walls.overlap[k] = 0.;
-  if (path_length < reactivation)
-    return;
   const WallContactPoint found =
       follow({context, batch, events, true}, k,
              [&](ParticleView &particle, const Vec3 &on_particle)
              {
                WallContactPoint start;
                start.on_particle = on_particle;
-               start.triangle = contact_point.triangle;
+               start.triangle =
+                   static_cast<std::int32_t>(contact_point.triangle);
                start.weight = contact_point.weight;
-               return refine_on_facets(particle, walls.mesh, start);
+               return refine(particle, start);
              });
+  walls.overlap[k] = found.overlap;
   if (!found.is_found)
   {
     // It opens where it was.
     walls.rows[k] = facet_row(walls.mesh.surface, contact_point, contact_point);
     return;
   }
-  walls.overlap[k] = found.overlap;
-  reactivation = batch.is_touching(k) ? 0. : path_length - found.overlap;
+  note_rest(context, walls, batch, k, found);
   const FacetContactPoint now{found.triangle, found.weight, found.normal};
   walls.rows[k] = facet_row(walls.mesh.surface, now, contact_point);
   contact_point = now;
+}
+
+/// Contact k with the facet surface, by the search.
+void relocate_one(const ForceContext &context, const FollowedFacets &walls,
+                  ContactBatch &batch, std::size_t k, Events &events)
+{
+  relocate_on_facet(context, walls, batch, k, events,
+                    [&](ParticleView &particle, const WallContactPoint &start)
+                    { return refine_on_facets(particle, walls.mesh, start); });
+}
+
+/// Contact k, which has been followed, at the deepest contact point of its
+/// patch.
+void look_beside(const ForceContext &context, const FollowedFacets &walls,
+                 ContactBatch &batch, std::size_t k, Events &events)
+{
+  const WallRow followed = walls.rows[k];
+  relocate_on_facet(context, walls, batch, k, events,
+                    [&](ParticleView &particle, WallContactPoint start)
+                    {
+                      start.point = followed.point;
+                      start.normal = followed.normal;
+                      start.overlap = walls.overlap[k];
+                      start.is_found = true;
+                      return deepest_of_patch(particle, walls.mesh, start);
+                    });
+  walls.rows[k].velocity_before = followed.velocity_before;
+  walls.rows[k].normal_before = followed.normal_before;
+}
+
+static_assert(sizeof(FacetContactPoint) ==
+              kernel::facet_point_row * sizeof(double));
+static_assert(offsetof(FacetContactPoint, weight) ==
+              kernel::at_weight * sizeof(double));
+static_assert(offsetof(FacetContactPoint, normal) ==
+              kernel::at_facet_normal * sizeof(double));
+
+template <class Row>
+const double *numbers(const std::vector<Row> &rows)
+{
+  return reinterpret_cast<const double *>(rows.data());
+}
+
+kernel::FacetTask facet_task(const ForceContext &context,
+                             const FollowedFacets &walls, ContactBatch &batch)
+{
+  FacetContactPoints &points = walls.contact_points;
+  const FacetSurface &surface = walls.mesh.surface;
+  kernel::FacetTask task{};
+  task.particles = numbers(context.particles.state);
+  task.a = batch.a.data();
+  task.side = side_view(batch.side_a);
+  task.overlap = batch.overlap.data();
+  task.overlap_offset = batch.overlap_offset.data();
+  task.points = reinterpret_cast<double *>(points.point.data());
+  task.reactivation = points.reactivation.data();
+  task.patch_left = points.patch_left.data();
+  task.rows = reinterpret_cast<double *>(walls.rows.data());
+  task.depth = walls.overlap.data();
+  task.particle_path = context.particles.path_length.data();
+  task.surface_path = walls.path_length;
+  task.corner = surface.triangles.data()->data();
+  task.neighbour = walls.mesh.topology.neighbour.data()->data();
+  task.position = numbers(surface.position);
+  task.velocity = numbers(surface.velocity);
+  task.mass = surface.mass.data();
+  task.spread = walls.spread.data();
+  task.time_step = context.adds_loads_only ? 0. : context.time_step;
+  return task;
+}
+
+/// What the velocities of two neighbouring vertices differ by, the most about
+/// each vertex [m/s].
+void find_spread(const FacetMesh &mesh, std::vector<double> &spread)
+{
+  const FacetSurface &surface = mesh.surface;
+  spread.assign(surface.velocity.size(), 0.);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      // Each side once.
+      const std::int32_t other = mesh.topology.neighbour[t][c];
+      if (other >= 0 && row_of(other) < t)
+        continue;
+      const auto &corner = surface.triangles[t];
+      const std::size_t from = row_of(corner[c]),
+                        to = row_of(corner[(c + 1) % 3]);
+      const double square =
+          (surface.velocity[to] - surface.velocity[from]).squaredNorm();
+      spread[from] = std::max(spread[from], square);
+      spread[to] = std::max(spread[to], square);
+    }
+  for (double &of : spread)
+    of = std::sqrt(of);
+}
+
+/// That of the instruction set in use.
+kernel::FollowFacets follow_facets()
+{
+  const InstructionSet set = instruction_set();
+  return set == InstructionSet::avx512 ? kernel::avx512::follow_facets
+         : set == InstructionSet::avx2 ? kernel::avx2::follow_facets
+                                       : kernel::baseline::follow_facets;
 }
 } // namespace
 
@@ -218,8 +350,13 @@ ForceSum relocate_on_drum(const ForceContext &context,
   const std::size_t n_rows = batch.size() * row_of(n_drum_parts);
   walls.rows.resize(n_rows);
   walls.overlap.assign(n_rows, 0.);
-  return for_contacts(batch, [&](std::size_t k, Events &events)
-                      { relocate_one(context, walls, batch, k, events); });
+  return for_blocks(batch,
+                    [&](std::int64_t first, std::int64_t end, Events &events)
+                    {
+                      for (std::int64_t k = first; k < end; ++k)
+                        relocate_one(context, walls, batch,
+                                     static_cast<std::size_t>(k), events);
+                    });
 }
 
 ForceSum relocate_on_facets(const ForceContext &context,
@@ -227,8 +364,28 @@ ForceSum relocate_on_facets(const ForceContext &context,
 {
   walls.rows.resize(batch.size());
   walls.overlap.assign(batch.size(), 0.);
-  return for_contacts(batch, [&](std::size_t k, Events &events)
-                      { relocate_one(context, walls, batch, k, events); });
+  find_spread(walls.mesh, walls.spread);
+  const kernel::FacetTask task = facet_task(context, walls, batch);
+  const kernel::FollowFacets follow_block = follow_facets();
+  const double tolerance = context.parameters.geometry.refresh_tolerance;
+  return for_blocks(
+      batch,
+      [&](std::int64_t first, std::int64_t end, Events &events)
+      {
+        const kernel::FacetBlock block =
+            follow_block(task, first, static_cast<int>(end - first), tolerance);
+        for (std::int64_t at = first; at < end; ++at)
+        {
+          const auto k = static_cast<std::size_t>(at);
+          const unsigned bit = 1u << (at - first);
+          if ((block.is_lost & bit) != 0)
+            relocate_one(context, walls, batch, k, events);
+          else if ((block.is_stale & bit) != 0)
+            renew_side(context, batch, k, true, batch.side_a.contact_point(k));
+          if ((block.is_patch_due & bit) != 0)
+            look_beside(context, walls, batch, k, events);
+        }
+      });
 }
 
 void relocate_again(const ForceContext &context, const FollowedDrum &walls,

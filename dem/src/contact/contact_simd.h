@@ -1,7 +1,6 @@
 #pragma once
 
-#include "../simd_rows.h"
-#include "force_kernels.h"
+#include "particle_simd.h"
 
 #include <dem/contact/damage.h>
 #include <dem/contact/rounding.h>
@@ -12,15 +11,6 @@ namespace dem::kernel
 {
 namespace
 {
-using ParticleSimd = SimdRows<particle_row>;
-
-/// Simd that are contacts; the others only fill the set.
-SimdMask valid_lanes(int n_valid)
-{
-  const Simd number([](auto lane) { return static_cast<double>(lane); });
-  return number < static_cast<double>(n_valid);
-}
-
 /// Direction of one side of a block of contacts in the frame of its particle.
 SimdVector side_direction(const ParticleSimd &particle, const SimdVector &world)
 {

@@ -44,24 +44,6 @@ auto *numbers(std::vector<Row> &rows)
   return reinterpret_cast<double *>(rows.data());
 }
 
-kernel::Side side_view(SideColumns &side)
-{
-  const auto vectors = [](const TripleColumn<Narrow> &column)
-  {
-    return kernel::Vectors<const Narrow>{column.x.data(), column.y.data(),
-                                         column.z.data()};
-  };
-  kernel::Side view{
-      vectors(side.direction),
-      side.radius.data(),
-      vectors(side.gradient),
-      {},
-      {side.offset.x.data(), side.offset.y.data(), side.offset.z.data()}};
-  for (std::size_t c = 0; c < 6; ++c)
-    view.hessian[c] = side.hessian[c].data();
-  return view;
-}
-
 kernel::Contacts contacts_view(ContactBatch &batch)
 {
   const auto vectors = []<class Number>(TripleColumn<Number> &column)
@@ -141,6 +123,24 @@ kernel::ParticleSystem particles_view(const ForceContext &context)
           nullptr};
 }
 } // namespace
+
+kernel::Side side_view(SideColumns &side)
+{
+  const auto vectors = [](const TripleColumn<Narrow> &column)
+  {
+    return kernel::Vectors<const Narrow>{column.x.data(), column.y.data(),
+                                         column.z.data()};
+  };
+  kernel::Side view{
+      vectors(side.direction),
+      side.radius.data(),
+      vectors(side.gradient),
+      {},
+      {side.offset.x.data(), side.offset.y.data(), side.offset.z.data()}};
+  for (std::size_t c = 0; c < 6; ++c)
+    view.hessian[c] = side.hessian[c].data();
+  return view;
+}
 
 kernel::Task make_task(SurfaceOwner &owner,
                        const ContactCoefficients &coefficients)

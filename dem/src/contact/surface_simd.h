@@ -10,6 +10,49 @@ namespace dem::kernel
 {
 namespace
 {
+/// None in the other lanes.
+SimdPlanar only(const SimdMask &mask, const SimdPlanar &v)
+{
+  return {select(mask, v.x, Simd(0.)), select(mask, v.y, Simd(0.))};
+}
+
+/// Result of the Newton step of a set of lanes.
+struct LaneStep
+{
+  SimdPlanar on_a, on_b;
+  Simd overlap;      ///< there, to second order; < 0: a gap
+  SimdMask is_sound; ///< K_A + K_B is positive and the step is short
+};
+
+/// Solves (K_A + K_B - delta K_B K_A) a = -m - K_B t, as newton_step() does.
+LaneStep step_to_normal(const SimdShapeOperator &a, const SimdShapeOperator &b,
+                        const SimdPlanar &t, const SimdPlanar &m,
+                        const Simd &overlap)
+{
+  const SimdMatrix &ka = a.matrix, &kb = b.matrix;
+  const SimdMatrix lens{ka.xx + kb.xx, ka.xy + kb.xy, ka.yy + kb.yy};
+  const SimdPlanar kb_t = kb * t;
+  const SimdPlanar right{-m.x - kb_t.x, -m.y - kb_t.y};
+  // K_B K_A is not symmetric.
+  const Simd xx = lens.xx - overlap * (kb.xx * ka.xx + kb.xy * ka.xy);
+  const Simd xy = lens.xy - overlap * (kb.xx * ka.xy + kb.xy * ka.yy);
+  const Simd yx = lens.xy - overlap * (kb.xy * ka.xx + kb.yy * ka.xy);
+  const Simd yy = lens.yy - overlap * (kb.xy * ka.xy + kb.yy * ka.yy);
+  const Simd determinant = xx * yy - xy * yx;
+  LaneStep step;
+  step.is_sound = lens.xx > 0. && lens.determinant() > 0. && determinant > 0.;
+  const Simd inverse = 1. / select(step.is_sound, determinant, Simd(1.));
+  step.on_a = {inverse * (yy * right.x - xy * right.y),
+               inverse * (xx * right.y - yx * right.x)};
+  const SimdPlanar ka_a = ka * step.on_a;
+  step.on_b = {step.on_a.x - overlap * ka_a.x + t.x,
+               step.on_a.y - overlap * ka_a.y + t.y};
+  const SimdPlanar aside{step.on_a.x + t.x, step.on_a.y + t.y};
+  step.overlap = overlap - 0.5 * dot(step.on_a, ka_a) - dot(m, aside) -
+                 0.5 * dot(aside, kb * aside);
+  return step;
+}
+
 /// Notes where the contact is now: the point x of the surface in the body frame
 /// as an offset from the direction u of the expansion, x / (x.u) - u.
 void follow_side(const Task &task, const Side &side, std::int64_t k, int which,

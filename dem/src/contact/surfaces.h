@@ -68,6 +68,9 @@ struct SurfaceOwner
   std::span<const WallRow> walls = {}; ///< that the contacts name
 };
 
+/// The surface data of one side as the loops see them.
+kernel::Side side_view(SideColumns &side);
+
 /// The columns as the loops see them; `owner` must outlive the task.
 kernel::Task make_task(SurfaceOwner &owner,
                        const ContactCoefficients &coefficients);

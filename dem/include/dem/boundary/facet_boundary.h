@@ -102,5 +102,6 @@ private:
   std::vector<WallRow> rows;
   std::vector<double> overlap; ///< of particles that follow their surfaces [m]
   std::vector<double> extra;   ///< Walls::extra [m]
+  std::vector<double> spread;  ///< FollowedFacets::spread [m/s]
 };
 } // namespace dem

@@ -115,6 +115,9 @@ struct FacetContactPoints
   /// Where particles follow their surfaces: a contact need not be looked at
   /// before the path lengths of particle and surface have come this far [m].
   std::vector<double> reactivation;
+  /// Its patch has no deeper contact point until the depths of two have come
+  /// so much nearer to each other; < 0: it is not known [m].
+  std::vector<double> patch_left;
 
   FacetContactPoints select(const std::vector<std::int32_t> &contacts) const;
   void append(const FacetContactPoints &more);

@@ -13,6 +13,11 @@ namespace dem
 WallContactPoint refine_on_facets(ParticleView &particle, const FacetMesh &mesh,
                                   const WallContactPoint &start);
 
+/// The deepest contact point of the same patch on the triangles beside a
+/// contact point; the contact point itself if none is deeper. Sets its lead.
+WallContactPoint deepest_of_patch(ParticleView &particle, const FacetMesh &mesh,
+                                  const WallContactPoint &contact_point);
+
 /// The wall at its point next to a point in it, normal towards the particles.
 SurfacePoint smooth_drum(const Drum &drum, DrumPart part, const Vec3 &x);
 

@@ -26,6 +26,7 @@ public:
   /// A point of the body frame in the world.
   Vec3 in_world(const Vec3 &point) const { return position + rotation * point; }
   const Mat3 &orientation() const { return rotation; } ///< body to world
+  const Vec3 &centre() const { return position; }      ///< in the world [m]
   const ParticleShape &shape() const { return body; }
   /// Mean radius of the particle [m].
   double size() const { return mean_size; }
