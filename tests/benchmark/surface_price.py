@@ -22,9 +22,9 @@ from bench_runs import spread, table
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 QUICK = ROOT / "data" / "cases" / "dynamic_triaxial_quick.prm"
 PHASES = ("contacts", "search", "motion", "bodies", "guards", "transfer")
-# Thirty milliseconds at the confinement, then a fast cycle.
-SETTINGS = ("Time/fixed_step=1e-6", "Loading/cycles=1", "Loading/frequency=50",
-            "Loading/consolidation_time=0.03",
+# Twenty milliseconds at the confinement, then a fast cycle.
+SETTINGS = ("Time/fixed_step=1e-6", "Loading/cycles=1", "Loading/frequency=100",
+            "Loading/consolidation_time=0.02",
             "Loading/consolidation_stress_tolerance=0.5",
             "Loading/consolidation_unbalanced_ratio=0.1",
             "Time/allow_unstable_step=true")

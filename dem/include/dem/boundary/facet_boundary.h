@@ -33,7 +33,7 @@ public:
   std::int64_t event_other(std::size_t) const override { return number; }
   bool deforms() const override { return true; }
   bool can_be_shared() const override { return true; }
-  double contact_cost() const override { return follows() ? 20. : 5.; }
+  double contact_cost() const override { return follows() ? 10. : 5.; }
   /// Whoever deforms it moves it.
   void move(double) override {}
   /// Throws std::runtime_error where a velocity is no finite number.
