@@ -60,7 +60,7 @@ struct DeepestBeside
   double lead = std::numeric_limits<double>::infinity();
 };
 
-/// Direction of about the point of the particle that is next to one a step from
+/// First guess of where the particle is nearest to a point that is a step from
 /// that of the model: by the model where it is near, else along the radius.
 Vec3 next_to(const ParticleView &particle, const DepthModel &model,
              const Vec3 &step)
