@@ -183,33 +183,74 @@ const ContactBatch &on_drum(const Engine &engine)
   return there ? there->batch : none;
 }
 
+namespace
+{
+/// The boundaries of a class, but of none that is derived from it.
+template <class Kind, class Engine>
+auto all_of_kind(Engine &engine)
+{
+  std::vector<std::reference_wrapper<Kind>> all;
+  for (const auto &boundary : engine.boundaries())
+    if (boundary->kind() == Kind::kind_name)
+      all.emplace_back(static_cast<Kind &>(*boundary));
+  return all;
+}
+
+template <class Walls>
+void require_free_label(const Walls &there, const std::string &label,
+                        const std::string &what)
+{
+  for (const FacetBoundary &other : there)
+    if (other.label == label)
+      throw std::invalid_argument(what + ": there are two of the name " +
+                                  label);
+}
+} // namespace
+
 std::vector<std::reference_wrapper<FacetBoundary>> surfaces(Engine &engine)
 {
-  std::vector<std::reference_wrapper<FacetBoundary>> all;
-  for (const auto &boundary : engine.boundaries())
-    if (auto *facets = dynamic_cast<FacetBoundary *>(boundary.get()))
-      all.emplace_back(*facets);
-  return all;
+  return all_of_kind<FacetBoundary>(engine);
 }
 
 std::vector<std::reference_wrapper<const FacetBoundary>>
 surfaces(const Engine &engine)
 {
+  return all_of_kind<const FacetBoundary>(engine);
+}
+
+std::vector<std::reference_wrapper<const FacetBoundary>>
+all_facets(const Engine &engine)
+{
   std::vector<std::reference_wrapper<const FacetBoundary>> all;
   for (const auto &boundary : engine.boundaries())
-    if (const auto *facets = dynamic_cast<FacetBoundary *>(boundary.get()))
+    if (const auto *facets = dynamic_cast<const FacetBoundary *>(&*boundary))
       all.emplace_back(*facets);
   return all;
+}
+
+std::vector<std::reference_wrapper<const MeshWall>>
+mesh_walls(const Engine &engine)
+{
+  return all_of_kind<const MeshWall>(engine);
+}
+
+std::size_t add_mesh_wall(Engine &engine, const std::string &label,
+                          const WallMaterial &material, FacetSurface surface,
+                          const WallMotion &motion)
+{
+  const auto there = mesh_walls(engine);
+  require_free_label(there, label, "mesh wall");
+  engine.add_boundary(
+      std::make_unique<MeshWall>(label, static_cast<std::int64_t>(there.size()),
+                                 material, std::move(surface), motion));
+  return there.size();
 }
 
 std::size_t add_surface(Engine &engine, const std::string &label,
                         const WallMaterial &material, FacetSurface surface)
 {
   const auto there = surfaces(engine);
-  for (const FacetBoundary &other : there)
-    if (other.label == label)
-      throw std::invalid_argument("facet surface: there are two of the name " +
-                                  label);
+  require_free_label(there, label, "facet surface");
   engine.add_boundary(std::make_unique<FacetBoundary>(
       label, static_cast<std::int64_t>(there.size()), material,
       std::move(surface)));

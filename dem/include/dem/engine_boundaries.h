@@ -2,6 +2,7 @@
 
 #include <dem/boundary/drum_boundary.h>
 #include <dem/boundary/facet_boundary.h>
+#include <dem/boundary/mesh_wall.h>
 #include <dem/boundary/plane_boundary.h>
 #include <dem/engine.h>
 
@@ -82,4 +83,18 @@ inline const ContactBatch &on_facets(const Engine &engine,
 {
   return facet_boundary(engine, number).batch;
 }
+
+/// Adds a rigid wall of any shape, which is at its motion from now on; returns
+/// its number. Throws std::invalid_argument on a surface that is none, or a
+/// label that is taken.
+std::size_t add_mesh_wall(Engine &engine, const std::string &label,
+                          const WallMaterial &material, FacetSurface surface,
+                          const WallMotion &motion);
+/// All facets that particles meet: surfaces() and mesh walls.
+std::vector<std::reference_wrapper<const FacetBoundary>>
+all_facets(const Engine &engine);
+/// The mesh walls in the order in which they were added; surfaces() does not
+/// have them.
+std::vector<std::reference_wrapper<const MeshWall>>
+mesh_walls(const Engine &engine);
 } // namespace dem

@@ -2,6 +2,7 @@
 #include <dem/boundary/boundary.h>
 #include <dem/boundary/drum_boundary.h>
 #include <dem/boundary/facet_boundary.h>
+#include <dem/boundary/mesh_wall.h>
 #include <dem/boundary/plane_boundary.h>
 #include <dem/contact/batch_stream.h>
 #include <dem/neighbor/candidate_pair.h>
@@ -24,6 +25,7 @@ std::map<std::string, Make> &kinds()
       {PlaneBoundary::kind_name, std::make_unique<PlaneBoundary>},
       {DrumBoundary::kind_name, std::make_unique<DrumBoundary>},
       {FacetBoundary::kind_name, std::make_unique<FacetBoundary>},
+      {MeshWall::kind_name, std::make_unique<MeshWall>},
   };
   return all;
 }

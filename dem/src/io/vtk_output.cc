@@ -275,6 +275,38 @@ void write_contacts(const std::string &path,
   write_grid(path, grid);
 }
 
+void write_facets(const std::string &path,
+                  std::span<const FacetSurface *const> surfaces)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  std::vector<Vec3> load, velocity;
+  std::vector<int> number;
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+  {
+    const FacetSurface &surface = *surfaces[k];
+    const auto first = static_cast<vtkIdType>(load.size());
+    for (const Vec3 &point : surface.position)
+      points->InsertNextPoint(point.data());
+    for (const auto &t : surface.triangles)
+      cells->InsertNextCell({first + t[0], first + t[1], first + t[2]});
+    number.insert(number.end(), surface.triangles.size(), static_cast<int>(k));
+    load.insert(load.end(), surface.load.begin(), surface.load.end());
+    velocity.insert(velocity.end(), surface.velocity.begin(),
+                    surface.velocity.end());
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  grid->SetCells(VTK_TRIANGLE, cells);
+  add_scalars<vtkIntArray>(grid->GetCellData(), "wall", number.size(),
+                           [&](std::size_t k) { return number[k]; });
+  add_vectors(grid->GetPointData(), "load_N", load.size(), 3,
+              [&](std::size_t k) { return load[k]; });
+  add_vectors(grid->GetPointData(), "velocity_m_per_s", velocity.size(), 3,
+              [&](std::size_t k) { return velocity[k]; });
+  write_grid(path, grid);
+}
+
 void write_drum(const std::string &path, const Drum &drum)
 {
   constexpr int n_strips = 72;

@@ -381,7 +381,7 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
   add_planes(engine, ahead, network);
   if (drum(engine).is_there())
     add_drum(engine, ahead, network);
-  for (const FacetBoundary &facets : surfaces(engine))
+  for (const FacetBoundary &facets : all_facets(engine))
   {
     const auto first_point = static_cast<std::int32_t>(network.mass.size());
     // The mass of a prescribed vertex is not used.

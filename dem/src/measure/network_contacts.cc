@@ -110,7 +110,7 @@ ContactFrame pair_contact_frame(const Engine &engine, std::size_t k)
 Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
                         std::size_t k)
 {
-  for (const FacetBoundary &facets : surfaces(engine))
+  for (const FacetBoundary &facets : all_facets(engine))
     if (&batch == &facets.batch)
       return facets.point_of(k);
   const ParticleSystem &particles = engine.particles();
@@ -135,7 +135,7 @@ Network contact_network_of(const Engine &engine)
                 });
   add_walls(engine, on_planes(engine), nullptr, network.walls);
   add_walls(engine, on_drum(engine), nullptr, network.walls);
-  for (const FacetBoundary &facets : surfaces(engine))
+  for (const FacetBoundary &facets : all_facets(engine))
     add_walls(engine, facets.batch, &facets, network.walls);
   return network;
 }

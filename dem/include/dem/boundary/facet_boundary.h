@@ -8,7 +8,7 @@
 namespace dem
 {
 /// A facet surface of the scene and the contacts of the particles on it.
-class FacetBoundary final : public Boundary
+class FacetBoundary : public Boundary
 {
 public:
   static constexpr const char *kind_name = "facets";
@@ -75,6 +75,10 @@ public:
   /// WallContact::spread of contact k [N m].
   Mat3 spread_of(std::size_t k) const;
 
+protected:
+  void pack_parts(std::ostream &out) const override;
+  void unpack_parts(std::istream &in) override;
+
 private:
   /// Particles meet it with their surfaces.
   bool follows() const { return batch.layout.has_contact_points; }
@@ -82,8 +86,6 @@ private:
   template <class Self, class Visit>
   static void visit_work_space(Self &self, const Visit &visit);
   void number_contacts();
-  void pack_parts(std::ostream &out) const override;
-  void unpack_parts(std::istream &in) override;
 
   std::int64_t number = 0;
   double work_done = 0.;         ///< on the particles [J]

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dem/boundary/drum.h>
+#include <dem/boundary/facet_surface.h>
 #include <dem/shape/particle_shape.h>
 
 #include <cstdint>
@@ -61,6 +62,11 @@ void write_surfaces(const std::string &path, const ParticleColumns &particles);
 /// Contacts as lines with their forces (vtu).
 void write_contacts(const std::string &path,
                     std::span<const ContactLine> contacts);
+
+/// The triangles of surfaces with the number of the surface, `wall`, and at the
+/// vertices the force of the particles and the velocity (vtu).
+void write_facets(const std::string &path,
+                  std::span<const FacetSurface *const> surfaces);
 
 /// Side and lifter of a drum as it stands, open at both ends (vtu).
 void write_drum(const std::string &path, const Drum &drum);
