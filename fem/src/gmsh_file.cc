@@ -21,14 +21,14 @@ struct ElementType
   int order, n_nodes;
 };
 
-constexpr int line_type = 1, quad_type = 3, hexahedron_type = 5,
-              point_type = 15;
+constexpr int line_type = 1, triangle_type = 2, quad_type = 3,
+              hexahedron_type = 5, point_type = 15;
 
 const ElementType *find_type(std::int64_t number)
 {
   static const std::map<std::int64_t, ElementType> types = {
       {line_type, {"lines", 1, 2}},
-      {2, {"triangles", 1, 3}},
+      {triangle_type, {"triangles", 1, 3}},
       {quad_type, {"quads", 1, 4}},
       {4, {"tetrahedra", 1, 4}},
       {hexahedron_type, {"hexahedra", 1, 8}},
@@ -254,6 +254,8 @@ private:
   void take_element(std::int64_t type, const ElementType &of,
                     std::int32_t group)
   {
+    if (type == triangle_type)
+      return take_cell(group, mesh.triangles);
     if (type == quad_type)
       return take_cell(group, mesh.quads);
     if (type == hexahedron_type)

@@ -23,9 +23,10 @@ struct GmshCell
 struct GmshMesh
 {
   std::vector<Eigen::Vector3d> nodes; ///< [m]
+  std::vector<GmshCell<3>> triangles;
   std::vector<GmshCell<4>> quads;
   std::vector<GmshCell<8>> hexahedra;
-  std::string other_cell; ///< name of one that is neither; empty: none
+  std::string other_cell; ///< name of one that is no such; empty: none
 };
 
 /// Reads the text of a .msh file of format 1, 2 or 4, linear in its length.

@@ -170,6 +170,8 @@ void fill(Triangulation &triangulation, const std::string &path)
   {
     refuse(path, std::string(" is no gmsh file of hexahedra: ") + fault.what());
   }
+  if (!mesh.triangles.empty())
+    mesh.other_cell = "triangles";
   if (mesh.hexahedra.empty() || !mesh.other_cell.empty())
     refuse(path, " has " +
                      (mesh.other_cell.empty() ? "no cells" : mesh.other_cell) +

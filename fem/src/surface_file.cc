@@ -35,8 +35,9 @@ GmshMesh quads_of(const std::string &path)
     refuse(path, std::string(" is no gmsh file of a surface of quads: ") +
                      fault.what());
   }
-  const std::string other =
-      mesh.hexahedra.empty() ? mesh.other_cell : "hexahedra";
+  const std::string other = !mesh.triangles.empty()   ? "triangles"
+                            : !mesh.hexahedra.empty() ? "hexahedra"
+                                                      : mesh.other_cell;
   if (!other.empty())
     refuse(path, " has " + other +
                      ", all cells must be quads: recombine them in gmsh");
