@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/kind.h"
+#include "case/wall_section.h"
 #include "compaction/case.h"
 #include "subgrade/case.h"
 
@@ -63,6 +64,8 @@ struct SpecimenParameters
   double diameter = 0.1;       ///< of the cylinder after compaction, about [m]
   double height = 0.2;         ///< of the cylinder after compaction, about [m]
   double solid_fraction = 0.6; ///< with the size: volume of particles [-]
+  /// File of placed particles instead of drawn ones; may be empty.
+  std::string particles;
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/quick_7_22mm.csv";
   /// folder of shape files; empty: spheres
@@ -273,7 +276,8 @@ struct Case
   PreparationParameters preparation;
   std::string material; ///< file with the next three and breakage; may be empty
   dem::ParticleMaterial particle;
-  dem::WallMaterial wall; ///< plates and rigid sides
+  dem::WallMaterial wall;         ///< plates and rigid sides
+  std::vector<WallSection> walls; ///< rigid walls of any shape
   /// particles on the membrane: a hundredth of the plates, so that a light node
   /// stays stable at the step of the particles
   dem::WallMaterial membrane_contact{.normal_stiffness = 1e6,

@@ -159,6 +159,28 @@ void check_overlap(const Case &c, const SourceLocation &location)
                           number_text(limits.stop)});
 }
 
+void check_walls(const Case &c, const SourceLocation &location)
+{
+  for (const WallSection &wall : c.walls)
+  {
+    const std::string section = wall.section();
+    if (wall.mesh.empty())
+      refuse(location,
+             {section, "mesh", "",
+              "must name a mesh of triangles: STL, PLY, OBJ or gmsh"});
+    if (dem::LawChoice{dem::contact_law_number(wall.material.law), {}}
+            .entry()
+            .attracts)
+      refuse(location, {section, "law", wall.material.law,
+                        "must be a law without attraction: a mesh does not "
+                        "attract across gaps"});
+    if (wall.axis.norm() < 1e-12)
+      refuse(location, {section, "axis", "0, 0, 0", "must not be zero"});
+    if (!wall.amplitude.isZero() && wall.frequency == 0.)
+      refuse(location, {section, "frequency", "0",
+                        "must be above 0 with " + section + "/amplitude"});
+  }
+}
 } // namespace
 
 void check_case(const Case &parameters, const SourceLocation &location)
@@ -166,6 +188,7 @@ void check_case(const Case &parameters, const SourceLocation &location)
   check_breakage(parameters, location);
   check_attractions(parameters, location);
   check_overlap(parameters, location);
+  check_walls(parameters, location);
   find_kind(parameters.kind)->check(parameters, location);
 }
 } // namespace spall

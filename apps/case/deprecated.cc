@@ -10,7 +10,7 @@ namespace
 {
 std::string present_section(const std::string &name)
 {
-  for (const ListedSection &section : sections())
+  for (const ListedSection &section : sections(Case{}))
     if (std::ranges::find(section.old_names, name) != section.old_names.end())
       return section.name;
   return name;

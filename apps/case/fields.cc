@@ -208,7 +208,7 @@ std::vector<std::string> kinds_with(const std::string &section)
 }
 } // namespace
 
-std::vector<ListedSection> sections()
+std::vector<ListedSection> sections(const Case &of)
 {
   std::vector<ListedSection> all = {{{"Case", "What is run."}, {}}};
   for (const TestKind &kind : test_kinds())
@@ -218,6 +218,10 @@ std::vector<ListedSection> sections()
     all.push_back({common.section, common.is_shared
                                        ? kinds_with(common.section.name)
                                        : std::vector<std::string>{}});
+  for (const WallSection &wall : of.walls)
+    all.push_back({{wall.section(), "Rigid wall " + wall.name +
+                                        ": a mesh that is at rest or moves."},
+                   kinds_with("Walls")});
   return all;
 }
 
@@ -265,6 +269,7 @@ std::vector<Parameter> parameters_of(Case &of)
             "Most OpenMP threads of the run, 0: all cores; the fastest number "
             "up to it is used."},
            of.threads, between(0, most_threads));
+  add_walls(list, of.walls);
   return std::move(list.parameters);
 }
 

@@ -18,9 +18,9 @@ struct ListedSection : Section
   }
 };
 
-/// The sections of a case in the order of printing: those of the kinds, then
-/// the common ones.
-std::vector<ListedSection> sections();
+/// The sections of a case in the order of printing: those of the kinds, the
+/// common ones, and one for each of its walls.
+std::vector<ListedSection> sections(const Case &of);
 
 /// Every field of the case, listed once: reader, printers, template and
 /// docs/parameters, checkpoints, preparations and studies all use this list.

@@ -49,10 +49,10 @@ std::string section_hint(const std::string &name,
 void check_known(const Assignment &a, const std::vector<Parameter> &list)
 {
   std::vector<std::string> names, keys;
-  for (const ListedSection &section : sections())
-    names.push_back(section.name);
   for (const Parameter &parameter : list)
   {
+    if (names.empty() || names.back() != parameter.section)
+      names.push_back(parameter.section);
     if (parameter.section == a.section)
       keys.push_back(parameter.key);
     if (parameter.section == a.section && parameter.key == a.key)
@@ -199,11 +199,15 @@ std::vector<Parameter> of_material(const std::vector<Parameter> &list,
   return result;
 }
 
-/// Values from the handler into the fields of the case.
-void assign_all(Values &values, const std::vector<Parameter> &list)
+/// Values from the handler into the fields of the case: of the walls, or of all
+/// other sections.
+void assign_all(Values &values, const std::vector<Parameter> &list,
+                bool of_walls)
 {
   for (const Parameter &parameter : list)
   {
+    if (is_wall_section(parameter.section) != of_walls)
+      continue;
     const std::string name = parameter.section + "/" + parameter.key;
     const auto location = values.locations.find(name);
     if (location == values.locations.end())
@@ -228,8 +232,8 @@ Override parse_override(const std::string &text)
   constexpr std::string_view preset = "preset=";
   if (text.starts_with(preset))
     return {"", "preset", text.substr(preset.size())};
-  const std::size_t slash = text.find('/');
   const std::size_t equal = text.find('=');
+  const std::size_t slash = text.substr(0, equal).rfind('/');
   if (slash == std::string::npos || equal == std::string::npos || slash == 0 ||
       equal <= slash + 1)
     throw InputError("--set " + text +
@@ -264,7 +268,7 @@ void check_kind(const Case &parameters, const std::vector<Parameter> &list,
     throw InputError(of_source.second + ": " + of_source.first +
                      ": a case of kind " + parameters.kind + " has no " + what);
   };
-  for (const ListedSection &section : sections())
+  for (const ListedSection &section : sections(parameters))
     if (!section.is_of(parameters.kind))
       for (const auto &location : locations)
         if (location.first.starts_with(section.name + "/"))
@@ -317,6 +321,28 @@ void note_contents(Case &of)
           of.contents[parameter.section + "/" + parameter.key] =
               digest_of(*path);
 }
+/// The walls that file and command line name, in this order. Throws InputError
+/// for a name that columns and messages cannot have.
+void add_named_walls(Case &c, const std::string &file,
+                     std::span<const Override> overrides)
+{
+  const auto add = [&c](const Assignment &a)
+  {
+    if (!is_wall_section(a.section))
+      return;
+    const std::string name = wall_of(a.section);
+    if (!is_wall_name(name))
+      throw InputError(a.location + ": " + a.section +
+                       ": the name of a wall is letters, digits and _");
+    if (std::ranges::find(c.walls, name, &WallSection::name) == c.walls.end())
+      c.walls.emplace_back().name = name;
+  };
+  for (const Assignment &a : read_assignments(file))
+    add(a);
+  for (const Override &o : overrides)
+    add({o.section, o.key, o.value, "--set"});
+}
+
 /// The materials take the parameters of their laws.
 void choose_laws(Case &c)
 {
@@ -324,6 +350,8 @@ void choose_laws(Case &c)
   { return static_cast<std::size_t>(dem::contact_law_number(law)); };
   c.particle.law_values = c.pair_laws.at(number(c.particle.law));
   c.wall.law_values = c.wall_laws.at(number(c.wall.law));
+  for (WallSection &wall : c.walls)
+    wall.material.law_values = c.wall_laws.at(number(wall.material.law));
 }
 } // namespace
 
@@ -333,6 +361,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   const bool is_kind = find_kind(kind);
   Case result = default_case(is_kind ? kind : test_kinds().front().name);
   result.file = file;
+  add_named_walls(result, file, overrides);
   const std::vector<Parameter> list = parameters_of(result);
   Values values;
   declare(values.handler, list);
@@ -351,7 +380,10 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
     take_file(values, file, list); // the case wins
     take_overrides(values, result, overrides, list);
   }
-  assign_all(values, list);
+  assign_all(values, list, false);
+  for (WallSection &wall : result.walls)
+    wall.material = result.wall; // what it does not say itself
+  assign_all(values, list, true);
   choose_laws(result);
   result.deprecated = values.deprecated;
   note_contents(result);

@@ -54,6 +54,11 @@ public:
   {
     return put(text, &field, {});
   }
+  /// Three components; `range` is that of each.
+  Parameter &add(const Text &text, dem::Vec3 &field, const Range &range = {})
+  {
+    return put(text, &field, range);
+  }
   Parameter &add_path(const Text &text, std::string &field)
   {
     Parameter &path = put(text, &field, {});
@@ -120,6 +125,7 @@ private:
 };
 
 void add_membrane(List &list, fem::MembraneParameters &m);
+void add_walls(List &list, std::vector<WallSection> &walls);
 void add_coupling(List &list, CouplingParameters &c);
 void add_contact(List &list, Case &of);
 /// The choice of a contact law by its name.

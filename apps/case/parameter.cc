@@ -6,7 +6,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 namespace spall
@@ -60,6 +62,14 @@ bool is_utf8(const std::string &text)
   {
     return false;
   }
+}
+
+/// Three numbers with commas or blanks between them.
+std::vector<std::string> components(std::string text)
+{
+  std::ranges::replace(text, ',', ' ');
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
 }
 
 double number_in_range(const Parameter &parameter, const std::string &text)
@@ -138,6 +148,14 @@ std::string allowed(const Parameter &parameter)
           [&](int *) { return range_text("a whole number", parameter.range); },
           [](bool *) { return std::string("true or false"); },
           [](std::string *) { return std::string("one line of text (UTF-8)"); },
+          [&](dem::Vec3 *)
+          {
+            return "three numbers x, y, z" +
+                   (std::isfinite(parameter.range.lower) ||
+                            std::isfinite(parameter.range.upper)
+                        ? range_text(", each", parameter.range)
+                        : "");
+          },
           [](const Choice &choice) {
             return (choice.names.size() > 1 ? "one of " : "") +
                    join(choice.names);
@@ -154,6 +172,11 @@ std::string value_text(const Parameter &parameter)
           [](int *value) { return std::to_string(*value); },
           [](bool *value) { return std::string(*value ? "true" : "false"); },
           [](std::string *value) { return *value; },
+          [](dem::Vec3 *value)
+          {
+            return number_text(value->x()) + ", " + number_text(value->y()) +
+                   ", " + number_text(value->z());
+          },
           [](const Choice &choice) { return choice.names[choice.get()]; }},
       parameter.value);
 }
@@ -176,6 +199,17 @@ void assign(const Parameter &parameter, const std::string &text)
                 !is_utf8(text))
               refuse(parameter);
             *value = text;
+          },
+          [&](dem::Vec3 *value)
+          {
+            const std::vector<std::string> words = components(text);
+            if (words.size() != 3)
+              refuse(parameter);
+            dem::Vec3 given;
+            for (std::size_t d = 0; d < 3; ++d)
+              given[static_cast<Eigen::Index>(d)] =
+                  number_in_range(parameter, words[d]);
+            *value = given;
           },
           [&](const Choice &choice)
           {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <dem/vector.h>
+
 #include <functional>
 #include <limits>
 #include <map>
@@ -52,8 +54,9 @@ struct Parameter
   std::string section, key;
   std::string unit;     ///< SI, "-" if none
   std::string sentence; ///< what it is
-  std::variant<double *, int *, bool *, std::string *, Choice> value;
-  Range range;                            ///< of numbers
+  std::variant<double *, int *, bool *, std::string *, dem::Vec3 *, Choice>
+      value;
+  Range range;                            ///< of numbers and components
   std::string reason;                     ///< why this range, if it needs one
   std::vector<std::string> old_keys = {}; ///< deprecated, still read
   std::string kind = {}; ///< the kind of test that has it; empty: all

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -46,6 +47,9 @@ std::optional<std::string> quoted_value(const std::string &text)
   }
   return {};
 }
+
+/// The section that has sections of its own.
+const std::string walls_section = "Walls";
 
 /// The lines of a .prm one by one: subsection X, set key = value,
 /// set key = "value", end, #.
@@ -100,17 +104,21 @@ private:
 
   void open(const std::string &name)
   {
-    if (!section.empty())
+    if (section == walls_section)
+      section += "/" + name;
+    else if (!section.empty())
       refuse("section " + name + " inside section " + section +
              ": sections are not nested, is an end missing?");
-    section = name;
+    else
+      section = name;
   }
 
   void close()
   {
     if (section.empty())
       refuse("end without a section");
-    section.clear();
+    const bool is_wall = section.starts_with(walls_section + "/");
+    section = is_wall ? walls_section : "";
   }
 
   /// set key = "value"; false for any other line.
@@ -197,9 +205,40 @@ Json parse_json(const std::string &file, std::istream &in)
   }
 }
 
+const std::string form = "a case is {\"Section\": {\"key\": value}}";
+
+/// The text of a value; of a list of numbers these with commas between them.
+std::string text_of(const Json &value)
+{
+  if (!value.is_array())
+    return value.is_string() ? value.get<std::string>() : value.dump();
+  std::string text;
+  for (const Json &one : value)
+    text += (text.empty() ? "" : ", ") + one.dump();
+  return text;
+}
+
+void add_entry(const std::string &file, Assignment a, const Json &value,
+               std::vector<Assignment> &assignments)
+{
+  const bool is_list =
+      value.is_array() && std::ranges::all_of(value, [](const Json &one)
+                                              { return one.is_number(); });
+  if ((value.is_structured() && !is_list) || value.is_null())
+    throw InputError(file + ": " + a.section + "/" + a.key + ": " + form);
+  a.value = text_of(value);
+  assignments.push_back(std::move(a));
+}
+
+void add_entries(const std::string &file, const std::string &section,
+                 const Json &entries, std::vector<Assignment> &assignments)
+{
+  for (const auto &[key, value] : entries.items())
+    add_entry(file, {section, key, "", file}, value, assignments);
+}
+
 std::vector<Assignment> scan_json(const std::string &file, std::istream &in)
 {
-  const std::string form = "a case is {\"Section\": {\"key\": value}}";
   const Json root = parse_json(file, in);
   if (!root.is_object())
     throw InputError(file + ": " + form);
@@ -208,14 +247,12 @@ std::vector<Assignment> scan_json(const std::string &file, std::istream &in)
   {
     if (!entries.is_object())
       throw InputError(file + ": " + section + ": " + form);
+    const bool has_sections = section == walls_section;
     for (const auto &[key, value] : entries.items())
-    {
-      if (value.is_structured() || value.is_null())
-        throw InputError(file + ": " + section + "/" + key + ": " + form);
-      const std::string text =
-          value.is_string() ? value.get<std::string>() : value.dump();
-      assignments.push_back({section, key, text, file});
-    }
+      if (has_sections && value.is_object())
+        add_entries(file, section + "/" + key, value, assignments);
+      else
+        add_entry(file, {section, key, "", file}, value, assignments);
   }
   return assignments;
 }

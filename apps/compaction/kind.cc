@@ -35,7 +35,7 @@ TestKind compaction_kind()
            {"Plate",
             "The plate on the particles: rigid, and it may tilt, or elastic."},
            {"Vibration", "The exciter on the plate, and what is written."}},
-      .shared_sections = {"MembraneContact", "Membrane", "Coupling"},
+      .shared_sections = {"MembraneContact", "Membrane", "Coupling", "Walls"},
       .add_parameters = add_compaction,
       .set_defaults = set_defaults,
       .check = check_compaction,

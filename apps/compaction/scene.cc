@@ -4,6 +4,7 @@
 #include "case/parameter.h"
 #include "compaction/plate.h"
 #include "errors.h"
+#include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
 #include "test/test.h"
 
@@ -125,6 +126,7 @@ CompactionScene make_compaction_scene(const Case &parameters)
   scene.layers = dem::deal_layers(particles, parameters.filling.layers);
   scene.engine = empty_container(engine_settings(parameters), scene.all,
                                  0.5 * parameters.container.diameter);
+  add_mesh_walls(*scene.engine, parameters);
   choose_first_step(parameters, scene);
   return scene;
 }

@@ -29,7 +29,7 @@ TestKind los_angeles_kind()
   return {.name = "los_angeles",
           .sections = {{"Charge", "Particles and steel balls in the drum."},
                        {"Drum", "The Los Angeles drum and how long it turns."}},
-          .shared_sections = {},
+          .shared_sections = {"Walls"},
           .add_parameters = add_los_angeles,
           .set_defaults = set_defaults,
           .check = check_los_angeles,

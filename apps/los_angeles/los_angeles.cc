@@ -3,6 +3,7 @@
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
 #include "test/checkpoint.h"
 #include "test/roundness_table.h"
@@ -128,6 +129,7 @@ struct LosAngeles::Scene
     drum.lifter_height = d.lifter_height;
     drum.lifter_thickness = d.lifter_thickness;
     dem::set_drum(*engine, drum);
+    add_mesh_walls(*engine, parameters);
     engine->set_breaking(false);
   }
 };

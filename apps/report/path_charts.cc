@@ -41,6 +41,53 @@ constexpr std::array energy_terms = {
 
 } // namespace
 
+namespace
+{
+/// One curve for each wall whose column has this ending.
+std::vector<Curve> wall_curves(const RunData &run, const std::string &ending,
+                               const std::vector<double> &x)
+{
+  std::vector<Curve> curves;
+  for (std::size_t c = 0; c < run.loading.names.size(); ++c)
+    if (const std::string &column = run.loading.names[c];
+        column.ends_with(ending))
+    {
+      Curve curve;
+      curve.name = column.substr(0, column.size() - ending.size());
+      curve.colour = palette_colour(curves.size());
+      curve.dash = palette_dash(curves.size());
+      curve.x = x;
+      curve.y = run.loading.columns[c];
+      curves.push_back(curve);
+    }
+  return curves;
+}
+} // namespace
+
+std::vector<Chart> wall_charts(std::span<const RunData> runs,
+                               const ChartPath &path)
+{
+  std::vector<Chart> charts;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (const std::string axis : {"x", "y", "z"})
+    {
+      Chart chart = chart_of_run(
+          runs, k,
+          {"wall_force_" + axis,
+           "Force of the particles on each wall along " + axis + "."});
+      chart.x_label = path.label;
+      chart.y_label = "Force (N)";
+      const Column *x =
+          find_or_note(runs[k].loading, path.column, runs[k], chart);
+      if (x)
+        chart.curves = wall_curves(runs[k], "_force_" + axis + "_N",
+                                   scaled(*x, path.factor));
+      if (!chart.curves.empty())
+        charts.push_back(chart);
+    }
+  return charts;
+}
+
 std::vector<Chart> path_energy_charts(std::span<const RunData> runs,
                                       const ChartPath &path)
 {

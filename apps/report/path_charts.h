@@ -25,6 +25,11 @@ struct PathQuantity
 Chart path_chart(std::span<const RunData> runs, const ChartPath &path,
                  const PathQuantity &quantity);
 
+/// The forces of the particles on the walls of a scene, a chart for each run
+/// and component. Columns are NAME_force_x_N and so on.
+std::vector<Chart> wall_charts(std::span<const RunData> runs,
+                               const ChartPath &path);
+
 /// Where the external work has gone: a chart for each run.
 std::vector<Chart> path_energy_charts(std::span<const RunData> runs,
                                       const ChartPath &path);

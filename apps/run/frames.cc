@@ -44,10 +44,13 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
   add(engine.pairs(), dem::ContactKind::particle_particle);
   add(dem::on_planes(engine), dem::ContactKind::particle_plane);
   add(dem::on_drum(engine), dem::ContactKind::particle_plane);
-  for (const dem::FacetBoundary &facets : dem::surfaces(engine))
+  for (const dem::FacetBoundary &facets : dem::all_facets(engine))
     add(facets.batch, dem::ContactKind::particle_facet);
   return lines;
 }
+
+/// Number of the mesh walls in the collection of frames.
+constexpr int walls_part = 100;
 
 void copy_view(const std::filesystem::path &folder)
 {
@@ -96,6 +99,15 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
       [&](Path path) { dem::write_contacts(path, contact_lines(engine)); });
   if (parts.membrane)
     add(2, "membrane", [&](Path path) { parts.membrane->write_vtu(path); });
+  if (const auto walls = dem::mesh_walls(engine); !walls.empty())
+    add(walls_part, "walls",
+        [&](Path path)
+        {
+          std::vector<const dem::FacetSurface *> surfaces;
+          for (const dem::MeshWall &wall : walls)
+            surfaces.push_back(&wall.surface);
+          dem::write_facets(path, surfaces);
+        });
   if (parts.has_surfaces)
     add(3, "surfaces", [&](Path path) { dem::write_surfaces(path, columns); });
   int part = 4;

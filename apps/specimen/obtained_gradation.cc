@@ -26,10 +26,13 @@ struct GradationKey
 
 std::optional<GradationKey> gradation_key(const Case &c)
 {
+  if (!c.specimen.particles.empty())
+    return {};
   const std::string &section = find_kind(c.kind)->gradation_section;
   Case any = c;
   for (const Parameter &parameter : parameters_of(any))
-    if (parameter.section == section && parameter.key == "gradation")
+    if (parameter.section == section && parameter.key == "gradation" &&
+        !value_text(parameter).empty())
       return GradationKey{section, value_text(parameter)};
   return {};
 }

@@ -3,13 +3,12 @@
 #include "case/parameter.h"
 #include "errors.h"
 #include "run/whole_file.h"
+#include "specimen/csv_table.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
-#include <zlib.h>
 
 namespace spall
 {
@@ -17,99 +16,150 @@ namespace
 {
 constexpr const char *plain_header = "x,y,z,radius";
 constexpr const char *turned_header = "x,y,z,radius,qw,qx,qy,qz";
+const std::string any_header =
+    "x,y,z,radius (or diameter), and any of qw,qx,qy,qz, vx,vy,vz, wx,wy,wz, "
+    "shape, material";
 
-/// The whole file, unpacked if it is compressed.
-std::string file_text(const std::string &path)
+/// Groups of columns: all of a group or none.
+const std::vector<std::string> position_names = {"x", "y", "z"},
+                               orientation_names = {"qw", "qx", "qy", "qz"},
+                               velocity_names = {"vx", "vy", "vz"},
+                               spin_names = {"wx", "wy", "wz"};
+
+[[noreturn]] void refuse(const CsvRow &row, const std::string &what)
 {
-  if (!std::filesystem::exists(path))
-    throw InputError(path + ": no such file");
-  if (std::filesystem::is_directory(path))
-    throw InputError(path + ": is a folder, must be a packing (CSV)");
-  const gzFile file = gzopen(path.c_str(), "rb");
-  if (file == nullptr)
-    throw InputError(path + ": cannot be read");
-  std::string text;
-  std::vector<char> block(1 << 16);
-  int n = 0;
-  while ((n = gzread(file, block.data(),
-                     static_cast<unsigned int>(block.size()))) > 0)
-    text.append(block.data(), static_cast<std::size_t>(n));
-  // A file that ends in the middle is reported by the last call.
-  if (gzclose_r(file) != Z_OK || n < 0)
-    throw InputError(path + ": cannot be unpacked, is it cut off?");
-  return text;
+  throw InputError(row.location + ": \"" + row.text + "\": " + what);
 }
 
-/// The numbers of a row; throws std::invalid_argument.
-std::vector<double> numbers(const std::string &row, char separator)
+/// The columns of a group in the table; empty if it has none of them.
+std::vector<std::size_t> columns_of(const CsvTable &table,
+                                    const std::vector<std::string> &group)
 {
-  std::vector<double> values;
-  std::istringstream fields(row);
-  for (std::string field; std::getline(fields, field, separator);)
-    if (separator != ' ' || !field.empty())
-      values.push_back(to_number(field));
-  return values;
+  std::vector<std::size_t> columns;
+  for (const std::string &name : group)
+    if (const int column = table.column(name); column >= 0)
+      columns.push_back(static_cast<std::size_t>(column));
+  if (!columns.empty() && columns.size() != group.size())
+    refuse(table.header, "the header must be " + any_header);
+  return columns;
 }
 
-/// The text without spaces before and after it.
-std::string trimmed(const std::string &text)
+/// Which column is what.
+struct PackingColumns
 {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  std::vector<std::size_t> position, orientation, velocity, spin;
+  int size = -1, shape = -1, material = -1;
+  bool is_diameter = false;
+
+  explicit PackingColumns(const CsvTable &table)
+      : position(columns_of(table, position_names)),
+        orientation(columns_of(table, orientation_names)),
+        velocity(columns_of(table, velocity_names)),
+        spin(columns_of(table, spin_names)), size(table.column("radius")),
+        shape(table.column("shape")), material(table.column("material"))
+  {
+    const int diameter = table.column("diameter");
+    is_diameter = size < 0;
+    const bool has_both = size >= 0 && diameter >= 0;
+    if (is_diameter)
+      size = diameter;
+    const std::size_t known = position.size() + orientation.size() +
+                              velocity.size() + spin.size() + 1 + (shape >= 0) +
+                              (material >= 0);
+    if (position.empty() || size < 0 || has_both ||
+        known != table.header.cells.size())
+      refuse(table.header, "the header must be " + any_header);
+  }
+};
+
+double number(const CsvRow &row, std::size_t column)
+{
+  try
+  {
+    return to_number(row.cells[column]);
+  }
+  catch (const std::invalid_argument &)
+  {
+    refuse(row, "\"" + row.cells[column] + "\" must be a number");
+  }
+}
+
+dem::Vec3 vector(const CsvRow &row, const std::vector<std::size_t> &columns)
+{
+  return {number(row, columns[0]), number(row, columns[1]),
+          number(row, columns[2])};
+}
+
+void add_particle(Packing &packing, const CsvRow &row,
+                  const PackingColumns &columns)
+{
+  const double size = number(row, static_cast<std::size_t>(columns.size));
+  if (size <= 0.)
+    refuse(row, columns.is_diameter ? "the diameter must be above 0"
+                                    : "the radius must be above 0");
+  packing.position.push_back(vector(row, columns.position));
+  packing.radius.push_back(columns.is_diameter ? 0.5 * size : size);
+  if (const auto &q = columns.orientation; !q.empty())
+  {
+    const dem::Quaternion turn(number(row, q[0]), number(row, q[1]),
+                               number(row, q[2]), number(row, q[3]));
+    if (!(std::abs(turn.norm() - 1.) < 1e-6))
+      refuse(row, "the quaternion must have length 1");
+    // What has all its digits stays as it is, bit for bit.
+    packing.orientation.push_back(
+        std::abs(turn.norm() - 1.) < 1e-14 ? turn : turn.normalized());
+  }
+  if (!columns.velocity.empty())
+    packing.velocity.push_back(vector(row, columns.velocity));
+  if (!columns.spin.empty())
+    packing.spin.push_back(vector(row, columns.spin));
+  if (columns.shape >= 0)
+    packing.shape.push_back(row.cells[static_cast<std::size_t>(columns.shape)]);
+  if (columns.material >= 0)
+    packing.material.push_back(
+        row.cells[static_cast<std::size_t>(columns.material)]);
+  packing.location.push_back(row.location);
 }
 
 /// Takes a row `# box LX LY LZ`; other comments are left alone.
-void take_comment(Packing &packing, const std::string &row,
-                  const std::string &location)
+void take_comment(Packing &packing, const CsvRow &row)
 {
-  const std::string text = trimmed(row.substr(1));
-  if (!text.starts_with("box"))
+  std::istringstream words(row.text.substr(1));
+  std::string name;
+  if (!(words >> name) || name != "box")
     return;
   std::vector<double> sides;
   try
   {
-    sides = numbers(text.substr(3), ' ');
+    for (std::string word; words >> word;)
+      sides.push_back(to_number(word));
   }
   catch (const std::invalid_argument &)
   {
   }
   if (sides.size() != 3 || !(std::min({sides[0], sides[1], sides[2]}) > 0.))
-    throw InputError(location + ": \"" + row +
-                     "\": must be # box LX LY LZ, three numbers above 0");
+    refuse(row, "must be # box LX LY LZ, three numbers above 0");
   packing.box = {sides[0], sides[1], sides[2]};
 }
+} // namespace
 
-void add_particle(Packing &packing, const std::string &row,
-                  const std::string &location, bool is_turned)
+Packing read_placed_particles(const std::string &path)
 {
-  std::vector<double> v;
-  try
-  {
-    v = numbers(row, ',');
-  }
-  catch (const std::invalid_argument &)
-  {
-  }
-  if (v.size() != (is_turned ? 8 : 4))
-    throw InputError(location + ": \"" + row + "\": a row is " +
-                     (is_turned ? "eight" : "four") + " numbers, " +
-                     (is_turned ? turned_header : plain_header));
-  if (v[3] <= 0.)
-    throw InputError(location + ": \"" + row +
-                     "\": the radius must be above 0");
-  packing.position.emplace_back(v[0], v[1], v[2]);
-  packing.radius.push_back(v[3]);
-  if (!is_turned)
-    return;
-  const dem::Quaternion q(v[4], v[5], v[6], v[7]);
-  if (!(std::abs(q.norm() - 1.) < 1e-9))
-    throw InputError(location + ": \"" + row +
-                     "\": the quaternion must have length 1");
-  packing.orientation.push_back(q);
+  const CsvTable table = read_csv(path, any_header);
+  const PackingColumns columns(table);
+  Packing packing;
+  for (const CsvRow &row : table.comments)
+    take_comment(packing, row);
+  for (const CsvRow &row : table.rows)
+    add_particle(packing, row, columns);
+  if (packing.size() == 0)
+    throw InputError(path + ": has no particles, must be " + plain_header +
+                     " and one row per particle");
+  return packing;
 }
 
+namespace
+{
 /// Every centre is inside the box.
 void require_inside(const Packing &packing, const std::string &path)
 {
@@ -137,33 +187,7 @@ double side_of(const Packing &packing)
 
 Packing read_packing(const std::string &path)
 {
-  std::istringstream in(file_text(path));
-  Packing packing;
-  bool has_header = false, is_turned = false;
-  int n_lines = 0;
-  for (std::string line; std::getline(in, line);)
-  {
-    const std::string location = path + ":" + std::to_string(++n_lines);
-    const std::string row = trimmed(line);
-    if (row.empty())
-      continue;
-    if (row.starts_with('#'))
-      take_comment(packing, row, location);
-    else if (has_header)
-      add_particle(packing, row, location, is_turned);
-    else if (row == plain_header || row == turned_header)
-    {
-      has_header = true;
-      is_turned = row == turned_header;
-    }
-    else
-      throw InputError(location + ": \"" + row.substr(0, 80) +
-                       "\": the header must be " + plain_header + " or " +
-                       turned_header);
-  }
-  if (packing.size() == 0)
-    throw InputError(path + ": has no particles, must be " + plain_header +
-                     " and one row per particle");
+  Packing packing = read_placed_particles(path);
   if (packing.box.isZero())
     packing.box = dem::Vec3::Constant(side_of(packing));
   require_inside(packing, path);

@@ -14,14 +14,24 @@ struct Packing
   std::vector<dem::Vec3> position;          ///< [m]
   std::vector<double> radius;               ///< of the ball [m]
   std::vector<dem::Quaternion> orientation; ///< empty if the file has none
+  std::vector<dem::Vec3> velocity;          ///< the same [m/s]
+  std::vector<dem::Vec3> spin;              ///< the same [rad/s]
+  std::vector<std::string> shape;           ///< names of shape files, the same
+  std::vector<std::string> material;        ///< names, the same
+  std::vector<std::string> location;        ///< "file.csv:12"
 
   std::size_t size() const { return radius.size(); }
 };
 
-/// Reads a CSV, plain or compressed by gzip: header `x,y,z,radius` or
-/// `x,y,z,radius,qw,qx,qy,qz`, one particle per row. A comment `# box LX LY LZ`
-/// gives the box; without it the box is a cube whose side follows from the
-/// particles (side_of). Throws InputError with file, line and what is allowed.
+/// Reads a CSV, plain or compressed by gzip, one particle per row: columns
+/// x,y,z and radius or diameter, and any of qw,qx,qy,qz, vx,vy,vz, wx,wy,wz,
+/// shape and material. A comment `# box LX LY LZ` gives the box, else it is
+/// zero. Throws InputError with file, line and what is allowed.
+Packing read_placed_particles(const std::string &path);
+
+/// The same for particles in a box: without that comment it is a cube whose
+/// side follows from the particles (side_of). Throws InputError also on a
+/// centre outside of the box.
 Packing read_packing(const std::string &path);
 
 /// With box and orientations, plain. Throws InputError if it cannot.

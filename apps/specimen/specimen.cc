@@ -6,6 +6,7 @@
 #include "errors.h"
 #include "shape/loaded.h"
 #include "specimen/obtained_gradation.h"
+#include "specimen/placed_particles.h"
 #include "specimen/sheet_file.h"
 
 #include <dem/packing/insertion.h>
@@ -113,34 +114,30 @@ dem::Vec3 cloud_size(const SpecimenParameters &s, double solid_volume)
   return form * std::cbrt(solid_volume / s.initial_solid_fraction /
                           (section * form.prod()));
 }
-} // namespace
-
-Specimen make_specimen(const Case &parameters)
+/// Particles by the gradation, in a random cloud from the origin to `box`.
+PlacedParticles drawn_particles(const Case &parameters)
 {
   const SpecimenParameters &s = parameters.specimen;
-  Specimen specimen;
-  specimen.shapes = load_shapes(parameters, "Specimen", s.shapes, s.order);
+  PlacedParticles cloud;
+  cloud.shapes = load_shapes(parameters, "Specimen", s.shapes, s.order);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
-  const std::vector<dem::ParticleShape> particles = draw_particles(
-      parameters, nominal_solid_volume(s), specimen.shapes, random);
-  if (particles.empty())
+  cloud.body =
+      draw_particles(parameters, nominal_solid_volume(s), cloud.shapes, random);
+  if (cloud.body.empty())
     throw InputError(parameters.file + ": Specimen/solid_fraction = " +
                      std::to_string(s.solid_fraction) +
                      ": gives no room for a single particle of the gradation");
-  double volume = 0., smallest = particles.front().inscribed_radius;
-  for (const dem::ParticleShape &particle : particles)
-  {
+  double volume = 0.;
+  for (const dem::ParticleShape &particle : cloud.body)
     volume += particle.volume;
-    smallest = std::min(smallest, dem::mean_radius(particle));
-  }
-  const dem::Vec3 lower = dem::Vec3::Zero(), upper = cloud_size(s, volume);
-  const bool is_round = s.form == SpecimenForm::cylinder;
-  const bool sees_surfaces = parameters.contact.follows_surfaces();
-  std::vector<dem::Placement> placements;
+  cloud.box = cloud_size(s, volume);
   try
   {
-    placements = dem::insert_particles(
-        particles, {lower, upper, sees_surfaces, is_round}, random);
+    cloud.placement = dem::insert_particles(
+        cloud.body,
+        {dem::Vec3::Zero(), cloud.box, parameters.contact.follows_surfaces(),
+         s.form == SpecimenForm::cylinder},
+        random);
   }
   catch (const dem::NoFreePosition &error)
   {
@@ -148,17 +145,57 @@ Specimen make_specimen(const Case &parameters)
                      ": Specimen/initial_solid_fraction = " +
                      number_text(s.initial_solid_fraction) + " must be lower");
   }
+  return cloud;
+}
+
+/// The particles of a file, moved so that what encloses them begins at the
+/// origin.
+PlacedParticles given_particles(const Case &parameters)
+{
+  const SpecimenParameters &s = parameters.specimen;
+  PlacedParticles given = place_particles(
+      parameters, {"Specimen", s.particles, s.shapes, s.order, false});
+  if (!given.box.isZero())
+    return given;
+  dem::Vec3 lower = dem::Vec3::Constant(std::numeric_limits<double>::max()),
+            upper = -lower;
+  for (std::size_t k = 0; k < given.size(); ++k)
+  {
+    const dem::Vec3 reach =
+        dem::Vec3::Constant(given.body[k].circumscribed_radius);
+    lower = lower.cwiseMin(given.placement[k].position - reach);
+    upper = upper.cwiseMax(given.placement[k].position + reach);
+  }
+  for (dem::Placement &placement : given.placement)
+    placement.position -= lower;
+  given.box = upper - lower;
+  return given;
+}
+} // namespace
+
+Specimen make_specimen(const Case &parameters)
+{
+  const SpecimenParameters &s = parameters.specimen;
+  const PlacedParticles particles = s.particles.empty()
+                                        ? drawn_particles(parameters)
+                                        : given_particles(parameters);
+  double smallest = particles.body.front().inscribed_radius;
+  for (const dem::ParticleShape &particle : particles.body)
+    smallest = std::min(smallest, dem::mean_radius(particle));
   dem::EngineParameters engine = engine_parameters(parameters);
   engine.geometry.usual_skin = 0.25 * smallest;
+  Specimen specimen;
+  specimen.shapes = particles.shapes;
   specimen.engine =
       std::make_unique<dem::Engine>(engine, dem::ranks_of_program());
   for (std::size_t i = 0; i < particles.size(); ++i)
-    specimen.engine->add_particle(particles[i], placements[i].position,
-                                  placements[i].orientation);
-  if (is_round)
-    specimen.walls = dem::add_cylinder(*specimen.engine, lower, upper);
-  else
-    specimen.walls = dem::add_box(*specimen.engine, lower, upper);
+    specimen.engine->add_particle(particles.body[i],
+                                  particles.placement[i].position,
+                                  particles.placement[i].orientation);
+  const dem::Vec3 lower = dem::Vec3::Zero(), &upper = particles.box;
+  specimen.walls = s.form == SpecimenForm::cylinder
+                       ? dem::add_cylinder(*specimen.engine, lower, upper)
+                       : dem::add_box(*specimen.engine, lower, upper);
   return specimen;
 }
 

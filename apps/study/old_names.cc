@@ -43,7 +43,7 @@ void replace_old_names(Study &study)
   for (Expectation &expectation : study.expectations)
     for (std::string *name :
          {&expectation.key, &expectation.than_key, &expectation.where_key})
-      if (const std::size_t slash = name->find('/'); slash != name->npos)
+      if (const std::size_t slash = name->rfind('/'); slash != name->npos)
       {
         Override setting{name->substr(0, slash), name->substr(slash + 1), ""};
         replace_old_names(setting, study.file, list, study);

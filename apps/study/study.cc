@@ -104,7 +104,7 @@ void take_study(const Assignment &a, Study &study)
 
 void take_sweep(const Assignment &a, Study &study)
 {
-  const std::size_t slash = a.key.find('/');
+  const std::size_t slash = a.key.rfind('/');
   if (slash == std::string::npos)
     refuse(a, "must be Section/key = values");
   study.keys.push_back({a.key.substr(0, slash),

@@ -41,7 +41,7 @@ TestKind subgrade_kind()
            {"Pulse", "What the plate or sleeper gets while loading."},
            {"Record", "What is written, and how often."},
            {"GroundContact", "Particle against subgrade: linear springs."}},
-      .shared_sections = {"Coupling"},
+      .shared_sections = {"Coupling", "Walls"},
       .add_parameters = add_subgrade,
       .set_defaults = set_defaults,
       .set_template = set_template,

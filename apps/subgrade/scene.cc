@@ -4,6 +4,7 @@
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
 
 #include <dem/engine_boundaries.h>
@@ -86,6 +87,7 @@ ParticleBox make_particle_box(const Case &c)
       inward[d] = -sign;
       dem::add_plane(*scene.engine, sign * half, inward);
     }
+  add_mesh_walls(*scene.engine, c);
   scene.engine->set_breaking(false);
   scene.limit =
       dem::critical_step(scene.engine->parameters(), scene.all,

@@ -29,7 +29,7 @@ std::string identity_of(Case parameters)
 {
   const TestKind &kind = *find_kind(parameters.kind);
   std::map<std::string, bool> has_section;
-  for (const ListedSection &section : sections())
+  for (const ListedSection &section : sections(parameters))
     has_section[section.name] = section.is_of(kind.name);
   std::string text;
   for (const Parameter &p : parameters_of(parameters))

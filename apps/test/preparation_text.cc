@@ -58,7 +58,7 @@ std::string preparation_text(const Case &parameters, const ShapeLibrary &shapes,
 {
   Case of = parameters;
   std::map<std::string, bool> has_section;
-  for (const ListedSection &section : sections())
+  for (const ListedSection &section : sections(of))
     has_section[section.name] = section.is_of(of.kind);
   std::string text =
       "spall " SPALL_VERSION ", layout " + hex_text(state_layout) + "\n";
@@ -74,6 +74,9 @@ std::string preparation_text(const Case &parameters, const ShapeLibrary &shapes,
       value = contents_of_gradation(of, parameter);
     else if (parameter.key == "shapes")
       value = contents_of_shapes(shapes);
+    else if (const auto contents = of.contents.find(parameter.name());
+             contents != of.contents.end())
+      value = "contents " + hex_text(contents->second);
     text += parameter.name() + " = " + value + "\n";
   }
   return text;

@@ -23,7 +23,11 @@ std::string names_of(const std::vector<Quantity> &row)
 {
   std::string names;
   for (const Quantity &one : row)
-    names += (names.empty() ? "" : ",") + std::string(one.name);
+  {
+    if (!names.empty())
+      names += ',';
+    names += one.name;
+  }
   return names;
 }
 

@@ -1,6 +1,7 @@
 // The kinds of tests that the program has.
 #include "compaction/kind.h"
 #include "los_angeles/kind.h"
+#include "scene/kind.h"
 #include "single_particle/kind.h"
 #include "subgrade/kind.h"
 #include "triaxial/kind.h"
@@ -14,9 +15,9 @@ namespace
 {
 std::vector<TestKind> &registry()
 {
-  static std::vector<TestKind> kinds = {triaxial_kind(), single_particle_kind(),
-                                        los_angeles_kind(), compaction_kind(),
-                                        subgrade_kind()};
+  static std::vector<TestKind> kinds = {
+      triaxial_kind(),   single_particle_kind(), los_angeles_kind(),
+      compaction_kind(), subgrade_kind(),        scene_kind()};
   return kinds;
 }
 } // namespace

@@ -5,6 +5,7 @@
 #include "run/contact_point_events.h"
 #include "run/quantity_name.h"
 #include "run/warnings.h"
+#include "specimen/mesh_walls.h"
 
 #include <dem/binary.h>
 #include <dem/parallel/distribution.h>
@@ -153,7 +154,8 @@ double Test::external_work() const
 {
   const dem::EngineEnergy energy = whole().energy();
   return energy.work_of("planes") + energy.work_of("drum") +
-         energy.gravity_work + body_energy().external;
+         energy.work_of("mesh walls") + energy.gravity_work +
+         body_energy().external;
 }
 
 EnergyBalance Test::energy_balance() const
@@ -173,6 +175,10 @@ std::vector<Quantity> Test::row() const
   std::vector<Quantity> all = {{"time_s", engine().time()}};
   for (const Quantity &one : measured())
     all.push_back(one);
+  const std::vector<std::string> columns = wall_columns(whole());
+  const std::vector<double> on_walls = wall_values(whole());
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    all.push_back({columns[k], on_walls[k]});
   const dem::EngineEnergy e = whole().energy();
   const coupling::BodyEnergy bodies = body_energy();
   const EnergyBalance balance = energy_balance();
@@ -227,6 +233,18 @@ std::vector<std::string> Test::warnings() const
   return all;
 }
 
+namespace
+{
+/// What history.csv has of each wall, by name.
+void add_walls(const dem::Engine &engine, nlohmann::ordered_json &summary)
+{
+  const std::vector<std::string> columns = wall_columns(engine);
+  const std::vector<double> values = wall_values(engine);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    summary["walls"][columns[k]] = values[k];
+}
+} // namespace
+
 void Test::summarise(nlohmann::ordered_json &summary) const
 {
   const dem::ParticleSystem &all = whole().particles();
@@ -249,6 +267,7 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
   summary["overlap_over_radius_1"] = whole().overlaps().largest;
+  add_walls(whole(), summary);
   add_contact_point_events(whole(), summary);
   if (first_event.time >= 0.)
   {

@@ -28,7 +28,7 @@ struct Due
 /// One column of history.csv with its value in this row.
 struct Quantity
 {
-  const char *name; ///< name_unit
+  std::string name; ///< name_unit
   double value = 0.;
   bool is_live = false; ///< shown on the progress line
 };

@@ -10,6 +10,9 @@ namespace
 void check_specimen(const Case &c, const SourceLocation &location)
 {
   const SpecimenParameters &s = c.specimen;
+  check_shapes(c, location, "Specimen", s.shapes);
+  if (!s.particles.empty())
+    return; // their number and sizes are those of the file
   if (s.initial_solid_fraction >= s.solid_fraction)
     refuse(location, {"Specimen", "initial_solid_fraction",
                       number_text(s.initial_solid_fraction),
@@ -32,7 +35,6 @@ void check_specimen(const Case &c, const SourceLocation &location)
     check_size("diameter", s.diameter);
     check_size("height", s.height);
   }
-  check_shapes(c, location, "Specimen", s.shapes);
 }
 
 void check_cycle_jump(const Case &c, const SourceLocation &location)

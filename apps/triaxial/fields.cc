@@ -24,6 +24,12 @@ void add_specimen(List &list, SpecimenParameters &s)
             "Volume of the particles over that of the cube or cylinder.",
             "random packings stay below 0.75"},
            s.solid_fraction, Range{0., 0.75, true, true});
+  list.add_path({"particles", "-",
+                 "CSV file of placed particles, or the folder of a run of kind "
+                 "scene, which are compacted from there instead of particles "
+                 "drawn from the gradation. Columns as in Scene/particles. "
+                 "Empty: none."},
+                s.particles);
   list.add_path(
       {"gradation", "-",
        "CSV file diameter_m,passing_1: share of the mass that passes."},

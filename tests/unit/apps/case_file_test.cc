@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -214,8 +215,9 @@ TEST_F(CaseFile, SectionsOfOtherKindsAreRefused)
 TEST_F(CaseFile, EveryParameterIsDescribedOnce)
 {
   Case c;
+  c.walls.emplace_back().name = "floor";
   std::set<std::string> seen, known;
-  for (const Section &section : sections())
+  for (const Section &section : sections(c))
     known.insert(section.name);
   for (const Parameter &p : parameters_of(c))
   {
@@ -225,6 +227,47 @@ TEST_F(CaseFile, EveryParameterIsDescribedOnce)
     EXPECT_FALSE(p.unit.empty()) << name;
     EXPECT_TRUE(p.sentence.ends_with('.')) << name;
     EXPECT_NO_THROW(assign(p, value_text(p))) << name; // the default
+  }
+}
+
+// Sections of walls are nested in files and have one name elsewhere; what a
+// wall does not say is that of section Wall.
+TEST_F(CaseFile, WallsAreNestedSections)
+{
+  write("p.csv", "x,y,z,radius\n0,0,0,0.01\n");
+  const std::string start = "subsection Case\n  set kind = scene\nend\n"
+                            "subsection Scene\n  set particles = p.csv\nend\n"
+                            "subsection Wall\n  set friction = 0.7\nend\n";
+  const std::string prm =
+      write("walls.prm", start + "subsection Walls\n  subsection floor\n"
+                                 "    set mesh = floor.obj\n"
+                                 "    set velocity = 0, 0, 1.5\n  end\n"
+                                 "  subsection lid\n    set mesh = lid.obj\n"
+                                 "    set friction = 0.1\n"
+                                 "    set free = yz\n  end\nend\n");
+  const std::string json =
+      write("walls.json",
+            R"({"Case": {"kind": "scene"}, "Scene": {"particles": "p.csv"},
+          "Wall": {"friction": 0.7},
+          "Walls": {"floor": {"mesh": "floor.obj", "velocity": [0, 0, 1.5]},
+                    "lid": {"mesh": "lid.obj", "friction": 0.1,
+                            "free": "yz"}}})");
+  write("floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("lid.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const std::string &file : {prm, json})
+  {
+    const std::array<Override, 1> mass{parse_override("Walls/lid/mass=2.5")};
+    const Case c = read_case(file, mass);
+    ASSERT_EQ(c.walls.size(), 2u);
+    EXPECT_EQ(c.walls[0].name, "floor");
+    EXPECT_EQ(c.walls[0].velocity, dem::Vec3(0., 0., 1.5));
+    EXPECT_EQ(c.walls[0].material.friction, 0.7);
+    EXPECT_EQ(c.walls[1].material.friction, 0.1);
+    EXPECT_EQ(c.walls[1].free, FreeDirections::yz);
+    EXPECT_EQ(c.walls[1].mass, 2.5);
+    const Case again = read_case(write("again.prm", resolved_case(c)), {});
+    EXPECT_EQ(without_comments(resolved_case(again)),
+              without_comments(resolved_case(c)));
   }
 }
 

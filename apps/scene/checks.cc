@@ -1,0 +1,68 @@
+#include "case/checks.h"
+
+#include "case/parameter.h"
+#include "scene/case.h"
+#include "scene/kind.h"
+
+namespace spall
+{
+namespace
+{
+std::string text_of(const dem::Vec3 &v)
+{
+  return number_text(v.x()) + ", " + number_text(v.y()) + ", " +
+         number_text(v.z());
+}
+
+void check_corners(const SourceLocation &location, const std::string &section,
+                   const dem::Vec3 &lower, const dem::Vec3 &upper)
+{
+  if (!(lower.array() < upper.array()).all())
+    refuse(location, {section, "upper", text_of(upper),
+                      "must be above " + section +
+                          "/lower = " + text_of(lower) + " along every axis"});
+}
+
+void check_box(const Case &c, const SourceLocation &location)
+{
+  const SceneBoxParameters &box = c.own<SceneCase>().box;
+  check_corners(location, "Box", box.lower, box.upper);
+  if (!c.contact.follows_surfaces())
+    return;
+  for (const auto &[key, faces] :
+       {std::pair{"x", box.x}, {"y", box.y}, {"z", box.z}})
+    if (faces == BoxFaces::periodic)
+      refuse(location,
+             {"Box", key, "periodic",
+              "must be open or rigid with Contact/geometry = surface: true "
+              "surfaces do not meet across a periodic face"});
+}
+
+void check_fill(const Case &c, const SourceLocation &location)
+{
+  const SceneCase &own = c.own<SceneCase>();
+  if (own.fill.mass > 0.)
+  {
+    check_gradation(c, location, "Fill", own.fill.gradation);
+    check_shapes(c, location, "Fill", own.fill.shapes);
+    check_corners(location, "Fill", own.fill.lower, own.fill.upper);
+  }
+  else if (!own.fill.gradation.empty())
+    refuse(location, {"Fill", "gradation", own.fill.gradation,
+                      "must be empty unless Fill/mass is above 0"});
+  if (own.fill.mass == 0. && own.scene.particles.empty())
+    refuse(location, {"Scene", "particles", "",
+                      "must name a file of particles, unless Fill/mass is "
+                      "above 0"});
+}
+} // namespace
+
+void check_scene(const Case &c, const SourceLocation &location)
+{
+  check_inertia(c, location);
+  check_no_step_error(c, location);
+  check_shapes(c, location, "Scene", c.own<SceneCase>().scene.shapes);
+  check_box(c, location);
+  check_fill(c, location);
+}
+} // namespace spall

@@ -1,0 +1,53 @@
+#include "scene/kind.h"
+
+#include "scene/case.h"
+#include "scene/scene.h"
+
+namespace spall
+{
+namespace
+{
+void set_defaults(Case &c)
+{
+  c.title = "scene of particles and walls";
+  c.wall.law = "hertz";
+  c.contact.geometry = c.contact.wall_geometry = dem::ContactGeometry::sphere;
+  c.time.step = StepRule::stable;
+  c.time.local_damping = 0.; // particles fly
+}
+
+void set_template(Case &c)
+{
+  auto &own = c.own<SceneCase>();
+  own.fill.mass = 10.;
+  own.fill.gradation = "gradations/los_angeles_20_45mm.csv";
+  own.box.x = own.box.y = own.box.z = BoxFaces::rigid;
+}
+
+std::unique_ptr<Test> make(const Case &parameters)
+{
+  return std::make_unique<Scene>(parameters);
+}
+} // namespace
+
+TestKind scene_kind()
+{
+  return {.name = "scene",
+          .sections = {{"Scene", "Placed particles, gravity and duration."},
+                       {"Box", "A box of rigid or periodic faces."},
+                       {"Fill", "Particles that are drawn from a gradation and "
+                                "placed at random."},
+                       {"Other", "Material of placed particles of material "
+                                 "other, which do not break."}},
+          .shared_sections = {"Walls"},
+          .add_parameters = add_scene,
+          .set_defaults = set_defaults,
+          .set_template = set_template,
+          .check = check_scene,
+          .make = make,
+          .runs_on_many_ranks = true,
+          .seed_key = "Fill/seed",
+          .gradation_section = "Fill",
+          .report = scene_report};
+}
+} // namespace spall

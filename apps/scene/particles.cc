@@ -1,0 +1,82 @@
+// The particles of a scene: placed by the user, or drawn from a gradation.
+#include "case/file.h"
+#include "case/parameter.h"
+#include "errors.h"
+#include "scene/builder.h"
+#include "shape/loaded.h"
+#include "specimen/obtained_gradation.h"
+
+#include <filesystem>
+
+namespace spall
+{
+namespace
+{
+/// Loads the shapes of the filling; returns those alone.
+ShapeLibrary filling_shapes(const Case &parameters, PlacedParticles &scene)
+{
+  const FillParameters &fill = parameters.own<SceneCase>().fill;
+  ShapeLibrary own;
+  if (fill.shapes.empty())
+    return own;
+  for (const ShapeFile &file :
+       read_shapes(find_path(parameters, "Fill", "shapes", fill.shapes)))
+  {
+    own.push_back(load_with_warnings(file, fill.order));
+    scene.shapes.push_back(own.back());
+    scene.shape_names.push_back(
+        std::filesystem::path(file.path).stem().string());
+  }
+  return own;
+}
+
+void fill(const Case &parameters, PlacedParticles &scene)
+{
+  const FillParameters &fill = parameters.own<SceneCase>().fill;
+  const ShapeLibrary shapes = filling_shapes(parameters, scene);
+  dem::Random random(static_cast<std::uint64_t>(fill.seed));
+  const std::vector<dem::ParticleShape> drawn = draw_particles(
+      parameters, fill.mass / parameters.particle.density, shapes, random);
+  if (drawn.empty())
+    throw InputError(parameters.file +
+                     ": Fill/mass = " + number_text(fill.mass) +
+                     ": too small for a single particle of the gradation");
+  std::vector<dem::Placement> placements;
+  try
+  {
+    placements = dem::insert_particles(
+        drawn, {fill.lower, fill.upper, parameters.contact.follows_surfaces()},
+        random);
+  }
+  catch (const dem::NoFreePosition &error)
+  {
+    throw InputError(parameters.file + ": " + error.what() +
+                     ": Fill/mass = " + number_text(fill.mass) +
+                     " kg must be lower, or the region from Fill/lower to "
+                     "Fill/upper larger");
+  }
+  const std::size_t n = scene.body.size() + drawn.size();
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    scene.name.push_back("particle " + std::to_string(k + 1) + " of Fill");
+  scene.body.insert(scene.body.end(), drawn.begin(), drawn.end());
+  scene.placement.insert(scene.placement.end(), placements.begin(),
+                         placements.end());
+  scene.velocity.resize(n, dem::Vec3::Zero());
+  scene.spin.resize(n, dem::Vec3::Zero());
+  scene.material.resize(n, 0);
+}
+} // namespace
+
+PlacedParticles make_scene_particles(const Case &parameters)
+{
+  const SceneCase &own = parameters.own<SceneCase>();
+  PlacedParticles scene;
+  if (!own.scene.particles.empty())
+    scene =
+        place_particles(parameters, {"Scene", own.scene.particles,
+                                     own.scene.shapes, own.scene.order, true});
+  if (own.fill.mass > 0.)
+    fill(parameters, scene);
+  return scene;
+}
+} // namespace spall

@@ -1,0 +1,172 @@
+#include "scene/scene.h"
+
+#include "test/checkpoint.h"
+
+#include <dem/binary.h>
+#include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
+#include <dem/parallel/mpi_ranks.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace spall
+{
+namespace
+{
+dem::Vec3 centre_of_mass(const dem::ParticleSystem &all)
+{
+  dem::Vec3 moment = dem::Vec3::Zero();
+  double mass = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    moment += all.mass(i) * all.position(i);
+    mass += all.mass(i);
+  }
+  return moment / mass;
+}
+
+double largest_speed(const dem::ParticleSystem &all)
+{
+  double square = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    square = std::max(square, all.velocity(i).squaredNorm());
+  return std::sqrt(square);
+}
+} // namespace
+
+Scene::Scene(const Case &c) : Scene(c, make_scene_particles(c)) {}
+
+Scene::Scene(const Case &c, const PlacedParticles &particles)
+    : Scene(c, particles, check_as_placed(c, particles),
+            build_scene(c, particles, dem::ranks_of_program()))
+{
+}
+
+Scene::Scene(const Case &c, const PlacedParticles &particles,
+             const dem::StepLimit &its_limit, BuiltScene built)
+    : Test(c, particles.shapes, std::move(built.engine), its_limit,
+           first_step(c, its_limit)),
+      own(parameters.own<SceneCase>()), placed(particles),
+      box(std::move(built.box))
+{
+}
+
+void Scene::move(double time_step)
+{
+  time_before = engine().time();
+  if (!is_breaking && time_before >= own.scene.breakage_start)
+  {
+    is_breaking = 1;
+    engine().set_breaking(parameters.breakage.is_active);
+  }
+  engine().advance_deferred(time_step);
+}
+
+double Scene::share_done() const
+{
+  return engine().time() / own.scene.duration;
+}
+
+std::string Scene::phase() const
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g s", engine().time());
+  return text;
+}
+
+std::string Scene::outcome() const
+{
+  const dem::ParticleSystem &all = whole().particles();
+  const dem::Vec3 centre = centre_of_mass(all);
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "centre of mass %.4g %.4g %.4g m, largest speed %.3g m/s, "
+                "kinetic energy %.3g J, %lld events",
+                centre.x(), centre.y(), centre.z(), largest_speed(all),
+                whole().energy().kinetic,
+                static_cast<long long>(engine().n_events()));
+  return text;
+}
+
+Due Scene::due() const
+{
+  const auto has_passed = [this](double interval)
+  {
+    return interval > 0. && std::floor(engine().time() / interval + 1e-9) !=
+                                std::floor(time_before / interval + 1e-9);
+  };
+  const SceneParameters &s = own.scene;
+  Due due;
+  due.row = has_passed(s.duration / s.rows) || share_done() >= 1.;
+  due.frame = has_passed(frame_interval());
+  due.checkpoint = has_passed(s.checkpoint_every);
+  return due;
+}
+
+double Scene::frame_interval() const
+{
+  return own.scene.frames > 0 ? own.scene.duration / own.scene.frames : 0.;
+}
+
+FrameParts Scene::frame_parts() const
+{
+  return {nullptr, !placed.shapes.empty()};
+}
+
+std::vector<Quantity> Scene::measured() const
+{
+  const dem::Engine &all = whole();
+  const dem::ContactNetwork network =
+      dem::contact_network(all.particles(), all.pairs());
+  const dem::Vec3 centre = centre_of_mass(all.particles());
+  std::vector<Quantity> row = {
+      {"centre_of_mass_x_m", centre.x()},
+      {"centre_of_mass_y_m", centre.y()},
+      {"centre_of_mass_z_m", centre.z(), true},
+      {"largest_speed_m_per_s", largest_speed(all.particles()), true},
+      {"n_contacts_1", static_cast<double>(network.n_contacts)},
+      {"mean_contact_force_N", network.mean_force}};
+  for (const BoxPlane &face : box)
+  {
+    const dem::Vec3 &force = dem::planes(all)[face.plane].force;
+    for (std::size_t d = 0; d < 3; ++d)
+      row.push_back({"box_" + face.name + "_force_" + "xyz"[d] + "_N",
+                     force[static_cast<Eigen::Index>(d)]});
+  }
+  return row;
+}
+
+std::vector<NamedText> Scene::take_files()
+{
+  if (share_done() < 1. || std::exchange(is_written, true))
+    return {};
+  return {{"particles.csv", particle_table(whole().particles(), placed)}};
+}
+
+void Scene::summarise(nlohmann::ordered_json &summary) const
+{
+  Test::summarise(summary);
+  summary["time_s"] = engine().time();
+  summary["kinetic_energy_J"] = whole().energy().kinetic;
+}
+
+void Scene::save(std::ostream &out) const
+{
+  Test::save(out);
+  dem::write_value(out, time_before);
+  dem::write_value(out, is_breaking);
+}
+
+void Scene::restore(std::istream &in)
+{
+  Test::restore(in);
+  dem::read_value(in, time_before);
+  dem::read_value(in, is_breaking);
+  refuse_shorter("Scene/duration", engine().time(), own.scene.duration);
+}
+} // namespace spall

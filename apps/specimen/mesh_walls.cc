@@ -1,0 +1,148 @@
+#include "specimen/mesh_walls.h"
+
+#include "case/file.h"
+#include "case/gravity.h"
+#include "case/parameter.h"
+#include "errors.h"
+#include "specimen/motion_table.h"
+
+#include <dem/engine_boundaries.h>
+#include <dem/io/mesh_reader.h>
+#include <fem/triangle_file.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+namespace spall
+{
+namespace
+{
+[[noreturn]] void refuse_wall(const Case &c, const WallSection &wall,
+                              const std::string &key, const std::string &value,
+                              const std::string &what)
+{
+  throw InputError(c.file + ": " + wall.section() + "/" + key + " = " + value +
+                   ": " + what);
+}
+
+dem::TriangleMesh read_wall(const std::string &path)
+{
+  if (std::filesystem::path(path).extension() != ".msh")
+    return dem::read_mesh(path);
+  fem::Triangles file = fem::read_triangles(path);
+  return {std::move(file.nodes), std::move(file.corners)};
+}
+
+dem::FacetSurface surface_of(const Case &c, const WallSection &wall)
+{
+  const std::string path = find_path(c, wall.section(), "mesh", wall.mesh);
+  try
+  {
+    dem::TriangleMesh mesh = read_wall(path);
+    for (dem::Vec3 &point : mesh.points)
+      point = wall.scale * point + wall.position;
+    return dem::wall_surface(mesh, wall.particles);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    refuse_wall(c, wall, "mesh", wall.mesh, error.what());
+  }
+}
+
+/// 1 for each axis whose name is in the choice.
+dem::Vec3 free_directions(FreeDirections free)
+{
+  switch (free)
+  {
+  case FreeDirections::none:
+    break;
+  case FreeDirections::x:
+    return {1., 0., 0.};
+  case FreeDirections::y:
+    return {0., 1., 0.};
+  case FreeDirections::z:
+    return {0., 0., 1.};
+  case FreeDirections::xy:
+    return {1., 1., 0.};
+  case FreeDirections::xz:
+    return {1., 0., 1.};
+  case FreeDirections::yz:
+    return {0., 1., 1.};
+  case FreeDirections::xyz:
+    return {1., 1., 1.};
+  }
+  return dem::Vec3::Zero();
+}
+
+dem::WallMotion motion_of(const Case &c, const WallSection &wall,
+                          const dem::Vec3 &acceleration)
+{
+  dem::WallMotion motion;
+  motion.start = wall.start;
+  motion.velocity = wall.velocity;
+  motion.amplitude = wall.amplitude;
+  motion.frequency = wall.frequency;
+  if (!wall.table.empty())
+  {
+    const MotionTable table =
+        read_motion_table(find_path(c, wall.section(), "table", wall.table));
+    motion.table_time = table.time;
+    motion.table_shift = table.shift;
+  }
+  motion.axis = wall.axis.normalized();
+  motion.centre = wall.centre;
+  motion.spin = wall.rotation_rate;
+  motion.free = free_directions(wall.free);
+  motion.mass = wall.mass;
+  motion.force = wall.force + wall.mass * acceleration;
+  motion.force_amplitude = wall.force_amplitude;
+  motion.largest_speed = wall.largest_speed;
+  motion.inertia = wall.inertia;
+  motion.torque = wall.torque;
+  return motion;
+}
+} // namespace
+
+void add_mesh_walls(dem::Engine &engine, const Case &parameters)
+{
+  for (const WallSection &wall : parameters.walls)
+    try
+    {
+      dem::add_mesh_wall(
+          engine, wall.name, wall.material, surface_of(parameters, wall),
+          motion_of(parameters, wall, engine.parameters().gravity));
+    }
+    catch (const std::invalid_argument &error)
+    {
+      refuse_wall(parameters, wall, "mesh", wall.mesh, error.what());
+    }
+}
+
+std::vector<std::string> wall_columns(const dem::Engine &engine)
+{
+  std::vector<std::string> names;
+  for (const dem::MeshWall &wall : dem::mesh_walls(engine))
+  {
+    for (const char *what :
+         {"force_x_N", "force_y_N", "force_z_N", "moment_x_Nm", "moment_y_Nm",
+          "moment_z_Nm", "displacement_x_m", "displacement_y_m",
+          "displacement_z_m", "rotation_rad"})
+      names.push_back(wall.label + "_" + what);
+  }
+  return names;
+}
+
+std::vector<double> wall_values(const dem::Engine &engine)
+{
+  std::vector<double> values;
+  for (const dem::MeshWall &wall : dem::mesh_walls(engine))
+  {
+    const dem::WallLoad load = wall.load();
+    for (const dem::Vec3 &v : {load.force, load.moment, wall.pose().shift})
+      values.insert(values.end(), v.data(), v.data() + 3);
+    values.push_back(wall.pose().angle);
+  }
+  return values;
+}
+} // namespace spall

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "case/case.h"
+
+#include <dem/engine.h>
+
+#include <string>
+#include <vector>
+
+namespace spall
+{
+/// Adds the walls of the case to a scene. Throws InputError on a mesh or a
+/// table that cannot be one.
+void add_mesh_walls(dem::Engine &engine, const Case &parameters);
+
+/// Names of the columns of history.csv about the walls of a scene: force and
+/// moment of the particles on each of them, displacement and rotation.
+std::vector<std::string> wall_columns(const dem::Engine &engine);
+/// Their values, in the same order.
+std::vector<double> wall_values(const dem::Engine &engine);
+} // namespace spall
