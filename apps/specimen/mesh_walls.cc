@@ -127,7 +127,7 @@ std::vector<std::string> wall_columns(const dem::Engine &engine)
     for (const char *what :
          {"force_x_N", "force_y_N", "force_z_N", "moment_x_Nm", "moment_y_Nm",
           "moment_z_Nm", "displacement_x_m", "displacement_y_m",
-          "displacement_z_m", "rotation_rad"})
+          "displacement_z_m", "rotation_rad", "friction_J"})
       names.push_back(wall.label + "_" + what);
   }
   return names;
@@ -142,6 +142,7 @@ std::vector<double> wall_values(const dem::Engine &engine)
     for (const dem::Vec3 &v : {load.force, load.moment, wall.pose().shift})
       values.insert(values.end(), v.data(), v.data() + 3);
     values.push_back(wall.pose().angle);
+    values.push_back(wall.friction.value());
   }
   return values;
 }

@@ -14,7 +14,8 @@ namespace spall
 void add_mesh_walls(dem::Engine &engine, const Case &parameters);
 
 /// Names of the columns of history.csv about the walls of a scene: force and
-/// moment of the particles on each of them, displacement and rotation.
+/// moment of the particles on each of them, displacement, rotation, and what
+/// sliding on it has dissipated.
 std::vector<std::string> wall_columns(const dem::Engine &engine);
 /// Their values, in the same order.
 std::vector<double> wall_values(const dem::Engine &engine);

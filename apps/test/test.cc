@@ -8,6 +8,7 @@
 #include "specimen/mesh_walls.h"
 
 #include <dem/binary.h>
+#include <dem/engine_boundaries.h>
 #include <dem/parallel/distribution.h>
 
 #include <nlohmann/json.hpp>
@@ -134,6 +135,7 @@ std::vector<dem::BreakageEvent> Test::take_events()
   auto events = fresh_events();
   if (first_event.time < 0. && !events.empty())
     first_event = {events[0].time, events[0].force_before};
+  removed.add(events, parameters.particle.density);
   return events;
 }
 
@@ -179,6 +181,9 @@ std::vector<Quantity> Test::row() const
   const std::vector<double> on_walls = wall_values(whole());
   for (std::size_t k = 0; k < columns.size(); ++k)
     all.push_back({columns[k], on_walls[k]});
+  for (const dem::MeshWall &wall : dem::mesh_walls(whole()))
+    all.push_back({wall.label + "_removed_mass_kg",
+                   removed.on(wall.event_kind(), wall.event_other(0))});
   const dem::EngineEnergy e = whole().energy();
   const coupling::BodyEnergy bodies = body_energy();
   const EnergyBalance balance = energy_balance();
@@ -268,6 +273,7 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   summary["n_refused_events"] = engine().n_refused_events();
   summary["overlap_over_radius_1"] = whole().overlaps().largest;
   add_walls(whole(), summary);
+  removed.summarise(whole(), summary);
   add_contact_point_events(whole(), summary);
   if (first_event.time >= 0.)
   {
@@ -281,7 +287,7 @@ void Test::save(std::ostream &out) const
 {
   dem::write_value(out, step);
   dem::write_value(out, watch.state());
-  dem::write_value(out, first_event);
+  save_breakage(out);
   whole().save(out, shapes);
 }
 
@@ -291,8 +297,20 @@ void Test::restore(std::istream &in)
   StepRecord record;
   dem::read_value(in, record);
   watch.set_state(record);
-  dem::read_value(in, first_event);
+  restore_breakage(in);
   engine().restore(in, shapes);
+}
+
+void Test::save_breakage(std::ostream &out) const
+{
+  dem::write_value(out, first_event);
+  removed.save(out);
+}
+
+void Test::restore_breakage(std::istream &in)
+{
+  dem::read_value(in, first_event);
+  removed.restore(in);
 }
 
 std::string needs_one_rank(const Case &parameters)

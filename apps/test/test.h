@@ -6,6 +6,7 @@
 #include "run/frames.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
+#include "test/removed_mass.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -266,6 +267,9 @@ protected:
   }
   /// Reports that the particles are prepared, see when_prepared().
   void say_prepared() const;
+  /// The first event and the mass that was removed, for a checkpoint.
+  void save_breakage(std::ostream &out) const;
+  void restore_breakage(std::istream &in);
   /// Adds a line to the log after this step.
   void say(const std::string &line) { watch.say(line); }
   /// Moves boundaries, particles and bodies by steps_in_move() steps of this
@@ -305,6 +309,7 @@ protected:
   FirstEvent first_event;
 
 private:
+  RemovedMass removed;
   std::function<void()> call_prepared;
   double step = 0.; ///< [s]
 };

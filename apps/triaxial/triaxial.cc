@@ -370,7 +370,7 @@ void Triaxial::save(std::ostream &out) const
   servo.save(out);
   if (joined)
     joined->save(out);
-  dem::write_value(out, first_event);
+  save_breakage(out);
   dem::write_value(out, recorded);
   cycles.save(out);
 }
@@ -411,7 +411,7 @@ void Triaxial::restore(std::istream &in)
   servo.restore(in);
   if (joined)
     joined->restore(in);
-  dem::read_value(in, first_event);
+  restore_breakage(in);
   dem::read_value(in, recorded);
   cycles.restore(in);
   resume_schedule(time_then, intervals_then);

@@ -240,7 +240,12 @@ bool EngineState::run_contacts(const ForceContext &all)
 {
   ForceSum sum = pair_forces(all, pair_batch, pair_loads, ranges);
   for (const auto &boundary : walls)
-    sum += wall_forces(all, boundary->walls(all), boundary->batch, ranges);
+  {
+    const ForceSum on_wall =
+        wall_forces(all, boundary->walls(all), boundary->batch, ranges);
+    boundary->friction += on_wall.lost.friction;
+    sum += on_wall;
+  }
   if (sum.has_switched)
     exchange_factors();
   if (distribution.is_shared())

@@ -91,6 +91,12 @@ void EngineState::gather_into(EngineState &whole)
                         { forget_particles(*boundary, system.size()); });
   distribution.gather(parts(), whole.parts());
   whole.lost = sum_over_ranks(ranks, lost);
+  for (std::size_t k = 0; k < walls.size(); ++k)
+  {
+    std::array friction{walls[k]->friction};
+    dem::sum_over_ranks(ranks, friction);
+    whole.walls[k]->friction = friction[0];
+  }
   whole.overlap = largest_of(ranks, overlap);
   whole.contact_points.events = sum_over_ranks(ranks, contact_points.events);
   std::array largest{recent_force, schedule.displaced() ? 1. : 0.,
@@ -129,6 +135,8 @@ void EngineState::deal_out()
   {
     lost = {};
     contact_points.events = {};
+    for (const auto &boundary : walls)
+      boundary->friction = {};
   }
   arrivals.clear();
   n_admitted = added_count;

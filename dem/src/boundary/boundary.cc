@@ -50,6 +50,7 @@ void Boundary::pack(std::ostream &out) const
   visit_material(material,
                  [&out](const auto &field) { write_value(out, field); });
   write_batch(out, batch);
+  write_value(out, friction);
   pack_parts(out);
 }
 
@@ -58,6 +59,7 @@ void Boundary::unpack(std::istream &in)
   material.law = read_name(in);
   visit_material(material, [&in](auto &field) { read_value(in, field); });
   read_batch(in, batch);
+  read_value(in, friction);
   unpack_parts(in);
 }
 

@@ -131,6 +131,9 @@ public:
 
   WallMaterial material; ///< particles on it
   ContactBatch batch;    ///< `b` is the row in walls()
+  /// Dissipated by sliding on it so far; of the contacts of this rank, and of
+  /// all in Engine::gathered() [J].
+  ExactSum friction;
 
 protected:
   Boundary(const Boundary &) = default;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <dem/engine.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <span>
+#include <utility>
+
+namespace spall
+{
+/// Mass that particles have lost to other particles and to each boundary.
+class RemovedMass
+{
+public:
+  /// Adds events of particles of this density [kg/m^3].
+  void add(std::span<const dem::BreakageEvent> events, double density);
+  /// By BreakageEvent::kind and other; -1 for other particles [kg].
+  double on(int kind, std::int64_t other) const;
+  /// Adds an entry for each, by name: removed_mass_kg of summary.json.
+  void summarise(const dem::Engine &engine,
+                 nlohmann::ordered_json &summary) const;
+
+  void save(std::ostream &out) const;
+  void restore(std::istream &in); ///< throws std::runtime_error
+
+private:
+  std::map<std::pair<int, std::int64_t>, double> masses; ///< [kg]
+};
+} // namespace spall
