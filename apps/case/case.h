@@ -116,11 +116,12 @@ struct BoundaryParameters
   double plate_mass = 5.;      ///< top plate [kg]
 };
 
-/// What the top plate does.
+/// What the specimen is loaded by: a path or one of its short forms.
 enum class LoadForm
 {
-  haversine,  ///< cycles of axial stress
-  compression ///< moves down at a constant rate, once
+  haversine,   ///< cycles of axial stress
+  compression, ///< the plate moves down at a constant rate, once
+  path         ///< the stages of a file
 };
 
 struct CouplingParameters
@@ -147,6 +148,7 @@ struct CouplingParameters
 struct LoadingParameters
 {
   LoadForm form = LoadForm::haversine;
+  std::string path; ///< CSV: a row for each stage of a loading path
   double confining_pressure = 30e3; ///< follower pressure and on the plate [Pa]
   double amplitude = 100e3;         ///< of the haversine, peak [Pa]
   double frequency = 20.;           ///< [Hz]
@@ -159,14 +161,6 @@ struct LoadingParameters
   double consolidation_max_time = 1.; ///< to rest after that, or it fails [s]
   double consolidation_stress_tolerance = 0.02; ///< of each axis at rest [-]
   double consolidation_unbalanced_ratio = 1e-3; ///< largest at rest [-]
-
-  /// Of one load cycle; a compression is one cycle [s].
-  double period() const
-  {
-    return form == LoadForm::haversine ? 1. / frequency
-                                       : final_strain / strain_rate;
-  }
-  int n_cycles() const { return form == LoadForm::haversine ? cycles : 1; }
 };
 
 /// TimeParameters::impact_error of preparations with steps of their own [-].

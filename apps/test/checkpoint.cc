@@ -37,6 +37,9 @@ std::string identity_of(Case parameters)
         !p.is_path &&
         std::ranges::find(kind.may_change, p.name()) == kind.may_change.end())
       text += p.name() + " = " + value_text(p) + "\n";
+  for (const Parameter &p : parameters_of(parameters))
+    if (p.may_change)
+      parameters.contents.erase(p.name());
   for (const auto &[name, digest] : parameters.contents)
     text += "contents of " + name + " = " + hex_text(digest) + "\n";
   return text;

@@ -2,6 +2,10 @@
 
 #include "case/parameter.h"
 #include "triaxial/kind.h"
+#include "triaxial/load_path.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace spall
 {
@@ -39,23 +43,38 @@ void check_specimen(const Case &c, const SourceLocation &location)
 
 void check_cycle_jump(const Case &c, const SourceLocation &location)
 {
-  if (c.cycle_jump.is_on() && c.loading.form == LoadForm::compression)
+  if (c.cycle_jump.is_on() && c.loading.form != LoadForm::haversine)
     refuse(location,
            {"CycleJump", "tolerance", number_text(c.cycle_jump.tolerance),
-            "must be 0 with Loading/form = compression, which has no "
+            "must be 0 unless Loading/form = haversine, which has equal "
             "cycles"});
+}
+
+LoadPath check_path(const Case &c, const SourceLocation &location)
+{
+  if (c.loading.form == LoadForm::path && c.loading.path.empty())
+    refuse(location, {"Loading", "path", "(empty)",
+                      "must be a CSV file with Loading/form = path"});
+  return load_path_of(c);
 }
 
 void check_time(const Case &c, const SourceLocation &location)
 {
-  const double sample = c.loading.period() / c.output.samples_per_cycle;
+  const std::vector<double> periods =
+      expected_periods(check_path(c, location), c.loading.confining_pressure);
+  // A stage that begins at its target has no length.
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double period : periods)
+    if (period > 0.)
+      shortest = std::min(shortest, period);
+  const double sample = shortest / c.output.samples_per_cycle;
   const int n = c.coupling.exchange_rules(c.boundary.lateral).particle_steps;
   if (c.time.step == StepRule::fixed && n * c.time.fixed_step > sample)
     refuse(location, {"Time", "fixed_step", number_text(c.time.fixed_step),
                       "a window of " + std::to_string(n) +
                           " must be at most one sample of history.csv, " +
                           number_text(sample) +
-                          " s (the period of Loading over "
+                          " s (the shortest period of Loading over "
                           "Output/samples_per_cycle)"});
   if (c.output.frames_per_cycle > c.output.samples_per_cycle)
     refuse(location, {"Output", "frames_per_cycle",

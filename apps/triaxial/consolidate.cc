@@ -39,6 +39,7 @@ void Triaxial::consolidate()
     for (int d = 0; d < 2; ++d)
       servo.follow(d, isotropic);
   cell->set_drive(-isotropic * area);
+  follower.aim_at(isotropic);
   step_boundaries();
   if (schedule.intervals() < stage_intervals)
     return;
@@ -107,12 +108,12 @@ void Triaxial::begin_loading()
 {
   start_height = cell->plate().height() - lower.z();
   start_volume = volume();
+  start_size = dem::box_size(engine(), box);
   engine().set_breaking(parameters.breakage.is_active);
   servo.follow_load();
   watch.report(whole(), surroundings(), time_step());
   say(consolidated_text());
-  if (parameters.loading.form == LoadForm::compression)
-    hold_plate();
+  begin_stage();
   enter(Stage::loading);
 }
 
@@ -141,14 +142,5 @@ void Triaxial::put_side_away()
     return; // it is
   side.radius *= 100.;
   dem::set_drum(engine(), side);
-}
-
-/// A plate that is driven starts from rest.
-void Triaxial::hold_plate()
-{
-  fem::RigidPlate::State state = cell->plate().state();
-  state.speed = 0.;
-  state.last_drive = -state.last_reaction;
-  cell->set_plate(state);
 }
 } // namespace spall

@@ -56,14 +56,28 @@ const std::vector<CycleColumn> cycle_columns = {
      [](const CycleRow &row) { return row.end.membrane_strain_energy; }},
     {"stands_for_1", [](const CycleRow &row) { return row.stands_for; }}};
 
+/// After those of the contacts.
+const std::vector<CycleColumn> stage_columns = {
+    {"loading_stage_1",
+     [](const CycleRow &row) { return row.end.loading_stage; }},
+    {"cycle_of_stage_1", [](const CycleRow &row) { return row.in_stage; }}};
+
 std::string cycles_header()
 {
   std::string header;
+  const auto add = [&header](const std::string &name)
+  {
+    if (!header.empty())
+      header += ',';
+    header += name;
+  };
   for (const CycleColumn &column : cycle_columns)
-    header += (header.empty() ? "" : ",") + std::string(column.name);
+    add(column.name);
   for (const char *when : {"", "peak"})
     for (const NetworkColumn &column : network_columns)
-      header += "," + column.label(when);
+      add(column.label(when));
+  for (const CycleColumn &column : stage_columns)
+    add(column.name);
   return header;
 }
 
@@ -73,16 +87,19 @@ double deviator(const Sample &row)
 }
 } // namespace
 
-CycleRecorder::CycleRecorder(const Case &parameters)
-    : is_cyclic(parameters.loading.form == LoadForm::haversine)
+CycleRecorder::CycleRecorder(LoadForm form, const LoadPath &path)
+    : is_cyclic(path.has_waves()), has_path(form == LoadForm::path)
 {
 }
 
 std::vector<TableHeader> CycleRecorder::tables() const
 {
-  if (!is_cyclic)
-    return {};
-  return {{cycles_file, cycles_header()}};
+  std::vector<TableHeader> all;
+  if (is_cyclic)
+    all.push_back({cycles_file, cycles_header()});
+  if (has_path)
+    all.push_back({stages_file, stages_header()});
+  return all;
 }
 
 std::vector<TableRow> CycleRecorder::take_rows()
@@ -97,7 +114,7 @@ std::vector<NamedText> CycleRecorder::take_files()
 
 void CycleRecorder::take(const Triaxial &test, const Sample &row)
 {
-  if (test.intervals() == 0)
+  if (test.is_at_start())
   {
     state.start = network_state(test);
     state.skin = coupling::skin_of(test.enclosed());
@@ -106,9 +123,12 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
   }
   state.packed_end = {}; // that of a continued loading
   state.loop.add(row.axial_strain, deviator(row));
-  if (test.intervals() % test.intervals_per_cycle() != 0)
+  const bool is_stage_over = test.load_path().is_over();
+  if (test.intervals() % test.intervals_per_cycle() != 0 && !is_stage_over)
     return;
   end_cycle(test, row);
+  if (is_stage_over)
+    end_stage(test, row);
   begin_cycle(row);
   if (test.is_complete())
     state.packed_end = note_profiles(test, "end");
@@ -116,7 +136,7 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
 
 void CycleRecorder::take_peak(const Triaxial &test)
 {
-  if (is_cyclic)
+  if (test.load_path().stage().has_wave())
     state.peak = network_state(test);
 }
 
@@ -133,9 +153,15 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
   CycleRow &last = state.last;
   last.end = row;
   last.stands_for = std::round(row.cycle - state.begun.cycle);
-  last.resilient_strain = state.loop.resilient_strain();
-  last.resilient_modulus = state.loop.resilient_modulus();
-  last.damping_ratio = state.loop.damping_ratio();
+  const bool has_wave = test.load_path().stage().has_wave();
+  if (has_wave)
+  {
+    last.in_stage = std::round(test.cycles_of_stage());
+    last.resilient_strain = state.loop.resilient_strain();
+    last.resilient_modulus = state.loop.resilient_modulus();
+    last.damping_ratio = state.loop.damping_ratio();
+    state.last_loops.add(state.loop);
+  }
   if (last.stands_for > 1.) // the loop is open: a jump is in it
     last.resilient_strain = last.resilient_modulus = last.damping_ratio =
         std::numeric_limits<double>::quiet_NaN();
@@ -148,18 +174,35 @@ void CycleRecorder::end_cycle(const Triaxial &test, const Sample &row)
   last.non_conservative_work =
       row.non_conservative_work - state.begun.non_conservative_work;
   last.energy_residual = row.energy_residual - state.begun.energy_residual;
-  last.peak = state.peak;
+  if (has_wave)
+    last.peak = state.peak;
   last.rest = network_state(test);
   ++state.n_cycles;
-  if (!is_cyclic)
-    return;
+  if (has_wave)
+    add_cycle_row();
+}
+
+void CycleRecorder::add_cycle_row()
+{
+  const CycleRow &last = state.last;
   std::vector<double> values;
   for (const CycleColumn &column : cycle_columns)
     values.push_back(column.value(last));
   for (const NetworkState *when : {&last.rest, &last.peak})
     for (const NetworkColumn &column : network_columns)
       values.push_back(when->*column.value);
+  for (const CycleColumn &column : stage_columns)
+    values.push_back(column.value(last));
   rows.push_back({cycles_file, std::move(values)});
+}
+
+void CycleRecorder::end_stage(const Triaxial &test, const Sample &row)
+{
+  if (has_path)
+    rows.push_back(
+        {stages_file, stage_values(test.load_path(), row,
+                                   test.cycles_of_stage(), state.last_loops)});
+  state.last_loops = {};
 }
 
 CycleRecorder::Packed CycleRecorder::note_profiles(const Triaxial &test,

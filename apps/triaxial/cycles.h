@@ -2,8 +2,10 @@
 
 #include "case/case.h"
 #include "test/test.h"
+#include "triaxial/load_path.h"
 #include "triaxial/network_state.h"
 #include "triaxial/sample.h"
+#include "triaxial/stage_row.h"
 
 #include <dem/measure/hysteresis.h>
 
@@ -20,6 +22,7 @@ struct CycleRow
   double stands_for = 1.; ///< cycles: itself and those skipped before it [-]
   double resilient_strain = 0., resilient_modulus = 0., damping_ratio = 0.;
   double n_events = 0.; ///< in the cycle [-]
+  double in_stage = 0.; ///< cycle of its stage of the loading path [-]
   /// Lost in the cycle [J].
   double friction = 0., rolling = 0., damping = 0., breakage = 0.;
   /// Of the cycle, signs as in history.csv [J].
@@ -32,11 +35,12 @@ struct CycleRow
 class CycleRecorder
 {
 public:
-  explicit CycleRecorder(const Case &parameters);
+  CycleRecorder(LoadForm form, const LoadPath &path);
 
-  /// cycles.csv, of cyclic loading alone.
+  /// cycles.csv, of cyclic loading alone, and stages.csv, of a path from a
+  /// file.
   std::vector<TableHeader> tables() const;
-  std::vector<TableRow> take_rows(); ///< of it, since the last call
+  std::vector<TableRow> take_rows(); ///< of them, since the last call
   /// Profiles since the last call.
   std::vector<NamedText> take_files();
   /// Takes in a row of the history while loading, at a interval: begins and
@@ -53,6 +57,8 @@ public:
 private:
   void begin_cycle(const Sample &row);
   void end_cycle(const Triaxial &test, const Sample &row);
+  void add_cycle_row();
+  void end_stage(const Triaxial &test, const Sample &row);
 
   /// Next to the lateral boundary and inside, and the outline [-].
   struct Packed
@@ -74,10 +80,11 @@ private:
     NetworkState peak;  ///< of the present cycle; NaN before
     CycleRow last;      ///< the last complete one
     double n_cycles = 0.;
+    LoopMeans last_loops; ///< of the present stage
     Packed packed_start, packed_end;
   };
 
-  bool is_cyclic;
+  bool is_cyclic, has_path;
   State state;
   std::vector<TableRow> rows;
   std::vector<NamedText> files;

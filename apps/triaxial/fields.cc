@@ -133,8 +133,14 @@ void add_loading(List &list, LoadingParameters &l)
   list.add({"form", "-",
             "haversine: cycles of axial stress; compression: the plate goes "
             "down at a constant rate, as in a triaxial compression test, which "
-            "counts as one cycle."},
-           l.form, {"haversine", "compression"});
+            "counts as one cycle; path: the stages of a file."},
+           l.form, {"haversine", "compression", "path"});
+  // Triaxial::restore() compares the stages that have begun.
+  list.add_path({"path", "-",
+                 "CSV file of form = path: a row for each stage. A resumed run "
+                 "may have more stages at its end."},
+                l.path)
+      .may_change = true;
   list.add(
       {"confining_pressure", "Pa", "On the lateral sides and on the plate."},
       l.confining_pressure, above(0., 1e8));

@@ -30,15 +30,20 @@ double Triaxial::share_done() const
 
 double Triaxial::duration() const
 {
-  return period() * parameters.loading.n_cycles() +
-         parameters.loading.consolidation_time;
+  const LoadPath &path = follower.path();
+  const std::vector<double> periods =
+      expected_periods(path, parameters.loading.confining_pressure);
+  double length = parameters.loading.consolidation_time;
+  for (std::size_t k = 0; k < periods.size(); ++k)
+    length += periods[k] * path.stages[k].n_cycles();
+  return length;
 }
 
 double Triaxial::progress_at(double time) const
 {
   // From times alone, so that it does not matter when the row is written;
   // particles break from the start of loading only.
-  return std::max(0., (time - recorded.loading_start.time) / period());
+  return follower.cycles_at(time);
 }
 
 std::string Triaxial::phase() const
@@ -47,9 +52,12 @@ std::string Triaxial::phase() const
     return "preparation";
   if (now == Stage::consolidation)
     return "consolidation";
-  char text[40];
+  char text[80];
   std::snprintf(text, sizeof text, "cycle %.2f/%d", cycle(), n_cycles);
-  return text;
+  const std::size_t n_stages = follower.path().stages.size();
+  return n_stages == 1 ? text
+                       : "stage " + std::to_string(follower.index() + 1) + "/" +
+                             std::to_string(n_stages) + ", " + text;
 }
 
 /// How near the preparation is to its rest, and when it will be there, where
@@ -138,7 +146,7 @@ void Triaxial::describe_time(const MeanStep &step) const
 {
   if (!parameters.cycle_jump.is_on())
     return;
-  const int all = parameters.loading.n_cycles(),
+  const int all = follower.path().n_cycles(),
             simulated = coupling::least_cycles(parameters.cycle_jump, all);
   std::printf("with jumps       %.3g s if none is refused, for %d of %d "
               "cycles\n",

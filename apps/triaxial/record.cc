@@ -4,6 +4,7 @@
 #include <dem/engine_boundaries.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace spall
 {
@@ -34,14 +35,13 @@ void Triaxial::note_due()
     return;
   const OutputParameters &output = parameters.output;
   const std::int64_t n = cycle_intervals, interval = schedule.intervals();
-  const auto is_due = [&](std::int64_t times) {
-    return times > 0 && (interval * times) / n != ((interval - 1) * times) / n;
-  };
-  due_now.row = interval == 0 || is_due(output.samples_per_cycle);
-  due_now.frame = interval == 0 || is_due(output.frames_per_cycle);
-  if (interval % n != 0)
+  due_now.row = interval == 0 || follower.is_over() ||
+                is_interval_due(output.samples_per_cycle);
+  due_now.frame = interval == 0 || is_interval_due(output.frames_per_cycle);
+  if (interval % n != 0 && !follower.is_over())
   {
-    if (is_due(2))
+    const double peak = follower.stage().wave.peak() * static_cast<double>(n);
+    if (interval % n == static_cast<std::int64_t>(std::ceil(peak)))
     {
       engine().synchronize();
       cycles.take_peak(*this);
@@ -49,7 +49,8 @@ void Triaxial::note_due()
     return;
   }
   // Jumps may pass the cycle that a checkpoint is due at.
-  const std::int64_t cycle_now = interval / n, every = output.checkpoint_every;
+  const std::int64_t cycle_now = std::llround(cycle()),
+                     every = output.checkpoint_every;
   if (every == 0 || cycle_now / every == recorded.checkpoint_cycle / every)
     return;
   due_now.checkpoint = true;
@@ -65,7 +66,8 @@ std::vector<Quantity> Triaxial::take_row()
 {
   const bool is_loading = now >= Stage::loading;
   if (recorded.roundness == 0. ||
-      (is_loading && schedule.intervals() % cycle_intervals == 0))
+      (is_loading &&
+       (schedule.intervals() % cycle_intervals == 0 || follower.is_over())))
     recorded.roundness = known_roundness.mean(whole().particles());
   recorded.last = sample(recorded.roundness);
   if (membrane())
@@ -74,11 +76,21 @@ std::vector<Quantity> Triaxial::take_row()
   {
     recorded.peak_axial_stress =
         std::max(recorded.peak_axial_stress, recorded.last.axial_stress);
-    if (schedule.intervals() == 0)
-      recorded.loading_start = recorded.last;
+    if (is_at_start())
+      begin_record();
     cycles.take(*this, recorded.last);
   }
   return quantities_of(recorded.last);
+}
+
+/// The row where loading begins.
+void Triaxial::begin_record()
+{
+  recorded.loading_start = recorded.last;
+  std::vector<std::string> warned;
+  add_balance_warning(warned);
+  for (const std::string &warning : warned)
+    say("warning: " + warning);
 }
 
 std::vector<Quantity> Triaxial::own_ledger() const
@@ -92,7 +104,7 @@ std::vector<Quantity> Triaxial::own_ledger() const
 FrameParts Triaxial::frame_parts() const
 {
   const bool is_at_an_end =
-      now >= Stage::loading && (schedule.intervals() == 0 || is_complete());
+      now >= Stage::loading && (is_at_start() || is_complete());
   const SurfaceFrames asked = parameters.output.surfaces;
   return {membrane(), asked == SurfaceFrames::all ||
                           (asked == SurfaceFrames::ends && is_at_an_end)};

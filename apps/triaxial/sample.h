@@ -21,6 +21,9 @@ struct Sample
   double non_conservative_work = 0., membrane_strain_energy = 0.,
          energy_residual = 0.;
   double overlap_over_radius = 0.; ///< largest since the row before
+  double loading_stage = 0.;       ///< of the loading path, from 1; 0: before
+  double axial_target = 0., lateral_target = 0.; ///< NaN: a motion
+  double x_stress = 0., y_stress = 0.;           ///< on the sides
 };
 
 /// Energy balance between two rows.
@@ -40,7 +43,7 @@ struct SampleColumn
   double Sample::*value;
 };
 
-inline constexpr std::array<SampleColumn, 28> sample_columns = {
+inline constexpr std::array<SampleColumn, 33> sample_columns = {
     {{"time_s", &Sample::time},
      {"stage_1", &Sample::stage},
      {"cycle_1", &Sample::cycle},
@@ -68,5 +71,10 @@ inline constexpr std::array<SampleColumn, 28> sample_columns = {
      {"membrane_axial_stress_Pa", &Sample::membrane_axial_stress},
      {"membrane_lateral_stress_Pa", &Sample::membrane_lateral_stress},
      {"porosity_1", &Sample::porosity},
-     {"overlap_over_radius_1", &Sample::overlap_over_radius}}};
+     {"overlap_over_radius_1", &Sample::overlap_over_radius},
+     {"loading_stage_1", &Sample::loading_stage},
+     {"axial_target_Pa", &Sample::axial_target},
+     {"lateral_target_Pa", &Sample::lateral_target},
+     {"x_stress_Pa", &Sample::x_stress},
+     {"y_stress_Pa", &Sample::y_stress}}};
 } // namespace spall

@@ -24,11 +24,6 @@ dem::ServoParameters servo_parameters(const Case &c)
           size / size.maxCoeff(), c.boundary.servo_yielding,
           c.boundary.servo_dead_band};
 }
-
-double haversine(double phase)
-{
-  return 0.5 * (1. - std::cos(2. * std::numbers::pi * phase));
-}
 } // namespace
 
 Triaxial::Triaxial(const Case &c) : Triaxial(c, make_specimen(c)) {}
@@ -37,11 +32,10 @@ Triaxial::Triaxial(const Case &c, Specimen specimen)
     : Test(c, std::move(specimen.shapes), std::move(specimen.engine), 0.),
       box(specimen.walls), servo(box, servo_parameters(c)),
       setup(choose_step(c, whole())),
-      cycle_intervals(is_fixed()
-                          ? std::llround(c.loading.period() /
-                                         (setup.step * steps_in_window()))
-                          : c.output.samples_per_cycle),
-      n_cycles(c.loading.n_cycles()), plan(c.cycle_jump, n_cycles), cycles(c),
+      follower(load_path_of(c), c.loading.confining_pressure),
+      cycle_intervals(intervals_in(follower.period())),
+      n_cycles(follower.path().n_cycles()), plan(c.cycle_jump, n_cycles),
+      cycles(c.loading.form, follower.path()),
       rest(c.preparation.unbalanced_ratio)
 {
   watch = StepWatch(step_rule(), step_limit().step);
@@ -52,6 +46,7 @@ Triaxial::Triaxial(const Case &c, Specimen specimen)
   engine().set_breaking(false);
   for (int d = 0; d < 3; ++d)
     servo.follow(d, c.preparation.pressure);
+  follower.aim_at(c.preparation.pressure);
 }
 
 std::string Triaxial::preparation_text() const
@@ -59,30 +54,12 @@ std::string Triaxial::preparation_text() const
   return specimen_text(parameters, shapes);
 }
 
-void Triaxial::stop_after(int cycles_asked)
-{
-  n_cycles = std::min(cycles_asked, parameters.loading.n_cycles());
-}
-
-double Triaxial::period() const
-{
-  return is_fixed() ? static_cast<double>(cycle_intervals) * setup.step *
-                          steps_in_window()
-                    : parameters.loading.period();
-}
-
-double Triaxial::cycle() const
-{
-  if (now < Stage::loading)
-    return 0.;
-  return (static_cast<double>(schedule.intervals()) + schedule.share_done()) /
-         static_cast<double>(cycle_intervals);
-}
-
 void Triaxial::advance()
 {
   if (now == Stage::done)
     return;
+  if (now == Stage::loading && follower.is_over())
+    begin_next_stage();
   if (plan.due() == coupling::JumpStep::save_state ||
       plan.due() == coupling::JumpStep::damage)
     begin_damage_cycles();
@@ -188,38 +165,6 @@ coupling::CoupledParticles Triaxial::particles()
           }};
 }
 
-void Triaxial::load()
-{
-  const LoadingParameters &loading = parameters.loading;
-  const double phase =
-      (static_cast<double>(schedule.intervals() % cycle_intervals) +
-       schedule.share_after_step()) /
-      static_cast<double>(cycle_intervals);
-  if (loading.form == LoadForm::compression)
-    cell->set_acceleration(plate_acceleration());
-  else
-    cell->set_drive(
-        -(loading.confining_pressure + loading.amplitude * haversine(phase)) *
-        area);
-  step_boundaries();
-  // A jump may have passed the requested end.
-  if (schedule.intervals() >= n_cycles * cycle_intervals &&
-      schedule.intervals() % cycle_intervals == 0)
-    now = Stage::done;
-}
-
-/// Of a plate that moves at a constant rate [m/s^2]. It gets up to its speed in
-/// the first hundredth of the time, as a wave would run ahead of a jump.
-double Triaxial::plate_acceleration() const
-{
-  const LoadingParameters &loading = parameters.loading;
-  constexpr double start = 0.01;
-  const double share = cycle();
-  const double speed =
-      loading.final_strain * start_height / (period() * (1. - 0.5 * start));
-  return share < start ? -speed / (start * period()) : 0.;
-}
-
 void Triaxial::step_boundaries()
 {
   exchange_window(schedule.step());
@@ -267,9 +212,10 @@ double Triaxial::section() const
                    (cell->plate().height() - lower.z());
 }
 
+/// Of walls and membrane alone, which every rank has.
 double Triaxial::volume() const
 {
-  return coupling::enclosed_volume(enclosed());
+  return coupling::enclosed_volume({engine(), walls(), membrane()});
 }
 
 coupling::StressBalance Triaxial::stress_balance() const
@@ -311,6 +257,13 @@ Sample Triaxial::sample(double roundness) const
   s.unbalanced_force_ratio =
       dem::unbalanced_force_ratio(particles, whole().pairs());
   s.overlap_over_radius = whole().overlaps().recent;
+  const dem::Vec3 on_planes = dem::box_stress(engine(), box);
+  s.x_stress = on_planes.x() + (membrane() ? pressure : 0.);
+  s.y_stress = on_planes.y() + (membrane() ? pressure : 0.);
+  s.loading_stage =
+      now < Stage::loading ? 0. : static_cast<double>(follower.index() + 1);
+  s.axial_target = follower.axial_target();
+  s.lateral_target = 0.5 * (follower.side_target(0) + follower.side_target(1));
   add_energies(s);
   return s;
 }
@@ -346,6 +299,7 @@ void Triaxial::add_energies(Sample &s) const
 void Triaxial::save(std::ostream &out) const
 {
   dem::write_value(out, now);
+  follower.save(out);
   dem::write_value(out, in_stage);
   dem::write_value(out, parameters.time);
   dem::write_value(out, cycle_intervals);
@@ -363,6 +317,7 @@ void Triaxial::save(std::ostream &out) const
   for (const double value :
        {area, pressure, plane_work_gone, start_height, start_volume, jump_work})
     dem::write_value(out, value);
+  dem::write_value(out, start_size);
   dem::write_value(out, plan);
   coupling::save(out, observed_from);
   coupling::save(out, mean_motion);
@@ -378,6 +333,8 @@ void Triaxial::save(std::ostream &out) const
 void Triaxial::restore(std::istream &in)
 {
   dem::read_value(in, now);
+  follower.restore(in);
+  cycle_intervals = intervals_in(follower.period());
   dem::read_value(in, in_stage);
   TimeParameters time_then;
   std::int64_t intervals_then = 0;
@@ -399,8 +356,9 @@ void Triaxial::restore(std::istream &in)
   for (double *value : {&area, &pressure, &plane_work_gone, &start_height,
                         &start_volume, &jump_work})
     dem::read_value(in, *value);
+  dem::read_value(in, start_size);
   dem::read_value(in, plan);
-  plan.set_end(parameters.loading.n_cycles());
+  plan.set_end(follower.path().n_cycles());
   coupling::restore(in, observed_from);
   coupling::restore(in, mean_motion);
   const bool has_boundaries = now > Stage::preparation;
@@ -415,8 +373,13 @@ void Triaxial::restore(std::istream &in)
   dem::read_value(in, recorded);
   cycles.restore(in);
   resume_schedule(time_then, intervals_then);
-  if (now == Stage::done && schedule.intervals() < n_cycles * cycle_intervals)
+  if (now < Stage::loading)
+    return;
+  follower.update_end(cycles_of_stage());
+  if (now == Stage::done && !is_at_end())
     now = Stage::loading;
-  refuse_shorter("Loading/cycles", cycle(), parameters.loading.n_cycles());
+  refuse_shorter(parameters.loading.form == LoadForm::path ? "cycles_1"
+                                                           : "Loading/cycles",
+                 cycles_of_stage(), follower.stage().n_cycles());
 }
 } // namespace spall

@@ -5,6 +5,7 @@
 #include "specimen/specimen.h"
 #include "test/test.h"
 #include "triaxial/cycles.h"
+#include "triaxial/load_follower.h"
 #include "triaxial/sample.h"
 
 #include <coupling/cycle_jump.h>
@@ -25,7 +26,7 @@ enum class Stage : std::int32_t
 {
   preparation,   ///< servo walls compact the cloud
   consolidation, ///< lateral boundary and plate take over
-  loading,       ///< haversine on the plate
+  loading,       ///< along the stages of the loading path
   done
 };
 
@@ -58,15 +59,23 @@ public:
   double time_step() const override; ///< of the particles, the next one [s]
   double window() const override { return schedule.step(); }
   int steps_in_move() const override;
-  /// Sampling intervals since the present stage began, and of one load cycle.
-  /// Every run meets its intervals, whatever its steps; with a fixed step each
-  /// is one.
+  /// Sampling intervals since the present stage began (of the loading path,
+  /// once it is loaded), and of one load cycle. Every run meets its intervals,
+  /// whatever its steps; with a fixed step each is one.
   std::int64_t intervals() const { return schedule.intervals(); }
   std::int64_t intervals_per_cycle() const { return cycle_intervals; }
   /// Fractional load cycle; 0 before loading.
   double cycle() const;
-  /// All load cycles of the case have been.
-  bool is_complete() const { return cycle() >= parameters.loading.n_cycles(); }
+  const LoadFollower &load_path() const { return follower; }
+  /// No step of the loading has been.
+  bool is_at_start() const
+  {
+    return follower.index() == 0 && schedule.intervals() == 0;
+  }
+  /// Load cycles of the present stage of the loading path.
+  double cycles_of_stage() const;
+  /// All stages of the loading path have been.
+  bool is_complete() const { return follower.is_last() && follower.is_over(); }
   /// End of this many load cycles, instead of that of the case.
   void stop_after(int cycles) override;
   bool ends_early() const override { return !is_complete(); }
@@ -81,6 +90,7 @@ public:
   std::vector<Quantity> row() const override;
   std::vector<Quantity> take_row() override;
   std::vector<Quantity> own_ledger() const override;
+  std::vector<std::string> warnings() const override;
   std::vector<TableHeader> tables() const override { return cycles.tables(); }
   std::vector<TableRow> take_table_rows() override
   {
@@ -167,6 +177,7 @@ private:
   bool is_gathered() const override;
   std::vector<dem::BreakageEvent> fresh_events() override;
   void note_due();
+  void begin_record();
   double exchange_gain() const;
   double pressed_share() const;
   std::string prepared_text() const;
@@ -178,7 +189,18 @@ private:
   bool is_consolidated();
   std::string unconsolidated_text() const;
   void begin_loading();
+  void begin_stage();
+  void begin_next_stage();
   void load();
+  void load_plate(const LoadMeasures &now_measured, const StagePosition &end);
+  void load_sides(const LoadMeasures &now_measured);
+  void end_interval();
+  bool is_at_end() const;
+  bool is_interval_due(std::int64_t times) const;
+  std::int64_t intervals_in(double period) const;
+  StagePosition stage_position() const;
+  LoadMeasures load_measures(bool with_volume) const;
+  void add_balance_warning(std::vector<std::string> &all) const;
   void begin_damage_cycles();
   void after_sample();
   void end_cycle();
@@ -203,7 +225,6 @@ private:
   void step_boundaries();
   void exchange_window(double window);
   void hold_plate();
-  double plate_acceleration() const;
   double section() const;
   bool is_fixed() const; ///< what loads, and before it what consolidates
   TimeParameters step_rule() const;
@@ -225,12 +246,13 @@ private:
   dem::SpecimenWalls box;
   dem::BoxServo servo;
   SetupStep setup;
+  LoadFollower follower;
   StepSchedule schedule;
   coupling::ProbeState probe;
   double probing = 0.; ///< wall-clock of going back, for probes [s]
   std::vector<dem::BreakageEvent> held_events;
   std::int64_t cycle_intervals = 0, stage_intervals = 0;
-  int n_cycles = 0;
+  int n_cycles = 0; ///< load cycles at which the run stops
 
   std::int64_t in_stage = 0;
   Prepared preparation;
@@ -246,6 +268,7 @@ private:
   double plane_work_gone = 0.;       ///< of the top plane before the plate [J]
   double start_height = 0.;          ///< of the specimen, loading [m]
   double start_volume = 0.;          ///< [m^3]
+  dem::Vec3 start_size = dem::Vec3::Zero(); ///< of the walls then [m]
 
   coupling::JumpPlan plan;
   coupling::Pose observed_from; ///< where the observation of the motion began

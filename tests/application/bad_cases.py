@@ -153,7 +153,7 @@ WORDS = [
     Bad("set_preset", [*CASE, "--set", "preset=quick"],
         ["preset=quick", "fast, reference, standard"]),
     Bad("jump_without_cycles", CASE,
-        ["CycleJump/tolerance = 0.1", "Loading/form = compression"],
+        ["CycleJump/tolerance = 0.1", "Loading/form = haversine"],
         {"CycleJump": {"tolerance": 0.1}, "Loading": {"form": "compression"}}),
     Bad("missing_case", ["run", "nowhere.prm"], ["nowhere.prm", "no such"]),
     Bad("case_is_folder", ["run", "."], ["folder"]),

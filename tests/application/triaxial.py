@@ -58,7 +58,8 @@ HEADERS = {
         "damping_dissipation_J,breakage_energy_J,non_conservative_work_J,"
         "membrane_strain_energy_J,energy_residual_J,"
         "membrane_axial_stress_Pa,membrane_lateral_stress_Pa,"
-        "porosity_1,overlap_over_radius_1",
+        "porosity_1,overlap_over_radius_1,loading_stage_1,axial_target_Pa,"
+        "lateral_target_Pa,x_stress_Pa,y_stress_Pa",
     "events.csv":
         "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
         "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"
@@ -80,7 +81,8 @@ HEADERS = {
          "energy_residual_J", "elastic_energy_J", "kinetic_energy_J",
          "membrane_strain_energy_J", "stands_for_1",
          *(f"{name}{when}_{unit}" for when in ("", "_peak")
-           for name, unit in NETWORK)]),
+           for name, unit in NETWORK),
+         "loading_stage_1", "cycle_of_stage_1"]),
     "boundary_profile_end.csv":
         "distance_m,porosity_lateral_1,coordination_lateral_1,"
         "n_particles_lateral_1,porosity_platens_1,coordination_platens_1,"

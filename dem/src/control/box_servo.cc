@@ -127,13 +127,24 @@ BoxServo::BoxServo(const SpecimenWalls &of_specimen,
 
 void BoxServo::follow(int d, double stress)
 {
-  is_on[static_cast<std::size_t>(d)] = true;
+  const auto axis = static_cast<std::size_t>(d);
+  if (is_moved[axis])
+    summed[d] = 0.;
+  is_moved[axis] = false;
+  is_on[axis] = true;
   target[d] = stress;
+}
+
+void BoxServo::move(int d, double shortening_rate)
+{
+  is_moved[static_cast<std::size_t>(d)] = true;
+  rate[d] = shortening_rate;
 }
 
 void BoxServo::release(Engine &engine, int d)
 {
   is_on[static_cast<std::size_t>(d)] = false;
+  is_moved[static_cast<std::size_t>(d)] = false;
   set_speed(engine, d, 0.);
 }
 
@@ -198,9 +209,15 @@ void BoxServo::update(Engine &engine, double time_step)
   average += share * (box_stress(engine, walls) - average);
   for (int d = 0; d < 3; ++d)
   {
-    if (!is_on[static_cast<std::size_t>(d)])
+    const auto axis = static_cast<std::size_t>(d);
+    if (!is_on[axis] && !is_moved[axis])
       continue;
     const Pair moved = pair(engine, d);
+    if (is_moved[axis])
+    {
+      set_speed(engine, d, rate[d] * moved.length / moved.n_moving);
+      continue;
+    }
     const double per_length =
         std::max(moved.stiffness / (moved.length * moved.length),
                  50. * std::abs(target[d]) * moved.area / moved.length);
@@ -228,6 +245,8 @@ void BoxServo::save(std::ostream &out) const
   write_value(out, stiffness);
   write_value(out, follows_load);
   write_value(out, summed);
+  write_value(out, is_moved);
+  write_value(out, rate);
 }
 
 void BoxServo::restore(std::istream &in)
@@ -238,5 +257,7 @@ void BoxServo::restore(std::istream &in)
   read_value(in, stiffness);
   read_value(in, follows_load);
   read_value(in, summed);
+  read_value(in, is_moved);
+  read_value(in, rate);
 }
 } // namespace dem

@@ -94,6 +94,9 @@ public:
 
   /// Axis d follows this compressive stress [Pa].
   void follow(int d, double stress);
+  /// Axis d shortens at this rate over its present length, whatever it meets
+  /// [1/s].
+  void move(int d, double rate);
   /// Axis d is left alone from now on; its planes stop.
   void release(Engine &engine, int d);
   /// From now on the sides meet a load on the ends: errors are summed, too,
@@ -125,7 +128,9 @@ private:
   SpecimenWalls walls;
   ServoParameters parameters;
   std::array<bool, 3> is_on = {false, false, false};
-  Vec3 target = Vec3::Zero();    ///< [Pa]
+  std::array<bool, 3> is_moved = {false, false, false}; ///< at `rate`
+  Vec3 rate = Vec3::Zero();                             ///< [1/s]
+  Vec3 target = Vec3::Zero();                           ///< [Pa]
   Vec3 average = Vec3::Zero();   ///< stress, running [Pa]
   Vec3 stiffness = Vec3::Zero(); ///< affine_stiffness, last taken [N m]
   bool follows_load = false;
