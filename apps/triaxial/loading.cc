@@ -216,7 +216,7 @@ void Triaxial::add_balance_warning(std::vector<std::string> &all) const
   const Sample &start = recorded.loading_start;
   const double asked = parameters.loading.confining_pressure;
   std::vector<std::pair<const char *, double>> stresses = {
-      {"axial", start.axial_stress + start.membrane_axial_stress}};
+      {"axial", recorded.plate_stress}};
   if (parameters.boundary.lateral == Lateral::rigid)
     stresses.insert(stresses.end(),
                     {{"x", start.x_stress}, {"y", start.y_stress}});

@@ -16,6 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from bad_cases import CASES, GRADATION, merged, prm
 from bad_meshes import MESH_FILES
+from bad_paths import PATHS
 from bad_subgrades import SUBGRADES
 
 
@@ -71,7 +72,7 @@ def answer_faults(bad, ended):
 
 def main():
     spall, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:]
-    cases = [bad for bad in CASES + MESH_FILES + SUBGRADES
+    cases = [bad for bad in CASES + MESH_FILES + SUBGRADES + PATHS
              if not names or bad.name in names]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(lambda bad: faults_of(spall, bad), cases))
