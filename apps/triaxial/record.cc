@@ -87,8 +87,7 @@ std::vector<Quantity> Triaxial::take_row()
 void Triaxial::begin_record()
 {
   recorded.loading_start = recorded.last;
-  recorded.plate_stress =
-      (top_plane().force.z() + cell->rim_reaction()) / area;
+  recorded.plate_stress = (top_plane().force.z() + cell->rim_reaction()) / area;
   std::vector<std::string> warned;
   add_balance_warning(warned);
   for (const std::string &warning : warned)

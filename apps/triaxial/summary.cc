@@ -52,6 +52,8 @@ void Triaxial::summarise(nlohmann::ordered_json &out) const
   }
   out["cycles_1"] = end.cycle;
   out["peak_axial_stress_Pa"] = recorded.peak_axial_stress;
+  out["axial_stress_end_Pa"] = end.axial_stress;
+  out["lateral_stress_end_Pa"] = end.lateral_stress;
   out["permanent_axial_strain_1"] = end.axial_strain;
   out["permanent_volumetric_strain_1"] = end.volumetric_strain;
   out["laa_percent"] = end.laa;

@@ -165,10 +165,10 @@ private:
   /// checkpoint.
   struct Recorded
   {
-    Sample loading_start, last;        ///< rows
-    double roundness = 0.;             ///< the last one [-]
-    double worst_gain = 0.;            ///< of the exchange [-]
-    double peak_axial_stress = 0.;     ///< while loading [Pa]
+    Sample loading_start, last;    ///< rows
+    double roundness = 0.;         ///< the last one [-]
+    double worst_gain = 0.;        ///< of the exchange [-]
+    double peak_axial_stress = 0.; ///< while loading [Pa]
     /// Of particles and membrane on the plate, where loading begins [Pa].
     double plate_stress = 0.;
     std::int64_t checkpoint_cycle = 0; ///< of the last one that was due
