@@ -175,6 +175,8 @@ struct TimeParameters
   double force_tolerance = 0.01;  ///< of a load cycle, rule error [-]
   double energy_tolerance = 0.01; ///< of a load cycle, rule error [-]
   double local_damping = 0.5;     ///< D_a while loading (article, Table 2) [-]
+  /// Smaller particles are accelerated as if they had its mass; 0: none [m].
+  double density_scaling_diameter = 0.;
   /// A fixed step above the limit of the contacts is no reason to stop.
   bool allow_unstable_step = false;
 

@@ -108,7 +108,7 @@ void print_particles(const dem::ParticleSystem &particles)
   {
     smallest = std::min(smallest, particles.radius(i));
     largest = std::max(largest, particles.radius(i));
-    mass += particles.mass(i);
+    mass += particles.solid_mass(i);
     n_breakable += particles.is_breakable[i];
   }
   std::printf(

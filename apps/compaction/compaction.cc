@@ -36,7 +36,7 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
       last_time(c.vibration.duration)
 {
   for (std::size_t i = 0; i < scene.all.size(); ++i)
-    filled_mass += scene.all.mass(i);
+    filled_mass += scene.all.solid_mass(i);
   pouring.prepare(engine());
   if (!fills_by_own_steps())
     return;

@@ -218,7 +218,7 @@ std::string LosAngeles::outcome() const
   const dem::ParticleSystem &all = whole().particles();
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)
-      lost += all.initial_mass[i] - all.mass(i);
+      lost += all.initial_mass[i] - all.solid_mass(i);
   char text[160];
   std::snprintf(text, sizeof text,
                 "LAA %.5f %%, mass lost %.4g g, roundness %.4f, drum work "
@@ -329,8 +329,8 @@ void LosAngeles::summarise(nlohmann::ordered_json &summary) const
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)
     {
-      now += all.mass(i);
-      lost += all.initial_mass[i] - all.mass(i);
+      now += all.solid_mass(i);
+      lost += all.initial_mass[i] - all.solid_mass(i);
     }
   summary["turns_1"] = turns();
   summary["initial_mass_kg"] = now + lost;

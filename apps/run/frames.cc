@@ -72,16 +72,18 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
   if (entries.empty())
     copy_view(folder);
   const dem::ParticleSystem &particles = engine.particles();
-  std::vector<double> loss(particles.size());
+  std::vector<double> mass(particles.size()), loss(particles.size());
   for (std::size_t i = 0; i < loss.size(); ++i)
-    loss[i] = 1. - particles.mass(i) / particles.initial_mass[i];
+  {
+    mass[i] = particles.solid_mass(i);
+    loss[i] = 1. - mass[i] / particles.initial_mass[i];
+  }
   using dem::ParticleState;
   const auto position = particles.column(&ParticleState::position),
              velocity = particles.column(&ParticleState::velocity),
              spin = particles.column(&ParticleState::spin);
   const auto orientation = particles.column(&ParticleState::orientation);
-  const auto radius = particles.column(&ParticleState::radius),
-             mass = particles.column(&ParticleState::mass);
+  const auto radius = particles.column(&ParticleState::radius);
   const dem::ParticleColumns columns{particles.id, position,    velocity,
                                      spin,         orientation, particles.shape,
                                      radius,       mass,        loss};

@@ -74,7 +74,7 @@ sizes_of(const dem::ParticleSystem &particles)
   std::vector<std::pair<double, double>> sizes;
   for (std::size_t i = 0; i < particles.size(); ++i)
     if (particles.material[i] == 0)
-      sizes.emplace_back(2. * particles.radius(i), particles.mass(i));
+      sizes.emplace_back(2. * particles.radius(i), particles.solid_mass(i));
   std::ranges::sort(sizes);
   return sizes;
 }

@@ -61,6 +61,7 @@ dem::EngineParameters engine_parameters(const Case &parameters)
   engine.friction_limit = parameters.friction_limit;
   engine.breakage = parameters.breakage;
   engine.local_damping = parameters.preparation.local_damping;
+  engine.density_scaling_diameter = parameters.time.density_scaling_diameter;
   return engine;
 }
 

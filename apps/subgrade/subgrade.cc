@@ -339,8 +339,10 @@ void Subgrade::note_due(double before)
 
 void Subgrade::describe() const
 {
-  std::printf("in a corner      %.4g s (the same particle on three walls)\n",
-              dem::corner_step(engine().parameters(), scene.all));
+  if (const double step = dem::corner_step(engine().parameters(), scene.all);
+      std::isfinite(step))
+    std::printf("in a corner      %.4g s (the same particle on three walls)\n",
+                step);
   std::printf("subgrade         %zu cells, %zu nodes, %s\n", mesh_size.first,
               mesh_size.second,
               solid ? "full" : "condensed on the nodes of its top");

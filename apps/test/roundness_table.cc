@@ -18,8 +18,8 @@ std::string roundness_table(const dem::ParticleSystem &particles,
     std::string &row = rows[static_cast<std::size_t>(particles.id[i])];
     row = std::to_string(particles.id[i]);
     for (const double value :
-         {2. * particles.radius(i), particles.mass(i),
-          1. - particles.mass(i) / particles.initial_mass[i],
+         {2. * particles.radius(i), particles.solid_mass(i),
+          1. - particles.solid_mass(i) / particles.initial_mass[i],
           roundness.of(particles.shape[i])})
       row += "," + number_text(value);
   }

@@ -146,7 +146,7 @@ double Test::abrasion_percent() const
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all.material[i] == 0)
     {
-      now += all.mass(i);
+      now += all.solid_mass(i);
       before += all.initial_mass[i];
     }
   return before > 0. ? 100. * (before - now) / before : 0.;

@@ -217,5 +217,11 @@ void add_triaxial(List &list, Case &of)
   add_loading(list, of.loading);
   add_cycle_jump(list, of.cycle_jump);
   add_output(list, of.output);
+  list.in("Time");
+  list.add({"density_scaling_diameter", "m",
+            "Density scaling: the inertia of smaller particles is raised to "
+            "that of this diameter, twice the equivalent radius, so that they "
+            "do not set the stable step; 0: none."},
+           of.time.density_scaling_diameter, between(0., 10.));
 }
 } // namespace spall

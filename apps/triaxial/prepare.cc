@@ -95,7 +95,7 @@ void Triaxial::finish_preparation()
         number_text(target.friction) + ": must be higher");
   say_prepared();
   hand_over();
-  say(prepared_text());
+  note_prepared();
 }
 
 std::string Triaxial::unprepared_text() const
@@ -151,7 +151,7 @@ void Triaxial::take_prepared(std::istream &in)
   engine().restore(in, shapes);
   servo.restore(in);
   hand_over();
-  say(prepared_text());
+  note_prepared();
   note_due();
 }
 

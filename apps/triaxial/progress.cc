@@ -124,6 +124,24 @@ std::string Triaxial::prepared_text() const
   return line;
 }
 
+std::string Triaxial::scaling_text() const
+{
+  char line[160];
+  std::snprintf(line, sizeof line,
+                "%zu particles below %.4g m, density up to %.4g times, %.3g %% "
+                "of the mass added",
+                scaling.n_scaled, parameters.time.density_scaling_diameter,
+                scaling.largest_factor, 100. * scaling.added_mass);
+  return line;
+}
+
+void Triaxial::note_prepared()
+{
+  say(prepared_text());
+  if (parameters.time.density_scaling_diameter > 0.)
+    say("density scaling: " + scaling_text());
+}
+
 std::string Triaxial::consolidated_text() const
 {
   const Consolidated &c = consolidation;
@@ -138,8 +156,13 @@ std::string Triaxial::consolidated_text() const
 
 void Triaxial::describe() const
 {
-  std::printf("in a corner      %.4g s (the same particle on three walls)\n",
-              dem::corner_step(engine().parameters(), engine().particles()));
+  if (const double step =
+          dem::corner_step(engine().parameters(), engine().particles());
+      std::isfinite(step))
+    std::printf("in a corner      %.4g s (the same particle on three walls)\n",
+                step);
+  if (parameters.time.density_scaling_diameter > 0.)
+    std::printf("density scaling  %s\n", scaling_text().c_str());
 }
 
 void Triaxial::describe_time(const MeanStep &step) const

@@ -43,6 +43,12 @@ void Triaxial::summarise(nlohmann::ordered_json &out) const
   out["lateral"] =
       parameters.boundary.lateral == Lateral::membrane ? "membrane" : "rigid";
   out["initial_porosity"] = preparation.porosity;
+  if (parameters.time.density_scaling_diameter > 0.)
+  {
+    out["n_density_scaled"] = scaling.n_scaled;
+    out["largest_density_factor_1"] = scaling.largest_factor;
+    out["added_mass_1"] = scaling.added_mass;
+  }
   if (parameters.time.step == StepRule::error)
   {
     const coupling::StepErrors errors = errors_of(probe);

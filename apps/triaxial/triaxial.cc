@@ -32,6 +32,7 @@ Triaxial::Triaxial(const Case &c, Specimen specimen)
     : Test(c, std::move(specimen.shapes), std::move(specimen.engine), 0.),
       box(specimen.walls), servo(box, servo_parameters(c)),
       setup(choose_step(c, whole())),
+      scaling(dem::density_scaling_of(whole().particles())),
       follower(load_path_of(c), c.loading.confining_pressure),
       cycle_intervals(intervals_in(follower.period())),
       n_cycles(follower.path().n_cycles()), plan(c.cycle_jump, n_cycles),

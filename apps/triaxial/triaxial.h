@@ -15,6 +15,7 @@
 #include <coupling/stress_balance.h>
 #include <coupling/triaxial_cell.h>
 #include <dem/measure/roundness_book.h>
+#include <dem/particles/density_scaling.h>
 
 #include <functional>
 #include <iosfwd>
@@ -183,6 +184,8 @@ private:
   double exchange_gain() const;
   double pressed_share() const;
   std::string prepared_text() const;
+  std::string scaling_text() const;
+  void note_prepared(); ///< for the log
   std::string preparation_numbers();
   std::string consolidated_text() const;
   void shorten_jump(const coupling::JumpPlan &refused);
@@ -248,6 +251,7 @@ private:
   dem::SpecimenWalls box;
   dem::BoxServo servo;
   SetupStep setup;
+  dem::DensityScaling scaling; ///< of the specimen as it is drawn
   LoadFollower follower;
   StepSchedule schedule;
   coupling::ProbeState probe;

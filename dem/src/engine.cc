@@ -4,6 +4,7 @@
 #include <dem/integrate/verlet.h>
 #include <dem/parallel/breaking.h>
 #include <dem/parallel/rank_sums.h>
+#include <dem/particles/density_scaling.h>
 
 #include <algorithm>
 #include <array>
@@ -29,6 +30,9 @@ EngineState::EngineState(const EngineParameters &parameters,
       elasticity(parameters)
 {
   schedule.skin.given = settings.geometry.skin;
+  if (settings.density_scaling_diameter > 0. && !settings.gravity.isZero(0.))
+    throw std::invalid_argument(
+        "density scaling changes weights: gravity must be zero with it");
 }
 
 void EngineState::add_particle(const ParticleShape &body, const Vec3 &position,
@@ -64,9 +68,13 @@ void EngineState::append(const NewParticle &particle)
   const std::uint8_t material = particle.material;
   if (settings.breakage.inscribed == InscribedSphereAt::free)
     free_corner_radius(body, sphere_rule(settings.breakage.quadrature_rings));
+  const bool is_particle = material == 0;
   system.add(body, particle.position, particle.orientation,
-             material == 0 ? settings.particle.density
-                           : settings.other_solids.at(material - 1u).density);
+             is_particle ? settings.particle.density
+                         : settings.other_solids.at(material - 1u).density,
+             is_particle ? density_scaling(2. * mean_radius(body),
+                                           settings.density_scaling_diameter)
+                         : 1.);
   system.id.back() = particle.id;
   system.material.back() = material;
   const double diameter = 2. * system.last().radius;

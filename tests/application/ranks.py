@@ -70,6 +70,8 @@ def same(spall, root):
             ("fixed", (2, 3), ("Time/step=fixed",)),
             ("stable", (2,), ("Time/step=stable",)),
             ("error", (2,), ("Time/step=error",)),
+            ("scaled", (2,), ("Time/step=stable",
+                              "Time/density_scaling_diameter=0.012")),
             ("surfaces", (2,), ("Contact/geometry=surface",
                                 "Contact/wall_geometry=surface",
                                 "Particle/rolling_friction=0",

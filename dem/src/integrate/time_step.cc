@@ -88,7 +88,8 @@ StepLimit rayleigh_step(const EngineParameters &parameters,
     double radius = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < particles.size(); ++i)
       if (particles.material[i] == m)
-        radius = std::min(radius, particles.radius(i));
+        radius = std::min(radius, particles.radius(i) *
+                                      std::sqrt(particles.mass_factor[i]));
     const SolidMaterial solid = solid_of(parameters, m);
     const double step = std::numbers::pi * radius *
                         std::sqrt(solid.density / solid.shear_modulus) /

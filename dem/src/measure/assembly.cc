@@ -88,7 +88,7 @@ double abrasion(const ParticleSystem &particles)
   double now = 0., before = 0.;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    now += particles.mass(i);
+    now += particles.solid_mass(i);
     before += particles.initial_mass[i];
   }
   return before > 0. ? (before - now) / before : 0.;

@@ -2,11 +2,13 @@
 
 #include <dem/boundary/drum_contacts.h>
 #include <dem/contact/common_normal.h>
+#include <dem/contact/law_table.h>
 #include <dem/engine_boundaries.h>
 #include <dem/measure/contact_springs.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem
 {
@@ -397,6 +399,8 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
 double corner_step(const EngineParameters &parameters,
                    const ParticleSystem &particles)
 {
+  if (law_of(parameters.wall).entry().exponent > 1.)
+    return std::numeric_limits<double>::infinity();
   const ParticleState &lightest =
       *std::min_element(particles.state.begin(), particles.state.end(),
                         [](const ParticleState &a, const ParticleState &b)

@@ -297,8 +297,8 @@ public:
     if (particles.has_materials)
       return largest;
     const double first_radius =
-        particles.radius(senior) *
-        std::cbrt(particles.initial_mass[senior] / particles.mass(senior));
+        particles.radius(senior) * std::cbrt(particles.initial_mass[senior] /
+                                             particles.solid_mass(senior));
     return std::min(largest, 1.0001 * aspect * first_radius);
   }
 

@@ -18,7 +18,8 @@ bool is_smaller(const ParticleState &a, const ParticleState &b)
 } // namespace
 
 void ParticleSystem::add(const ParticleShape &particle, const Vec3 &at,
-                         const Quaternion &turned, double density)
+                         const Quaternion &turned, double density,
+                         double factor)
 {
   id.push_back(static_cast<std::int64_t>(id.size()));
   shape.push_back(particle);
@@ -26,8 +27,9 @@ void ParticleSystem::add(const ParticleShape &particle, const Vec3 &at,
   ParticleState &fresh = state.emplace_back();
   fresh.position = at;
   fresh.orientation = turned;
+  mass_factor.push_back(factor);
   update_mass(size() - 1, density);
-  initial_mass.push_back(fresh.mass);
+  initial_mass.push_back(density * particle.volume);
   is_breakable.push_back(0);
   material.push_back(0);
   load.emplace_back();
@@ -45,7 +47,7 @@ void ParticleSystem::update_mass(std::size_t k, double density)
 {
   ParticleState &particle = state[k];
   particle.radius = mean_radius(shape[k]);
-  particle.mass = density * shape[k].volume;
+  particle.mass = mass_factor[k] * density * shape[k].volume;
   particle.inertia = 0.4 * particle.mass * particle.radius * particle.radius;
   if (k < frame.size())
     set_frame(k);

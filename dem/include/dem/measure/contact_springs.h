@@ -20,7 +20,8 @@ namespace dem
 SpringNetwork contact_springs(const Engine &engine, double horizon);
 
 /// Stable step of the lightest particle where three walls meet, for what the
-/// scene may come to [s].
+/// scene may come to; infinite for a law whose stiffness grows with the overlap
+/// [s].
 double corner_step(const EngineParameters &parameters,
                    const ParticleSystem &particles);
 } // namespace dem

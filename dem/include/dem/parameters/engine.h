@@ -22,5 +22,8 @@ struct EngineParameters
   BreakageParameters breakage;
   Vec3 gravity = Vec3::Zero(); ///< [m/s^2]
   double local_damping = 0.;   ///< D_a [-]
+  /// Particles of a smaller diameter are accelerated as if they had the mass of
+  /// this one (particles/density_scaling.h); 0: none [m].
+  double density_scaling_diameter = 0.;
 };
 } // namespace dem

@@ -15,9 +15,10 @@ struct alignas(64) ParticleState
   Vec3 position = Vec3::Zero(); ///< of the equivalent sphere [m]
   double radius = 0.;           ///< of the equivalent sphere [m]
   Vec3 velocity = Vec3::Zero(); ///< [m/s]
-  double mass = 0.;             ///< rho V [kg]
-  Vec3 spin = Vec3::Zero();     ///< world frame [rad/s]
-  double inertia = 0.; ///< of the equivalent sphere, 2/5 m r^2 [kg m^2]
+  /// rho V, times ParticleSystem::mass_factor: what is accelerated [kg].
+  double mass = 0.;
+  Vec3 spin = Vec3::Zero(); ///< world frame [rad/s]
+  double inertia = 0.;      ///< of the equivalent sphere, 2/5 m r^2 [kg m^2]
   /// Body to world. Spheres keep theirs in a scene without shapes.
   Quaternion orientation = Quaternion::Identity();
 };
@@ -54,7 +55,10 @@ struct ParticleSystem
   std::vector<std::int64_t> id;
   std::vector<ParticleState> state;
   std::vector<ParticleShape> shape;
-  std::vector<double> initial_mass; ///< before any breakage [kg]
+  std::vector<double> initial_mass; ///< rho V before any breakage [kg]
+  /// Density that is accelerated over that of the solid: above 1 with density
+  /// scaling (particles/density_scaling.h) [-].
+  std::vector<double> mass_factor;
   std::vector<std::uint8_t> is_breakable;
   std::vector<std::uint8_t> material; ///< 0: EngineParameters::particle
   std::vector<ParticleLoad> load;
@@ -120,6 +124,8 @@ struct ParticleSystem
   const double &radius(std::size_t k) const { return state[k].radius; }
   double &mass(std::size_t k) { return state[k].mass; }
   const double &mass(std::size_t k) const { return state[k].mass; }
+  /// rho V, without density scaling [kg].
+  double solid_mass(std::size_t k) const { return mass(k) / mass_factor[k]; }
   double &inertia(std::size_t k) { return state[k].inertia; }
   const double &inertia(std::size_t k) const { return state[k].inertia; }
   /// Body to world.
@@ -148,10 +154,10 @@ struct ParticleSystem
 
   /// Appends a particle at rest; its id is its row.
   void add(const ParticleShape &particle, const Vec3 &at,
-           const Quaternion &turned, double density);
+           const Quaternion &turned, double density, double factor = 1.);
 
-  /// Mass, inertia, equivalent radius and frame from the body [density in
-  /// kg/m^3].
+  /// Mass, inertia, equivalent radius and frame from the body [density of the
+  /// solid in kg/m^3].
   void update_mass(std::size_t k, double density);
   /// The frames of all particles from their bodies.
   void renew_frames();
@@ -164,6 +170,7 @@ struct ParticleSystem
     call(self.id);
     call(self.state);
     call(self.initial_mass);
+    call(self.mass_factor);
     call(self.is_breakable);
     call(self.material);
     call(self.load);
