@@ -130,6 +130,26 @@ def weight_on_walls(spall, root):
     return faults
 
 
+def sliding(spall, root):
+    """A ball that is thrown along a mesh without spin slides until it rolls:
+    2/7 of its energy is dissipated there, whatever the friction."""
+    mass = 2750. * 4. / 3. * math.pi * RADIUS**3
+    sunk = mass * 9.81 / LINEAR["normal_stiffness"]
+    out = run_scene(
+        spall, root / "sliding",
+        {"Wall": {**LINEAR, "normal_damping": 0.62, "shear_damping": 0.62,
+                  "friction": 0.3, "rolling_friction": 0},
+         "Walls": {"floor": {"mesh": "floor.obj"}}},
+        f"x,y,z,radius,vx\n-0.05,0.01,{RADIUS - sunk},{RADIUS},0.3\n",
+        {"floor.obj": FLOOR})
+    end = rows(out, "history.csv")[1][-1]
+    faults = near("friction on the floor", end["floor_friction_J"],
+                  2. / 7. * 0.5 * mass * 0.3**2, 2e-3)
+    if end["floor_friction_J"] != end["friction_dissipation_J"]:
+        faults.append("the floor has not all of the friction")
+    return faults
+
+
 def periodic_box(spall, root):
     """A particle that leaves at one face hits another one behind the other."""
     out = run_scene(
@@ -147,7 +167,8 @@ def periodic_box(spall, root):
 
 def physics(spall, root):
     return (flight(spall, root) + collision(spall, root) +
-            weight_on_walls(spall, root) + periodic_box(spall, root))
+            weight_on_walls(spall, root) + sliding(spall, root) +
+            periodic_box(spall, root))
 
 
 # Spheres and shapes, a turning paddle, a lid on a spring of particles.
