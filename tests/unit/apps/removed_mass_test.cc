@@ -1,9 +1,9 @@
 #include "test/removed_mass.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace
