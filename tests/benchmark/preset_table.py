@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""What the presets of each kind cost, and how far they are from the first.
+"""What the presets of each kind cost, and how far they are from `reference`.
 
     preset_table.py PROGRAM [--page PAGE] [--kinds KIND ...] [--seeds N]
                     [--runs FOLDER]
 
 The presets run a shortened case of their kind with the same seeds, one thread.
-Cost is processor time over that of the first preset, `reference` where it is not
-too dear. The error of a quantity is the mean over the seeds of its difference
-from that one, over its standard deviation over the seeds. PAGE has the tables
-between two marks; with --kinds those of other kinds stay as they are in FOLDER.
+Cost is processor time over that of `reference`. The error of a quantity is the
+mean over the seeds of its difference from `reference`, over the standard
+deviation of `reference` over the seeds. PAGE has the tables between two marks;
+with --kinds those of other kinds stay as they are in FOLDER.
 """
 import argparse
 import json
@@ -49,21 +49,21 @@ KINDS = {
          "Loading/consolidation_unbalanced_ratio=0.01",
          "Output/frames_per_cycle=0", "Output/surfaces=none"),
         {"permanent_axial_strain_1": "permanent strain",
-         "resilient_modulus_Pa": "resilient modulus",
+         "resilient_modulus_Pa": "resilient modulus (Pa)",
          "coordination_end_1": "coordination number",
-         "mean_contact_force_end_N": "mean contact force",
-         "laa_percent": "LAA"}),
+         "mean_contact_force_end_N": "mean contact force (N)",
+         "laa_percent": "LAA (%)"}),
     "single_particle": Kind(
         "single_particle", "Particle/seed",
         "a limestone of 30 mm pressed by 2 mm", (),
-        {"peak_force_N": "largest force",
-         "n_events": "events", "laa_percent": "LAA"}),
+        {"peak_force_N": "largest force (N)",
+         "n_events": "events", "laa_percent": "LAA (%)"}),
     "los_angeles": Kind(
         "los_angeles_quick", "Charge/seed",
         "0.5 kg of weak limestone and a steel ball, one turn",
         ("Charge/mass=0.5", "Charge/balls=1", "Charge/ball_mass=0.35",
          "Breakage/fracture_energy=1e3", "Drum/turns=1"),
-        {"laa_percent": "LAA", "n_events": "events",
+        {"laa_percent": "LAA (%)", "n_events": "events",
          "roundness_1": "roundness"}),
     "vibratory_compaction": Kind(
         "vibratory_compaction_quick", "Filling/seed",
@@ -76,22 +76,22 @@ KINDS = {
          "Filling/unbalanced_ratio=0.02", "Plate/mass=150",
          "Vibration/eccentric_mass=0.6", "Vibration/duration=0.0625",
          "Vibration/reports=0.0625"),
-        {"seating_settlement_m": "settlement under the plate",
-         "settlement_m": "settlement by vibration",
+        {"seating_settlement_m": "settlement under the plate (m)",
+         "settlement_m": "settlement by vibration (m)",
          "coordination_end_1": "coordination number",
-         "mean_contact_force_end_N": "mean contact force"},
-        ("standard", "fast")),
+         "mean_contact_force_end_N": "mean contact force (N)"},
+        ("reference", "standard", "fast")),
     "subgrade": Kind(
         "subgrade_quick", "Layer/seed",
-        "a layer of 0.16 by 0.16 by 0.08 m under a plate of 0.1 m on a subgrade "
-        "of 1 m, one pulse of 670 N",
+        "a layer of 0.16 by 0.16 by 0.08 m under a plate of 0.1 m on a "
+        "subgrade of 1 m, one pulse of 670 N",
         ("Layer/length=0.16", "Layer/width=0.16", "Layer/thickness=0.08",
          "LoadPlate/diameter=0.1", "Subgrade/length=1", "Subgrade/width=1",
          "Pulse/cycles=1", "Pulse/amplitude=670", "Pulse/rest=0.05",
          "Record/frame_interval=0"),
-        {"plate_settlement_peak_m": "settlement of the plate",
-         "subgrade_settlement_peak_m": "settlement of the subgrade",
-         "subgrade_force_peak_N": "force on the subgrade",
+        {"plate_settlement_peak_m": "settlement of the plate (m)",
+         "subgrade_settlement_peak_m": "settlement of the subgrade (m)",
+         "subgrade_force_peak_N": "force on the subgrade (N)",
          "coordination_end_1": "coordination number"},
         ("reference", "standard", "fast")),
 }
@@ -111,7 +111,7 @@ def run(program, name, preset, seed, folder):
     done = subprocess.run(list(map(str, words)), stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, text=True)
     if done.returncode:
-        return done.stderr.strip().splitlines()[-1]
+        return done.stderr.strip().splitlines()[-1].split("; ")[0]
     return json.loads((out / "summary.json").read_text())
 
 
