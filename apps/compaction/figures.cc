@@ -39,6 +39,8 @@ std::vector<Chart> make_charts(std::span<const RunData> runs)
   for (const PathQuantity &quantity : quantities)
     charts.push_back(path_chart(runs, vibration, quantity));
   charts.insert(charts.begin() + 5, roundness_chart(runs));
+  for (const Chart &chart : wall_charts(runs, vibration))
+    charts.push_back(chart);
   for (const Chart &chart : path_energy_charts(runs, vibration))
     charts.push_back(chart);
   return charts;

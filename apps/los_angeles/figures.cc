@@ -64,6 +64,8 @@ std::vector<Chart> make_charts(std::span<const RunData> runs)
     charts.push_back(path_chart(runs, drum, quantity));
   charts.push_back(rate_chart(runs));
   charts.push_back(roundness_chart(runs));
+  for (const Chart &chart : wall_charts(runs, drum))
+    charts.push_back(chart);
   for (const Chart &chart : path_energy_charts(runs, drum))
     charts.push_back(chart);
   return charts;

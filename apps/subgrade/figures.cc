@@ -1,6 +1,7 @@
 // The report of a plate on a subgrade.
 #include "report/figure_parts.h"
 #include "report/kind_report.h"
+#include "report/path_charts.h"
 #include "report/roundness_chart.h"
 #include "subgrade/kind.h"
 
@@ -265,6 +266,8 @@ std::vector<Chart> make_charts(std::span<const RunData> runs)
   charts.push_back(profile_chart(runs));
   charts.push_back(bowl_chart(runs));
   charts.push_back(roundness_chart(runs));
+  for (const Chart &chart : wall_charts(runs, {"time_s", "Time (s)"}))
+    charts.push_back(chart);
   charts.push_back(energy_chart(runs));
   return charts;
 }
