@@ -188,6 +188,32 @@ def path_faults(spall, lateral):
         return faults
 
 
+def apart_faults(spall):
+    """Stresses of x and y apart, then strains of both sides."""
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+        file = root / "apart.csv"
+        file.write_text("x_stress_Pa,y_stress_Pa,lateral_strain_1,"
+                        "axial_strain_rate_1_per_s,duration_s\n"
+                        "40e3,25e3,,,0.05\n,,-0.005,0.2,0.05\n")
+        run(spall, root / "run", "rigid",
+            settings=(*SPHERES, f"Loading/path={file}"))
+        stress, strain = loading_of(root / "run")
+    faults = [f"{key} ends at {stress[-1][key]}, {asked} Pa was asked for"
+              for key, asked in (("x_stress_Pa", 40e3), ("y_stress_Pa", 25e3))
+              if abs(stress[-1][key] / asked - 1.) > SIDE_TOLERANCE]
+    # Sides have stretched each way while x and y stresses went apart.
+    start, end = stress[-1], strain[-1]
+    across = ((1. - start["volumetric_strain_1"]) /
+              (1. - start["axial_strain_1"]))
+    volume = 1. - (1. - end["axial_strain_1"]) * 1.005 ** 2
+    if abs(across - 1.) < 1e-4 or \
+            abs(end["volumetric_strain_1"] - volume) > 1e-8:
+        faults.append(f"volumetric strain {end['volumetric_strain_1']}: "
+                      f"{volume}")
+    return faults
+
+
 def short_form_faults(spall, root):
     """One haversine, once by its short form."""
     file = root / "one.csv"
@@ -236,7 +262,8 @@ def restart_faults(spall, root):
 def main():
     spall, what = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
     if what != "restart":
-        return report_faults(path_faults(spall, what))
+        return report_faults(path_faults(spall, what) + (
+            apart_faults(spall) if what == "rigid" else []))
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
         return report_faults(short_form_faults(spall, root) +

@@ -84,6 +84,21 @@ TEST(LoadFollower, WavesStandOnTheStressBefore)
   EXPECT_DOUBLE_EQ(follower.cycles_at(0.05), 1.5);
 }
 
+TEST(LoadFollower, SidesSwingInPhaseAndApart)
+{
+  LoadStage stage = haversine(40e3, 2);
+  stage.side_amplitude = 10e3;
+  stage.sides[0] = {LoadControl::stress, 70e3, {}};
+  LoadFollower follower({{stage}}, confining);
+  follower.begin(measures(), 0.);
+  follower.aim(at(0.5));
+  EXPECT_DOUBLE_EQ(follower.side_target(0), confining + 5e3 + 10e3);
+  EXPECT_DOUBLE_EQ(follower.side_target(1), confining + 10e3);
+  follower.aim(at(2.));
+  EXPECT_DOUBLE_EQ(follower.side_target(0), 70e3);
+  EXPECT_DOUBLE_EQ(follower.side_target(1), confining);
+}
+
 TEST(LoadFollower, TargetAndRateGiveTheLength)
 {
   LoadStage stage;

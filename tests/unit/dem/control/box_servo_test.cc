@@ -38,6 +38,29 @@ double stress_error(const dem::Engine &engine, const dem::BoxPlanes &box,
 }
 } // namespace
 
+// A rate over the present length: ln(length) falls evenly.
+TEST(BoxServo, MovesAnAxisAtItsRate)
+{
+  dem::Engine engine(packing_parameters());
+  const dem::BoxPlanes box =
+      dem::add_box(engine, dem::Vec3::Zero(), dem::Vec3(0.1, 0.2, 0.3));
+  dem::BoxServo servo(box, {});
+  servo.move(0, 0.5);
+  servo.move(1, -0.25);
+  constexpr double dt = 1e-4;
+  constexpr int n_steps = 1000;
+  for (int step = 0; step < n_steps; ++step)
+  {
+    servo.update(engine, dt);
+    engine.advance(dt);
+  }
+  // Euler steps: (1 - rate dt)^n.
+  const dem::Vec3 size = dem::box_size(engine, box);
+  EXPECT_NEAR(size.x(), 0.1 * std::pow(1. - 0.5 * dt, n_steps), 1e-12);
+  EXPECT_NEAR(size.y(), 0.2 * std::pow(1. + 0.25 * dt, n_steps), 1e-12);
+  EXPECT_EQ(size.z(), 0.3);
+}
+
 // From a loose gas to a packing at rest, more stress along z.
 TEST(BoxServo, CompactsSpheresToTheirStress)
 {
