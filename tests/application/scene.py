@@ -140,7 +140,7 @@ def sliding(spall, root):
         {"Wall": {**LINEAR, "normal_damping": 0.62, "shear_damping": 0.62,
                   "friction": 0.3, "rolling_friction": 0},
          "Walls": {"floor": {"mesh": "floor.obj"}}},
-        f"x,y,z,radius,vx\n-0.05,0.01,{RADIUS - sunk},{RADIUS},0.3\n",
+        f"x,y,z,radius,vx,vy,vz\n-0.05,0.01,{RADIUS - sunk},{RADIUS},0.3,0,0\n",
         {"floor.obj": FLOOR})
     end = rows(out, "history.csv")[1][-1]
     faults = near("friction on the floor", end["floor_friction_J"],
