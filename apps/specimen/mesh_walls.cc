@@ -142,7 +142,7 @@ std::vector<double> wall_values(const dem::Engine &engine)
     for (const dem::Vec3 &v : {load.force, load.moment, wall.pose().shift})
       values.insert(values.end(), v.data(), v.data() + 3);
     values.push_back(wall.pose().angle);
-    values.push_back(wall.friction.value());
+    values.push_back(wall.friction.value() + 0.); // no -0
   }
   return values;
 }
