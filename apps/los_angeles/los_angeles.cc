@@ -81,9 +81,11 @@ place_charge(const Case &parameters,
   const dem::Vec3 corner(half, 0.5 * d.length, half);
   try
   {
-    return dem::insert_particles(
-        bodies, {-corner, corner, parameters.contact.follows_surfaces()},
-        random);
+    return dem::insert_particles(bodies,
+                                 {-corner, corner,
+                                  parameters.contact.follows_surfaces(), false,
+                                  clear_of_walls(parameters)},
+                                 random);
   }
   catch (const dem::NoFreePosition &error)
   {

@@ -4,6 +4,7 @@
 #include "errors.h"
 #include "scene/builder.h"
 #include "shape/loaded.h"
+#include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
 
 #include <filesystem>
@@ -44,9 +45,11 @@ void fill(const Case &parameters, PlacedParticles &scene)
   std::vector<dem::Placement> placements;
   try
   {
-    placements = dem::insert_particles(
-        drawn, {fill.lower, fill.upper, parameters.contact.follows_surfaces()},
-        random);
+    placements = dem::insert_particles(drawn,
+                                       {fill.lower, fill.upper,
+                                        parameters.contact.follows_surfaces(),
+                                        false, clear_of_walls(parameters)},
+                                       random);
   }
   catch (const dem::NoFreePosition &error)
   {

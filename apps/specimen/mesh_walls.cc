@@ -6,11 +6,13 @@
 #include "errors.h"
 #include "specimen/motion_table.h"
 
+#include <dem/boundary/wall_clearance.h>
 #include <dem/engine_boundaries.h>
 #include <dem/io/mesh_reader.h>
 #include <fem/triangle_file.h>
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -117,6 +119,18 @@ void add_mesh_walls(dem::Engine &engine, const Case &parameters)
     {
       refuse_wall(parameters, wall, "mesh", wall.mesh, error.what());
     }
+}
+
+std::function<bool(const dem::Vec3 &, double)>
+clear_of_walls(const Case &parameters)
+{
+  if (parameters.walls.empty())
+    return {};
+  const auto walls = std::make_shared<dem::WallClearance>();
+  for (const WallSection &wall : parameters.walls)
+    walls->add(surface_of(parameters, wall));
+  return [walls](const dem::Vec3 &centre, double radius)
+  { return walls->is_clear(centre, radius); };
 }
 
 std::vector<std::string> wall_columns(const dem::Engine &engine)

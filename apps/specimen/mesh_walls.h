@@ -4,6 +4,7 @@
 
 #include <dem/engine.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,11 @@ namespace spall
 /// Adds the walls of the case to a scene. Throws InputError on a mesh or a
 /// table that cannot be one.
 void add_mesh_walls(dem::Engine &engine, const Case &parameters);
+
+/// Whether a sphere about a point is clear of the walls of the case as they are
+/// at first; empty without any. Throws InputError as add_mesh_walls().
+std::function<bool(const dem::Vec3 &, double)>
+clear_of_walls(const Case &parameters);
 
 /// Names of the columns of history.csv about the walls of a scene: force and
 /// moment of the particles on each of them, displacement, rotation, and what

@@ -200,8 +200,11 @@ insert_particles(std::span<const ParticleShape> particles,
         placement.position[d] =
             std::lerp(box.lower[d], box.upper[d], random.uniform());
       placement.orientation = random.rotation();
-    } while (!fits_box(particles[i], placement, box) ||
-             !cells.all_near(placement.position, is_free));
+    } while (
+        !fits_box(particles[i], placement, box) ||
+        (box.is_clear && !box.is_clear(placement.position,
+                                       particles[i].circumscribed_radius)) ||
+        !cells.all_near(placement.position, is_free));
     placed.placements.push_back(placement);
     cells.add(placement.position, i);
   }

@@ -1,4 +1,5 @@
 #include <dem/binary.h>
+#include <dem/boundary/wall_clearance.h>
 #include <dem/engine_boundaries.h>
 #include <dem/packing/pouring.h>
 #include <dem/parallel/distribution.h>
@@ -207,6 +208,12 @@ void Pouring::pour(Engine &engine)
   box.upper = Vec3(room.floor.x(), room.floor.y(), floor) + half;
   box.sees_surfaces = engine.parameters().geometry.follows_surfaces();
   box.is_round = room.is_round;
+  WallClearance walls;
+  for (const MeshWall &wall : mesh_walls(engine))
+    walls.add(wall.surface);
+  if (!walls.is_empty())
+    box.is_clear = [&walls](const Vec3 &centre, double radius)
+    { return walls.is_clear(centre, radius); };
   const std::vector<Placement> placements = cloud_above(floor, box);
   for (std::size_t i = 0; i < layer.size(); ++i)
     engine.add_particle(layer[i], placements[i].position,

@@ -3,6 +3,7 @@
 #include <dem/random.h>
 #include <dem/shape/particle_shape.h>
 
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -25,6 +26,9 @@ struct InsertionBox
   bool sees_surfaces = false;
   /// Only the upright cylinder in the middle of the box, as wide as it is.
   bool is_round = false;
+  /// Whether a sphere of this radius about a point is clear of what else is
+  /// there, as walls; empty: all are.
+  std::function<bool(const Vec3 &, double)> is_clear = {};
 };
 
 /// There is no free position in a box for a particle.

@@ -1,3 +1,4 @@
+#include <dem/boundary/wall_clearance.h>
 #include <dem/boundary/wall_mesh.h>
 
 #include <gtest/gtest.h>
@@ -126,4 +127,28 @@ TEST(WallMesh, MeshesThatAreNoSurfaceAreRefused)
   EXPECT_EQ(message_of(fan),
             "mesh is no surface: 1 edges belong to more than two triangles, at "
             "most two are allowed");
+}
+
+// A sphere is clear of a body that it is outside of, of a container that it is
+// inside of, and of an open floor from both sides.
+TEST(WallMesh, ClearanceKnowsInsideAndOutside)
+{
+  dem::WallClearance body, container, floor;
+  body.add(dem::wall_surface(cube_with_one_turned(), WallSide::outside));
+  container.add(dem::wall_surface(cube_with_one_turned(), WallSide::inside));
+  floor.add(dem::wall_surface(floor_of_stl(false), WallSide::outside));
+  const Vec3 inside(0.4, 0.5, 0.6), outside(1.2, 0.5, 0.6), far(9., 9., 9.);
+  EXPECT_FALSE(body.is_clear(inside, 0.1));
+  EXPECT_TRUE(body.is_clear(outside, 0.19));
+  EXPECT_FALSE(body.is_clear(outside, 0.21));
+  EXPECT_TRUE(body.is_clear(far, 0.1));
+  EXPECT_TRUE(container.is_clear(inside, 0.39));
+  EXPECT_FALSE(container.is_clear(inside, 0.41));
+  EXPECT_FALSE(container.is_clear(outside, 0.1));
+  EXPECT_FALSE(container.is_clear(far, 0.1));
+  for (const double z : {-0.3, 0.3})
+  {
+    EXPECT_TRUE(floor.is_clear(Vec3(1., 1., z), 0.29));
+    EXPECT_FALSE(floor.is_clear(Vec3(1., 1., z), 0.31));
+  }
 }
