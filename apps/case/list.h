@@ -3,6 +3,8 @@
 #include "case/case.h"
 #include "case/parameter.h"
 
+#include <dem/shape/spherical_harmonics.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -125,6 +127,22 @@ private:
 };
 
 void add_membrane(List &list, fem::MembraneParameters &m);
+/// The keys of particles that are drawn from a gradation, in the section the
+/// list is in: gradation, shapes, order and seed of `drawn`.
+template <class Drawn>
+void add_drawn_particles(List &list, Drawn &drawn)
+{
+  list.add_path(
+      {"gradation", "-",
+       "CSV file diameter_m,passing_1: share of the mass that passes."},
+      drawn.gradation);
+  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
+                drawn.shapes);
+  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
+           drawn.order, between(1, dem::max_order));
+  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
+           drawn.seed, between(0, 2147483647));
+}
 void add_walls(List &list, std::vector<WallSection> &walls);
 void add_coupling(List &list, CouplingParameters &c);
 void add_contact(List &list, Case &of);

@@ -1,8 +1,6 @@
 #include "case/list.h"
 #include "compaction/kind.h"
 
-#include <dem/shape/spherical_harmonics.h>
-
 namespace spall
 {
 namespace
@@ -35,16 +33,7 @@ void add_container(List &list, ContainerParameters &c)
 void add_filling(List &list, FillingParameters &f)
 {
   list.in("Filling");
-  list.add_path(
-      {"gradation", "-",
-       "CSV file diameter_m,passing_1: share of the mass that passes."},
-      f.gradation);
-  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
-                f.shapes);
-  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
-           f.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
-           f.seed, between(0, 2147483647));
+  add_drawn_particles(list, f);
   list.add({"density", "kg/m^3",
             "Requested density: mass of the particles over the volume that "
             "they fill."},

@@ -1,8 +1,6 @@
 #include "case/list.h"
 #include "los_angeles/kind.h"
 
-#include <dem/shape/spherical_harmonics.h>
-
 namespace spall
 {
 namespace
@@ -12,16 +10,7 @@ void add_charge(List &list, ChargeParameters &c)
   list.in("Charge");
   list.add({"mass", "kg", "Total mass of the particles."}, c.mass,
            above(0., 1e4));
-  list.add_path(
-      {"gradation", "-",
-       "CSV file diameter_m,passing_1: share of the mass that passes."},
-      c.gradation);
-  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
-                c.shapes);
-  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
-           c.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
-           c.seed, between(0, 2147483647));
+  add_drawn_particles(list, c);
   list.add({"balls", "-", "Number of steel balls."}, c.balls, between(0, 1000));
   list.add({"ball_mass", "kg", "Mass of all steel balls together."},
            c.ball_mass, above(0., 1e4));

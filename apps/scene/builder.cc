@@ -109,6 +109,7 @@ void note_overlaps(const dem::ParticleSystem &all,
                  other(k)};
   }
 }
+
 /// Of all contacts of a scene.
 Deepest deepest_of(const dem::Engine &engine, const PlacedParticles &particles)
 {

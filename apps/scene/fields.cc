@@ -58,16 +58,7 @@ void add_fill(List &list, FillParameters &f)
             "Mass of particles that are drawn and placed at random without "
             "overlap; 0: none."},
            f.mass, between(0., 1e6));
-  list.add_path(
-      {"gradation", "-",
-       "CSV file diameter_m,passing_1: share of the mass that passes."},
-      f.gradation);
-  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
-                f.shapes);
-  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
-           f.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
-           f.seed, between(0, 2147483647));
+  add_drawn_particles(list, f);
   list.add({"lower", "m", "Lower corner of the region that is filled."},
            f.lower);
   list.add({"upper", "m", "Upper corner of the region that is filled."},

@@ -1,8 +1,6 @@
 #include "specimen/mesh_walls.h"
 
 #include "case/file.h"
-#include "case/gravity.h"
-#include "case/parameter.h"
 #include "errors.h"
 #include "specimen/motion_table.h"
 
@@ -128,36 +126,36 @@ clear_of_walls(const Case &parameters)
     return {};
   const auto walls = std::make_shared<dem::WallClearance>();
   for (const WallSection &wall : parameters.walls)
-    walls->add(surface_of(parameters, wall));
+    walls->add(dem::MeshWall(wall.name, 0, wall.material,
+                             surface_of(parameters, wall),
+                             motion_of(parameters, wall, dem::Vec3::Zero()))
+                   .surface);
   return [walls](const dem::Vec3 &centre, double radius)
   { return walls->is_clear(centre, radius); };
 }
 
-std::vector<std::string> wall_columns(const dem::Engine &engine)
+std::vector<std::pair<std::string, double>>
+wall_quantities(const dem::Engine &engine)
 {
-  std::vector<std::string> names;
+  std::vector<std::pair<std::string, double>> all;
   for (const dem::MeshWall &wall : dem::mesh_walls(engine))
   {
-    for (const char *what :
-         {"force_x_N", "force_y_N", "force_z_N", "moment_x_Nm", "moment_y_Nm",
-          "moment_z_Nm", "displacement_x_m", "displacement_y_m",
-          "displacement_z_m", "rotation_rad", "friction_J"})
-      names.push_back(wall.label + "_" + what);
-  }
-  return names;
-}
-
-std::vector<double> wall_values(const dem::Engine &engine)
-{
-  std::vector<double> values;
-  for (const dem::MeshWall &wall : dem::mesh_walls(engine))
-  {
+    const auto add = [&](const std::string &what, double value)
+    { all.emplace_back(wall.label + "_" + what, value); };
+    const auto add_vector = [&](const std::string &what,
+                                const std::string &unit, const dem::Vec3 &v)
+    {
+      add(what + "_x_" + unit, v.x());
+      add(what + "_y_" + unit, v.y());
+      add(what + "_z_" + unit, v.z());
+    };
     const dem::WallLoad load = wall.load();
-    for (const dem::Vec3 &v : {load.force, load.moment, wall.pose().shift})
-      values.insert(values.end(), v.data(), v.data() + 3);
-    values.push_back(wall.pose().angle);
-    values.push_back(wall.friction.value() + 0.); // no -0
+    add_vector("force", "N", load.force);
+    add_vector("moment", "Nm", load.moment);
+    add_vector("displacement", "m", wall.pose().shift);
+    add("rotation_rad", wall.pose().angle);
+    add("friction_J", wall.friction.value() + 0.); // no -0
   }
-  return values;
+  return all;
 }
 } // namespace spall

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace spall
@@ -19,10 +20,9 @@ void add_mesh_walls(dem::Engine &engine, const Case &parameters);
 std::function<bool(const dem::Vec3 &, double)>
 clear_of_walls(const Case &parameters);
 
-/// Names of the columns of history.csv about the walls of a scene: force and
-/// moment of the particles on each of them, displacement, rotation, and what
-/// sliding on it has dissipated.
-std::vector<std::string> wall_columns(const dem::Engine &engine);
-/// Their values, in the same order.
-std::vector<double> wall_values(const dem::Engine &engine);
+/// Columns of history.csv about the walls of a scene, each with its value now:
+/// force and moment of the particles on each of them, displacement, rotation,
+/// and what sliding on it has dissipated.
+std::vector<std::pair<std::string, double>>
+wall_quantities(const dem::Engine &engine);
 } // namespace spall

@@ -18,16 +18,7 @@ void add_layer(List &list, LayerParameters &l)
             "With the box and the thickness: the volume of particles.",
             "random packings stay below 0.75"},
            l.solid_fraction, Range{0., 0.75, true, true});
-  list.add_path(
-      {"gradation", "-",
-       "CSV file diameter_m,passing_1: share of the mass that passes."},
-      l.gradation);
-  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
-                l.shapes);
-  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
-           l.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
-           l.seed, between(0, 2147483647));
+  add_drawn_particles(list, l);
   list.add(
       {"layers", "-", "Number of layers that are poured one after the other."},
       l.layers, between(1, 1000));

@@ -177,10 +177,8 @@ std::vector<Quantity> Test::row() const
   std::vector<Quantity> all = {{"time_s", engine().time()}};
   for (const Quantity &one : measured())
     all.push_back(one);
-  const std::vector<std::string> columns = wall_columns(whole());
-  const std::vector<double> on_walls = wall_values(whole());
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    all.push_back({columns[k], on_walls[k]});
+  for (const auto &[name, value] : wall_quantities(whole()))
+    all.push_back({name, value});
   for (const dem::MeshWall &wall : dem::mesh_walls(whole()))
     all.push_back({wall.label + "_removed_mass_kg",
                    removed.on(wall.event_kind(), wall.event_other(0))});
@@ -238,18 +236,6 @@ std::vector<std::string> Test::warnings() const
   return all;
 }
 
-namespace
-{
-/// What history.csv has of each wall, by name.
-void add_walls(const dem::Engine &engine, nlohmann::ordered_json &summary)
-{
-  const std::vector<std::string> columns = wall_columns(engine);
-  const std::vector<double> values = wall_values(engine);
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    summary["walls"][columns[k]] = values[k];
-}
-} // namespace
-
 void Test::summarise(nlohmann::ordered_json &summary) const
 {
   const dem::ParticleSystem &all = whole().particles();
@@ -272,7 +258,8 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
   summary["overlap_over_radius_1"] = whole().overlaps().largest;
-  add_walls(whole(), summary);
+  for (const auto &[name, value] : wall_quantities(whole()))
+    summary["walls"][name] = value;
   removed.summarise(whole(), summary);
   add_contact_point_events(whole(), summary);
   if (first_event.time >= 0.)

@@ -1,8 +1,6 @@
 #include "case/list.h"
 #include "triaxial/kind.h"
 
-#include <dem/shape/spherical_harmonics.h>
-
 namespace spall
 {
 namespace
@@ -30,16 +28,7 @@ void add_specimen(List &list, SpecimenParameters &s)
                  "drawn from the gradation. Columns as in Scene/particles. "
                  "Empty: none."},
                 s.particles);
-  list.add_path(
-      {"gradation", "-",
-       "CSV file diameter_m,passing_1: share of the mass that passes."},
-      s.gradation);
-  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
-                s.shapes);
-  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
-           s.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
-           s.seed, between(0, 2147483647));
+  add_drawn_particles(list, s);
   list.add({"initial_solid_fraction", "-",
             "Solid fraction of the random cloud before compaction.",
             "random insertion jams above"},
