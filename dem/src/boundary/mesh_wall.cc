@@ -34,8 +34,9 @@ MeshWall::MeshWall(std::string its_label, std::int64_t its_number,
       course(std::move(its_motion)), placed(surface.position)
 {
   current.shift = prescribed_shift(course, 0.);
+  const WallTransform moved(course, current);
   for (std::size_t v = 0; v < placed.size(); ++v)
-    surface.position[v] = moved_point(course, current, placed[v]);
+    surface.position[v] = moved(placed[v]);
 }
 
 WallLoad MeshWall::load() const
@@ -57,10 +58,10 @@ void MeshWall::move(double time_step)
   const bool is_still =
       next.shift == current.shift && next.angle == current.angle;
   current = next;
+  const WallTransform moved(course, current);
   for (std::size_t v = 0; v < placed.size(); ++v)
   {
-    const Vec3 now = is_still ? surface.position[v]
-                              : moved_point(course, current, placed[v]);
+    const Vec3 now = is_still ? surface.position[v] : moved(placed[v]);
     surface.velocity[v] = (now - surface.position[v]) / time_step;
     surface.position[v] = now;
   }

@@ -77,12 +77,10 @@ WallPose advanced(const WallMotion &motion, const WallPose &pose,
   return next;
 }
 
-Vec3 moved_point(const WallMotion &motion, const WallPose &pose,
-                 const Vec3 &point)
+WallTransform::WallTransform(const WallMotion &motion, const WallPose &pose)
+    : is_turned(pose.angle != 0.),
+      turn(Eigen::AngleAxisd(pose.angle, motion.axis).toRotationMatrix()),
+      centre(motion.centre), shift(pose.shift)
 {
-  if (pose.angle == 0.)
-    return point + pose.shift;
-  const Eigen::AngleAxisd turn(pose.angle, motion.axis);
-  return turn * (point - motion.centre) + motion.centre + pose.shift;
 }
 } // namespace dem

@@ -64,7 +64,22 @@ Vec3 driving_force(const WallMotion &motion, double time);
 WallPose advanced(const WallMotion &motion, const WallPose &pose,
                   const WallLoad &load, double time_step);
 
-/// Where a point of the wall as placed is in a pose [m].
-Vec3 moved_point(const WallMotion &motion, const WallPose &pose,
-                 const Vec3 &point);
+/// Takes points of the wall as placed to where they are in a pose.
+class WallTransform
+{
+public:
+  WallTransform(const WallMotion &motion, const WallPose &pose);
+
+  /// A point that has not turned keeps all its digits [m].
+  Vec3 operator()(const Vec3 &placed) const
+  {
+    return is_turned ? Vec3(turn * (placed - centre) + centre + shift)
+                     : Vec3(placed + shift);
+  }
+
+private:
+  bool is_turned;
+  Mat3 turn;
+  Vec3 centre, shift; ///< [m]
+};
 } // namespace dem

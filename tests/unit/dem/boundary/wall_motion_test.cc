@@ -90,7 +90,7 @@ TEST(WallMotion, TorqueTurnsAWallWithInertia)
   EXPECT_NEAR(pose.spin, 3. * 0.2, 1e-12);
   EXPECT_NEAR(pose.angle, 0.5 * 3. * 0.04 * 1.001, 1e-12);
   // A point beside the axis, turned right-handed about y.
-  const Vec3 point = dem::moved_point(motion, pose, Vec3(1., 0., 1.));
+  const Vec3 point = dem::WallTransform(motion, pose)(Vec3(1., 0., 1.));
   EXPECT_NEAR(point.x(), 1. + std::sin(pose.angle), 1e-12);
   EXPECT_NEAR(point.z(), std::cos(pose.angle), 1e-12);
 }
@@ -102,7 +102,7 @@ TEST(WallMotion, RotationAtARate)
   motion.velocity = {0., 0., 1.};
   const WallPose pose = after(motion, 0.3, 7);
   EXPECT_NEAR(pose.angle, 1.2, 1e-14);
-  const Vec3 point = dem::moved_point(motion, pose, Vec3(1., 0., 0.));
+  const Vec3 point = dem::WallTransform(motion, pose)(Vec3(1., 0., 0.));
   EXPECT_NEAR((point - Vec3(std::cos(1.2), std::sin(1.2), 0.3)).norm(), 0.,
               1e-12);
 }
