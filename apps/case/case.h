@@ -25,7 +25,8 @@ namespace spall
 enum class Lateral
 {
   membrane, ///< deal.II membrane, tied to the plates
-  rigid     ///< four servo-controlled planes
+  rigid,    ///< four servo-controlled planes
+  periodic  ///< opposite sides are one: a cell that is periodic along x and y
 };
 
 enum class StepRule

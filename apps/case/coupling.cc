@@ -101,7 +101,7 @@ void add_coupling(List &list, CouplingParameters &c)
 coupling::ExchangeParameters
 CouplingParameters::exchange_rules(Lateral lateral) const
 {
-  if (lateral == Lateral::rigid) // the plate alone
+  if (lateral != Lateral::membrane) // the plate alone
     return {};
   return exchange_rules();
 }

@@ -25,12 +25,13 @@ std::vector<dem::ContactLine> contact_lines(const dem::Engine &engine)
     {
       if (!batch.is_touching(k))
         continue;
-      const dem::Vec3 &from =
-          engine.particles().position(static_cast<std::size_t>(batch.a[k]));
-      const dem::Vec3 to = kind == dem::ContactKind::particle_particle
-                               ? engine.particles().position(
-                                     static_cast<std::size_t>(batch.b[k]))
-                               : dem::wall_contact_point(engine, batch, k);
+      const auto a = static_cast<std::size_t>(batch.a[k]);
+      const dem::Vec3 &from = engine.particles().position(a);
+      const dem::Vec3 to =
+          kind == dem::ContactKind::particle_particle
+              ? dem::Vec3(from + engine.particles().branch(
+                                     a, static_cast<std::size_t>(batch.b[k])))
+              : dem::wall_contact_point(engine, batch, k);
       const dem::Vec3 n = (to - from).normalized();
       const dem::Vec3 force =
           kind == dem::ContactKind::particle_particle

@@ -27,15 +27,6 @@ void check_box(const Case &c, const SourceLocation &location)
 {
   const SceneBoxParameters &box = c.own<SceneCase>().box;
   check_corners(location, "Box", box.lower, box.upper);
-  if (!c.contact.follows_surfaces())
-    return;
-  for (const auto &[key, faces] :
-       {std::pair{"x", box.x}, {"y", box.y}, {"z", box.z}})
-    if (faces == BoxFaces::periodic)
-      refuse(location,
-             {"Box", key, "periodic",
-              "must be open or rigid with Contact/geometry = surface: true "
-              "surfaces do not meet across a periodic face"});
 }
 
 void check_fill(const Case &c, const SourceLocation &location)

@@ -172,6 +172,34 @@ PlacedParticles given_particles(const Case &parameters)
   given.box = upper - lower;
   return given;
 }
+
+/// No particle may meet two images of another one within the widest skin of the
+/// lists.
+void require_unique_images(const Case &parameters,
+                           const PlacedParticles &particles, double skin)
+{
+  constexpr double widest = 2.; // over the usual skin
+  double largest = 0.;
+  for (const dem::ParticleShape &particle : particles.body)
+    largest = std::max(largest, particle.circumscribed_radius);
+  const double least = 2. * (2. * largest + widest * skin);
+  if (parameters.specimen.side < least)
+    throw InputError(parameters.file + ": Specimen/side = " +
+                     number_text(parameters.specimen.side) +
+                     " m: must be at least " + in_four_digits(least) +
+                     " m with Boundary/lateral = periodic, where no particle "
+                     "may meet two images of another one");
+}
+
+dem::SpecimenWalls add_walls(const Case &parameters, const dem::Vec3 &lower,
+                             const dem::Vec3 &upper, dem::Engine &engine)
+{
+  if (parameters.specimen.form == SpecimenForm::cylinder)
+    return dem::add_cylinder(engine, lower, upper);
+  if (parameters.boundary.lateral == Lateral::periodic)
+    return dem::add_periodic_cell(engine, lower, upper, {true, true, false});
+  return dem::add_box(engine, lower, upper);
+}
 } // namespace
 
 Specimen make_specimen(const Case &parameters)
@@ -185,6 +213,10 @@ Specimen make_specimen(const Case &parameters)
     smallest = std::min(smallest, dem::mean_radius(particle));
   dem::EngineParameters engine = engine_parameters(parameters);
   engine.geometry.usual_skin = 0.25 * smallest;
+  if (parameters.boundary.lateral == Lateral::periodic)
+    require_unique_images(
+        parameters, particles,
+        std::max(engine.geometry.usual_skin, parameters.contact.skin));
   Specimen specimen;
   specimen.shapes = particles.shapes;
   specimen.engine =
@@ -194,9 +226,7 @@ Specimen make_specimen(const Case &parameters)
                                   particles.placement[i].position,
                                   particles.placement[i].orientation);
   const dem::Vec3 lower = dem::Vec3::Zero(), &upper = particles.box;
-  specimen.walls = s.form == SpecimenForm::cylinder
-                       ? dem::add_cylinder(*specimen.engine, lower, upper)
-                       : dem::add_box(*specimen.engine, lower, upper);
+  specimen.walls = add_walls(parameters, lower, upper, *specimen.engine);
   return specimen;
 }
 

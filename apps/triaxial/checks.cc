@@ -41,6 +41,15 @@ void check_specimen(const Case &c, const SourceLocation &location)
   }
 }
 
+/// Opposite sides of a cylinder do not fit on each other.
+void check_periodic(const Case &c, const SourceLocation &location)
+{
+  if (c.boundary.lateral == Lateral::periodic &&
+      c.specimen.form != SpecimenForm::box)
+    refuse(location,
+           {"Boundary", "lateral", "periodic", "needs Specimen/form = box"});
+}
+
 void check_cycle_jump(const Case &c, const SourceLocation &location)
 {
   if (c.cycle_jump.is_on() && c.loading.form != LoadForm::haversine)
@@ -93,6 +102,7 @@ void check_triaxial(const Case &c, const SourceLocation &location)
     check_contact_tangent(c, location, true);
     check_membrane(c, location, "Boundary/lateral = membrane");
   }
+  check_periodic(c, location);
   check_cycle_jump(c, location);
   check_time(c, location);
 }

@@ -77,8 +77,10 @@ void add_boundary(List &list, BoundaryParameters &b)
   list.in("Boundary", after_preparation);
   list.add({"lateral", "-",
             "membrane: deal.II membrane; rigid: four planes, or the side of a "
-            "cylinder, under servo control."},
-           b.lateral, {"membrane", "rigid"});
+            "cylinder, under servo control; periodic: no walls, opposite sides "
+            "of the box are one, from the preparation on, and their distance "
+            "is under servo control."},
+           b.lateral, {"membrane", "rigid", "periodic"});
   list.add_path(
       {"mesh", "-",
        "File of gmsh (.msh) with the quads of the membrane: the side of "

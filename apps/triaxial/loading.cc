@@ -217,7 +217,7 @@ void Triaxial::add_balance_warning(std::vector<std::string> &all) const
   const double asked = parameters.loading.confining_pressure;
   std::vector<std::pair<const char *, double>> stresses = {
       {"axial", recorded.plate_stress}};
-  if (parameters.boundary.lateral == Lateral::rigid)
+  if (parameters.boundary.lateral != Lateral::membrane)
     stresses.insert(stresses.end(),
                     {{"x", start.x_stress}, {"y", start.y_stress}});
   for (const auto &[name, stress] : stresses)

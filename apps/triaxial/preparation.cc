@@ -22,7 +22,12 @@ std::vector<std::string> unused_keys(const Case &of)
 
 std::string specimen_text(const Case &parameters, const ShapeLibrary &shapes)
 {
-  return preparation_text(parameters, shapes, parameters.preparation.safety,
-                          unused_keys(parameters));
+  const std::string text =
+      preparation_text(parameters, shapes, parameters.preparation.safety,
+                       unused_keys(parameters));
+  // The other boundaries take over from the same rigid sides.
+  return parameters.boundary.lateral == Lateral::periodic
+             ? text + "Boundary/lateral = periodic\n"
+             : text;
 }
 } // namespace spall

@@ -187,6 +187,8 @@ void Triaxial::gather(coupling::ProbeWindow &window) const
       window.lateral += load.norm();
   else if (box.is_round())
     window.lateral += dem::drum(particles).thrust;
+  else if (particles.cell().is_there())
+    window.lateral -= 2. * particles.cell().force.sum(); // of two faces each
   else
     for (std::size_t d = 0; d < 2; ++d)
       for (const std::size_t plane : box.planes[d])

@@ -22,6 +22,19 @@ void add_jumps(const coupling::JumpAccount &jumps, nlohmann::ordered_json &out)
   out["jump_strain_error_1"] = jumps.strain_error;
   out["jump_laa_error_percent"] = jumps.abrasion_error;
 }
+const char *name_of(Lateral lateral)
+{
+  switch (lateral)
+  {
+  case Lateral::membrane:
+    return "membrane";
+  case Lateral::rigid:
+    return "rigid";
+  case Lateral::periodic:
+    return "periodic";
+  }
+  return "";
+}
 } // namespace
 
 /// Of the quads of the membrane, those that a particle presses on: a vertex in
@@ -40,8 +53,7 @@ void Triaxial::summarise(nlohmann::ordered_json &out) const
   Test::summarise(out);
   const Sample &start = recorded.loading_start, &end = recorded.last;
   out["n_particles"] = whole().particles().size();
-  out["lateral"] =
-      parameters.boundary.lateral == Lateral::membrane ? "membrane" : "rigid";
+  out["lateral"] = name_of(parameters.boundary.lateral);
   out["initial_porosity"] = preparation.porosity;
   if (parameters.time.density_scaling_diameter > 0.)
   {

@@ -272,8 +272,8 @@ Sample Triaxial::sample(double roundness) const
 void Triaxial::add_energies(Sample &s) const
 {
   const dem::EngineEnergy energy = whole().energy();
-  s.external_work =
-      energy.work_of("planes") + energy.work_of("drum") + energy.gravity_work;
+  s.external_work = energy.work_of("planes") + energy.work_of("drum") +
+                    energy.cell_work + energy.gravity_work;
   s.kinetic_energy = energy.kinetic;
   s.elastic_energy = energy.elastic;
   s.friction = energy.friction;

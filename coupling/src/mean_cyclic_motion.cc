@@ -83,18 +83,20 @@ void extrapolate_particles(const MeanCyclicMotion &mean_motion, double rate,
   }
 }
 
-void set_planes(const MeanCyclicMotion &mean_motion, double rate,
-                dem::Engine &engine)
+void set_walls(const MeanCyclicMotion &mean_motion, double rate,
+               dem::Engine &engine)
 {
   for (std::size_t k = 0; k < dem::planes(engine).size(); ++k)
     dem::planes(engine)[k].velocity = rate * mean_motion.planes[k];
   if (auto *side = dem::find_boundary<dem::DrumBoundary>(engine))
     side->drum.widening = rate * mean_motion.widening;
+  if (engine.cell().is_there())
+    engine.set_cell_rate(rate * mean_motion.cell);
 }
 
 void stop_all(const MeanCyclicMotion &mean_motion, dem::Engine &engine)
 {
-  set_planes(mean_motion, 0., engine);
+  set_walls(mean_motion, 0., engine);
   for (dem::ParticleState &particle : engine.particles().state)
     particle.velocity = particle.spin = Vec3::Zero();
 }
@@ -117,6 +119,7 @@ Pose pose_of(const dem::Engine &engine, const TriaxialCell &cell)
   const FieldView nodes = cell.motion().position;
   pose.nodes.assign(nodes.begin(), nodes.end());
   pose.radius = dem::drum(engine).radius;
+  pose.cell = engine.cell().length;
   return pose;
 }
 
@@ -133,6 +136,7 @@ MeanCyclicMotion mean_motion_between(const Pose &from, const Pose &to,
   mean_motion.planes = difference(from.planes, to.planes, share);
   mean_motion.nodes = difference(from.nodes, to.nodes, share);
   mean_motion.widening = share * (to.radius - from.radius);
+  mean_motion.cell = share * (to.cell - from.cell);
   return mean_motion;
 }
 
@@ -165,7 +169,7 @@ double move_along(const MeanCyclicMotion &mean_motion, const Way &way,
   const CoupledParticles led{
       engine, [&engine](double step) { engine.advance(step); }, {}, {}};
   const double limit = hardest * engine.energy().elastic;
-  set_planes(mean_motion, rate, engine);
+  set_walls(mean_motion, rate, engine);
   int step = 0;
   while (step < way.n_steps)
   {
@@ -185,6 +189,7 @@ void save(std::ostream &out, const Pose &pose)
     dem::write_column(out, *column);
   dem::write_column(out, pose.orientation);
   dem::write_value(out, pose.radius);
+  dem::write_value(out, pose.cell);
 }
 
 void restore(std::istream &in, Pose &pose)
@@ -193,6 +198,7 @@ void restore(std::istream &in, Pose &pose)
     dem::read_column(in, *column);
   dem::read_column(in, pose.orientation);
   dem::read_value(in, pose.radius);
+  dem::read_value(in, pose.cell);
 }
 
 void save(std::ostream &out, const MeanCyclicMotion &mean_motion)
@@ -201,6 +207,7 @@ void save(std::ostream &out, const MeanCyclicMotion &mean_motion)
                              &mean_motion.planes, &mean_motion.nodes})
     dem::write_column(out, *column);
   dem::write_value(out, mean_motion.widening);
+  dem::write_value(out, mean_motion.cell);
 }
 
 void restore(std::istream &in, MeanCyclicMotion &mean_motion)
@@ -209,5 +216,6 @@ void restore(std::istream &in, MeanCyclicMotion &mean_motion)
                        &mean_motion.planes, &mean_motion.nodes})
     dem::read_column(in, *column);
   dem::read_value(in, mean_motion.widening);
+  dem::read_value(in, mean_motion.cell);
 }
 } // namespace coupling

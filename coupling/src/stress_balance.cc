@@ -50,6 +50,11 @@ StressBalance stress_balance(const EnclosedSpecimen &specimen,
   for (const dem::WallContact &contact : network.walls)
     if (!contact.is_on_facets)
       sums.boundary -= moment(contact.force, contact.point - load.origin);
+  // The forces across the faces of a periodic cell.
+  const dem::PeriodicCell &cell = specimen.engine.cell();
+  for (int d = 0; d < 3; ++d)
+    if (cell.is_periodic(d))
+      sums.boundary(d, d) -= cell.force[d] * cell.length[d];
   if (specimen.membrane)
     add_membrane_forces(*specimen.membrane, load, sums);
   const double volume = enclosed_volume(specimen);

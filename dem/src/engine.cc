@@ -100,9 +100,6 @@ void EngineState::set_periodic_cell(const Vec3 &centre, const Vec3 &length)
 {
   if (length.minCoeff() < 0. || !length.allFinite())
     throw std::invalid_argument("periodic cell: lengths must not be negative");
-  if (settings.geometry.follows_surfaces())
-    throw std::invalid_argument("periodic cell: contacts of true surfaces do "
-                                "not reach across its faces");
   system.cell.centre = centre;
   system.cell.length = length;
   schedule.invalidate();

@@ -153,8 +153,9 @@ void EngineState::keep_partners()
   const bool reads_shape =
       follows_pairs() || traits(pair_geometry()).reads_shape;
   const double range =
-      follows_pairs() ? ContactPointLists::search_range(contact_point_skin())
-                      : PairFinder::search_range(system, pair_skin());
+      follows_pairs()
+          ? ContactPointLists::search_range(system, contact_point_skin())
+          : PairFinder::search_range(system, pair_skin());
   distribution.add_ghosts(parts(), reserve * range, reads_shape);
   std::vector<std::uint8_t> is_named = contact_points.named(system.size());
   for (std::size_t k = 0; k < pair_batch.size(); ++k)

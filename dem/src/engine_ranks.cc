@@ -106,7 +106,8 @@ void EngineState::search_pairs()
 void EngineState::search_contact_points()
 {
   const double skin = contact_point_skin();
-  distribution.add_ghosts(parts(), ContactPointLists::search_range(skin), true);
+  distribution.add_ghosts(parts(),
+                          ContactPointLists::search_range(system, skin), true);
   contact_points.search(system, skin, schedule.paths);
   // Their partners are renumbered with those of the contacts.
   distribution.keep_ghosts(parts(), contact_points.named(system.size()));

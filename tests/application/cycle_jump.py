@@ -2,7 +2,7 @@
 """Jumps over load cycles: every cycle is accounted for, what is refused leaves
 nothing behind, and a run that was stopped goes on as if it had not been.
 
-    cycle_jump.py SPALL membrane|rigid
+    cycle_jump.py SPALL membrane|rigid|periodic
 """
 import pathlib
 import re

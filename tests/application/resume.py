@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A run that was stopped and resumed is the unbroken run, bit for bit.
 
-    resume.py SPALL membrane|rigid [SECTION/KEY=VALUE ...]
+    resume.py SPALL membrane|rigid|periodic [SECTION/KEY=VALUE ...]
 """
 import pathlib
 import re

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The small triaxial test with true surfaces and no rolling resistance.
 
-    surfaces.py SPALL rigid|membrane
+    surfaces.py SPALL rigid|periodic|membrane
 
 It comes to rest, keeps its energy, and gives the same digits with one thread
 and with two.

@@ -14,6 +14,7 @@ struct Pose
   std::vector<dem::Vec3> planes;            ///< their points [m]
   std::vector<dem::Vec3> nodes;             ///< of membrane and plate [m]
   double radius = 0.;                       ///< of a round side [m]
+  dem::Vec3 cell = dem::Vec3::Zero();       ///< lengths of a periodic one [m]
 };
 
 Pose pose_of(const dem::Engine &engine, const TriaxialCell &cell);
@@ -26,6 +27,7 @@ struct MeanCyclicMotion
   std::vector<dem::Vec3> planes; ///< [m]
   std::vector<dem::Vec3> nodes;  ///< [m]
   double widening = 0.;          ///< of a round side [m]
+  dem::Vec3 cell = dem::Vec3::Zero(); ///< lengths of a periodic one [m]
 };
 
 /// Between two poses `cycles` apart.

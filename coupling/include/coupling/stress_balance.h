@@ -7,14 +7,17 @@ namespace coupling
 /// Mean stresses of a specimen over the volume that its membrane or its rigid
 /// sides enclose, [force direction][position], compression positive [Pa]:
 ///   particles + membrane = boundary + unrest
-/// at any instant, to the digits of the dashpots (docs/theory/network.md).
+/// at any instant, to the digits of the dashpots (docs/theory/network.md); in a
+/// periodic cell the diagonals alone, since the shear across its faces is not
+/// summed.
 struct StressBalance
 {
   dem::Mat3 particles =
       dem::Mat3::Zero();                  ///< contacts of the particles, virial
   dem::Mat3 membrane = dem::Mat3::Zero(); ///< of the sheet itself
-  dem::Mat3 boundary = dem::Mat3::Zero(); ///< pressure, plates, sides, rims
-  dem::Mat3 unrest = dem::Mat3::Zero();   ///< forces that accelerate masses
+  dem::Mat3 boundary =
+      dem::Mat3::Zero(); ///< pressure, plates, sides, rims, faces
+  dem::Mat3 unrest = dem::Mat3::Zero(); ///< forces that accelerate masses
 };
 
 /// Of a tensor: along the axis, and the mean across.

@@ -43,8 +43,7 @@ RelativePose relative_pose(const ParticleSystem &particles, std::size_t a,
                            std::size_t b)
 {
   const Mat3 to_a = particles.rotation(a).transpose();
-  return {to_a * (particles.position(b) - particles.position(a)),
-          to_a * particles.rotation(b)};
+  return {to_a * particles.branch(a, b), to_a * particles.rotation(b)};
 }
 
 ContactPoint contact_point_of(const ContactBatch &batch, std::size_t k)

@@ -116,6 +116,7 @@ Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap)
 /// Contacts of one set of lanes as they lie, at their common normals.
 struct SurfaceGeometry
 {
+  SimdVector images; ///< of a periodic cell, see images_of()
   SimdVector normal, normal_before;
   SimdVector arm_a, arm_b; ///< from the centres to the contact
   Simd apart;   ///< the surfaces, where the contact is open and known; else 0
@@ -125,6 +126,8 @@ struct SurfaceGeometry
 /// Two surfaces before the Newton step.
 struct SurfacePair
 {
+  SimdVector images; ///< of a periodic cell, see images_of()
+  SimdVector branch; ///< from the centre of A to the image of B
   SimdSurface on_a, on_b;
   SimdFrame frame;
   SimdShapeOperator shape_operator_a, shape_operator_b;
@@ -136,11 +139,16 @@ SurfacePair approach_pair(const Task &task, std::int64_t k,
 {
   const Contacts &contacts = task.contacts;
   SurfacePair pair;
+  pair.branch = b.vector(at_position) - a.vector(at_position);
+  if (task.is_periodic)
+  {
+    pair.images = images_of(task, pair.branch);
+    pair.branch = pair.branch - times(task.cell_length, pair.images);
+  }
   pair.on_a = locate_surface(contacts.side_a, k, a);
   pair.on_b = locate_surface(contacts.side_b, k, b);
   pair.frame = across(pair.on_a.normal);
-  const SimdVector apart = a.vector(at_position) + pair.on_a.arm -
-                           b.vector(at_position) - pair.on_b.arm;
+  const SimdVector apart = pair.on_a.arm - pair.branch - pair.on_b.arm;
   pair.shape_operator_a =
       shape_operator_of(contacts.side_a, k, pair.on_a, pair.frame);
   pair.shape_operator_b =
@@ -182,6 +190,7 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
                       only(is_there, pair.step.on_b),
                       select(is_there, pair.step.overlap, Simd(0.)), is_there};
   SurfaceGeometry geometry;
+  geometry.images = pair.images;
   geometry.apart = stdx::max(-step.overlap, Simd(0.));
   geometry.overlap = counted_overlap(task, k, step.overlap);
   const SimdPlanar turn = pair.shape_operator_a.matrix * step.on_a;
@@ -192,8 +201,7 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
       cross(Simd(task.time_step) * a.vector(at_spin), pair.on_a.normal);
   geometry.arm_a = pair.on_a.arm + planar_in_world(pair.frame, step.on_a) -
                    0.5 * step.overlap * geometry.normal;
-  geometry.arm_b =
-      geometry.arm_a + a.vector(at_position) - b.vector(at_position);
+  geometry.arm_b = geometry.arm_a - pair.branch;
   if (!task.adds_loads_only)
   {
     follow_side(task, contacts.side_a, k, 0,
@@ -209,7 +217,8 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
 }
 
 /// Motion of side B against side A of one set of lanes.
-ContactMotion<Simd> surface_motion(const ParticleSimd &a, const ParticleSimd &b,
+ContactMotion<Simd> surface_motion(const Task &task, const ParticleSimd &a,
+                                   const ParticleSimd &b,
                                    const SurfaceGeometry &geometry)
 {
   const SimdVector spin_a = a.vector(at_spin), spin_b = b.vector(at_spin);
@@ -220,6 +229,9 @@ ContactMotion<Simd> surface_motion(const ParticleSimd &a, const ParticleSimd &b,
   motion.velocity = motion.velocity_before =
       moving_b.vector + cross(spin_b, geometry.arm_b) - moving_a.vector -
       cross(spin_a, geometry.arm_a);
+  if (task.is_periodic)
+    motion.velocity = motion.velocity_before =
+        motion.velocity - times(task.cell_rate, geometry.images);
   motion.spin = spin_b - spin_a;
   motion.reduced_mass =
       moving_a.number * moving_b.number / (moving_a.number + moving_b.number);
@@ -265,7 +277,7 @@ template <class Law>
     force = kept_force(history, pair.normal);
   else
   {
-    const ContactMotion<Simd> motion = surface_motion(a, b, pair);
+    const ContactMotion<Simd> motion = surface_motion(task, a, b, pair);
     refresh_prefactors(task, k, pair.normal, pair.overlap > 0.,
                        dot(motion.spin, pair.normal));
     force = advance_law<Law>(task, motion, pair.overlap, overlap_before,
@@ -278,6 +290,8 @@ template <class Law>
                       -cross(pair.arm_b, force) - history.rolling);
   scatter_pairs(task, k, n_valid, load, target);
   sums.note(load.force);
+  if (task.is_periodic)
+    add_cell_force(pair.images, load.force, n_valid, target.sum);
   if (task.has_damage)
     find_damage(task, k, {pair.overlap, energy_before, history.normal_energy},
                 target.sum);

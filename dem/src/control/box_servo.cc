@@ -53,29 +53,47 @@ SpecimenWalls add_cylinder(Engine &engine, const Vec3 &lower, const Vec3 &upper)
 }
 
 SpecimenWalls add_periodic_cell(Engine &engine, const Vec3 &lower,
-                                const Vec3 &upper)
+                                const Vec3 &upper,
+                                const std::array<bool, 3> &axes)
 {
-  engine.set_periodic_cell(0.5 * (lower + upper), upper - lower);
-  return {{}, EnclosureForm::periodic};
+  SpecimenWalls walls;
+  Vec3 length = upper - lower;
+  for (int d = 0; d < 3; ++d)
+  {
+    const auto axis = static_cast<std::size_t>(d);
+    if (axes[axis])
+      continue;
+    length[d] = 0.;
+    walls.planes[axis] = {add_plane(engine, lower, Vec3::Unit(d)),
+                          add_plane(engine, upper, -Vec3::Unit(d))};
+  }
+  engine.set_periodic_cell(0.5 * (lower + upper), length);
+  return walls;
 }
 
 std::pair<Vec3, Vec3> box_corners(const Engine &engine,
                                   const SpecimenWalls &walls)
 {
-  if (walls.is_periodic())
-  {
-    const PeriodicCell &cell = engine.cell();
-    return {cell.centre - 0.5 * cell.length, cell.centre + 0.5 * cell.length};
-  }
+  const PeriodicCell &cell = engine.cell();
   const Drum &side = drum(engine);
-  Vec3 lower = side.centre - Vec3::Constant(side.radius),
-       upper = side.centre + Vec3::Constant(side.radius);
-  for (int d = walls.is_round() ? 2 : 0; d < 3; ++d)
-  {
-    const auto &[low, high] = walls.planes[static_cast<std::size_t>(d)];
-    lower[d] = planes(engine)[low].point[d];
-    upper[d] = planes(engine)[high].point[d];
-  }
+  Vec3 lower, upper;
+  for (int d = 0; d < 3; ++d)
+    if (walls.is_round() && d < 2)
+    {
+      lower[d] = side.centre[d] - side.radius;
+      upper[d] = side.centre[d] + side.radius;
+    }
+    else if (cell.is_periodic(d))
+    {
+      lower[d] = cell.centre[d] - 0.5 * cell.length[d];
+      upper[d] = cell.centre[d] + 0.5 * cell.length[d];
+    }
+    else
+    {
+      const auto &[low, high] = walls.planes[static_cast<std::size_t>(d)];
+      lower[d] = planes(engine)[low].point[d];
+      upper[d] = planes(engine)[high].point[d];
+    }
   return {lower, upper};
 }
 
@@ -100,22 +118,23 @@ double box_volume(const Engine &engine, const SpecimenWalls &walls)
 Vec3 box_stress(const Engine &engine, const SpecimenWalls &walls)
 {
   const Vec3 size = box_size(engine, walls);
-  Vec3 stress = Vec3::Zero();
-  if (walls.is_periodic())
-    return {engine.cell().stress(0), engine.cell().stress(1),
-            engine.cell().stress(2)};
-  if (walls.is_round())
-    stress.x() = stress.y() = drum(engine).thrust / side_area(size);
-  for (int d = walls.is_round() ? 2 : 0; d < 3; ++d)
-  {
-    const auto &[lower, upper] = walls.planes[static_cast<std::size_t>(d)];
-    const double area =
-        d == 2 ? box_section(engine, walls) : face_area(size, d);
-    stress[d] =
-        0.5 *
-        (planes(engine)[upper].force[d] - planes(engine)[lower].force[d]) /
-        area;
-  }
+  const PeriodicCell &cell = engine.cell();
+  Vec3 stress;
+  for (int d = 0; d < 3; ++d)
+    if (walls.is_round() && d < 2)
+      stress[d] = drum(engine).thrust / side_area(size);
+    else if (cell.is_periodic(d))
+      stress[d] = cell.stress(d, face_area(size, d));
+    else
+    {
+      const auto &[lower, upper] = walls.planes[static_cast<std::size_t>(d)];
+      const double area =
+          d == 2 ? box_section(engine, walls) : face_area(size, d);
+      stress[d] =
+          0.5 *
+          (planes(engine)[upper].force[d] - planes(engine)[lower].force[d]) /
+          area;
+    }
   return stress;
 }
 
@@ -150,7 +169,7 @@ void BoxServo::release(Engine &engine, int d)
 
 void BoxServo::set_speed(Engine &engine, int d, double inward) const
 {
-  if (walls.is_periodic())
+  if (engine.cell().is_periodic(d))
   {
     Vec3 rate = engine.cell().rate;
     rate[d] = -2. * inward;
@@ -182,7 +201,7 @@ BoxServo::Pair BoxServo::pair(const Engine &engine, int d) const
 /// At which the ends come together, over their distance [1/s].
 double BoxServo::rate_of_load(const Engine &engine) const
 {
-  if (walls.is_periodic())
+  if (engine.cell().is_periodic(2))
     return -engine.cell().rate.z() / engine.cell().length.z();
   const auto &[lower, upper] = walls.planes[2];
   return (planes(engine)[lower].velocity.z() -

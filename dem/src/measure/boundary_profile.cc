@@ -126,6 +126,23 @@ private:
   std::array<std::size_t, 2> n{};
 };
 
+/// Calls call(centre) for the particle and its images in a periodic cell next
+/// to that in which it is.
+template <class Call>
+void for_images(const PeriodicCell &cell, const Vec3 &centre, const Call &call)
+{
+  if (!cell.is_there())
+    return call(centre);
+  const Vec3 inside = cell.wrapped(centre);
+  std::array<int, 3> reach;
+  for (int d = 0; d < 3; ++d)
+    reach[static_cast<std::size_t>(d)] = cell.is_periodic(d) ? 1 : 0;
+  for (int i = -reach[0]; i <= reach[0]; ++i)
+    for (int j = -reach[1]; j <= reach[1]; ++j)
+      for (int k = -reach[2]; k <= reach[2]; ++k)
+        call(Vec3(inside + cell.length.cwiseProduct(Vec3(i, j, k))));
+}
+
 /// Which points of the grid are in particles.
 std::vector<std::uint8_t> solid_points(const ParticleSystem &particles,
                                        const PointGrid &grid)
@@ -134,7 +151,6 @@ std::vector<std::uint8_t> solid_points(const ParticleSystem &particles,
   for (std::size_t s = 0; s < particles.size(); ++s)
   {
     const ParticleShape &body = particles.shape[s];
-    const Vec3 centre = particles.position(s);
     const Mat3 back = particles.rotation(s).transpose();
     const auto holds = [&](const Vec3 &arm)
     {
@@ -147,13 +163,18 @@ std::vector<std::uint8_t> solid_points(const ParticleSystem &particles,
       return distance <=
              body.scale * radius(*body.series, back * arm / distance);
     };
-    grid.for_near(centre, body.circumscribed_radius,
-                  [&](std::size_t i, std::size_t j, std::size_t k)
-                  {
-                    std::uint8_t &entry = is_solid[grid.index(i, j, k)];
-                    if (!entry && holds(grid.point(i, j, k) - centre))
-                      entry = 1;
-                  });
+    for_images(particles.cell, particles.position(s),
+               [&](const Vec3 &centre)
+               {
+                 grid.for_near(
+                     centre, body.circumscribed_radius,
+                     [&](std::size_t i, std::size_t j, std::size_t k)
+                     {
+                       std::uint8_t &entry = is_solid[grid.index(i, j, k)];
+                       if (!entry && holds(grid.point(i, j, k) - centre))
+                         entry = 1;
+                     });
+               });
   }
   return is_solid;
 }
@@ -293,7 +314,10 @@ BoundaryProfile boundary_profile(const ParticleSystem &particles,
   const std::vector<int> n_of = contacts_of_particles(particles, network);
   for (std::size_t s = 0; s < particles.size(); ++s)
   {
-    const Depth depth = depth_of(outline, particles.position(s));
+    const Vec3 &centre = particles.position(s);
+    const Depth depth = depth_of(outline, particles.cell.is_there()
+                                              ? particles.cell.wrapped(centre)
+                                              : centre);
     if (!depth.is_inside())
       continue;
     if (depth.platen >= widths.skin)

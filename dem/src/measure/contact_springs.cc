@@ -78,8 +78,8 @@ Stand true_stand(const ParticleSystem &particles, const ContactBatch &batch,
 {
   const SurfacePoint a = point_of(particles, batch.a[k], batch.side_a, k);
   const SurfacePoint b = point_of(particles, batch.b[k], batch.side_b, k);
-  const Vec3 branch = particles.position(static_cast<std::size_t>(batch.b[k])) -
-                      particles.position(static_cast<std::size_t>(batch.a[k]));
+  const Vec3 branch = particles.branch(static_cast<std::size_t>(batch.a[k]),
+                                       static_cast<std::size_t>(batch.b[k]));
   const double depth = (a.position - branch - b.position).dot(a.normal);
   return {a.normal, shortened(a.position, 0.5, depth, a.normal),
           shortened(b.position, 0.5, depth, -a.normal),

@@ -101,10 +101,10 @@ void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
   const ParticleSystem &particles = input.context.particles;
   if (needs_search(input.skin, paths))
     search(particles, input.skin, paths);
-  const auto path_length = [&particles](const PairKey &key)
+  const auto path_length = [&](const PairKey &key)
   {
     return particles.path_length[row_of(key.first)] +
-           particles.path_length[row_of(key.second)];
+           particles.path_length[row_of(key.second)] + paths.cell;
   };
   events += renew(
       input, CandidateList{pairs, path_length, itself},
@@ -113,10 +113,16 @@ void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
       batch, retired, [](const Arrangement &) {});
 }
 
+double ContactPointLists::search_range(const ParticleSystem &particles,
+                                       double skin)
+{
+  return std::max(skin, std::min(3. * skin, widest_range(particles)));
+}
+
 void ContactPointLists::search(const ParticleSystem &particles, double skin,
                                const PathLengths &paths)
 {
-  const double range = search_range(skin);
+  const double range = search_range(particles, skin);
   pairs = merged(near_spheres(particles, range), pairs);
   reach = paths.centres + range;
 }

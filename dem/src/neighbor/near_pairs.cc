@@ -68,22 +68,6 @@ double gap_between(const ParticleSystem &particles, ContactGeometry geometry,
          local_radius(particles, j, -normal);
 }
 
-/// Range of a search in which no particle can meet two images of another one:
-/// for a periodic cell [m].
-double widest_range(const ParticleSystem &particles)
-{
-  double range = std::numeric_limits<double>::infinity();
-  if (!particles.cell.is_there())
-    return range;
-  double bound = 0.;
-  for (const ParticleShape &body : particles.shape)
-    bound = std::max(bound, body.circumscribed_radius);
-  for (int d = 0; d < 3; ++d)
-    if (particles.cell.is_periodic(d))
-      range = std::min(range, 0.5 * particles.cell.length[d] - 2. * bound);
-  return range;
-}
-
 /// How far two particles may have come nearer each other in all [m].
 double path_length(const ParticleSystem &particles, const PairKey &pair,
                    const PathLengths &paths)
@@ -357,6 +341,20 @@ void PairFinder::renumber(const std::vector<std::int32_t> &new_row)
     for (std::int32_t *row : {&one.particles.first, &one.particles.second})
       *row = new_row[static_cast<std::size_t>(*row)];
   std::ranges::sort(candidates, {}, &Candidate::particles);
+}
+
+double widest_range(const ParticleSystem &particles)
+{
+  double range = std::numeric_limits<double>::infinity();
+  if (!particles.cell.is_there())
+    return range;
+  double bound = 0.;
+  for (const ParticleShape &body : particles.shape)
+    bound = std::max(bound, body.circumscribed_radius);
+  for (int d = 0; d < 3; ++d)
+    if (particles.cell.is_periodic(d))
+      range = std::min(range, 0.5 * particles.cell.length[d] - 2. * bound);
+  return range;
 }
 
 std::vector<PairKey> near_spheres(const ParticleSystem &particles, double skin)

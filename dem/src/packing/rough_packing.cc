@@ -100,6 +100,8 @@ void draw_together(Engine &engine, double factor)
     side.radius *= factor;
     set_drum(engine, side);
   }
+  if (const PeriodicCell cell = engine.cell(); cell.is_there())
+    engine.set_periodic_cell(factor * cell.centre, factor * cell.length);
 }
 
 void relax(Engine &engine, double longest_step, int n_rounds)

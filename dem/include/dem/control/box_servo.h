@@ -16,10 +16,9 @@ BoxPlanes add_box(Engine &engine, const Vec3 &lower, const Vec3 &upper);
 /// What bounds a specimen.
 enum class EnclosureForm
 {
-  box,      ///< planes
-  cylinder, ///< planes across z and the drum of the engine, without ends in
-            ///< reach
-  periodic  ///< the periodic cell of the engine, along all axes
+  box,     ///< across each axis two planes, or two faces of the periodic cell
+  cylinder ///< planes across z and the drum of the engine, without ends in
+           ///< reach
 };
 
 /// The rigid walls all round a specimen, or its periodic cell.
@@ -31,23 +30,25 @@ struct SpecimenWalls
   {
   }
 
-  BoxPlanes planes; ///< of a cylinder the last pair alone
+  /// Of a cylinder the last pair alone, and none along a periodic axis.
+  BoxPlanes planes;
   EnclosureForm form = EnclosureForm::box;
 
   bool is_round() const { return form == EnclosureForm::cylinder; }
-  bool is_periodic() const { return form == EnclosureForm::periodic; }
 };
 
 /// Two planes and the cylinder between them, its axis in the middle of x and y.
 SpecimenWalls add_cylinder(Engine &engine, const Vec3 &lower,
                            const Vec3 &upper);
 
-/// Makes the scene periodic along all axes with this box as the cell.
-SpecimenWalls add_periodic_cell(Engine &engine, const Vec3 &lower,
-                                const Vec3 &upper);
+/// Makes the scene periodic along these axes with this box as the cell, and
+/// adds planes that face inward across the others.
+SpecimenWalls
+add_periodic_cell(Engine &engine, const Vec3 &lower, const Vec3 &upper,
+                  const std::array<bool, 3> &axes = {true, true, true});
 
-/// Distance of the two planes of each axis, length of the cell; of a cylinder
-/// diameter, diameter and height [m].
+/// Distance of the two planes of each axis, or length of the cell; of a
+/// cylinder diameter, diameter and height [m].
 Vec3 box_size(const Engine &engine, const SpecimenWalls &walls);
 
 /// The corners of the box of that size, lower and upper [m].
@@ -60,8 +61,9 @@ double box_volume(const Engine &engine, const SpecimenWalls &walls);
 /// Section across z [m^2].
 double box_section(const Engine &engine, const SpecimenWalls &walls);
 
-/// Mean compressive stress on the two planes of each axis, over the present
-/// faces; on a cylinder, over its side, for x and y [Pa].
+/// Mean compressive stress on the two planes of each axis or across the faces
+/// of the cell, over the present faces; on a cylinder, over its side, for x and
+/// y [Pa].
 Vec3 box_stress(const Engine &engine, const SpecimenWalls &walls);
 
 struct ServoParameters

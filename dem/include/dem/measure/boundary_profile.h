@@ -36,7 +36,8 @@ struct ProfileWidths
 /// Porosity and coordination number over the distance from the lateral
 /// boundary, in horizontal section, and from the nearer platen. Porosity from
 /// points in cells of a grid as fine as the sections are apart: a point is in a
-/// particle if it is within its radius (overlaps count once).
+/// particle, or in its image in a periodic cell, if it is within its radius
+/// (overlaps count once). A face of the cell counts as a lateral boundary.
 BoundaryProfile boundary_profile(const ParticleSystem &particles,
                                  const Network &network, const Outline &outline,
                                  const ProfileWidths &widths);

@@ -58,7 +58,7 @@ public:
     return reach < paths.centres + skin;
   }
   /// Distance between bounding spheres up to which it would do so [m].
-  static double search_range(double skin) { return 3. * skin; }
+  static double search_range(const ParticleSystem &particles, double skin);
   /// Searches now. Ghosts must be there up to search_range().
   void search(const ParticleSystem &particles, double skin,
               const PathLengths &paths);

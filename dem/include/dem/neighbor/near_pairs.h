@@ -29,6 +29,10 @@ struct PathLengths
 /// images of another one.
 std::vector<PairKey> near_spheres(const ParticleSystem &particles, double skin);
 
+/// Largest `skin` of a search in which no particle can meet two images of
+/// another one [m]; infinite without a periodic cell.
+double widest_range(const ParticleSystem &particles);
+
 /// Finds the pairs of particles with a gap below `skin`: between the spheres,
 /// or between the radii along the branch. Keeps a wider list of candidates,
 /// each with bounds of the gap that it had and the path length of its particles

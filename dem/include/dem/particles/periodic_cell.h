@@ -51,10 +51,10 @@ struct PeriodicCell
   {
     return centre + nearest(point - centre);
   }
-  /// Compressive stress on the faces of an axis [Pa].
-  double stress(int axis) const
+  /// Compressive stress on the faces of an axis, of this area [Pa].
+  double stress(int axis, double face_area) const
   {
-    return -force[axis] / (length[(axis + 1) % 3] * length[(axis + 2) % 3]);
+    return -force[axis] / face_area;
   }
 };
 } // namespace dem
