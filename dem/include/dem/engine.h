@@ -47,7 +47,7 @@ public:
   void lists_changed();
   /// Makes the scene periodic; lengths and centre are set before the first
   /// step, rates may change at any time. Throws std::invalid_argument on a
-  /// length below 0, and where particles follow their true surfaces.
+  /// length below 0.
   void set_periodic_cell(const Vec3 &centre, const Vec3 &length);
   const PeriodicCell &cell() const;
   /// Rates of the lengths of the periodic cell from now on [m/s].

@@ -171,9 +171,9 @@ void BoxServo::set_speed(Engine &engine, int d, double inward) const
 {
   if (engine.cell().is_periodic(d))
   {
-    Vec3 rate = engine.cell().rate;
-    rate[d] = -2. * inward;
-    engine.set_cell_rate(rate);
+    Vec3 of_cell = engine.cell().rate;
+    of_cell[d] = -2. * inward;
+    engine.set_cell_rate(of_cell);
     return;
   }
   if (walls.is_round() && d < 2)
