@@ -21,8 +21,9 @@ std::string find_file(const std::string &file)
   for (const fs::path &folder : data_folders())
     if (fs::exists(folder / "reference" / file))
       return (folder / "reference" / file).string();
-  throw InputError("verify: reference/" + file + ": no such file in " +
-                   SPALL_DATA_DIR);
+  throw InputError("verify: reference/" + file +
+                   ": no such file in the data "
+                   "of the program: see SPALL_DATA_DIR");
 }
 
 std::vector<std::string> split(const std::string &line)

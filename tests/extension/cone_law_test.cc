@@ -1,4 +1,4 @@
-#include "cone_law.h"
+#include <cone_law.h>
 
 #include <dem/contact/law_table.h>
 

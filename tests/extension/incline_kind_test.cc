@@ -1,4 +1,4 @@
-#include "incline_kind.h"
+#include <incline_kind.h>
 
 #include <gtest/gtest.h>
 

@@ -12,4 +12,7 @@ namespace spall
 /// Turns of the loop in which a thread waits before it sleeps [-]. A turn takes
 /// 15 to 50 ns: long enough for the serial parts of a step.
 inline constexpr const char *spin_count = "GOMP_SPINCOUNT=4000";
+
+/// Does nothing; a program that calls it has what is described above.
+void apply_wait_policy();
 } // namespace spall
