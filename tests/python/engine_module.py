@@ -1,0 +1,220 @@
+#!/usr/bin/env python3
+"""The Python module of the engine: views, closed forms, restart, and the bits of
+the program.
+
+    engine_module.py FOLDER_OF_THE_MODULE SPALL
+
+77: the module or numpy is missing
+"""
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, sys.argv[1])
+try:
+    import numpy as np
+    import spall_engine as dem
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
+
+SPALL = sys.argv[2]
+DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
+
+
+def parameters():
+    """Elastic spheres on stiff planes."""
+    p = dem.Parameters()
+    p.particle.shear_modulus = 5e7
+    p.particle.friction = 0.4
+    p.particle.normal_damping = p.particle.shear_damping = 0.
+    p.wall.normal_stiffness = 1e5
+    p.wall.normal_damping = p.wall.shear_damping = 0.
+    p.gravity = [0., 0., -9.81]
+    return p
+
+
+class EngineModule(unittest.TestCase):
+    def test_flight_is_a_parabola(self):
+        engine = dem.Engine(parameters())
+        engine.add_sphere(0.01, [0., 0., 1.], velocity=[1., 0., 2.])
+        engine.advance(1e-4, 1000)
+        t = engine.time
+        self.assertAlmostEqual(t, 0.1, delta=1e-12)
+        self.assertAlmostEqual(engine.position[0, 0], t, delta=1e-12)
+        self.assertAlmostEqual(engine.position[0, 2],
+                               1. + 2. * t - 0.5 * 9.81 * t * t, delta=1e-12)
+
+    def test_elastic_collision_exchanges_velocities(self):
+        p = parameters()
+        p.gravity = [0., 0., 0.]
+        engine = dem.Engine(p)
+        engine.add_sphere(0.01, [0., 0., 0.], velocity=[1., 0., 0.])
+        engine.add_sphere(0.01, [0.021, 0., 0.])
+        engine.advance(0.02 * engine.stable_step(), 20000)
+        self.assertAlmostEqual(engine.velocity[0, 0], 0., delta=1e-4)
+        self.assertAlmostEqual(engine.velocity[1, 0], 1., delta=1e-4)
+
+    def test_weight_is_on_the_plane(self):
+        p = parameters()
+        p.wall.normal_damping = 0.5
+        engine = dem.Engine(p)
+        plane = engine.add_plane([0., 0., 0.], [0., 0., 2.])
+        engine.add_sphere(0.01, [0., 0., 0.01])
+        engine.advance(1e-5, 50000)
+        weight = engine.mass[0] * 9.81
+        self.assertAlmostEqual(plane.force[2], -weight, delta=1e-6 * weight)
+        self.assertEqual(list(plane.normal), [0., 0., 1.])
+
+    def test_columns_are_views(self):
+        engine = dem.Engine(parameters())
+        for k in range(5):
+            engine.add_sphere(0.01, [0.05 * k, 0., 0.])
+        engine.velocity[:] = [[k, 0., 0.] for k in range(5)]
+        engine.position[3] = [0., 1., 0.]
+        self.assertEqual(engine.velocity[4, 0], 4.)
+        self.assertEqual(list(engine.position[3]), [0., 1., 0.])
+        self.assertFalse(engine.position.flags.owndata)
+        self.assertTrue(np.shares_memory(engine.position, engine.velocity.base)
+                        or engine.position.base is not None)
+        with self.assertRaises(ValueError):
+            engine.mass[0] = 1.
+        before = engine.position
+        engine.advance(1e-5)
+        self.assertAlmostEqual(before[4, 0], 0.2 + 4e-5, delta=1e-12)
+        self.assertEqual(len(engine), 5)
+
+    def test_callback_is_called(self):
+        engine = dem.Engine(parameters())
+        engine.add_sphere(0.01, [0., 0., 0.])
+        times = []
+        engine.advance(1e-4, 10, callback=lambda: times.append(engine.time),
+                       interval=5)
+        np.testing.assert_allclose(times, [5e-4, 1e-3], rtol=1e-12)
+
+        def fail():
+            raise KeyError("mine")
+        with self.assertRaises(KeyError):
+            engine.advance(1e-4, 10, callback=fail)
+
+    def test_contacts_and_energy(self):
+        p = parameters()
+        p.gravity = [0., 0., 0.]
+        engine = dem.Engine(p)
+        engine.add_sphere(0.01, [0., 0., 0.])
+        engine.add_sphere(0.01, [0.0199, 0., 0.])
+        engine.advance(1e-9)
+        found = engine.contacts()
+        self.assertEqual(list(found["a"]), [0])
+        self.assertEqual(list(found["b"]), [1])
+        # Hertz: F = 4/3 E* sqrt(R*) delta^(3/2).
+        modulus = p.particle.shear_modulus / (1. - p.particle.poisson_ratio)
+        force = 4. / 3. * modulus * math.sqrt(0.005) * 1e-4**1.5
+        self.assertAlmostEqual(found["force"][0, 0], -force, delta=1e-4 * force)
+        self.assertAlmostEqual(engine.energy()["elastic"],
+                               0.4 * force * 1e-4, delta=1e-4 * force * 1e-4)
+
+    def test_shapes_break_and_restart(self):
+        with open(next((DATA / "shapes/limestone_blocky").glob("*.json")),
+                  encoding="utf-8") as file:
+            coefficients = json.load(file)["coefficients"]
+        shape = dem.Shape(coefficients).resized(0.01)
+        self.assertAlmostEqual(shape.radius, 0.01, delta=1e-12)
+
+        def scene():
+            p = parameters()
+            p.geometry.geometry = dem.ContactGeometry.radial
+            engine = dem.Engine(p)
+            engine.add_plane([0., 0., -0.012], [0., 0., 1.])
+            for k in range(4):
+                engine.add_particle(shape, [0.001 * k, 0., 0.025 * k],
+                                    orientation=[1., 0.3 * k, 0.1, 0.])
+            return engine
+        whole, other = scene(), scene()
+        whole.advance(2e-6, 3000)
+        with tempfile.TemporaryDirectory() as folder:
+            whole.save(f"{folder}/state")
+            other.restore(f"{folder}/state")
+        for engine in (whole, other):
+            engine.advance(2e-6, 3000)
+        np.testing.assert_array_equal(whole.position, other.position)
+        np.testing.assert_array_equal(whole.orientation, other.orientation)
+
+    def test_bad_input(self):
+        engine = dem.Engine(parameters())
+        with self.assertRaisesRegex(ValueError, "radius: must be above 0"):
+            engine.add_sphere(-1., [0., 0., 0.])
+        with self.assertRaisesRegex(ValueError, "time_step: must be above 0"):
+            engine.advance(0.)
+        with self.assertRaisesRegex(ValueError, "normal: must not be 0"):
+            engine.add_plane([0., 0., 0.], [0., 0., 0.])
+        with self.assertRaisesRegex(RuntimeError, "cannot be read"):
+            engine.restore("/nowhere/state")
+
+    def test_same_bits_as_the_program(self):
+        step, n_steps = 1e-5, 20000
+        positions = [(0.021 * (k % 3), 0.021 * (k // 3), 0.02 + 0.03 * k)
+                     for k in range(9)]
+        case = {
+            "Case": {"kind": "scene"},
+            "Scene": {"particles": "particles.csv", "frames": 0,
+                      "duration": step * n_steps},
+            "Box": {"x": "rigid", "y": "rigid", "z": "rigid",
+                    "lower": [-0.011, -0.011, 0.],
+                    "upper": [0.053, 0.053, 0.5]},
+            "Particle": {"shear_modulus": 5e7, "friction": 0.4,
+                         "rolling_friction": 0.1},
+            "Wall": {"normal_stiffness": 1e5},
+            "Breakage": {"is_active": False},
+            "Contact": {"geometry": "sphere"},
+            "Time": {"step": "fixed", "fixed_step": step},
+        }
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "case.json").write_text(json.dumps(case))
+            (folder / "particles.csv").write_text("x,y,z,radius\n" + "".join(
+                f"{x!r},{y!r},{z!r},0.01\n" for x, y, z in positions))
+            subprocess.run([SPALL, "run", folder / "case.json", "--out",
+                            folder / "run", "--threads", "1"], check=True,
+                           stdout=subprocess.DEVNULL)
+            resolved = (folder / "run/case.prm").read_text()
+            with open(folder / "run/particles.csv", encoding="utf-8") as file:
+                lines = [line for line in file if not line.startswith("#")]
+        rows = list(csv.DictReader(lines))
+
+        def value(key):
+            for line in resolved.splitlines():
+                if line.strip().startswith(f"set {key} "):
+                    return float(line.split("=")[1].split("#")[0])
+            raise KeyError(key)
+        p = dem.Parameters()
+        p.particle.shear_modulus, p.particle.friction = 5e7, 0.4
+        p.particle.rolling_friction = 0.1
+        p.particle.density = value("density")
+        p.wall.normal_stiffness = 1e5
+        p.geometry.geometry = dem.ContactGeometry.sphere
+        p.geometry.usual_skin = 0.25 * 0.01
+        p.gravity = [0., 0., -9.81]
+        engine = dem.Engine(p)
+        for position in positions:
+            engine.add_sphere(0.01, position)
+        for axis in range(3):
+            normal = np.eye(3)[axis]
+            engine.add_plane(case["Box"]["lower"], normal)
+            engine.add_plane(case["Box"]["upper"], -normal)
+        engine.set_breaking(False)
+        engine.advance(step, n_steps)
+        row_of = {id_: row for row, id_ in enumerate(engine.id)}
+        for k, row in enumerate(rows):
+            found = engine.position[row_of[k]]
+            self.assertEqual([float(row[f"{axis}"]) for axis in "xyz"],
+                             list(found))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
