@@ -10,15 +10,16 @@ namespace detail
 struct LogShape;
 }
 
-/// New particles with the statistics of a sample (docs/theory/shape.md). In its
-/// principal frame log r of a particle is that of its ellipsoid of inertia and
-/// a series. Mirror images count as particles as well: so the coefficients fall
-/// into eight classes by parity in x, y, z, which are independent, and all but
-/// the even class have mean zero. Degrees 1 to 4 are normal within their class
-/// with the covariance of the sample; in the even class with them go
-/// elongation, flatness and the logarithm of the amplitude of the higher
-/// degrees, which have random phases and the mean spectrum of the sample. The
-/// values of the series get the mean quantiles of the sample.
+/// New particles with the statistics of a sample
+/// (docs/theory/shape_generation.md). In its principal frame log r of a
+/// particle is that of its ellipsoid of inertia and a series. Mirror images
+/// count as particles as well: so the coefficients fall into eight classes by
+/// parity in x, y, z, which are independent, and all but the even class have
+/// mean zero. Degrees 1 to 4 are normal within their class with the covariance
+/// of the sample; in the even class with them go elongation, flatness and the
+/// logarithm of the amplitude of the higher degrees, which have random phases
+/// and the mean spectrum of the sample. The values of the series get the mean
+/// quantiles of the sample.
 class ShapeGenerator
 {
 public:
