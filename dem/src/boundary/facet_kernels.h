@@ -50,7 +50,7 @@ struct FacetBlock
 };
 
 /// Follows the `n` contacts from `first`, a block of lane_block at most, to
-/// their contact points by one Newton step (docs/theory/surfaces.md). An
+/// their contact points by one Newton step (docs/theory/surface_walls.md). An
 /// expansion is stale `refresh_tolerance` [rad] from its direction.
 using FollowFacets = FacetBlock (*)(const FacetTask &task, std::int64_t first,
                                     int n, double refresh_tolerance);
