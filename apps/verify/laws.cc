@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-// docs/theory/contact.md (Johnson 1985, 4.2; Mindlin 1949): formulas without a
+// docs/theory/elliptic.md (Johnson 1985, 4.2; Mindlin 1949): formulas without a
 // scene.
 namespace spall::verify
 {

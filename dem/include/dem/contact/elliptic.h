@@ -52,7 +52,7 @@ struct HertzPrefactors
 };
 
 /// The exact solution by bisection and the arithmetic-geometric mean
-/// (docs/theory/contact.md), with all that the reference tables list.
+/// (docs/theory/elliptic.md), with all that the reference tables list.
 struct EllipticContact
 {
   double eccentricity = 0.; ///< e [-]
