@@ -199,7 +199,7 @@ TEST(EngineTangential, ErrorsFallFasterThanTheStep)
 }
 
 // Dashpots see the velocity half a step back, so the order is 1, as
-// docs/theory/time_step.md says.
+// docs/theory/integration.md says.
 TEST(EngineTangential, DashpotsAreOfFirstOrder)
 {
   Case damped{two_spheres, sticking(), [](const dem::Engine &engine) {
