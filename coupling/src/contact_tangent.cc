@@ -8,7 +8,7 @@
 #include <utility>
 
 // The stiffness of contacts in the implicit steps of bodies
-// (docs/theory/interface.md).
+// (docs/theory/windows.md).
 namespace coupling
 {
 namespace

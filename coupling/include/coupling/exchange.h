@@ -138,7 +138,7 @@ public:
               const CoupledParticles &particles, double time_step);
 
   /// k dt^2 / (4 m) of the present contacts, at most: of every node with all
-  /// that press on it (docs/theory/interface.md). Collective [-].
+  /// that press on it (docs/theory/windows.md). Collective [-].
   double gain(const dem::Engine &engine, double window) const;
   /// dem::contact_springs() with the nodes as points; in windows, where bodies
   /// move as prescribed, with walls instead. The facet surfaces of the

@@ -7,7 +7,7 @@ namespace coupling
 /// Mean stresses of a specimen over the volume that its membrane or its rigid
 /// sides enclose, [force direction][position], compression positive [Pa]:
 ///   particles + membrane = boundary + unrest
-/// at any instant, to the digits of the dashpots (docs/theory/network.md); in a
+/// at any instant, to the digits of the dashpots (docs/theory/stress.md); in a
 /// periodic cell the diagonals alone, since the shear across its faces is not
 /// summed.
 struct StressBalance
