@@ -157,7 +157,7 @@ class EngineModule(unittest.TestCase):
             engine.restore("/nowhere/state")
 
     def test_same_bits_as_the_program(self):
-        step, n_steps = 1e-5, 20000
+        step, n_steps = 4e-6, 50000
         positions = [(0.021 * (k % 3), 0.021 * (k // 3), 0.02 + 0.03 * k)
                      for k in range(9)]
         case = {
@@ -168,8 +168,8 @@ class EngineModule(unittest.TestCase):
                     "lower": [-0.011, -0.011, 0.],
                     "upper": [0.053, 0.053, 0.5]},
             "Particle": {"shear_modulus": 5e7, "friction": 0.4,
-                         "rolling_friction": 0.1},
-            "Wall": {"normal_stiffness": 1e5},
+                         "rolling_friction": 0.1, "density": 2750},
+            "Wall": {"law": "linear", "normal_stiffness": 1e5},
             "Breakage": {"is_active": False},
             "Contact": {"geometry": "sphere"},
             "Time": {"step": "fixed", "fixed_step": step},
@@ -182,20 +182,13 @@ class EngineModule(unittest.TestCase):
             subprocess.run([SPALL, "run", folder / "case.json", "--out",
                             folder / "run", "--threads", "1"], check=True,
                            stdout=subprocess.DEVNULL)
-            resolved = (folder / "run/case.prm").read_text()
             with open(folder / "run/particles.csv", encoding="utf-8") as file:
                 lines = [line for line in file if not line.startswith("#")]
         rows = list(csv.DictReader(lines))
 
-        def value(key):
-            for line in resolved.splitlines():
-                if line.strip().startswith(f"set {key} "):
-                    return float(line.split("=")[1].split("#")[0])
-            raise KeyError(key)
         p = dem.Parameters()
         p.particle.shear_modulus, p.particle.friction = 5e7, 0.4
         p.particle.rolling_friction = 0.1
-        p.particle.density = value("density")
         p.wall.normal_stiffness = 1e5
         p.geometry.geometry = dem.ContactGeometry.sphere
         p.geometry.usual_skin = 0.25 * 0.01

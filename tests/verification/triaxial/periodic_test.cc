@@ -63,7 +63,7 @@ TEST(PeriodicSides, HaveNoLooseSkin)
 // Stress path, volume and energies of a few cycles.
 TEST(PeriodicSides, FollowTheLoad)
 {
-  Triaxial test(periodic_case({{"Breakage", "active", "false"}}));
+  Triaxial test(periodic_case({{"Breakage", "is_active", "false"}}));
   run_to(test, Stage::loading);
   double lateral = 0., work = 0., worst = 0.;
   int n = 0;
