@@ -17,8 +17,8 @@ struct ClosedBox
 /// them again. Without friction, and with local damping, they are pressed
 /// together to three times 30 kPa; then the servo holds 30 kPa, with friction,
 /// for without it particles that overlap along the branch do not come to rest
-/// (docs/decisions/0004-radial-overlap-at-rest.md). Small particles fall
-/// into place for 0.08 s; ends when all are at rest, 0.07 s later at the
+/// (docs/developer/decisions/0004-radial-overlap-at-rest.md). Small particles
+/// fall into place for 0.08 s; ends when all are at rest, 0.07 s later at the
 /// latest. Throws InputError if the time step is too long for the particles.
 ClosedBox close_box(BenchParticles &particles);
 } // namespace spall

@@ -48,7 +48,8 @@ BenchParticles make_bench_particles(Packing packing, const std::string &shapes);
 
 /// Material, walls and gravity of the peer codes, nothing breaks. Particles
 /// with shapes get a rolling friction of 0.5: at the 0.2 of the spheres they
-/// keep themselves in motion (docs/decisions/0004-radial-overlap-at-rest.md).
+/// keep themselves in motion
+/// (docs/developer/decisions/0004-radial-overlap-at-rest.md).
 dem::EngineParameters bench_parameters(const BenchParticles &particles);
 
 /// The particles in an engine, without walls. Throws InputError if the time
