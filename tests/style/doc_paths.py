@@ -6,7 +6,7 @@
 
 Looked at are words in backticks and in indented lines that begin with a top
 folder. A header may be named as it is included (`dem/engine.h`), a room without
-its `src` or `include`; `*` and KIND stand for anything. docs/changes/ is
+its `src` or `include`; `*` and KIND stand for anything. docs/CHANGELOG.md is
 history and is left alone.
 """
 import pathlib
@@ -43,7 +43,7 @@ def is_there(root, path):
 def pages(root):
     found = [root / "README.md", root / "data/README.md"]
     found += [page for page in sorted((root / "docs").rglob("*.md"))
-              if "changes" not in page.relative_to(root).parts]
+              if page.name != "CHANGELOG.md"]
     return [page for page in found if page.exists()]
 
 

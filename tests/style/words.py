@@ -7,8 +7,7 @@
 
 Identifiers count by their parts: add_stone and StoneState both hold `stone`.
 A line that reads or lists a deprecated name says so with a pair of old and new
-names; these lines are listed below. docs/changes and docs/developer/decisions are
-history.
+names; these lines are listed below. docs/CHANGELOG.md is history.
 """
 import pathlib
 import re
@@ -37,7 +36,7 @@ DEM = {
     "awake": "active", "swing": "reversal", "swings": "reversals",
     "place": "contact point",
 }
-HISTORY = ("docs/changes/", "docs/developer/decisions/", "docs/pictures/",
+HISTORY = ("docs/CHANGELOG.md", "docs/pictures/",
            "docs/developer/glossary.md", "tests/style/words.py",
            "tests/unit/apps/deprecated_test.cc")
 FOLDERS = ("dem", "fem", "coupling", "apps", "tests", "scripts", "data", "docs")
