@@ -10,8 +10,9 @@ MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
 # What of MathJax 2 the output as SVG needs: it works without a server and
 # without web fonts.
 MATHJAX_PARTS = ("MathJax.js", "config/TeX-AMS_SVG.js", "extensions",
-                 "jax/element", "jax/input/TeX", "jax/output/SVG",
-                 "localization/en")
+                 "jax/element", "jax/input/TeX", "jax/output/SVG/jax.js",
+                 "jax/output/SVG/config.js", "jax/output/SVG/autoload",
+                 "jax/output/SVG/fonts/TeX", "localization/en")
 
 project = "Spall"
 author = "The authors of Spall"
