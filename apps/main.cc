@@ -1,4 +1,4 @@
-#include "commands/program.h"
+#include "program/program.h"
 
 int main(int argc, char **argv)
 {

@@ -1,5 +1,5 @@
 # Installation: libraries and headers as components of the CMake package Spall
-# (find_package(Spall COMPONENTS dem fem coupling app)), and the program with
+# (find_package(Spall COMPONENTS dem fem coupling program)), and the program with
 # its data, which it finds relative to itself.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -51,7 +51,7 @@ _spall() {
       fi
       case ${COMP_WORDS[2]} in
         fit)
-          words="--order --out --from --max-overhang --unit --json --source
+          words="--order --out --from --max-overhang --max-misfit --unit --json --source
             --licence"
           ;;
         info) words="--unit --json" ;;

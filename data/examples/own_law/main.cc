@@ -1,7 +1,7 @@
 // The program of Spall whose cases may name the contact law "cone".
 #include "cone_law.h"
 
-#include <commands/program.h>
+#include <program/program.h>
 
 int main(int argc, char **argv)
 {

@@ -1,7 +1,7 @@
 // The program of Spall with the kind of test "incline".
 #include "incline_kind.h"
 
-#include <commands/program.h>
+#include <program/program.h>
 
 int main(int argc, char **argv)
 {

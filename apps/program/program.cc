@@ -1,8 +1,9 @@
-#include "commands/program.h"
+#include "program/program.h"
 
 #include "commands/commands.h"
-#include "commands/wait_policy.h"
 #include "errors.h"
+#include "program/version.h"
+#include "program/wait_policy.h"
 
 #include <dem/parallel/mpi_session.h>
 
@@ -61,7 +62,8 @@ constexpr std::array<Command, 8> commands = {
       Processes::without_mpi},
      {"shape",
       "fit MESH --order N --out S.json [--from rays|vertices] "
-      "[--max-overhang F] [--unit m|mm|um] [--json FILE] [--source TEXT] "
+      "[--max-overhang F] [--max-misfit F] [--unit m|mm|um] [--json FILE] "
+      "[--source TEXT] "
       "[--licence TEXT] | info S.json|MESH [--unit m|mm|um] [--json FILE] | "
       "generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
       "[--order N] [--json FILE]",
@@ -160,7 +162,7 @@ int run_program(const std::vector<std::string> &words)
   }
   if (words[0] == "--version")
   {
-    std::cout << "spall " SPALL_VERSION "\n";
+    std::cout << version_text();
     return 0;
   }
   for (const Command &command : commands)

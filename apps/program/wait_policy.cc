@@ -1,4 +1,4 @@
-#include "wait_policy.h"
+#include "program/wait_policy.h"
 
 #include <cstring>
 #include <sched.h>

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""spall --version: version of the project, commit of the sources, libraries.
+
+    version.py SPALL VERSION SOURCE
+"""
+import pathlib
+import re
+import subprocess
+import sys
+from shutil import which
+
+from triaxial_runs import report_faults
+
+LIBRARIES = ("deal.II", "Trilinos", "VTK", "Eigen", "MPI", "compiler")
+NUMBER = re.compile(r"\d+\.\d+")
+
+
+def commits_of(source):
+    """Commits that the program may name: any that the sources had."""
+    if not (pathlib.Path(source) / ".git").exists() or not which("git"):
+        return {"unknown"}
+    listed = subprocess.run(["git", "-C", source, "rev-list", "--all", "HEAD"],
+                            capture_output=True, text=True, check=False)
+    return set(listed.stdout.split()) or {"unknown"}
+
+
+def faults(spall, version, source):
+    printed = subprocess.run([spall, "--version"], capture_output=True,
+                             text=True, check=True).stdout
+    lines = printed.splitlines()
+    if lines[0] != f"spall {version}":
+        yield f"first line {lines[0]!r}, not spall {version}"
+    commits = [line.split()[1] for line in lines
+               if line.startswith("commit ")]
+    if len(commits) != 1 or commits[0] not in commits_of(source):
+        yield f"commits {commits}"
+    for library in LIBRARIES:
+        found = [line for line in lines if line.startswith(library + " ")]
+        if len(found) != 1 or not NUMBER.search(found[0]):
+            yield f"{library}: {found}"
+
+
+if __name__ == "__main__":
+    sys.exit(report_faults(list(faults(*sys.argv[1:4]))))
