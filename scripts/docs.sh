@@ -13,8 +13,10 @@ for library in dem fem coupling; do
   LIBRARY=$library INCLUDE="$root/$library/include" API=$api \
     doxygen "$root/docs/developer/api/Doxyfile"
 done
-# Breathe would declare the namespace once for each header.
-sed -i '/<innernamespace /d' "$api"/*/*.xml
+# Breathe would declare the namespace once for each header, and show what is
+# private.
+perl -0pi -e 's#<innernamespace [^\n]*\n##g;
+  s#<sectiondef kind="private-.*?</sectiondef>##gs' "$api"/*/*.xml
 
 # Not another Python than that of Debian, which has the packages.
 /usr/bin/python3 -m sphinx -b html -W --keep-going -q -j "$(nproc)" \
