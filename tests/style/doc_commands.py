@@ -8,8 +8,9 @@
 Looked at are blocks of console, bash and sh: in console the lines after `$ `
 if there are any. A command `spall` must have a known subcommand and options,
 files that exist or that the page names before, and keys of docs/parameters with
-an allowed value. Scripts must exist. A line `<!-- not run -->` before a block
-excepts it. Words in capitals and <words> stand for something.
+an allowed value. Scripts must exist. Words in capitals and <words> stand for
+something. A line `<!-- not run -->` before a block excepts it; one with a
+reason, `<!-- not run: takes an hour -->`, does not.
 """
 import pathlib
 import re
@@ -20,6 +21,8 @@ import tempfile
 BLOCK = re.compile(r"^( *)```(console|bash|sh)\n(.*?)^\1```", re.M | re.S)
 EXCEPTED = "<!-- not run -->"
 PLACEHOLDER = re.compile(r"^[A-Z][A-Z_/.]*(\.prm)?$|^<.*>$|^\$")
+PROGRAM = re.compile(r"(^|/)spall$")
+PREFIX = re.compile(r"^(\w+=.*|mpirun|srun|nice|nohup|time|env|taskset)$")
 FILE = re.compile(r".\.(prm|json|csv|stl|obj|ply|msh)$")
 ROW = re.compile(r"^\| `(\w+)` \| [^|]* \| [^|]* \| ([^|]*) \|", re.M)
 STUDY = ("Study", "Base", "Sweep", "Expect", "Variants")
@@ -75,10 +78,12 @@ class Page:
             if (re.match(r"(scripts|tests)/", word)
                     and not (self.root / word).exists()):
                 yield f"{word}: no such file"
-        at = [i for i, word in enumerate(words)
-              if word == "spall" or word.endswith("/spall")]
-        if at and at[0] + 1 < len(words) and not words[0].startswith("cmake"):
-            yield from self.spall_faults(words[at[0] + 1:], start)
+        at = 0
+        if words and PREFIX.match(words[0]):
+            at = next((i for i, word in enumerate(words)
+                       if PROGRAM.search(word)), len(words))
+        if at + 1 < len(words) and PROGRAM.search(words[at]):
+            yield from self.spall_faults(words[at + 1:], start)
 
     def spall_faults(self, words, start):
         name, words = words[0], words[1:]
@@ -193,7 +198,8 @@ def self_check():
             "spall run gone.prm --hurry --set Time/step=long\n"
             "mpirun -n 2 build/apps/spall walk CASE.prm\n"
             "spall template dream\nspall run CASE.prm --set Time/no=1\n"
-            "scripts/gone.sh --set preset=none\n```\n\n"
+            "scripts/gone.sh --set preset=none\n"
+            "python3 a.py build/apps/spall --any\n```\n\n"
             "<!-- not run -->\n```bash\nspall dance\n```\n")
         found = list(faults(root))
     expected = ["docs/a.md:12: gone.prm: no such file",
