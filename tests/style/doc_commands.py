@@ -41,7 +41,8 @@ def program(root):
 
 def parameters(root):
     """Allowed values of each Section/key."""
-    text = (root / "docs/parameters/parameters.md").read_text(encoding="utf-8")
+    text = "\n".join(page.read_text(encoding="utf-8") for page in
+                     sorted((root / "docs/parameters").glob("*.md")))
     found = {}
     for section in re.split(r"^## ", text, flags=re.M)[1:]:
         name = section.split("\n", 1)[0].split("/")[0].strip()
