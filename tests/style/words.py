@@ -36,6 +36,13 @@ DEM = {
     "awake": "active", "swing": "reversal", "swings": "reversals",
     "place": "contact point",
 }
+# In pages alone.
+PHRASES = {
+    "anew": "again", "likewise": "the thing itself",
+    "what it has come to": "its value", "is told": "is reported",
+    "are told": "are reported",
+}
+PHRASE = re.compile(r"\b(" + "|".join(PHRASES) + r")\b", re.I)
 HISTORY = ("docs/CHANGELOG.md", "docs/pictures/",
            "docs/developer/glossary.md", "tests/style/words.py",
            "tests/unit/apps/deprecated_test.cc")
@@ -74,6 +81,10 @@ def faults(root):
                     path.read_text(encoding="utf-8").splitlines(), 1):
                 if ALLOWED.search(line):
                     continue
+                for phrase in PHRASE.findall(line if path.suffix == ".md"
+                                             else ""):
+                    yield (f"{name}:{number}: {phrase}: "
+                           f"use {PHRASES[phrase.lower()]}")
                 for word in words_in(line):
                     if word in banned:
                         yield (f"{name}:{number}: {word}: "
@@ -95,14 +106,17 @@ def self_check():
         (root / "apps/b.cc").write_text(
             "double slack = 0.;\nstruct WallPlaces;\n"
             '// in place of it\n')
-        (root / "docs/a.md").write_text("A spot on a stone.\nBallast stones.\n")
+        (root / "docs/a.md").write_text(
+            "A spot on a stone.\nBallast stones.\nIt is told anew.\n")
         found = list(faults(root))
     expected = ["dem/a.h:1: stone: use particle",
                 "dem/a.h:2: spot: use contact point",
                 "dem/b.cc:1: slack: use overlap offset",
                 "dem/b.cc:2: place: use contact point",
                 "apps/b.cc:2: places: use contact points, positions, rows",
-                "docs/a.md:1: stone: use particle"]
+                "docs/a.md:1: stone: use particle",
+                "docs/a.md:3: is told: use is reported",
+                "docs/a.md:3: anew: use again"]
     return [] if found == expected else [f"found {found}"]
 
 
