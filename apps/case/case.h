@@ -129,7 +129,7 @@ struct CouplingParameters
 {
   ExchangeChoice exchange = ExchangeChoice::none;
   /// Rule and limit of the ledger are those given here. The tolerance is the
-  /// coarsest that holds (docs/verification/error_of_boundary.md).
+  /// coarsest that holds (docs/results/error_of_boundary.md).
   coupling::ExchangeParameters rules = []
   {
     coupling::ExchangeParameters usual;

@@ -12,7 +12,7 @@ void set_defaults(Case &c)
   // rest with radii along the branch.
   c.specimen.shapes = "shapes/limestone_blocky";
   c.particle.rolling_friction = 0.5;
-  // Without it a sheet rings between the particles: docs/verification/
+  // Without it a sheet rings between the particles: docs/results/
   // error_of_boundary.md.
   c.membrane.mass_damping = 200.;
 }

@@ -13,7 +13,7 @@ constexpr double steepest_decay = 1.;
 constexpr int shortest = 2;
 /// Cycles that one stands for, at most. The right contacts wear, but particles
 /// give way to that in cycles of their own: the more one stands for, the less
-/// grows after it (docs/verification/cycle_jump.md).
+/// grows after it (docs/results/cycle_jump.md).
 constexpr int most_in_one = 5;
 /// Of its limit an error should not use more than this, in the mean.
 constexpr double aim = 0.5;

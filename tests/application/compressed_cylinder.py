@@ -120,7 +120,7 @@ def membrane_faults(lines):
 
 
 def row_of(name, found, line):
-    """For docs/verification/triaxial.md."""
+    """For docs/results/triaxial.md."""
     ratio, volume = ratio_of(line), line["volumetric_strain_1"]
     top = ratio.index(max(ratio))
     return (f"| {name} | {ratio[top]:.2f} at {line['axial_strain_1'][top]:.3f}"

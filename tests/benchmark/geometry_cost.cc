@@ -1,5 +1,5 @@
 // What the ways to say where two particles meet cost, and what they miss:
-// tables and figures of docs/verification/geometry_cost.md.
+// tables and figures of docs/results/geometry_cost.md.
 //
 //   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
 #include "bench/measure.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Measures the tables of docs/performance/README.md anew.
+"""Measures the tables of docs/performance/index.md anew.
 
     page.py SPALL [--only NAME ...] [--peers FOLDER] [--quick]
 

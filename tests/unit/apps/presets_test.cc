@@ -71,7 +71,7 @@ TEST(Presets, GeometryAndStepAreThoseOfTheName)
   }
 }
 
-// Table 2 of the publication. Boundaries: docs/verification/presets.md.
+// Table 2 of the publication. Boundaries: docs/results/presets.md.
 TEST(Presets, ArticleHasTheValuesOfThePublication)
 {
   for (const TestKind &kind : test_kinds())
