@@ -5,6 +5,7 @@
 #include "report/run_data.h"
 #include "report/text_table.h"
 #include "run/whole_file.h"
+#include "study/page_tables.h"
 #include "study/programs.h"
 
 #include <algorithm>
@@ -123,6 +124,15 @@ void check_free(const fs::path &folder)
                      "or the folder of an earlier study");
 }
 
+/// Short tables into the page, the full ones as files beside it.
+void renew_study_page(const fs::path &page, const StudyData &data)
+{
+  const std::string stem = page.stem().string();
+  renew_page("study", page.string(), page_marker, study_markdown(data, stem));
+  for (const PageFile &file : page_files(data, stem))
+    write_text(page.parent_path() / file.name, file.text);
+}
+
 /// Whether a file of this name in the folder of any case has the column.
 bool is_written(const StudyData &data, const fs::path &folder,
                 const std::string &file, const std::string &column)
@@ -202,7 +212,7 @@ int study_command(Words words)
   write_study_table(study, points, results, folder / "study.csv");
   write_text(folder / "report.html", study_page(data, folder, options.figures));
   if (!options.page.empty())
-    renew_page("study", options.page, page_marker, study_markdown(data));
+    renew_study_page(options.page, data);
   std::cout << (folder / "study.csv").string() << '\n'
             << (folder / "report.html").string() << std::endl;
   if (n_failed > 0)

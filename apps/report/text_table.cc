@@ -4,6 +4,7 @@
 #include "report/text.h"
 #include "run/whole_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -31,7 +32,59 @@ std::string markdown_row(const Cells &cells, std::size_t n)
   }
   return out + "\n";
 }
+/// Bytes of UTF-8 that begin a character.
+std::size_t n_characters(const std::string &word)
+{
+  return static_cast<std::size_t>(std::ranges::count_if(
+      word,
+      [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+std::string comma_row(const Cells &cells, std::size_t n)
+{
+  std::string out;
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const std::string cell = k < cells.size() ? cells[k] : std::string();
+    std::string quoted = "\"";
+    for (const char c : cell)
+      quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    const bool is_plain = cell.find_first_of(",\"\n") == std::string::npos;
+    out += (k > 0 ? "," : "") + (is_plain ? cell : quoted + "\"");
+  }
+  return out + "\n";
+}
 } // namespace
+
+std::string in_lines(const std::string &text)
+{
+  constexpr std::size_t width = 120;
+  std::istringstream words(text);
+  std::string out, word;
+  std::size_t length = 0;
+  while (words >> word)
+  {
+    const std::size_t n = n_characters(word);
+    if (length > 0)
+    {
+      const bool fits = length + 1 + n <= width;
+      out += fits ? ' ' : '\n';
+      length = fits ? length + 1 : 0;
+    }
+    out += word;
+    length += n;
+  }
+  return out;
+}
+
+std::string comma_separated(const TextTable &table)
+{
+  const std::size_t n = table.head.size();
+  std::string out = comma_row(table.head, n);
+  for (const Cells &cells : table.rows)
+    out += comma_row(cells, n);
+  return out;
+}
 
 std::string html_rows(const TextTable &table)
 {
@@ -47,7 +100,7 @@ std::string markdown(const TextTable &table)
   const std::size_t n = table.head.size();
   std::string out = "## " + table.title + "\n\n";
   if (!table.note.empty())
-    out += table.note + "\n\n";
+    out += in_lines(table.note) + "\n\n";
   out += markdown_row(table.head, n) + "|";
   for (std::size_t k = 0; k < n; ++k)
     out += "---|";

@@ -19,7 +19,13 @@ struct TextTable
 /// A table element; title and note are the caller's.
 std::string html_rows(const TextTable &table);
 
-/// Heading of level two, note and table.
+/// The words of a text in lines of at most 120 characters.
+std::string in_lines(const std::string &text);
+
+/// Head and rows with commas, cells in quotes where they need them.
+std::string comma_separated(const TextTable &table);
+
+/// Heading of level two, note in lines of at most 120 characters, and table.
 std::string markdown(const TextTable &table);
 
 /// A page up to its line `marker`, this line included. Throws InputError with

@@ -307,25 +307,4 @@ std::string study_page(const StudyData &data, const fs::path &folder,
           "</section>\n";
   return page_around(study.title, "Spall study of " + study.file, body);
 }
-
-std::string study_markdown(const StudyData &data)
-{
-  std::vector<TextTable> tables = {expectation_table(data)};
-  if (data.study.has_reference())
-  {
-    tables.push_back(cost_table(data));
-    tables.push_back(default_table(data));
-  }
-  for (std::size_t k = 0; k < data.study.keys.size(); ++k)
-  {
-    tables.push_back(spread_table(data, k));
-    tables.push_back(difference_table(data, k));
-  }
-  tables.push_back(failure_table(data));
-  std::string text;
-  for (const TextTable &table : tables)
-    if (!table.rows.empty())
-      text += markdown(table);
-  return text;
-}
 } // namespace spall

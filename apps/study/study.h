@@ -182,7 +182,4 @@ struct StudyData
 std::string study_page(const StudyData &data,
                        const std::filesystem::path &folder,
                        const std::filesystem::path &figures);
-
-/// Its tables in Markdown.
-std::string study_markdown(const StudyData &data);
 } // namespace spall

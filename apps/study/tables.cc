@@ -1,10 +1,10 @@
 #include "study/tables.h"
 
 #include "report/text.h"
+#include "study/differences.h"
 #include "study/judge.h"
 
 #include <cmath>
-#include <optional>
 
 namespace spall
 {
@@ -22,52 +22,6 @@ std::string in_words(Ruling ruling)
     break;
   }
   return "not resolved";
-}
-
-std::string with_sign(double share)
-{
-  return (share > 0. ? "+" : "") + format(100. * share, 2) + " %";
-}
-/// A level against the first one of its series.
-struct Difference
-{
-  std::size_t outcome;
-  Cut cut;
-  Level level;
-  bool is_first;
-  double first; ///< mean there
-  Estimate over_seeds;
-
-  /// Of the first value [-]; none where that is round-off of zero.
-  std::optional<double> share() const
-  {
-    constexpr double round_off = 1e-9;
-    if (std::abs(first) <= round_off * std::abs(over_seeds.mean))
-      return {};
-    return over_seeds.mean / std::abs(first);
-  }
-};
-
-/// Of all outcomes over a key, in the order of the tables.
-std::vector<Difference> differences_of(const StudyData &data, std::size_t key)
-{
-  std::vector<Difference> all;
-  for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
-    for (const Cut &cut : series_of(data, key))
-    {
-      const std::vector<Level> levels = levels_of(data, cut, o);
-      for (const Level &level : levels)
-      {
-        const Level &first = levels.front();
-        const bool is_first = level.value == first.value;
-        all.push_back({o, cut, level, is_first, first.mean(),
-                       is_first
-                           ? Estimate()
-                           : estimate_of(paired_differences(
-                                 data, cut, o, first.value, level.value))});
-      }
-    }
-  return all;
 }
 
 /// Cells that identify a row: the outcome, and the other key's value.

@@ -1,8 +1,11 @@
 #include "table.h"
 
+#include "report/text_table.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <iomanip>
+#include <limits>
 #include <ostream>
 
 namespace spall::verify
@@ -83,28 +86,51 @@ void write_csv(std::span<const Result> results, std::ostream &out)
   }
 }
 
+namespace
+{
+/// The row of a case whose error is nearest to its tolerance, or beyond it.
+const Result *worst_row(std::span<const Result> results,
+                        const std::string &family, const std::string &name)
+{
+  const auto share = [](const Row &row)
+  {
+    const double error = error_of(row);
+    return error <= row.tolerance
+               ? (row.tolerance > 0. ? error / row.tolerance : 0.)
+               : std::numeric_limits<double>::infinity();
+  };
+  const Result *worst = nullptr;
+  for (const Result &result : results)
+    if (result.family == family && result.name == name &&
+        (!worst || share(result.row) > share(worst->row)))
+      worst = &result;
+  return worst;
+}
+} // namespace
+
 void write_markdown(std::span<const Family> families,
                     std::span<const Result> results, std::ostream &out)
 {
   for (const Family &family : families)
   {
-    out << "## " << family.name << "\n\n" << family.subject << "\n\n";
-    for (const std::string &heading : headings)
-      out << "| " << heading << ' ';
-    out << "|\n"
-        << "|---|---|---|---|---|---|---|\n";
-    for (const Result &result : results)
-    {
-      if (result.family != family.name)
-        continue;
-      for (const std::string &cell : cells(result))
-        out << "| " << cell << ' ';
-      out << (is_held(result.row) ? "|\n" : "**fails** |\n");
-    }
-    out << "\nReferences:\n\n";
+    out << "### " << family.name << "\n\n"
+        << in_lines(family.subject) << "\n\n"
+        << "| case | reference | numbers | error | tolerance |\n"
+        << "|---|---|---|---|---|\n";
     for (const Case &one : family.cases)
-      out << "* " << one.name << ": " << one.source << ".\n";
-    out << '\n';
+    {
+      const auto n = std::ranges::count_if(
+          results, [&](const Result &result)
+          { return result.family == family.name && result.name == one.name; });
+      const Result *worst = worst_row(results, family.name, one.name);
+      if (!worst)
+        continue;
+      out << "| " << one.name << " | " << one.source << " | " << n << " | "
+          << number(error_of(worst->row), 2) << " | "
+          << number(worst->row.tolerance, 2)
+          << (is_held(worst->row) ? " |\n" : " **fails** |\n");
+    }
+    out << "\nTest: `verification_" << family.name << "`.\n\n";
   }
 }
 } // namespace spall::verify

@@ -21,7 +21,8 @@ std::vector<Result> run(const Family &family);
 void print_table(std::span<const Result> results, std::ostream &out);
 /// family,case,quantity,unit,reference,computed,error_1,tolerance_1,held,source
 void write_csv(std::span<const Result> results, std::ostream &out);
-/// One table per family in Markdown, with the sources.
+/// One table per family in Markdown, one row per case: its source, how many
+/// numbers it has, and error and tolerance of the one nearest to its tolerance.
 void write_markdown(std::span<const Family> families,
                     std::span<const Result> results, std::ostream &out);
 } // namespace spall::verify

@@ -1,6 +1,6 @@
 #include "errors.h"
 #include "study/level_costs.h"
-#include "study/tables.h"
+#include "study/page_tables.h"
 #include "study_file.h"
 
 namespace
@@ -54,9 +54,11 @@ TEST_F(StudyFile, PricesAreAgainstTheReference)
   EXPECT_FALSE(levels[1].is_cheapest_fine);
   EXPECT_NEAR(levels[2].cost(), 2., 1e-12);
   EXPECT_NE(
-      study_markdown(data).find("| on the front, cheapest that is fine |"),
+      study_markdown(data, "w").find("| on the front, cheapest that is fine |"),
       std::string::npos)
-      << study_markdown(data);
+      << study_markdown(data, "w");
+  EXPECT_NE(study_markdown(data, "w").find("[errors](w_errors.csv)"),
+            std::string::npos);
 }
 
 // More seeds for the spread alone: pairs and tables of levels stay as they are.
@@ -90,10 +92,11 @@ TEST_F(StudyFile, SpreadIsOverMoreSeedsThanThePairs)
   ASSERT_EQ(levels.size(), 1u);
   EXPECT_EQ(levels[0].errors[0].n, 2u);
   EXPECT_NEAR(levels[0].worst, 0.5 / std::sqrt(10.), 1e-12);
-  EXPECT_NE(study_markdown(data).find("| reference | spread of 4 |  |  |  | "
-                                      "3.16 |"),
+  const std::vector<PageFile> files = page_files(data, "w");
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_NE(files[0].text.find("\nreference,spread of 4,,,,3.16228,,\n"),
             std::string::npos)
-      << study_markdown(data);
+      << files[0].text;
 
   const auto refusal = [&](const std::string &from, const std::string &to)
   {
