@@ -231,11 +231,11 @@ std::string study_markdown(const StudyData &data, const std::string &stem)
   for (const TextTable &table : tables)
     if (!table.rows.empty())
       text += markdown(table);
-  text += "All values as files:";
+  std::string links = "All values as files:";
   const std::vector<PageFile> files = page_files(data, stem);
   for (const PageFile &file : files)
-    text += (&file == &files.front() ? " [" : ", [") + file.words + "](" +
-            file.name + ")";
-  return text + ".\n";
+    links += (&file == &files.front() ? " [" : ", [") + file.words + "](" +
+             file.name + ")";
+  return text + in_lines(links + ".") + "\n";
 }
 } // namespace spall

@@ -1,4 +1,5 @@
 """Calls of `spall bench`, and tables of what they measure."""
+import csv
 import json
 import os
 import pathlib
@@ -31,6 +32,25 @@ def table(header, rows):
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |"
               for row in rows]
     return "\n".join(lines)
+
+
+def write_csv(path, header, rows):
+    """The same table as a file: numbers without unit or typographic signs."""
+    plain = str.maketrans({"−": "-", "±": None, "%": None})
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(header)
+        writer.writerows([str(cell).translate(plain).strip() for cell in row]
+                         for row in rows)
+
+
+def csv_option(words):
+    """Takes `--csv FILE` off the end of the words; the file, or nothing."""
+    if len(words) > 2 and words[-2] == "--csv":
+        path = words[-1]
+        del words[-2:]
+        return path
+    return None
 
 
 def group(rows, *keys):

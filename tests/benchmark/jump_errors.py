@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Errors of jumps over load cycles, against what a specimen comes to.
 
-    jump_errors.py STUDY.csv
+    jump_errors.py STUDY.csv [--csv FILE]
 
 STUDY.csv is that of data/studies/cycle_jump.prm or cycle_jump_large.prm. Growth
 comes in bursts on which the last digit decides, so that one run of every cycle
@@ -13,7 +13,7 @@ import csv
 import statistics
 import sys
 
-from bench_runs import group, table
+from bench_runs import csv_option, group, table, write_csv
 
 OUTCOMES = {"permanent_axial_strain_1": "strain", "laa_percent": "abrasion",
             "n_events": "events", "coordination_end_1": "coordination number",
@@ -52,6 +52,7 @@ def compared(seed, rows):
 
 
 def main():
+    path = csv_option(sys.argv)
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     with open(sys.argv[1], encoding="utf-8") as file:
@@ -59,6 +60,10 @@ def main():
     lines = [line for (seed,), of_seed in group(rows, "seed").items()
              for line in compared(seed, of_seed)]
     print(table(["seed", "", *OUTCOMES.values()], lines))
+    if path:
+        write_csv(path, ["seed", "run", *(f"{name} (%)"
+                                          for name in OUTCOMES.values())],
+                  lines)
 
 
 if __name__ == "__main__":

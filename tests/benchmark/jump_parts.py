@@ -2,7 +2,7 @@
 """Where jumps over load cycles lose or gain growth: what each has brought,
 against a run of every cycle.
 
-    jump_parts.py EVERY,JUMP [EVERY,JUMP ...]
+    jump_parts.py EVERY,JUMP [EVERY,JUMP ...] [--csv FILE]
 
 Each pair names the folders of two runs of one specimen. From the last cycle
 before the wear to where the observation after it begins (CycleJump/settled and
@@ -16,7 +16,7 @@ the worst single one of what was brought and of the rates.
 import sys
 
 from after_jumps import cycles_of
-from bench_runs import table
+from bench_runs import csv_option, table, write_csv
 from jump_errors import per_cent
 from jump_floor import gain
 
@@ -53,6 +53,7 @@ def worst(ratios):
 
 
 def main():
+    path = csv_option(sys.argv)
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     lines = []
@@ -70,8 +71,12 @@ def main():
                 *shares, after / true_after - 1,
                 worst(one[1] / one[0] for one in found),
                 worst(one[4] / one[5] for one in found)))])
-    print(table(["run", "growth", "jumps", "brought", "its rates", "true rates",
-                 "rates after", "worst jump", "worst rate"], lines))
+    head = ["run", "growth", "jumps", "brought", "its rates", "true rates",
+            "rates after", "worst jump", "worst rate"]
+    print(table(head, lines))
+    if path:
+        write_csv(path, [*head[:3], *(f"{name} (%)" for name in head[3:])],
+                  lines)
 
 
 if __name__ == "__main__":
