@@ -1,7 +1,7 @@
 // What the ways to say where two particles meet cost, and what they miss:
 // tables and figures of docs/results/geometry_cost.md.
 //
-//   geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]
+//   geometry_cost PAIRS PICTURES TABLE.csv SHAPE.json [SHAPE.json ...]
 #include "bench/measure.h"
 #include "brute_force.h"
 #include "geometry_methods.h"
@@ -344,24 +344,29 @@ void print_errors(const Row &row)
               row.errors.of(&Errors::arm), row.errors.n_lost);
 }
 
-void print_ways(const ByOrder &all)
+/// All ways at every order, comma-separated.
+void write_ways(const ByOrder &all, const std::string &path)
 {
-  std::printf("| order | way | ns per contact and step | gap error / diameter "
-              "| normal [deg] | lever arm / radius | lost |\n"
-              "|---|---|---|---|---|---|---|\n");
+  std::ofstream out(path);
+  out << "order,way,ns per contact and step,gap error / diameter,"
+         "normal (deg),lever arm / radius,lost\n";
   for (const auto &[order, shapes] : all)
     for (std::size_t way = 0; way < shapes.front().size(); ++way)
     {
       const Row row = over_shapes(shapes, way);
-      std::printf("| %d | %s | ", order, row.method.c_str());
-      print_errors(row);
+      char text[160];
+      std::snprintf(text, sizeof text, "%d,\"%s\",%.0f,%.1e,%.1e,%.1e,%d\n",
+                    order, row.method.c_str(), row.nanoseconds,
+                    row.errors.of(&Errors::gap), row.errors.of(&Errors::angle),
+                    row.errors.of(&Errors::arm), row.errors.n_lost);
+      out << text;
     }
 }
 
 /// What the tolerance of the cache costs and saves, over all orders.
 void print_cache(const ByOrder &all)
 {
-  std::printf("\n| way | ns per contact and step | error of the cache: gap / "
+  std::printf("| way | ns per contact and step | error of the cache: gap / "
               "diameter | normal [deg] | lever arm / radius | lost |\n"
               "|---|---|---|---|---|---|\n");
   std::vector<std::vector<Row>> every;
@@ -427,16 +432,16 @@ void draw_all(const std::string &folder, const std::vector<Row> &rows)
 
 int main(int argc, char **argv)
 {
-  if (argc < 4)
+  if (argc < 5)
   {
-    std::fprintf(stderr,
-                 "geometry_cost PAIRS PICTURES SHAPE.json [SHAPE.json ...]\n");
+    std::fprintf(stderr, "geometry_cost PAIRS PICTURES TABLE.csv SHAPE.json "
+                         "[SHAPE.json ...]\n");
     return 1;
   }
   omp_set_num_threads(1);
   ByOrder all;
   std::vector<Row> dots;
-  for (int k = 3; k < argc; ++k)
+  for (int k = 4; k < argc; ++k)
   {
     const spall::ShapeFile shape = spall::read_shape(argv[k]);
     for (const int order : {8, 12, 20})
@@ -453,7 +458,7 @@ int main(int argc, char **argv)
       dots.insert(dots.end(), rows.begin(), rows.end());
     }
   }
-  print_ways(all);
+  write_ways(all, argv[3]);
   print_cache(all);
   draw_all(argv[2], dots);
 }

@@ -18,6 +18,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import textwrap
 from dataclasses import dataclass
 
 from bench_runs import table
@@ -170,7 +171,9 @@ def kind_table(program, name, n_seeds, folder):
     rows = [scatter_row(kind, reference)]
     rows += [preset_row(kind, preset, found[preset], reference)
              for preset in kind.presets[1:] if preset not in stopped]
-    text = (f"**{name}**: {kind.text}; {n_seeds} seeds.\n\n" +
+    said = textwrap.fill(f"{kind.text[0].upper()}{kind.text[1:]}; {n_seeds} "
+                         "seeds.", 120)
+    text = (f"### {name}\n\n{said}\n\n" +
             table(["preset", "cost of the test", "with the preparation",
                    *kind.outcomes.values()], rows) + "\n")
     for preset, line in stopped.items():

@@ -450,7 +450,7 @@ TEST(BoxServo, DeadBandIsTakenOffTheError)
               1e-6 * speed(0., 30e3));
 }
 
-// The table of docs/results/triaxial.md: two minutes.
+// The table of docs/verification/laboratory_tests.md: two minutes.
 TEST(BoxServo, DISABLED_TableOfErrorsUnderAWave)
 {
   dem::ServoParameters waits, narrow, wide;
