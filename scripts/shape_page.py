@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Measures the tables and the picture of docs/verification/shapes.md anew.
+"""Renews the tables and the picture of docs/verification/shapes.md.
 
     shape_page.py [SPALL] [MESHES] [--only fits|limestone|generate ...]
 
 SPALL: build/apps/spall. MESHES: the folder with the meshes and
-catalogue.csv. Each table stands between <!-- begin NAME --> and
-<!-- end NAME -->. Without the meshes only `generate` is measured.
+catalogue.csv. Each short table stands between <!-- begin NAME --> and
+<!-- end NAME -->; files beside the page have every mesh. Without the meshes
+only `generate` is measured.
 """
 import argparse
 import csv
@@ -22,11 +23,15 @@ from line_chart import line_chart
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "verification" / "shapes.md"
 EVERY = PAGE.with_name("shape_fit_error.csv")
+ORDER_20 = PAGE.with_name("shape_fit_order_20.csv")
 PICTURE = ROOT / "docs" / "pictures" / "shape_fit_error.svg"
 SAMPLE = [ROOT / "data" / "shapes" / name
           for name in ("limestone", "limestone_blocky")]
 ORDERS = range(1, 31)
-SHOWN = (1, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 30)
+SHOWN = (4, 8, 12, 20, 30)
+AT_20 = ["mesh", "triangles", "residual_largest_percent",
+         "volume_error_percent", "area_error_percent", "overhang_percent",
+         "saddles_percent", "ringing_percent", "convexity_1", "time_s"]
 METRES = {"m": 1., "mm": 1e-3, "um": 1e-6}
 SOURCES = {"nist_vcctl_sh": "NIST", "ibois_quarry_scraps": "IBOIS",
            "eesd_epfl_rubble": "EESD"}
@@ -72,9 +77,25 @@ def catalogue(meshes):
         return list(csv.DictReader(file))
 
 
+def extent(values, digits):
+    """Least and largest as a cell."""
+    return f"{min(values):.{digits}f} to {max(values):.{digits}f}"
+
+
+def source_row(name, fits):
+    """Residuals and errors of all meshes of a source that were fitted."""
+    at_20 = [one[20]["mesh"] for one in fits]
+    rms = {order: [one[order]["mesh"]["residual_rms_percent"] for one in fits
+                   if one.get(order)] for order in SHOWN}
+    return [name, len(fits), *(extent(rms[order], 2) for order in SHOWN),
+            extent([one["volume_error_percent"] for one in at_20], 2),
+            extent([one["area_error_percent"] for one in at_20], 1),
+            f"{max(one['overhang_percent'] for one in at_20):.2f}"]
+
+
 def fits_table(tool, meshes):
-    """Residual against order, and all that a fit of order 20 says."""
-    errors, at_20, drawn = [], [], {}
+    """Residual against order by source; two files have every mesh."""
+    at_20, drawn, by_source = [AT_20], {}, {}
     every = [["mesh", *(f"order_{order}_percent" for order in ORDERS)]]
     for row in catalogue(meshes):
         name = row["file"]
@@ -84,17 +105,15 @@ def fits_table(tool, meshes):
                for order, fit in fits.items() if fit}
         label = pathlib.Path(name).stem.replace("MA111-7-coarse-", "limestone ")
         print(label, rms, flush=True)
-        errors.append([label, row["triangles"],
-                       *(f"{rms[order]:.3f}" if order in rms else "-"
-                         for order in SHOWN)])
         every.append([label, *(f"{rms[order]:.4f}" if order in rms else ""
                                for order in ORDERS)])
         if rms:
             drawn.setdefault(SOURCES[name.split("/")[0]], []).append(rms)
         if not fits[20]:
             continue
+        by_source.setdefault(SOURCES[name.split("/")[0]], []).append(fits)
         mesh, series = fits[20]["mesh"], fits[20]["series"]
-        at_20.append([label, *(f"{mesh[key]:.2f}" for key in (
+        at_20.append([label, row["triangles"], *(f"{mesh[key]:.2f}" for key in (
             "residual_largest_percent", "volume_error_percent",
             "area_error_percent", "overhang_percent")),
             f"{100 * series['saddle_fraction_1']:.0f}",
@@ -103,11 +122,10 @@ def fits_table(tool, meshes):
     PICTURE.write_text(line_chart(
         drawn, "order of the series", "rms residual / mean radius, %"))
     EVERY.write_text("\n".join(map(",".join, every)) + "\n")
-    return (table(["mesh", "triangles", *map(str, SHOWN)],
-                  errors) + "\n\nOrder 20:\n\n" +
-            table(["mesh", "largest residual, %", "volume, %", "area, %",
-                   "overhang, %", "saddles, %", "ringing, %", "convexity",
-                   "time, s"], at_20))
+    ORDER_20.write_text("\n".join(map(",".join, at_20)) + "\n")
+    return table(["source", "meshes", *(f"order {order}" for order in SHOWN),
+                  "volume", "area", "overhang"],
+                 [source_row(*one) for one in by_source.items()])
 
 
 def published_series(path, out):

@@ -140,7 +140,7 @@ std::vector<Row> block_on_balls()
 Family coupling()
 {
   return {"coupling",
-          "particles and bodies together",
+          "Particles and bodies together.",
           {{"sphere on a moving wall, windows of 10 steps",
             "f g; 2 V / 7 (Coulomb, solid sphere)", moving_wall},
            {"block of 1 MPa on four balls, iterated", "M g / (4 k)",

@@ -197,7 +197,7 @@ Family impacts()
       "times the radius.",
       {{"chung_ooi_1", form, chung_ooi_1},
        {"chung_ooi_2", form, chung_ooi_2},
-       {"chung_ooi_3", "e that was asked for", chung_ooi_3},
+       {"chung_ooi_3", "prescribed e", chung_ooi_3},
        {"chung_ooi_4_sliding",
         "rigid-body impulse mu (1 + e) v_n, sliding to the end",
         chung_ooi_4_sliding},

@@ -88,6 +88,15 @@ void write_csv(std::span<const Result> results, std::ostream &out)
 
 namespace
 {
+/// As plain text in a cell of Markdown.
+std::string in_cell(const std::string &text)
+{
+  std::string out;
+  for (const char c : text)
+    out += c == '|' || c == '*' ? std::string("\\") + c : std::string(1, c);
+  return out;
+}
+
 /// The row of a case whose error is nearest to its tolerance, or beyond it.
 const Result *worst_row(std::span<const Result> results,
                         const std::string &family, const std::string &name)
@@ -125,8 +134,8 @@ void write_markdown(std::span<const Family> families,
       const Result *worst = worst_row(results, family.name, one.name);
       if (!worst)
         continue;
-      out << "| " << one.name << " | " << one.source << " | " << n << " | "
-          << number(error_of(worst->row), 2) << " | "
+      out << "| " << one.name << " | " << in_cell(one.source) << " | " << n
+          << " | " << number(error_of(worst->row), 2) << " | "
           << number(worst->row.tolerance, 2)
           << (is_held(worst->row) ? " |\n" : " **fails** |\n");
     }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 
 namespace
@@ -50,15 +51,53 @@ const char *outcome(const hard::Row &row)
 
 const char *const page_head =
     "# Hard cases\n\n"
-    "Written by `build/tests/verification/hard_cases --page "
-    "docs/verification/hard.md`, one test each (`ctest -R hard_`). *held*: as "
-    "it must be within\nthe limits given; *stopped*: it cannot be held, and a "
-    "guard stops it with this line ([guards](../theory/interface.md#guards)). "
-    "The margin\nsays how far it is from the border. Restart: the second half "
-    "of the run once more, from a state saved in its middle.\n\n"
-    "| case | what makes it hard | what happens | margin or limit | restart | "
-    "outcome |\n|---|---|---|---|---|---|\n";
+    "This page lists cases at the border of what the program can hold, and "
+    "whether it holds them or a guard stops them.\n"
+    "Every case is a test (`ctest -R hard_`).\n\n"
+    "```sh\nbuild/tests/verification/hard_cases --list\n"
+    "build/tests/verification/hard_cases --page docs/verification/hard.md   "
+    "# renews this page and its table\n```\n\n"
+    "*held*: within the limits of the case. *stopped*: it cannot be held, and "
+    "a [guard](../theory/interface.md#guards)\nstops it with a message. The "
+    "second half of each run is repeated from a state saved in its middle; "
+    "*restart* says how it\nagrees.\n\n"
+    "What makes each case hard, what happens, its margin or limit and the "
+    "message of the guard:\n[hard.csv](hard.csv).\n\n"
+    "| case | scene | outcome | restart |\n|---|---|---|---|\n";
 
+const char *const table_head =
+    "case,scene,what makes it hard,what happens,margin or limit,restart,"
+    "outcome\n";
+
+std::string quoted(const std::string &text)
+{
+  std::string out = "\"";
+  for (const char c : text)
+    out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string table_row(const hard::Case &one, const hard::Row &row)
+{
+  return one.name + "," + quoted(one.what) + "," + quoted(one.why) + "," +
+         quoted(row.happens) + "," + quoted(row.margin) + "," +
+         words(row.restart) + "," + outcome(row) + "\n";
+}
+
+std::string page_row(const hard::Case &one, const hard::Row &row)
+{
+  return "| `" + one.name + "` | " + one.what + " | " + outcome(row) + " | " +
+         words(row.restart) + " |\n";
+}
+
+/// The page, and the whole table beside it.
+void write(const std::string &page, const std::string &rows,
+           const std::string &table)
+{
+  std::ofstream(page) << page_head << rows;
+  std::ofstream(std::filesystem::path(page).replace_extension(".csv"))
+      << table_head << table;
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -70,7 +109,7 @@ int main(int argc, char **argv)
     page = names[1];
     names.clear();
   }
-  std::string table = page_head;
+  std::string rows, table;
   bool all_hold = true;
   std::size_t n_run = 0;
   for (const hard::Case &one : all_cases())
@@ -92,9 +131,8 @@ int main(int argc, char **argv)
                 outcome(row), row.happens.c_str(), row.margin.c_str(),
                 words(row.restart), took.count());
     std::fflush(stdout);
-    table += "| `" + one.name + "`: " + one.what + " | " + one.why + " | " +
-             row.happens + " | " + row.margin + " | " + words(row.restart) +
-             " | " + outcome(row) + " |\n";
+    rows += page_row(one, row);
+    table += table_row(one, row);
   }
   if (!names.empty() && names[0] != "--list" && n_run != names.size())
   {
@@ -102,6 +140,6 @@ int main(int argc, char **argv)
     return 1;
   }
   if (!page.empty())
-    std::ofstream(page) << table;
+    write(page, rows, table);
   return all_hold ? 0 : 1;
 }
