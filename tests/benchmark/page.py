@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Measures the tables of docs/performance/index.md anew.
+"""Renews the tables of the pages of docs/performance.
 
     page.py SPALL [--only NAME ...] [--peers FOLDER] [--quick]
 
@@ -20,7 +20,7 @@ from bench_runs import bench, table
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-PAGE = ROOT / "docs" / "performance" / "README.md"
+PAGES = ROOT / "docs" / "performance"
 SHAPES = ROOT / "data" / "shapes" / "limestone_blocky"
 
 
@@ -169,13 +169,15 @@ def machine():
 
 
 def replace(name, text):
-    page = PAGE.read_text(encoding="utf-8")
+    """Puts a table between its marks, in the page that has them."""
     pattern = rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)"
-    page, n = re.subn(pattern, lambda m: m[1] + text + "\n" + m[2], page,
-                      flags=re.S)
-    if n != 1:
-        raise SystemExit(f"{PAGE}: no marker for the table {name}")
-    PAGE.write_text(page, encoding="utf-8")
+    for path in sorted(PAGES.glob("*.md")):
+        page, n = re.subn(pattern, lambda m: m[1] + text + "\n" + m[2],
+                          path.read_text(encoding="utf-8"), flags=re.S)
+        if n == 1:
+            path.write_text(page, encoding="utf-8")
+            return
+    raise SystemExit(f"{PAGES}: no marks for the table {name}")
 
 
 def main():
