@@ -53,7 +53,7 @@ TextTable expectation_table(const StudyData &data)
                         "is not resolved."
                       : "Differences of means count from 5 % of the mean of "
                         "all on.",
-                  {"name", "expected", "reported", "holds", "ours"},
+                  {"name", "expected", "reported", "holds", "result"},
                   {}};
   for (const Expectation &e : data.study.expectations)
   {

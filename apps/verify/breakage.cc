@@ -160,7 +160,7 @@ Family breakage()
       "breakage",
       "Energy criterion and events. Forces of the first event are closed forms "
       "in G_c and the curvature of the corner alone.",
-      {{"thresholds", "F = 3 pi R G_c, 5 pi R G_c; swing of a cycle",
+      {{"thresholds", "F = 3 pi R G_c, 5 pi R G_c; range of a cycle",
         thresholds},
        {"step_dependence", "sum of Eq. 4 by hand", step_dependence},
        {"press_on_walls", "l = F / (2 pi R G_c), cap of the tip",
@@ -168,8 +168,8 @@ Family breakage()
        {"press_of_particles", "l = F / (3 pi R G_c), energy of the contact",
         press_of_particles},
        {"hysteresis",
-        "swing of the force over 3 pi R G_c; none within the band", hysteresis},
+        "range of the force over 3 pi R G_c; none within the band", hysteresis},
        {"choices", "closed forms of the same press", choices},
-       {"books", "sums over the events", books}}};
+       {"energy_balance", "sums over the events", energy_balance}}};
 }
 } // namespace spall::verify

@@ -7,6 +7,6 @@ namespace spall::verify
 // breakage_engine.cc
 std::vector<Row> press_on_walls();
 std::vector<Row> press_of_particles();
-std::vector<Row> books();
+std::vector<Row> energy_balance();
 std::vector<Row> choices();
 } // namespace spall::verify

@@ -215,7 +215,7 @@ std::vector<Row> choices()
 
 // Crushed on until some 30 pieces are off. Volumes are sums over 3200 nodes of
 // 1e-6 m^3 each, to 1e-16 of that.
-std::vector<Row> books()
+std::vector<Row> energy_balance()
 {
   dem::Engine engine = press(5e-3);
   const double volume = engine.particles().shape[0].volume;
