@@ -1,13 +1,35 @@
-"""Charts of numbers as SVG: lines and dots over linear or logarithmic axes.
+"""Charts of numbers as SVG: lines and dots over linear or logarithmic axes,
+and the tables of the pages that they are drawn from.
 
 A chart has a white ground, so that it is legible on light and dark pages.
 """
+import csv
 import math
 
 WIDTH, HEIGHT = 640, 400
 LEFT, RIGHT, TOP, BOTTOM = 78, 24, 44, 54
 INK, GRID = "#222222", "#dddddd"
 COLOURS = ("#0b5394", "#cc4125", "#38761d", "#b45f06", "#674ea7", "#444444")
+
+
+def rows_of(path):
+    """Rows of a comma-separated file."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def table_of(path, first_cell):
+    """Rows of the tables of a page whose head begins with this cell."""
+    rows, is_in = [], False
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if not line.startswith("|"):
+            is_in = False
+        elif line.startswith(f"| {first_cell} |"):
+            is_in = True
+        elif is_in and not line.startswith("|---"):
+            rows.append([cell.strip().replace("−", "-")
+                         for cell in line.split("|")[1:-1]])
+    return rows
 
 
 class Axis:

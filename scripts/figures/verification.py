@@ -6,11 +6,10 @@
 Reads verify.csv, the other files and the tables of docs/verification, and
 writes docs/pictures/verification.
 """
-import csv
 import pathlib
 import re
 
-from chart import chart
+from chart import chart, rows_of, table_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ROOT / "docs" / "verification"
@@ -18,28 +17,9 @@ PICTURES = ROOT / "docs" / "pictures" / "verification"
 SMALLEST = 1e-8  # smaller shares are drawn as this
 
 
-def rows_of(name):
-    with open(PAGES / name, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def table_of(page, first_cell):
-    """Rows of the table of a page whose head begins with this cell."""
-    rows, is_in = [], False
-    for line in (PAGES / page).read_text(encoding="utf-8").splitlines():
-        if not line.startswith("|"):
-            is_in = False
-        elif line.startswith(f"| {first_cell} |"):
-            is_in = True
-        elif is_in and not line.startswith("|---"):
-            rows.append([cell.strip().replace("−", "-")
-                         for cell in line.split("|")[1:-1]])
-    return rows
-
-
 def margins():
     """Error over tolerance of every number, by family."""
-    families, rows = [], rows_of("verify.csv")
+    families, rows = [], rows_of(PAGES / "verify.csv")
     for row in rows:
         if row["family"] not in families:
             families.append(row["family"])
@@ -59,7 +39,7 @@ def margins():
 def oblique_impact():
     """Rebound of test 4 of Chung and Ooi while sliding."""
     known, found = [], []
-    for row in rows_of("verify.csv"):
+    for row in rows_of(PAGES / "verify.csv"):
         angle = re.match(r"tangential restitution, (\d+) degrees",
                          row["quantity"])
         if row["case"] == "chung_ooi_4_sliding" and angle:
@@ -73,7 +53,7 @@ def oblique_impact():
 
 def membrane_convergence():
     cases = {}
-    for row in rows_of("membrane_convergence.csv"):
+    for row in rows_of(PAGES / "membrane_convergence.csv"):
         cases.setdefault(row["case"], []).append(
             (float(row["quads"]), float(row["error"])))
     series = [(name, points, "line dots", k)
@@ -86,7 +66,7 @@ def membrane_convergence():
 
 def disc_impedance():
     """Exact and computed stiffness and damping, beside Lysmer's analogue."""
-    rows = table_of("continuum.md", "$a_0$")
+    rows = table_of(PAGES / "continuum.md", "$a_0$")
     exact_k, found_k, exact_c, found_c = [], [], [], []
     for row in rows:
         a = float(row[0])
@@ -105,7 +85,7 @@ def disc_impedance():
 def element_order():
     """Error of a settlement over the time of a second, by element."""
     names, cases = [], {}
-    for row in table_of("continuum.md", "element"):
+    for row in table_of(PAGES / "continuum.md", "element"):
         names.append(row[0] or names[-1])
         cases.setdefault(names[-1].split(" (")[0], []).append(
             (float(row[6]), abs(float(row[3].split()[0]))))
@@ -115,10 +95,20 @@ def element_order():
                  (True, True))
 
 
+def hysteresis_band():
+    """Growth of the cumulative factor at rest and under load, by band."""
+    rows = table_of(PAGES / "breakage.md", "hysteresis")
+    return chart([(name, [(float(row[0]), float(row[k])) for row in rows],
+                   "line dots", k)
+                  for k, name in ((1, "at rest"), (2, "in load cycles"))],
+                 ("width of the hysteresis band (-)",
+                  "growth of the factor (1/s)"), (False, True))
+
+
 def main():
     PICTURES.mkdir(parents=True, exist_ok=True)
     for draw in (margins, oblique_impact, membrane_convergence,
-                 disc_impedance, element_order):
+                 disc_impedance, element_order, hysteresis_band):
         (PICTURES / f"{draw.__name__}.svg").write_text(draw(),
                                                        encoding="utf-8")
 

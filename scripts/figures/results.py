@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Draws charts of docs/results and docs/performance from their tables.
+
+    results.py
+
+Writes docs/pictures/results and docs/pictures/performance. Charts of studies
+are written by `spall study --figures`.
+"""
+import pathlib
+
+from chart import chart, rows_of, table_of
+
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+RESULTS, PERFORMANCE = DOCS / "results", DOCS / "performance"
+
+
+def cycle_jump_errors():
+    """Errors of all runs with jumps against every cycle."""
+    outcomes = ("strain", "abrasion", "events", "coordination number",
+                "mean force", "resilient modulus")
+    series = []
+    for index, n in enumerate((1419, 346)):
+        rows = [row for row in rows_of(
+            RESULTS / f"cycle_jump_{n}_particles.csv")
+                if row["run"].startswith("jump")]
+        series.append((f"{n} particles", [
+            (k + 0.9 + 0.2 * index, float(row[f"{name} (%)"]))
+            for k, name in enumerate(outcomes) for row in rows], "dots",
+                       index))
+    ends = (0.5, len(outcomes) + 0.5)
+    limit = [("tolerance", [(x, level) for x in ends], "dashes", 5)
+             for level in (-10., 10.)]
+    limit[1] = ("", *limit[1][1:])
+    return chart(series + limit, ("quantity after 300 cycles",
+                                  "difference from every cycle (%)"),
+                 limits=(ends, (-20., 20.)),
+                 x_names=("strain", "abrasion", "events", "coordination",
+                          "mean force", "modulus"))
+
+
+def cycle_jump_rates():
+    """Growth in the cycles after the wear over that of every cycle."""
+    rows = {row[0]: row[2:] for row in table_of(RESULTS / "cycle_jump.md",
+                                                "cycle")}
+    series = [(name, [(k + 1, float(cell)) for k, cell in
+                      enumerate(rows[name])], "line dots", index)
+              for index, name in enumerate(("strain", "abrasion"))]
+    return chart(series + [("every cycle", [(1, 1.), (12, 1.)], "dashes", 5)],
+                 ("cycle after the wear",
+                  "growth over that of every cycle (-)"))
+
+
+def density_scaling():
+    """Worst error over cost of the thresholds and plates."""
+    rows = rows_of(RESULTS / "density_scaling_errors.csv")[1:]
+    names = {"repacked": "another packing", "linear": "linear plates"}
+    return chart([(names.get(row["value"], f"{1e3 * float(row['value']):g} mm"
+                             if row["key"] != "Variants" else row["value"]),
+                   [(float(row["loading_processor_s"]),
+                     float(row["worst_error_over_spread"]))], "dots", k)
+                  for k, row in enumerate(rows)],
+                 ("cost of the loading over the case (-)",
+                  "worst error over the spread (-)"),
+                 limits=((0.6, 1.4), (0., 4.)))
+
+
+def time_step():
+    """Early force error of fixed steps, rigid and membrane sides."""
+    rows = [row for row in table_of(PERFORMANCE / "time_step.md", "rule")
+            if row[0].startswith("fixed") and float(row[1]) > 0.25]
+    half = len(rows) // 2
+    return chart([(name, [(float(row[1]), float(row[6])) for row in part],
+                   "line dots", k) for k, (name, part) in enumerate(
+                       (("rigid sides", rows[:half]),
+                        ("membrane", rows[half:])))],
+                 ("step (µs)", "early force error (%)"), (True, True))
+
+
+def engine_sizes():
+    """Cost of a particle over the number of particles."""
+    rows = table_of(PERFORMANCE / "engine.md", "spheres on a lattice")
+    return chart([("", [(float(row[0]), float(row[5])) for row in rows],
+                   "line dots", 0)],
+                 ("spheres", "ns per particle and step"), (True, False),
+                 limits=(None, (0., 160.)))
+
+
+def main():
+    for folder, charts in (("results", (cycle_jump_errors, cycle_jump_rates,
+                                        density_scaling)),
+                           ("performance", (time_step, engine_sizes))):
+        pictures = DOCS / "pictures" / folder
+        pictures.mkdir(parents=True, exist_ok=True)
+        for draw in charts:
+            (pictures / f"{draw.__name__}.svg").write_text(
+                draw(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
