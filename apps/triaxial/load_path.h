@@ -84,7 +84,7 @@ struct LoadPath
 /// The path of a case: that of its file, or its short form. Throws InputError.
 LoadPath load_path_of(const Case &parameters);
 
-/// Reads a path from a CSV file (docs/tutorials/loading_paths.md). Throws
+/// Reads a path from a CSV file (docs/user/loading_paths.md). Throws
 /// InputError with line, column and value.
 LoadPath read_load_path(const std::string &path, const Case &parameters);
 
