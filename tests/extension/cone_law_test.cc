@@ -1,9 +1,8 @@
-#include <cone_law.h>
-
 #include <dem/contact/law_table.h>
 
 #include <gtest/gtest.h>
 
+#include <cone_law.h>
 #include <dem_scene.h>
 
 namespace

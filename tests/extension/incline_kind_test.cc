@@ -1,5 +1,3 @@
-#include <incline_kind.h>
-
 #include <gtest/gtest.h>
 
 #include <case/file.h>
@@ -7,6 +5,7 @@
 #include <errors.h>
 #include <filesystem>
 #include <fstream>
+#include <incline_kind.h>
 #include <numbers>
 #include <report/figures.h>
 #include <report/tables.h>

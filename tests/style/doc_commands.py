@@ -29,8 +29,8 @@ STUDY = ("Study", "Base", "Sweep", "Expect", "Variants")
 
 
 def program(root):
-    """Options of each command, as apps/main.cc prints them."""
-    text = (root / "apps/main.cc").read_text(encoding="utf-8")
+    """Options of each command, as apps/program/program.cc prints them."""
+    text = (root / "apps/program/program.cc").read_text(encoding="utf-8")
     table = text[text.index(" commands = {"):text.index("std::string usage")]
     found = {}
     for entry in re.split(r"\{(?=\")", table)[1:]:
@@ -180,11 +180,11 @@ def faults(root, paths=()):
 def self_check():
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
-        for folder in ("apps", "docs/parameters", "data/presets/scene"):
+        for folder in ("apps/program", "docs/parameters", "data/presets/scene"):
             (root / folder).mkdir(parents=True)
         (root / "data/presets/scene/fast.prm").touch()
         (root / "data/a.prm").touch()
-        (root / "apps/main.cc").write_text(
+        (root / "apps/program/program.cc").write_text(
             '> commands = {\n {{"template", "KIND", "print"},\n'
             '{"run",\n "CASE [--out DIR] [--set S/key=value ...]", "run"}}};\n'
             "std::string usage()\n")

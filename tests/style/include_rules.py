@@ -34,6 +34,7 @@ GROUPS = [
     ("json", r"nlohmann/"),
     ("zlib", r"zlib\.h$"),
     ("window", r"(EGL/|GL/)"),
+    ("python", r"pybind11/"),
     ("system", r"(dlfcn|unistd|fcntl|sched|spawn|sys/[a-z]+)(\.h)?$"),
     ("std", r"(experimental/simd|[a-z_0-9]+)$"),
 ]
@@ -45,7 +46,8 @@ ALLOWED = {
     "coupling": {"std", "eigen", "openmp", "mpi", "dealii", "trilinos", "vtk",
                  "dem", "fem", "coupling"},
     "apps": {"std", "eigen", "openmp", "mpi", "dealii", "trilinos", "vtk",
-             "dem", "fem", "coupling", "json", "zlib", "window", "system"},
+             "dem", "fem", "coupling", "json", "zlib", "window", "system",
+             "python"},
 }
 # What single folders of dem may use besides.
 EXTRA = {"io": {"vtk"}, "mpi": {"mpi"}}
