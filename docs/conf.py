@@ -23,8 +23,6 @@ release = version
 extensions = ["myst_parser", "breathe", "sphinx_copybutton",
               "sphinx.ext.mathjax"]
 exclude_patterns = ["developer/api/Doxyfile"]
-suppress_warnings = ["myst.mathjax"]
-nitpicky = False
 
 myst_enable_extensions = ["dollarmath", "amsmath"]
 myst_heading_anchors = 4
@@ -68,7 +66,8 @@ def take_outside_pages(app, docname, source):
         if path not in OUTSIDE and page not in HELD:
             return match[0]
         inside = DOCS / OUTSIDE.get(path, os.path.relpath(target, DOCS))
-        return match[1] + os.path.relpath(inside, (DOCS / page).parent) + match[3]
+        inside = os.path.relpath(inside, (DOCS / page).parent)
+        return match[1] + inside + match[3]
 
     source[0] = LINK.sub(led_inside, source[0])
 

@@ -18,7 +18,8 @@ done
 perl -0pi -e 's#<innernamespace [^\n]*\n##g;
   s#<sectiondef kind="private-.*?</sectiondef>##gs' "$api"/*/*.xml
 
-# Not another Python than that of Debian, which has the packages.
-/usr/bin/python3 -m sphinx -b html -W --keep-going -q -j "$(nproc)" \
+# Not another Python than that of Debian, which has the packages. -E: headers
+# and pages outside docs may have changed.
+/usr/bin/python3 -m sphinx -b html -E -W --keep-going -q -j "$(nproc)" \
   -d "$root/build/docs_cache" "$@" "$root/docs" "$root/build/docs"
 echo "file://$root/build/docs/index.html"

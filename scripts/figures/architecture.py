@@ -19,8 +19,8 @@ def libraries():
     d = Drawing(720, 450, "The program and its libraries: apps above coupling, "
                 "coupling above dem and fem")
     box(d, 20, 16, 680, 82, "apps: the program spall", (
-        "reads a case, builds particles, boundaries and meshes, runs the steps, "
-        "writes files and reports;",
+        "reads a case, builds particles, boundaries and meshes, runs the "
+        "steps, writes files and reports;",
         "one registry of kinds: triaxial, compaction, single particle, "
         "Los Angeles, subgrade, scene"), TOP)
     box(d, 190, 136, 340, 82, "coupling", (
