@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""spall --version: version of the project, commit of the sources, libraries.
+"""spall --version: version of the project, commit of the sources, libraries; the
+same version in CITATION.cff, and a section of it in the changelog.
 
     version.py SPALL VERSION SOURCE
 """
@@ -24,6 +25,16 @@ def commits_of(source):
     return set(listed.stdout.split()) or {"unknown"}
 
 
+def written_faults(version, source):
+    """Where else the version stands."""
+    citation = (source / "CITATION.cff").read_text(encoding="utf-8")
+    if f"\nversion: {version}\n" not in citation:
+        yield f"CITATION.cff has another version than {version}"
+    changelog = (source / "docs/CHANGELOG.md").read_text(encoding="utf-8")
+    if f"\n## {version} - " not in changelog:
+        yield f"docs/CHANGELOG.md has no section {version}"
+
+
 def faults(spall, version, source):
     printed = subprocess.run([spall, "--version"], capture_output=True,
                              text=True, check=True).stdout
@@ -38,6 +49,7 @@ def faults(spall, version, source):
         found = [line for line in lines if line.startswith(library + " ")]
         if len(found) != 1 or not NUMBER.search(found[0]):
             yield f"{library}: {found}"
+    yield from written_faults(version, pathlib.Path(source))
 
 
 if __name__ == "__main__":
