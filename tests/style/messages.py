@@ -7,8 +7,7 @@
 A message is what a call of throw, refuse, fail, require or a warning builds
 from texts. It stands on a page when a row of a table there has one of its
 texts in the first column, as code; `...` stands for what differs. Faults of
-the program itself (logic_error) and its checks of arguments that no case
-reaches (ABSENT) are left out.
+the program itself (logic_error) and the Python module are left out.
 """
 import pathlib
 import re
