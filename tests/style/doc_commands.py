@@ -111,6 +111,9 @@ class Page:
     def is_known_file(self, name, start):
         if PLACEHOLDER.match(name) or "*" in name or name.startswith("runs/"):
             return True
+        if name.startswith(("~", "/")):  # an installation, or another folder
+            _, is_data, inside = name.rpartition("/data/")
+            return not is_data or (self.root / "data" / inside).exists()
         return ((self.root / name).exists()
                 or (self.root / "data" / name).exists()
                 or re.search(r"(^|[\s`/>])" + re.escape(name),
@@ -200,7 +203,8 @@ def self_check():
             "mpirun -n 2 build/apps/spall walk CASE.prm\n"
             "spall template dream\nspall run CASE.prm --set Time/no=1\n"
             "scripts/gone.sh --set preset=none\n"
-            "python3 a.py build/apps/spall --any\n```\n\n"
+            "python3 a.py build/apps/spall --any\n"
+            "spall run ~/share/data/a.prm\nspall run /opt/data/b.prm\n```\n\n"
             "<!-- not run -->\n```bash\nspall dance\n```\n")
         found = list(faults(root))
     expected = ["docs/a.md:12: gone.prm: no such file",
@@ -209,7 +213,8 @@ def self_check():
                 "docs/a.md:13: spall walk: no such command",
                 "docs/a.md:14: spall template dream: no such kind",
                 "docs/a.md:15: Time/no: no such key",
-                "docs/a.md:16: scripts/gone.sh: no such file"]
+                "docs/a.md:16: scripts/gone.sh: no such file",
+                "docs/a.md:19: /opt/data/b.prm: no such file"]
     return [] if found == expected else [f"found {found}"]
 
 
