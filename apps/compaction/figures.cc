@@ -13,25 +13,35 @@ namespace
 constexpr ChartPath vibration{"vibration_s", "Time of vibration (s)", 1.};
 
 constexpr std::array quantities = {
-    PathQuantity{"settlement", "settlement_m", "Settlement (mm)",
-                 "Settlement of the plate since the vibration began.", 1e3},
-    PathQuantity{
-        "density", "density_kg_per_m3", "Density (kg/m³)",
-        "Mass of the particles as filled over the volume under the plate."},
-    PathQuantity{"abrasion", "laa_percent", "Abrasion LAA (%)",
-                 "Mass that the particles have lost over their initial mass."},
-    PathQuantity{"breakage_count", "n_events_1", "Breakage events (–)",
-                 "Number of breakage events so far."},
-    PathQuantity{"roundness", "roundness_1", "Roundness Rg (–)",
-                 "Mean roundness of the particles, by volume."},
-    PathQuantity{"plate_load", "plate_load_N", "Load (kN)",
-                 "Force of the particles on the plate.", 1e-3},
-    PathQuantity{"coordination", "coordination_number_1",
-                 "Coordination number (–)",
-                 "Contacts per particle that has at least two."},
-    PathQuantity{"contact_force", "mean_contact_force_N",
-                 "Mean contact force (N)",
-                 "Mean contact force between particles."}};
+    PathQuantity{"settlement", ReportSection::response, "settlement_m",
+                 "Settlement (mm)",
+                 "Settlement of the plate since the start of the vibration.",
+                 1e3},
+    PathQuantity{"density", ReportSection::response, "density_kg_per_m3",
+                 "Density (kg/m³)",
+                 "Density of the layer: initial mass of the particles divided "
+                 "by the volume below the plate."},
+    PathQuantity{"abrasion", ReportSection::breakage, "laa_percent",
+                 "Abrasion LAA (%)",
+                 "Abrasion LAA: mass lost by breakage divided by the initial "
+                 "mass of the particles."},
+    PathQuantity{"breakage_count", ReportSection::breakage, "n_events_1",
+                 "Breakage events (–)",
+                 "Number of breakage events since the start."},
+    PathQuantity{"roundness", ReportSection::breakage, "roundness_1",
+                 "Roundness Rg (–)",
+                 "Roundness of the particles, mean weighted by volume. The "
+                 "value 1 is a particle without corners."},
+    PathQuantity{"plate_load", ReportSection::boundaries, "plate_load_N",
+                 "Load (kN)", "Vertical force of the particles on the plate.",
+                 1e-3},
+    PathQuantity{"coordination", ReportSection::network,
+                 "coordination_number_1", "Coordination number (–)",
+                 "Coordination number: mean number of contacts of the "
+                 "particles that have at least two."},
+    PathQuantity{"contact_force", ReportSection::network,
+                 "mean_contact_force_N", "Mean contact force (N)",
+                 "Mean normal force of the contacts between particles."}};
 
 std::vector<Chart> make_charts(std::span<const RunData> runs)
 {
@@ -67,17 +77,24 @@ const KindReport &compaction_report()
                      [](const RunData &run)
                      { return last(run, "density_kg_per_m3"); }},
                     {"Abrasion LAA", " %", abrasion_percent}},
-      .rows = {{"Density asked / reached (kg/m³)", density_pair},
-               number_row("Settlement while seated (mm)",
+      .rows = {{ReportSection::specimen,
+                "Density of the filling, requested / reached (kg/m³)",
+                density_pair},
+               number_row(ReportSection::response,
+                          "Settlement during seating (mm)",
                           "seating_settlement_m", 1e3, 4),
-               number_row("Time of vibration (s)", "vibration_s", 1., 4),
-               number_row("Settlement (mm)", "settlement_m", 1e3, 4),
-               number_row("Density at the end (kg/m³)", "density_kg_per_m3", 1.,
-                          5),
-               number_row("Abrasion LAA (%)", "laa_percent", 1., 4),
-               number_row("Static load (N)", "static_load_N", 1., 5),
-               number_row("Force of the exciter (N)", "exciter_force_N", 1.,
-                          4)},
+               number_row(ReportSection::response, "Time of vibration (s)",
+                          "vibration_s", 1., 4),
+               number_row(ReportSection::response, "Settlement (mm)",
+                          "settlement_m", 1e3, 4),
+               number_row(ReportSection::response, "Density at the end (kg/m³)",
+                          "density_kg_per_m3", 1., 5),
+               number_row(ReportSection::breakage, "Abrasion LAA (%)",
+                          "laa_percent", 1., 4),
+               number_row(ReportSection::boundaries, "Static load (N)",
+                          "static_load_N", 1., 5),
+               number_row(ReportSection::boundaries, "Force of the exciter (N)",
+                          "exciter_force_N", 1., 4)},
       .charts = make_charts};
   return report;
 }

@@ -14,25 +14,31 @@ namespace
 constexpr ChartPath drum{"turn_1", "Turns (–)", 1.};
 
 constexpr std::array drum_quantities = {
+    PathQuantity{"abrasion", ReportSection::breakage, "laa_percent",
+                 "Abrasion LAA (%)",
+                 "Abrasion LAA: mass lost by the particles divided by their "
+                 "initial mass. The steel balls are excluded."},
+    PathQuantity{"breakage_count", ReportSection::breakage, "n_events_1",
+                 "Breakage events (–)",
+                 "Number of breakage events since the start."},
+    PathQuantity{"roundness", ReportSection::breakage, "roundness_1",
+                 "Roundness Rg (–)",
+                 "Roundness of the particles, mean weighted by volume. The "
+                 "value 1 is a particle without corners."},
+    PathQuantity{"torque", ReportSection::boundaries, "torque_Nm",
+                 "Torque (N m)",
+                 "Torque of the charge on the drum about the drum axis."},
     PathQuantity{
-        "abrasion", "laa_percent", "Abrasion LAA (%)",
-        "Abrasion LAA: mass that the particles have lost over their initial "
-        "mass; the steel balls do not count."},
-    PathQuantity{"breakage_count", "n_events_1", "Breakage events (–)",
-                 "Number of breakage events so far."},
-    PathQuantity{"roundness", "roundness_1", "Roundness Rg (–)",
-                 "Mean roundness of the particles, by volume."},
-    PathQuantity{"torque", "torque_Nm", "Torque (N m)",
-                 "Moment of the charge on the drum about its axis."},
-    PathQuantity{"contacts", "n_contacts_1", "Contacts (–)",
-                 "Contacts between particles and balls at the moment."}};
+        "contacts", ReportSection::network, "n_contacts_1", "Contacts (–)",
+        "Number of contacts between particles and balls at each time."}};
 
 /// Loss per turn between the rows of the history, in ten parts of the run.
 Chart rate_chart(std::span<const RunData> runs)
 {
-  Chart chart{"abrasion_rate",
-              "Abrasion per turn, mean over tenths of the run.", drum.label,
-              "LAA per turn (%)"};
+  Chart chart{"abrasion_rate", ReportSection::breakage,
+              "Rate of the abrasion: mass loss per turn of the drum, mean over "
+              "each tenth of the run.",
+              drum.label, "LAA per turn (%)"};
   for (std::size_t k = 0; k < runs.size(); ++k)
   {
     const Table &table = runs[k].loading;
@@ -81,9 +87,12 @@ const KindReport &los_angeles_report()
                     {"Breakage events", "",
                      [](const RunData &run)
                      { return last(run, "n_events_1"); }}},
-      .rows = {number_row("Turns (–)", "turns_1", 1., 5),
-               number_row("Abrasion LAA (%)", "laa_percent", 1., 4),
-               number_row("Mass lost (g)", "lost_mass_kg", 1e3, 4)},
+      .rows = {number_row(ReportSection::response, "Turns (–)", "turns_1", 1.,
+                          5),
+               number_row(ReportSection::breakage, "Abrasion LAA (%)",
+                          "laa_percent", 1., 4),
+               number_row(ReportSection::breakage, "Mass lost (g)",
+                          "lost_mass_kg", 1e3, 4)},
       .charts = make_charts};
   return report;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "report/section.h"
+
 #include <string>
 #include <vector>
 
@@ -22,13 +24,19 @@ struct Curve
   double line_width = 1.6; ///< 0: no line [px]
   Marker marker = Marker::none;
   double marker_size = 2.7; ///< radius [px]
+  double shift = 0.; ///< of x as drawn, so that curves do not hide each other
+  std::string csv_name = ""; ///< in the CSV, where the legend has no name
+  bool is_in_csv = true;     ///< false: its numbers are those of other curves
+
+  double drawn_x(std::size_t k) const { return x[k] + shift; }
 };
 
 /// One figure: axes, curves, a legend above if there is more than one name.
 struct Chart
 {
-  std::string id;      ///< file name without ending
-  std::string caption; ///< full sentences
+  std::string id;        ///< file name without ending
+  ReportSection section; ///< of the report of a run
+  std::string caption;   ///< full sentences: what is plotted against what
   std::string x_label = "", y_label = "";
   std::vector<std::string> x_names = {};     ///< of x = 1, 2, ..., if any
   bool has_log_x = false, has_log_y = false; ///< values above 0 alone are drawn

@@ -12,39 +12,46 @@ namespace
 /// A column of cycles.csv; a second one is drawn beside it for one run alone.
 struct CycleQuantity
 {
-  const char *id, *column, *y_label, *caption;
+  const char *id;
+  ReportSection section;
+  const char *column, *y_label, *caption;
   double factor = 1.; ///< unit of the column in units of the label
   const char *peak = nullptr;
 };
 
 constexpr std::array cycle_quantities = {
-    CycleQuantity{"resilient_strain", "resilient_axial_strain_1",
-                  "Resilient axial strain (%)",
-                  "Resilient axial strain: what unloading gives back in each "
-                  "cycle.",
+    CycleQuantity{"resilient_strain", ReportSection::response,
+                  "resilient_axial_strain_1", "Resilient axial strain (%)",
+                  "Resilient axial strain: the strain recovered on unloading, "
+                  "one value for each cycle.",
                   100.},
-    CycleQuantity{
-        "resilient_modulus", "resilient_modulus_Pa", "Resilient modulus (MPa)",
-        "Resilient modulus: cyclic stress over resilient strain.", 1e-6},
-    CycleQuantity{"damping_ratio", "damping_ratio_1", "Damping ratio (–)",
-                  "Damping ratio: area of the loop over 4π times the energy of "
-                  "the single amplitudes."},
-    CycleQuantity{"force_chains", "force_chain_share_1",
+    CycleQuantity{"resilient_modulus", ReportSection::response,
+                  "resilient_modulus_Pa", "Resilient modulus (MPa)",
+                  "Resilient modulus: cyclic axial stress divided by the "
+                  "resilient axial strain.",
+                  1e-6},
+    CycleQuantity{"damping_ratio", ReportSection::response, "damping_ratio_1",
+                  "Damping ratio (–)",
+                  "Damping ratio: area of the stress-strain loop divided by 4π "
+                  "times the energy of the single amplitudes."},
+    CycleQuantity{"force_chains", ReportSection::network, "force_chain_share_1",
                   "Particles in force chains (%)",
-                  "Share of the particles in force chains (Peters et al. 2005)",
+                  "Share of the particles that belong to force chains (Peters "
+                  "et al. 2005)",
                   100., "force_chain_share_peak_1"},
-    CycleQuantity{"fabric_anisotropy", "fabric_anisotropy_1",
-                  "Anisotropy of the fabric (–)",
-                  "Anisotropy of the contact normals, 0 if they are isotropic",
-                  1., "fabric_anisotropy_peak_1"},
-    CycleQuantity{"sliding_fraction", "sliding_fraction_1",
-                  "Sliding contacts (%)",
-                  "Share of the contacts at the limit of friction", 100.,
+    CycleQuantity{"fabric_anisotropy", ReportSection::network,
+                  "fabric_anisotropy_1", "Anisotropy of the fabric (–)",
+                  "Anisotropy of the contact normals; 0 is isotropic", 1.,
+                  "fabric_anisotropy_peak_1"},
+    CycleQuantity{"sliding_fraction", ReportSection::network,
+                  "sliding_fraction_1", "Sliding contacts (%)",
+                  "Share of the contacts at the Coulomb limit", 100.,
                   "sliding_fraction_peak_1"},
-    CycleQuantity{"stress_inside", "inside_axial_stress_Pa",
-                  "Axial stress inside (kPa)",
-                  "Mean axial stress inside, skin excluded", 1e-3,
-                  "inside_axial_stress_peak_Pa"}};
+    CycleQuantity{"stress_inside", ReportSection::response,
+                  "inside_axial_stress_Pa", "Axial stress inside (kPa)",
+                  "Mean axial stress inside the specimen, without the layer "
+                  "along its boundary",
+                  1e-3, "inside_axial_stress_peak_Pa"}};
 
 /// An axis of a chart: a column and its unit in units of the label.
 struct AxisColumn
@@ -79,11 +86,12 @@ Curve second_curve(const std::string &name)
 
 Chart cycle_chart(const CycleQuantity &quantity, std::span<const RunData> runs)
 {
-  Chart chart{quantity.id, quantity.caption, cycle_label, quantity.y_label};
+  Chart chart{quantity.id, quantity.section, quantity.caption, cycle_label,
+              quantity.y_label};
   const bool has_both = quantity.peak && runs.size() == 1;
   if (quantity.peak)
-    chart.caption += has_both ? ": at the ends of the cycles and half through "
-                                "them, under the largest load."
+    chart.caption += has_both ? ", at the end of each cycle and in its middle "
+                                "under the largest load."
                               : ", at the end of each cycle.";
   const AxisColumn x{"cycle_1"}, y{quantity.column, quantity.factor};
   for (std::size_t k = 0; k < runs.size(); ++k)
@@ -94,35 +102,41 @@ Chart cycle_chart(const CycleQuantity &quantity, std::span<const RunData> runs)
     add_curve(runs[k], runs[k].cycles, x, y, curve, chart);
     if (has_both)
       add_curve(runs[k], runs[k].cycles, x, {quantity.peak, quantity.factor},
-                second_curve("half through"), chart);
+                second_curve("middle of cycle"), chart);
   }
   return chart;
 }
 
+/// Over the distance from a boundary of the specimen.
 struct ProfileQuantity
 {
-  const char *id, *column, *x_label, *y_label, *caption;
+  const char *id;
+  ReportSection section;
+  const char *column, *x_label, *y_label, *caption;
   double factor = 1.;
 };
 
 constexpr std::array profile_quantities = {
-    ProfileQuantity{"porosity_lateral", "porosity_lateral_1",
+    ProfileQuantity{"porosity_lateral", ReportSection::boundaries,
+                    "porosity_lateral_1",
                     "Distance from the lateral boundary (mm)", "Porosity (%)",
-                    "Porosity over the distance from the lateral boundary, "
-                    "away from the platens.",
+                    "Porosity near the lateral boundary, in the part of the "
+                    "specimen away from the platens.",
                     100.},
-    ProfileQuantity{"coordination_lateral", "coordination_lateral_1",
+    ProfileQuantity{"coordination_lateral", ReportSection::boundaries,
+                    "coordination_lateral_1",
                     "Distance from the lateral boundary (mm)",
                     "Coordination number (–)",
-                    "Coordination number over the distance from the lateral "
-                    "boundary, away from the platens."},
-    ProfileQuantity{"porosity_platens", "porosity_platens_1",
+                    "Coordination number near the lateral boundary, in the "
+                    "part of the specimen away from the platens."},
+    ProfileQuantity{"porosity_platens", ReportSection::boundaries,
+                    "porosity_platens_1",
                     "Distance from the nearer platen (mm)", "Porosity (%)",
-                    "Porosity over the distance from the platens, away from "
-                    "the lateral boundary.",
+                    "Porosity near the platens, in the part of the specimen "
+                    "away from the lateral boundary.",
                     100.}};
 
-/// What is known where loading begins and where it ends.
+/// Tables of the start and of the end of loading.
 struct Ends
 {
   Table RunData::*start, RunData::*end;
@@ -148,27 +162,27 @@ Chart chart_of_ends(Chart chart, const Ends &ends,
               second_curve("end of loading"), chart);
   }
   if (runs.size() > 1)
-    chart.caption += " At the end of loading.";
+    chart.caption += " State at the end of loading.";
   return chart;
 }
 
 Chart profile_chart(const ProfileQuantity &quantity,
                     std::span<const RunData> runs)
 {
-  return chart_of_ends(
-      {quantity.id, quantity.caption, quantity.x_label, quantity.y_label},
-      {&RunData::profile_start,
-       &RunData::profile_end,
-       {"distance_m", 1e3},
-       {quantity.column, quantity.factor}},
-      runs);
+  return chart_of_ends({quantity.id, quantity.section, quantity.caption,
+                        quantity.x_label, quantity.y_label},
+                       {&RunData::profile_start,
+                        &RunData::profile_end,
+                        {"distance_m", 1e3},
+                        {quantity.column, quantity.factor}},
+                       runs);
 }
 
 Chart section_chart(std::span<const RunData> runs)
 {
-  return chart_of_ends({"sections",
-                        "Area of horizontal sections from the base to the "
-                        "plate: how the specimen bulges.",
+  return chart_of_ends({"sections", ReportSection::boundaries,
+                        "Bulging of the specimen: area of its horizontal "
+                        "sections from the base to the plate.",
                         "Section (cm²)",
                         "Height over that of the specimen (–)"},
                        {&RunData::sections_start,

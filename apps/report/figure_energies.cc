@@ -84,13 +84,14 @@ std::vector<Chart> energy_charts(std::span<const RunData> runs)
     const double size = largest_energy(runs[k]);
     Chart large = chart_of_run(
         runs, k,
-        {"energies",
-         "Work and changes of energy since the start of loading: the large "
-         "terms."});
-    Chart small =
-        chart_of_run(runs, k,
-                     {"small_energies", "Work and changes of energy since the "
-                                        "start of loading: the small terms."});
+        {"energies", ReportSection::energy,
+         "External work, dissipation and changes of the stored energies since "
+         "the start of loading: the large terms."});
+    Chart small = chart_of_run(
+        runs, k,
+        {"small_energies", ReportSection::energy,
+         "External work, dissipation and changes of the stored energies since "
+         "the start of loading: terms below 12 % of the largest one."});
     add_energies(runs[k], small_share * size, size, large);
     add_energies(runs[k], 0., small_share * size, small);
     if (large.curves.empty())
@@ -102,13 +103,10 @@ std::vector<Chart> energy_charts(std::span<const RunData> runs)
 
 Chart residual_chart(std::span<const RunData> runs)
 {
-  Chart chart{"energy_residual",
-              "Residual of the energy ledger over the largest external work "
-              "so far, both since the start of loading.",
-              cycle_label,
-              "Energy residual (%)",
-              {},
-              {}};
+  Chart chart{"energy_residual", ReportSection::energy,
+              "Residual of the energy balance divided by the largest external "
+              "work so far, both since the start of loading.",
+              cycle_label, "Energy residual (%)"};
   for (std::size_t k = 0; k < runs.size(); ++k)
   {
     const Table &loading = runs[k].loading;

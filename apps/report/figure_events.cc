@@ -24,6 +24,7 @@ void add_events(const EventColumns &events, int mode, Chart &chart)
   drop.colour = before.colour = after.colour =
       palette_colour(static_cast<std::size_t>(mode - 1));
   drop.line_width = 0.6;
+  drop.is_in_csv = false;
   before.line_width = after.line_width = 0.;
   before.marker_size = after.marker_size = n > 200 ? 1.6 : 2.5;
   before.marker = Marker::dot;
@@ -49,7 +50,7 @@ void add_events(const EventColumns &events, int mode, Chart &chart)
   chart.curves.insert(chart.curves.end(), {drop, before, after});
   if (stride > 1 && chart.notes.empty())
     chart.notes.push_back("One of " + std::to_string(stride) +
-                          " events drawn.");
+                          " events is drawn.");
 }
 
 } // namespace
@@ -61,9 +62,9 @@ std::vector<Chart> event_charts(std::span<const RunData> runs)
   {
     Chart chart = chart_of_run(
         runs, k,
-        {"breakage_forces",
-         "Normal force of the contact just before and just after each breakage "
-         "event, by the mode of the criterion."});
+        {"breakage_forces", ReportSection::breakage,
+         "Normal contact force just before (dots) and just after (rings) each "
+         "breakage event, by the mode of the breakage criterion."});
     chart.y_label = "Contact force (N)";
     const Table &table = runs[k].events;
     const EventColumns events{

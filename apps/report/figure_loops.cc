@@ -77,7 +77,8 @@ void add_cycles(const Loops &loops, Chart &chart)
             : static_cast<double>(i) / static_cast<double>(cycles.size() - 1));
     const bool is_named = cycles.size() <= 5 || i == 0 ||
                           i + 1 == cycles.size() || i == cycles.size() / 2;
-    curve.name = is_named ? "cycle " + std::to_string(cycles[i]) : "";
+    curve.csv_name = "cycle " + std::to_string(cycles[i]);
+    curve.name = is_named ? curve.csv_name : "";
     for (std::size_t k = 0; k < loops.cycle.size(); ++k)
       if (loops.cycle[k] >= cycles[i] - 1.01 &&
           loops.cycle[k] <= cycles[i] + 0.01)
@@ -93,13 +94,10 @@ void add_cycles(const Loops &loops, Chart &chart)
 
 Chart loop_chart(std::span<const RunData> runs)
 {
-  Chart chart{"stress_strain_loops",
-              "Stress-strain loops: axial minus lateral stress against axial "
-              "strain, compression positive.",
-              "Axial strain (%)",
-              "Deviator stress (kPa)",
-              {},
-              {}};
+  Chart chart{"stress_strain_loops", ReportSection::response,
+              "Stress-strain loops: deviator stress (axial minus lateral "
+              "stress) and axial strain, compression positive.",
+              "Axial strain (%)", "Deviator stress (kPa)"};
   for (std::size_t k = 0; k < runs.size(); ++k)
   {
     const std::optional<Loops> loops = read_loops(runs[k], chart);

@@ -15,9 +15,9 @@ bool have_gradation(std::span<const RunData> runs)
 
 Chart gradation_chart(std::span<const RunData> runs)
 {
-  Chart chart{"gradation",
-              "Gradation of the particles as drawn (markers) and of the table "
-              "(line). The size of a particle is twice its mean radius.",
+  Chart chart{"gradation", ReportSection::specimen,
+              "Gradation of the specimen (markers) and of the input table "
+              "(line). The diameter of a particle is twice its mean radius.",
               "Diameter (mm)", "Mass passing (%)"};
   chart.has_log_x = true;
   for (std::size_t k = 0; k < runs.size(); ++k)
@@ -45,7 +45,10 @@ Chart gradation_chart(std::span<const RunData> runs)
       markers.colour = palette_colour(1);
     }
     else
+    {
+      markers.csv_name = markers.name + ", obtained";
       markers.name.clear();
+    }
     chart.curves.push_back(line);
     chart.curves.push_back(markers);
   }

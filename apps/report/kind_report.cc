@@ -59,16 +59,18 @@ std::string number_pair(const nlohmann::ordered_json &summary,
          number_text_of(summary, other, factor);
 }
 
-SummaryRow text_row(const std::string &name, const std::string &key)
+SummaryRow text_row(ReportSection section, const std::string &name,
+                    const std::string &key)
 {
-  return {name,
+  return {section, name,
           [key](const RunData &run) { return text_of(run.summary, key); }};
 }
 
-SummaryRow number_row(const std::string &name, const std::string &key,
-                      double factor, int n_digits)
+SummaryRow number_row(ReportSection section, const std::string &name,
+                      const std::string &key, double factor, int n_digits)
 {
-  return {name, [=](const RunData &run)
-          { return number_text_of(run.summary, key, factor, n_digits); }};
+  return {section, name, [=](const RunData &run) {
+            return number_text_of(run.summary, key, factor, n_digits);
+          }};
 }
 } // namespace spall

@@ -2,6 +2,7 @@
 
 #include "report/chart.h"
 #include "report/run_data.h"
+#include "report/section.h"
 
 #include <functional>
 #include <span>
@@ -18,9 +19,10 @@ struct Headline
   bool has_sign = false; ///< a change: show + as well
 };
 
-/// A row of the summary table; a row without any value is left out.
+/// A row of the table of a section; a row without any value is left out.
 struct SummaryRow
 {
+  ReportSection section;
   std::string name;
   std::function<std::string(const RunData &)> value;
 };
@@ -59,7 +61,9 @@ std::string number_pair(const nlohmann::ordered_json &summary,
                         double factor);
 
 /// Rows of one entry of the summary.
-SummaryRow text_row(const std::string &name, const std::string &key);
-SummaryRow number_row(const std::string &name, const std::string &key,
-                      double factor = 1., int n_digits = 3);
+SummaryRow text_row(ReportSection section, const std::string &name,
+                    const std::string &key);
+SummaryRow number_row(ReportSection section, const std::string &name,
+                      const std::string &key, double factor = 1.,
+                      int n_digits = 3);
 } // namespace spall

@@ -20,10 +20,6 @@ struct Report
   std::vector<Picture> grounds;  ///< of the settled subgrade
 };
 
-/// An HTML page in the style of the reports: `body` is HTML, the rest text.
-std::string page_around(const std::string &title, const std::string &from,
-                        const std::string &body);
-
 /// One HTML page that needs no other file and no network.
 std::string make_page(const Report &report);
 } // namespace spall

@@ -10,7 +10,8 @@ namespace spall
 Chart path_chart(std::span<const RunData> runs, const ChartPath &path,
                  const PathQuantity &quantity)
 {
-  Chart chart{quantity.id, quantity.caption, path.label, quantity.label};
+  Chart chart{quantity.id, quantity.section, quantity.caption, path.label,
+              quantity.label};
   for (std::size_t k = 0; k < runs.size(); ++k)
   {
     const Table &table = runs[k].loading;
@@ -73,8 +74,9 @@ std::vector<Chart> wall_charts(std::span<const RunData> runs,
     {
       Chart chart = chart_of_run(
           runs, k,
-          {"wall_force_" + axis,
-           "Force of the particles on each wall along " + axis + "."});
+          {"wall_force_" + axis, ReportSection::boundaries,
+           "Force of the particles on each wall, component along " + axis +
+               "."});
       chart.x_label = path.label;
       chart.y_label = "Force (N)";
       const Column *x =
@@ -96,7 +98,9 @@ std::vector<Chart> path_energy_charts(std::span<const RunData> runs,
   {
     Chart chart = chart_of_run(
         runs, k,
-        {"energies", "Where the external work has gone, from the start."});
+        {"energies", ReportSection::energy,
+         "External work, dissipation and stored energies since the start of "
+         "the run."});
     chart.x_label = path.label;
     chart.y_label = "Energy (J)";
     const Column *x =

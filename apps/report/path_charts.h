@@ -18,7 +18,10 @@ struct ChartPath
 /// A column of the history that is drawn over the path.
 struct PathQuantity
 {
-  const char *id, *column, *label, *caption;
+  const char *id;
+  ReportSection section;
+  const char *column, *label;
+  const char *caption;
   double factor = 1.; ///< unit of the column in units of the label
 };
 
@@ -30,7 +33,7 @@ Chart path_chart(std::span<const RunData> runs, const ChartPath &path,
 std::vector<Chart> wall_charts(std::span<const RunData> runs,
                                const ChartPath &path);
 
-/// Where the external work has gone: a chart for each run.
+/// Work, dissipation and stored energies: a chart for each run.
 std::vector<Chart> path_energy_charts(std::span<const RunData> runs,
                                       const ChartPath &path);
 } // namespace spall

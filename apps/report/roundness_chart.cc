@@ -45,8 +45,9 @@ void add_distribution(const Table &table, Curve curve, Chart &chart)
 
 Chart roundness_chart(std::span<const RunData> runs)
 {
-  Chart chart{"roundness_distribution",
-              "Roundness of the particles: share of their number below.",
+  Chart chart{"roundness_distribution", ReportSection::breakage,
+              "Distribution of the roundness: share of the particles, by "
+              "number, whose roundness is smaller.",
               "Roundness Rg (–)", "Particles below (%)"};
   for (std::size_t k = 0; k < runs.size(); ++k)
   {

@@ -1,6 +1,8 @@
 #include "report/tables.h"
 
 #include "report/chart.h"
+#include "report/chart_table.h"
+#include "report/figure_element.h"
 #include "report/kind_report.h"
 #include "report/text.h"
 
@@ -28,37 +30,40 @@ std::string particles(const Json &summary)
          text_of(summary, "n_breakable") + " breakable)";
 }
 
-/// Of every kind: what the case is, before the rows of the kind.
+/// Rows of every kind, before those of the kind.
 std::vector<SummaryRow> first_rows()
 {
-  return {
-      text_row("Title", "title"),
-      {"Particles", [](const RunData &run) { return particles(run.summary); }},
-      number_row("Volume of solids (cm³)", "solid_volume_m3", 1e6, 4)};
+  using enum ReportSection;
+  return {text_row(input, "Title", "title"),
+          {specimen, "Particles",
+           [](const RunData &run) { return particles(run.summary); }},
+          number_row(specimen, "Volume of solids (cm³)", "solid_volume_m3", 1e6,
+                     4)};
 }
 
-/// Of every kind: events, accuracy and cost.
+/// Rows of every kind, after those of the kind: events, accuracy and cost.
 std::vector<SummaryRow> last_rows()
 {
-  return {
-      text_row("Breakage events (–)", "n_events"),
-      number_row("Energy residual / external work (%)",
-                 "energy_residual_ratio_1", 100., 2),
-      number_row("Non-conservative work / external work (%)",
-                 "non_conservative_work_ratio_1", 100., 2),
-      number_row("Largest overlap / radius (–)", "overlap_over_radius_1", 1.,
-                 2),
-      {"Exchange gain / limit (–)",
-       [](const RunData &run)
-       {
-         return number_pair(run.summary, "exchange_gain_1",
-                            "exchange_gain_limit_1", 1.);
-       }},
-      number_row("Largest exchange gain of the run (–)", "worst_gain_1", 1., 2),
-      number_row("Time step (µs)", "time_step_s", 1e6),
-      text_row("Steps (–)", "n_steps"),
-      text_row("Threads (–)", "threads"),
-      text_row("Version of Spall", "version")};
+  using enum ReportSection;
+  return {text_row(breakage, "Breakage events (–)", "n_events"),
+          number_row(energy, "Energy residual / external work (%)",
+                     "energy_residual_ratio_1", 100., 2),
+          number_row(energy, "Non-conservative work / external work (%)",
+                     "non_conservative_work_ratio_1", 100., 2),
+          number_row(network, "Largest overlap / radius (–)",
+                     "overlap_over_radius_1", 1., 2),
+          {boundaries, "Exchange gain / limit (–)",
+           [](const RunData &run)
+           {
+             return number_pair(run.summary, "exchange_gain_1",
+                                "exchange_gain_limit_1", 1.);
+           }},
+          number_row(boundaries, "Largest exchange gain of the run (–)",
+                     "worst_gain_1", 1., 2),
+          number_row(performance, "Time step (µs)", "time_step_s", 1e6),
+          text_row(performance, "Steps (–)", "n_steps"),
+          text_row(performance, "Threads (–)", "threads"),
+          text_row(performance, "Version of Spall", "version")};
 }
 
 std::vector<SummaryRow> summary_rows(std::span<const RunData> runs)
@@ -144,12 +149,13 @@ std::string headline(std::span<const RunData> runs)
   return out + "</tbody></table></div>\n";
 }
 
-std::string summary_table(std::span<const RunData> runs)
+std::string summary_table(std::span<const RunData> runs, ReportSection section)
 {
-  std::string out = "<div class=\"wide\"><table>";
-  out += (runs.size() > 1 ? head(runs, "Run") : "") + "<tbody>\n";
+  std::string rows;
   for (const SummaryRow &row : summary_rows(runs))
   {
+    if (row.section != section)
+      continue;
     std::string cells;
     bool has_value = false;
     for (const RunData &run : runs)
@@ -160,16 +166,35 @@ std::string summary_table(std::span<const RunData> runs)
       cells += cell(value);
     }
     if (has_value)
-      out += row_head(row.name) + cells + "</tr>\n";
+      rows += row_head(row.name) + cells + "</tr>\n";
   }
-  return out + "</tbody></table></div>\n";
+  if (rows.empty())
+    return "";
+  return "<div class=\"wide\"><table>" +
+         (runs.size() > 1 ? head(runs, "Run") : "") + "<tbody>\n" + rows +
+         "</tbody></table></div>\n";
 }
+
+namespace
+{
+/// Seconds of every phase and run.
+std::string wall_clock_csv(const ShareBar &bar)
+{
+  std::string csv = "run,phase,time_s\n";
+  for (std::size_t row = 0; row < bar.rows.size(); ++row)
+    for (std::size_t k = 0; k < bar.parts.size(); ++k)
+      if (std::isfinite(bar.values[row][k]))
+        csv += csv_cell(bar.rows[row]) + "," + csv_cell(bar.parts[k]) + "," +
+               csv_number(bar.values[row][k]) + "\n";
+  return csv;
+}
+} // namespace
 
 std::string wall_clock(std::span<const RunData> runs)
 {
   const std::vector<std::string> phases = phases_of(runs);
   if (phases.empty())
-    return "<p>No times: summary.json has no wall_clock_s.</p>\n";
+    return "";
   ShareBar bar{{}, phases, {}};
   for (const RunData &run : runs)
   {
@@ -178,7 +203,11 @@ std::string wall_clock(std::span<const RunData> runs)
     for (const std::string &phase : phases)
       bar.values.back().push_back(seconds(run, phase));
   }
-  std::string out = "<figure>\n" + draw(bar) +
+  std::string out = "<figure id=\"wall_clock\">\n" + draw(bar) +
+                    "<figcaption>Wall-clock time of the run, split into the "
+                    "phases of a step. The width of a field is its share of "
+                    "the total.</figcaption>\n" +
+                    csv_link("wall_clock.csv", wall_clock_csv(bar)) +
                     "</figure>\n<div class=\"wide\"><table>" +
                     head(runs, "Phase") + "<tbody>\n";
   for (std::size_t k = 0; k < phases.size(); ++k)

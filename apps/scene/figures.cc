@@ -12,17 +12,20 @@ namespace
 constexpr ChartPath over_time{"time_s", "Time (s)", 1.};
 
 constexpr std::array quantities = {
-    PathQuantity{"height", "centre_of_mass_z_m", "Centre of mass, z (mm)",
+    PathQuantity{"height", ReportSection::response, "centre_of_mass_z_m",
+                 "Centre of mass, z (mm)",
                  "Height of the centre of mass of all particles.", 1e3},
-    PathQuantity{"speed", "largest_speed_m_per_s", "Largest speed (m/s)",
-                 "Speed of the fastest particle."},
-    PathQuantity{"contacts", "n_contacts_1", "Contacts (–)",
-                 "Contacts between particles at the moment."},
-    PathQuantity{"contact_force", "mean_contact_force_N",
-                 "Mean contact force (N)",
+    PathQuantity{"speed", ReportSection::response, "largest_speed_m_per_s",
+                 "Largest speed (m/s)", "Speed of the fastest particle."},
+    PathQuantity{"contacts", ReportSection::network, "n_contacts_1",
+                 "Contacts (–)",
+                 "Number of contacts between particles at each time."},
+    PathQuantity{"contact_force", ReportSection::network,
+                 "mean_contact_force_N", "Mean contact force (N)",
                  "Mean normal force of the contacts between particles."},
-    PathQuantity{"breakage_count", "n_events_1", "Breakage events (–)",
-                 "Number of breakage events so far."}};
+    PathQuantity{"breakage_count", ReportSection::breakage, "n_events_1",
+                 "Breakage events (–)",
+                 "Number of breakage events since the start."}};
 
 std::vector<Chart> make_charts(std::span<const RunData> runs)
 {
@@ -48,8 +51,10 @@ const KindReport &scene_report()
                     {"Breakage events", "",
                      [](const RunData &run)
                      { return last(run, "n_events_1"); }}},
-      .rows = {number_row("Simulated time (s)", "time_s", 1., 4),
-               number_row("Kinetic energy (J)", "kinetic_energy_J", 1., 4)},
+      .rows = {number_row(ReportSection::response, "Simulated time (s)",
+                          "time_s", 1., 4),
+               number_row(ReportSection::energy, "Kinetic energy (J)",
+                          "kinetic_energy_J", 1., 4)},
       .charts = make_charts};
   return report;
 }

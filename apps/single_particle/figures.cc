@@ -13,11 +13,13 @@ namespace
 constexpr ChartPath press{"displacement_m", "Displacement (mm)", 1e3};
 
 constexpr std::array press_quantities = {
-    PathQuantity{"breakage_count", "n_events_1", "Breakage events (–)",
-                 "Number of breakage events so far, Nb."},
-    PathQuantity{"abrasion", "laa_percent", "Mass lost (%)",
-                 "Mass lost by breakage over the initial mass."}};
-/// Where the force drops: mode I as dots, mode II as rings.
+    PathQuantity{"breakage_count", ReportSection::breakage, "n_events_1",
+                 "Breakage events (–)",
+                 "Number of breakage events Nb since the start."},
+    PathQuantity{
+        "abrasion", ReportSection::breakage, "laa_percent", "Mass lost (%)",
+        "Mass lost by breakage divided by the initial mass of the particle."}};
+/// Points of the breakage events: mode I as dots, mode II as rings.
 void add_events(const RunData &run, Chart &chart)
 {
   const Column *x = run.events.find(press.column),
@@ -47,11 +49,17 @@ Chart force_chart(std::span<const RunData> runs)
 {
   Chart chart = path_chart(
       runs, press,
-      {"force_displacement", "force_N", "Force (N)",
-       "Force on the upper platen over its displacement. Each drop is a "
-       "breakage event; markers: force of the contact just before."});
+      {"force_displacement", ReportSection::response, "force_N", "Force (N)",
+       "Force on the upper platen and displacement of this platen. Each drop "
+       "is "
+       "a breakage event. Markers: contact force just before the event, by the "
+       "mode of the breakage criterion."});
   if (runs.size() == 1)
+  {
+    for (Curve &curve : chart.curves)
+      curve.csv_name = "force on the platen";
     add_events(runs[0], chart);
+  }
   return chart;
 }
 
@@ -78,10 +86,13 @@ const KindReport &single_particle_report()
                     {"Breakage events", "",
                      [](const RunData &run)
                      { return last(run, "n_events_1"); }}},
-      .rows = {number_row("Displacement (mm)", "displacement_m", 1e3, 4),
-               number_row("Force of the first event (N)", "first_event_force_N",
+      .rows = {number_row(ReportSection::response, "Displacement (mm)",
+                          "displacement_m", 1e3, 4),
+               number_row(ReportSection::breakage,
+                          "Force of the first event (N)", "first_event_force_N",
                           1., 4),
-               number_row("Largest force (N)", "peak_force_N", 1., 4)},
+               number_row(ReportSection::response, "Largest force (N)",
+                          "peak_force_N", 1., 4)},
       .charts = make_charts};
   return report;
 }

@@ -71,6 +71,7 @@ void add_level(const Rows &rows, const std::string &name, std::size_t index,
   if (index >= palette_size)
     means.line_width *= 2.;
   bars.line_width = 0.6;
+  bars.csv_name = name + ", ends of the bars";
   const double gap = std::numeric_limits<double>::quiet_NaN();
   const std::size_t stride = (rows.x.size() + most_bars - 1) / most_bars;
   for (std::size_t row = 0; row < rows.x.size(); ++row)
@@ -103,9 +104,12 @@ Chart profile_chart(const StudyData &data, std::size_t key,
   Chart chart{fs::path(profile.file).stem().string() + "_" +
                   (is_upright(profile) ? profile.x : profile.y) + "_" +
                   swept.id(),
-              profile.y + " over " + profile.x + " (" + profile.file +
-                  ") for values of " + swept.name() +
-                  ": means of the cases and one standard deviation.",
+              ReportSection::response,
+              "Profile of " + quantity_name(profile.y).words + " over " +
+                  quantity_name(profile.x).words + " (" + profile.file +
+                  ") for the values of " + swept.name() +
+                  ": means of the cases and bars of one standard deviation "
+                  "up and down.",
               axis_label(profile.x), axis_label(profile.y)};
   std::size_t index = 0;
   for (const Level &level : levels_of(data, Cut(key), 0))

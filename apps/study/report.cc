@@ -1,6 +1,7 @@
 #include "report/chart.h"
+#include "report/figure_element.h"
 #include "report/figure_parts.h"
-#include "report/page.h"
+#include "report/page_frame.h"
 #include "report/text.h"
 #include "run/quantity_name.h"
 #include "run/whole_file.h"
@@ -50,14 +51,19 @@ void add_levels(const std::vector<Level> &levels, const Abscissa &along,
 {
   const double gap = std::numeric_limits<double>::quiet_NaN();
   Curve means = look, bars = look, cases = look;
+  const std::string start = look.name.empty() ? "" : look.name + ", ";
   bars.name = cases.name = bars.dash = "";
+  means.csv_name = start + "mean";
+  bars.csv_name = start + "mean minus and plus one standard deviation";
+  cases.csv_name = start + "single cases";
+  means.shift = bars.shift = cases.shift = shift;
   means.marker = Marker::dot;
   bars.line_width = 1.;
   cases.line_width = 0.;
   cases.marker = Marker::ring;
   for (const Level &level : levels)
   {
-    const double x = along(level.x) + shift, mean = level.mean();
+    const double x = along(level.x), mean = level.mean();
     if (!std::isfinite(mean))
       continue;
     means.x.push_back(x);
@@ -83,13 +89,16 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   const std::vector<Level> levels = levels_of(data, Cut(k), outcome);
   const Abscissa along = abscissa_of(key, levels);
   const std::vector<Cut> series = series_of(data, k);
-  Chart chart{name + "_" + key.id(),
-              name + " over " + key.name() +
-                  ": means, one standard deviation up and down, and the single "
-                  "cases (rings)" +
+  Chart chart{name + "_" + key.id(), ReportSection::response,
+              "Mean of " + quantity_name(name).words + " for each value of " +
+                  key.name() +
+                  " (dots), bars of one standard deviation up and down, and "
+                  "single cases (rings)" +
                   (series.size() > 1
-                       ? ", for values of " +
-                             data.study.keys[*series[0].where_key].name() + "."
+                       ? ", for the values of " +
+                             data.study.keys[*series[0].where_key].name() +
+                             ". Its curves are shifted sideways where they "
+                             "would hide each other; the CSV is not."
                        : "."),
               along.label, axis_label(name)};
   if (key.is_variant())
@@ -119,16 +128,13 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   return chart;
 }
 
-/// What others measured, as far as the curves go.
-void add_measured(const MeasuredPoints &points, const std::string &colour,
-                  Chart &chart)
+/// Measured points in a style, as far as the curves go.
+void add_measured(const MeasuredPoints &points, Curve dots, Chart &chart)
 {
   double last = 0.;
   for (const Curve &curve : chart.curves)
     for (const double x : curve.x)
       last = std::max(last, x);
-  Curve dots;
-  dots.colour = colour;
   dots.line_width = 0.;
   dots.marker = Marker::dot;
   dots.marker_size = 4.;
@@ -146,13 +152,14 @@ void add_measured(const MeasuredPoints &points, const std::string &colour,
 Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
 {
   const Study &study = data.study;
-  Chart chart{"curve_" + study.keys[k].id(),
-              study.curve_y + " over " + study.curve_x + " for values of " +
-                  study.keys[k].name() + ", all seeds" +
+  Chart chart{"curve_" + study.keys[k].id(), ReportSection::response,
+              "Curves of " + quantity_name(study.curve_y).words + " over " +
+                  quantity_name(study.curve_x).words + " for the values of " +
+                  study.keys[k].name() + ", one line for each case" +
                   (study.combine == Combine::grid && study.keys.size() > 1
-                       ? "; other keys as in the base case."
+                       ? "; the other keys have the values of the base case."
                        : ".") +
-                  (study.measured.empty() ? "" : " Dots: measured."),
+                  (study.measured.empty() ? "" : " Dots are measured values."),
               axis_label(study.curve_x), axis_label(study.curve_y)};
   std::size_t n_levels = 0;
   for (const Level &level : levels_of(data, Cut(k), 0))
@@ -169,7 +176,9 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
       if (x && y)
       {
         Curve curve;
-        curve.name = is_named ? "" : study.keys[k].with_unit(level.value);
+        const std::string value = study.keys[k].with_unit(level.value);
+        curve.name = is_named ? "" : value;
+        curve.csv_name = value + ", " + data.points[p].folder;
         curve.colour = palette_colour(n_levels);
         curve.dash = palette_dash(n_levels);
         curve.line_width = 0.9;
@@ -179,8 +188,10 @@ Chart curve_chart(const StudyData &data, std::size_t k, const fs::path &folder)
         chart.curves.push_back(curve);
       }
     }
-    add_measured(measured_points(data, Cut(k), level.value),
-                 palette_colour(n_levels), chart);
+    Curve dots;
+    dots.colour = palette_colour(n_levels);
+    dots.csv_name = study.keys[k].with_unit(level.value) + ", measured";
+    add_measured(measured_points(data, Cut(k), level.value), dots, chart);
     ++n_levels;
   }
   return chart;
@@ -197,11 +208,11 @@ std::string curve_name(const Study &study, const LevelCost &level)
 /// front as a line.
 Chart cost_chart(const StudyData &data)
 {
-  Chart chart{"error_against_cost",
-              "Worst error of any outcome over the spread of the seeds against "
-              "cost over that of the base case. The line joins what nothing "
-              "else is both cheaper and nearer than; below the dashed line an "
-              "error is less than half the spread.",
+  Chart chart{"error_against_cost", ReportSection::response,
+              "Largest error of any outcome, divided by the scatter of the "
+              "seeds, and cost divided by that of the base case. The line is "
+              "the Pareto front. Below the dashed line the error is less than "
+              "half the scatter.",
               quantity_name(data.study.costs.front()).words +
                   " over that of the base case (–)",
               "worst error over the spread of seeds (–)"};
@@ -209,6 +220,7 @@ Chart cost_chart(const StudyData &data)
   Curve front, half;
   front.line_width = 1.;
   front.colour = "#555555";
+  front.is_in_csv = false;
   half = front;
   half.dash = "5 4";
   std::vector<LevelCost> levels = level_costs(data);
@@ -249,44 +261,47 @@ Chart cost_chart(const StudyData &data)
 std::string figure(const Chart &chart, const fs::path &figures)
 {
   if (chart.curves.empty())
-    return "<p class=\"note\">Not drawn: " + escape(chart.id) + "</p>\n";
-  const std::string drawn = draw(chart);
+    return html_notes({"Not drawn: " + chart.id});
   if (!figures.empty())
-    write_text(figures / (chart.id + ".svg"), svg_file(drawn));
-  return "<figure id=\"" + escape(chart.id) + "\">\n" + drawn + "<figcaption>" +
-         escape(chart.caption) + "</figcaption></figure>\n";
+    write_text(figures / (chart.id + ".svg"), svg_file(draw(chart)));
+  return html_figure(chart);
 }
 
-std::string section(const TextTable &table, const std::string &more = "")
+std::string noted_rows(const TextTable &table)
 {
-  if (table.rows.empty())
-    return "";
-  return "<section>\n<h2>" + escape(table.title) + "</h2>\n<p>" +
-         escape(table.note) + "</p>\n" + html_rows(table) + more +
-         "</section>\n";
+  return "<p>" + escape(table.note) + "</p>\n" + html_rows(table);
+}
+
+PageSection table_section(const TextTable &table, const std::string &more = "")
+{
+  return {section_id(table.title), table.title,
+          table.rows.empty() ? "" : noted_rows(table) + more};
 }
 
 /// A table that is folded at first.
 std::string folded(const TextTable &table, const std::string &summary)
 {
-  return "<details><summary>" + escape(summary) + "</summary><p>" +
-         escape(table.note) + "</p>" + html_rows(table) + "</details>\n";
+  return "<details><summary>" + escape(summary) + "</summary>" +
+         noted_rows(table) + "</details>\n";
 }
 
-std::string key_section(const StudyData &data, std::size_t k,
+PageSection key_section(const StudyData &data, std::size_t k,
                         const fs::path &folder, const fs::path &figures)
 {
-  std::string body = "<section>\n<h2>" + escape(data.study.keys[k].name()) +
-                     "</h2>\n<div class=\"charts\">\n";
+  const std::string name = data.study.keys[k].name();
+  std::string body = "<div class=\"charts\">\n";
   if (!data.study.curve_x.empty())
     body += figure(curve_chart(data, k, folder), figures);
   for (const Profile &profile : data.study.profiles)
     body += figure(profile_chart(data, k, profile, folder), figures);
   for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
     body += figure(level_chart(data, k, o), figures);
+  body += "</div>\n";
+  if (const TextTable spread = spread_table(data, k); !spread.rows.empty())
+    body += "<h3>" + escape(spread.title) + "</h3>\n" + noted_rows(spread);
   const TextTable differences = difference_table(data, k);
-  return body + "</div>\n</section>\n" + section(spread_table(data, k)) +
-         folded(differences, differences.title);
+  return {section_id("key " + name), name,
+          body + folded(differences, differences.title)};
 }
 } // namespace
 
@@ -294,17 +309,20 @@ std::string study_page(const StudyData &data, const fs::path &folder,
                        const fs::path &figures)
 {
   const Study &study = data.study;
-  std::string body = section(expectation_table(data));
+  std::vector<PageSection> sections = {table_section(expectation_table(data))};
   if (study.has_reference())
-    body += section(cost_table(data), figure(cost_chart(data), figures)) +
-            section(default_table(data));
-  body += section(failure_table(data));
+  {
+    sections.push_back(
+        table_section(cost_table(data), figure(cost_chart(data), figures)));
+    sections.push_back(table_section(default_table(data)));
+  }
+  sections.push_back(table_section(failure_table(data)));
   for (std::size_t k = 0; k < study.keys.size(); ++k)
-    body += key_section(data, k, folder, figures);
-  body += "<section>\n<h2>Cases</h2>\n" +
-          folded(case_table(data),
-                 std::to_string(data.points.size()) + " cases (study.csv)") +
-          "</section>\n";
-  return page_around(study.title, "Spall study of " + study.file, body);
+    sections.push_back(key_section(data, k, folder, figures));
+  sections.push_back(
+      {"cases", "Cases",
+       folded(case_table(data),
+              std::to_string(data.points.size()) + " cases (study.csv)")});
+  return framed_page({study.title, "Spall study of " + study.file}, sections);
 }
 } // namespace spall

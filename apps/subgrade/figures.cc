@@ -118,10 +118,10 @@ Table part_of(const Table &table, double part)
 Chart profile_chart(std::span<const RunData> runs)
 {
   Chart chart{
-      "velocity_profile",
-      "Particle velocity over height, the top of the subgrade at zero: "
-      "of the particles below the plate, root mean square and peak over "
-      "the loading, and peak of the subgrade below its middle.",
+      "velocity_profile", ReportSection::response,
+      "Velocity profile below the plate: root mean square and peak velocity "
+      "of the particles during the loading, and peak velocity of the subgrade. "
+      "Height zero is the top of the subgrade.",
       "", "Height (m)"};
   std::vector<Table> particles, ground;
   for (const Table &table : tables_named(runs, "profile.csv"))
@@ -135,7 +135,7 @@ Chart profile_chart(std::span<const RunData> runs)
                        std::size_t style)
   {
     const Axes axes{column, "Velocity (mm/s)", 1e3};
-    Chart part;
+    Chart part{"", chart.section, ""};
     add_lines(runs, tables, axes, {{"height_m", name}, {"height_m", ""}}, part);
     for (std::size_t k = 0; k < part.curves.size(); k += 2)
     {
@@ -153,9 +153,9 @@ Chart profile_chart(std::span<const RunData> runs)
 
 Chart bowl_chart(std::span<const RunData> runs)
 {
-  Chart chart{"settlement_bowl",
-              "Surface of the subgrade along x below the middle of the plate: "
-              "when it was deepest, and at the end.",
+  Chart chart{"settlement_bowl", ReportSection::boundaries,
+              "Settlement of the surface of the subgrade along x below the "
+              "middle of the plate: at its deepest and at the end.",
               "", "Settlement (mm)"};
   add_lines(runs, tables_named(runs, "bowl.csv"), {"x_m", "x (m)", 1., 1e3},
             {{"settlement_peak_m", "deepest"}, {"settlement_end_m", "end"}},
@@ -165,10 +165,12 @@ Chart bowl_chart(std::span<const RunData> runs)
 
 Chart transfer_chart(std::span<const RunData> runs)
 {
-  Chart chart{"transfer_function",
-              "Transfer function from the pulses to velocities: ratio of the "
-              "Fourier integrals, where the pulses have content.",
-              "", "Mobility (mm/s per kN)"};
+  Chart chart{
+      "transfer_function", ReportSection::response,
+      "Transfer function: velocity of plate and subgrade divided by the "
+      "force of the pulses, as a ratio of Fourier integrals. Only "
+      "frequencies that the pulses contain are shown.",
+      "", "Mobility (mm/s per kN)"};
   add_lines(runs, tables_named(runs, "transfer.csv"),
             {"frequency_Hz", "Frequency (Hz)", 1., 1e6},
             {{"plate_mobility_m_per_sN", "plate"},
@@ -180,9 +182,9 @@ Chart transfer_chart(std::span<const RunData> runs)
 Chart energy_chart(std::span<const RunData> runs)
 {
   Chart chart{
-      "energies",
-      "Energies: work of weight, plate and pulses, and where it has "
-      "gone, from the first particle on. Elastic: particles and subgrade.",
+      "energies", ReportSection::energy,
+      "Work of weight, plate and pulses, dissipation and stored energies since "
+      "the first particle. Elastic energy is that of particles and subgrade.",
       "", "Energy (J)"};
   add_lines(runs, histories(runs), over_time,
             {{"external_work_J", "external work"},
@@ -199,7 +201,9 @@ Chart energy_chart(std::span<const RunData> runs)
 
 struct TimeChart
 {
-  const char *id, *caption, *y_label;
+  const char *id;
+  ReportSection section;
+  const char *caption, *y_label;
   double factor;
   std::vector<Line> lines;
 };
@@ -208,39 +212,47 @@ std::vector<TimeChart> time_charts()
 {
   return {
       {"settlement",
-       "Settlement of the plate and of the top of the subgrade below it, from "
-       "the balance under the dead load.",
+       ReportSection::response,
+       "Settlement of the plate and of the top of the subgrade below it, "
+       "relative to the equilibrium under the dead load.",
        "Settlement (mm)",
        1e3,
        {{"plate_settlement_m", "plate"},
         {"subgrade_settlement_m", "subgrade"}}},
       {"forces",
-       "Pulses on the plate, and what the particles press on plate and "
-       "subgrade.",
+       ReportSection::boundaries,
+       "Pulses on the plate, and forces of the particles on the plate and on "
+       "the subgrade.",
        "Force (kN)",
        1e-3,
        {{"load_N", "pulses"},
         {"plate_force_N", "particles on plate"},
         {"subgrade_force_N", "particles on subgrade"}}},
       {"velocities",
-       "Velocity of plate and subgrade, downward.",
+       ReportSection::response,
+       "Velocity of the plate and of the top of the subgrade, downward "
+       "positive.",
        "Velocity (mm/s)",
        1e3,
        {{"plate_velocity_m_per_s", "plate"},
         {"subgrade_velocity_m_per_s", "subgrade"}}},
       {"particle_velocity",
-       "Speed of the particles: root mean square of all, and the fastest.",
+       ReportSection::response,
+       "Speed of the particles: root mean square of all particles, and speed "
+       "of the fastest particle.",
        "Speed (mm/s)",
        1e3,
        {{"particle_velocity_rms_m_per_s", "rms"},
         {"particle_velocity_peak_m_per_s", "fastest"}}},
       {"coordination_number",
+       ReportSection::network,
        "Mechanical coordination number of the particles.",
        "Coordination number (–)",
        1.,
        {{"coordination_number_1", ""}}},
       {"abrasion",
-       "Abrasion LAA: mass lost by breakage over the initial mass.",
+       ReportSection::breakage,
+       "Abrasion LAA: mass lost by breakage divided by the initial mass.",
        "Abrasion LAA (%)",
        1.,
        {{"laa_percent", ""}}}};
@@ -252,13 +264,13 @@ std::vector<Chart> make_charts(std::span<const RunData> runs)
   std::vector<Chart> charts;
   for (const TimeChart &one : time_charts())
   {
-    Chart chart{one.id, one.caption, "", one.y_label};
+    Chart chart{one.id, one.section, one.caption, "", one.y_label};
     add_lines(runs, tables, over_time_in(one.factor), one.lines, chart);
     charts.push_back(chart);
   }
-  Chart stress{"stress",
+  Chart stress{"stress", ReportSection::boundaries,
                "Vertical stress in the subgrade below the middle of the plate, "
-               "more than under the dead load; compression is positive.",
+               "increase over that of the dead load. Compression is positive.",
                "", "Stress (kPa)"};
   add_lines(runs, tables, over_time_in(1e-3), stress_lines(tables[0]), stress);
   charts.push_back(stress);
@@ -279,7 +291,7 @@ const KindReport &subgrade_report()
       .headlines = {{"Settlement of the plate", " mm",
                      [](const RunData &run)
                      { return 1e3 * last(run, "plate_settlement_m"); }},
-                    {"Subgrade at most", " mm",
+                    {"Largest settlement of the subgrade", " mm",
                      [](const RunData &run) {
                        return 1e3 *
                               number(run.summary, "subgrade_settlement_peak_m");
@@ -289,23 +301,30 @@ const KindReport &subgrade_report()
                        return 1e3 * number(run.summary,
                                            "particle_velocity_peak_m_per_s");
                      }}},
-      .rows = {number_row("Settlement of the plate (mm)", "plate_settlement_m",
-                          1e3, 4),
-               number_row("Settlement of the plate, at most (mm)",
-                          "plate_settlement_peak_m", 1e3, 4),
-               number_row("Settlement of the subgrade, at most (mm)",
-                          "subgrade_settlement_peak_m", 1e3, 4),
-               number_row("Subgrade that has yielded (% of what may)",
-                          "subgrade_yielded_share_1", 100., 3),
-               number_row("Plastic dissipation in the subgrade (J)",
-                          "subgrade_plastic_dissipation_J", 1., 3),
-               number_row("Dead load on the subgrade (N)", "dead_load_N", 1.,
-                          4),
-               number_row("Peak force on the subgrade (N)",
-                          "subgrade_force_peak_N", 1., 4),
-               number_row("Impulse of the pulses (N s)", "pulse_impulse_Ns", 1.,
-                          4),
-               number_row("Abrasion LAA (%)", "laa_percent", 1., 4)},
+      .rows =
+          {number_row(ReportSection::response, "Settlement of the plate (mm)",
+                      "plate_settlement_m", 1e3, 4),
+           number_row(ReportSection::response,
+                      "Largest settlement of the plate (mm)",
+                      "plate_settlement_peak_m", 1e3, 4),
+           number_row(ReportSection::response,
+                      "Largest settlement of the subgrade (mm)",
+                      "subgrade_settlement_peak_m", 1e3, 4),
+           number_row(ReportSection::boundaries,
+                      "Yielded share of the subgrade that can yield (%)",
+                      "subgrade_yielded_share_1", 100., 3),
+           number_row(ReportSection::energy,
+                      "Plastic dissipation in the subgrade (J)",
+                      "subgrade_plastic_dissipation_J", 1., 3),
+           number_row(ReportSection::boundaries,
+                      "Dead load on the subgrade (N)", "dead_load_N", 1., 4),
+           number_row(ReportSection::boundaries,
+                      "Peak force on the subgrade (N)", "subgrade_force_peak_N",
+                      1., 4),
+           number_row(ReportSection::boundaries, "Impulse of the pulses (N s)",
+                      "pulse_impulse_Ns", 1., 4),
+           number_row(ReportSection::breakage, "Abrasion LAA (%)",
+                      "laa_percent", 1., 4)},
       .charts = make_charts};
   return report;
 }

@@ -12,7 +12,7 @@ namespace spall
 {
 namespace
 {
-/// What of a history is drawn over the cycles.
+/// Rows of a history that are drawn over the cycles.
 enum class Sampling
 {
   every_row,
@@ -22,40 +22,46 @@ enum class Sampling
 
 struct Quantity
 {
-  std::string id, column, y_label, caption;
+  std::string id;
+  ReportSection section;
+  std::string column, y_label, caption;
   double factor = 1.; ///< unit of the column in units of the label
   Sampling sampling = Sampling::cycle_ends;
 };
 
 const std::vector<Quantity> quantities{
-    {"permanent_axial_strain", "axial_strain_1", "Permanent axial strain (%)",
+    {"permanent_axial_strain", ReportSection::response, "axial_strain_1",
+     "Permanent axial strain (%)",
      "Permanent axial strain at the end of each cycle. Compression is "
      "positive; zero is the start of loading.",
      100.},
-    {"permanent_volumetric_strain", "volumetric_strain_1",
-     "Permanent volumetric strain (%)",
+    {"permanent_volumetric_strain", ReportSection::response,
+     "volumetric_strain_1", "Permanent volumetric strain (%)",
      "Permanent volumetric strain at the end of each cycle. Compression is "
      "positive, dilation negative.",
      100.},
-    {"abrasion", "laa_percent", "Abrasion LAA (%)",
-     "Abrasion: mass lost by breakage over the initial mass.", 1.,
+    {"abrasion", ReportSection::breakage, "laa_percent", "Abrasion LAA (%)",
+     "Abrasion LAA: mass lost by breakage divided by the initial mass.", 1.,
      Sampling::every_row},
-    {"roundness", "roundness_1", "Roundness Rg (–)",
-     "Roundness Rg (1: no corners), mean over the particles, once per cycle."},
-    {"coordination_number", "coordination_number_1", "Coordination number (–)",
+    {"roundness", ReportSection::breakage, "roundness_1", "Roundness Rg (–)",
+     "Roundness Rg, mean of all particles at the end of each cycle. The value "
+     "1 "
+     "is a particle without corners."},
+    {"coordination_number", ReportSection::network, "coordination_number_1",
+     "Coordination number (–)",
      "Mechanical coordination number: at the ends of the cycles (markers) and "
      "within them (faint line).",
      1., Sampling::both},
-    {"contact_force", "mean_contact_force_N", "Mean contact force (N)",
+    {"contact_force", ReportSection::network, "mean_contact_force_N",
+     "Mean contact force (N)",
      "Mean contact force between particles: at the ends of the cycles "
-     "(markers) "
-     "and "
-     "within them (faint line).",
+     "(markers) and within them (faint line).",
      1., Sampling::both}};
 
 Chart over_cycles(const Quantity &quantity)
 {
-  return {quantity.id, quantity.caption, cycle_label, quantity.y_label};
+  return {quantity.id, quantity.section, quantity.caption, cycle_label,
+          quantity.y_label};
 }
 
 std::vector<std::size_t> ends_with_last(const Table &loading)
@@ -86,6 +92,7 @@ void add_run(const Quantity &quantity, std::span<const RunData> runs,
     {
       Curve faint = curve;
       faint.name.clear();
+      faint.csv_name = "within the cycles";
       faint.colour = "#b9cfdd";
       faint.line_width = 1.;
       chart.curves.push_back(faint);
@@ -94,6 +101,7 @@ void add_run(const Quantity &quantity, std::span<const RunData> runs,
   if (has_ends)
   {
     const std::vector<std::size_t> rows = ends_with_last(loading);
+    curve.csv_name = curve.name.empty() ? "ends of the cycles" : "";
     curve.x = picked(*cycle, rows);
     curve.y = picked(y, rows);
     curve.marker = rows.size() <= 60 ? Marker::dot : Marker::none;
@@ -115,9 +123,10 @@ Chart quantity_chart(const Quantity &quantity, std::span<const RunData> runs)
 Chart event_count_chart(std::span<const RunData> runs)
 {
   const Quantity count{"breakage_count",
+                       ReportSection::breakage,
                        "n_events_1",
                        "Breakage events (–)",
-                       "Number of breakage events so far.",
+                       "Number of breakage events since the start.",
                        1.,
                        Sampling::every_row};
   return quantity_chart(count, runs);
@@ -189,64 +198,77 @@ std::string start_to_end(const nlohmann::ordered_json &summary,
 
 std::vector<SummaryRow> make_rows()
 {
-  return {text_row("Lateral boundary", "lateral"),
-          number_row("Initial porosity (–)", "initial_porosity"),
-          {"Prepared stress x / y / z (kPa)",
-           [](const RunData &run) { return prepared_stress(run.summary); }},
-          {"Prepared unbalanced force ratio (–)",
-           [](const RunData &run) {
-             return format(
-                 in_preparation(run.summary, "unbalanced_force_ratio_1"), 2);
-           }},
-          {"Cycles (–)",
-           [](const RunData &run) { return format(last(run, "cycle_1"), 3); }},
-          {"Permanent axial strain (%)", [](const RunData &run)
-           { return format(permanent_strain_percent(run), 4); }},
-          {"Abrasion LAA (%)",
-           [](const RunData &run) { return format(abrasion_percent(run), 4); }},
-          {"Porosity, start → end (–)", [](const RunData &run)
-           { return start_to_end(run.summary, "porosity"); }},
-          {"Coordination number, start → end (–)", [](const RunData &run)
-           { return start_to_end(run.summary, "coordination"); }},
-          number_row("Resilient axial strain, last cycle (%)",
-                     "resilient_axial_strain_1", 100.),
-          number_row("Resilient modulus, last cycle (MPa)",
-                     "resilient_modulus_Pa", 1e-6),
-          number_row("Damping ratio, last cycle (–)", "damping_ratio_1"),
-          number_row("Change of the mean contact force (%)",
-                     "mean_contact_force_change_1", 100.),
-          {"Particles in force chains, at rest / under load (%)",
-           [](const RunData &run)
-           {
-             return number_pair(run.summary, "force_chain_share_1",
-                                "force_chain_share_peak_1", 100.);
-           }},
-          {"Anisotropy of the fabric, at rest / under load (–)",
-           [](const RunData &run)
-           {
-             return number_pair(run.summary, "fabric_anisotropy_1",
-                                "fabric_anisotropy_peak_1", 1.);
-           }},
-          {"Sliding contacts, at rest / under load (%)",
-           [](const RunData &run)
-           {
-             return number_pair(run.summary, "sliding_fraction_1",
-                                "sliding_fraction_peak_1", 100.);
-           }},
-          {"Axial stress under load, inside / at the plate (kPa)",
-           [](const RunData &run)
-           {
-             return number_pair(run.summary, "inside_axial_stress_peak_Pa",
-                                "wall_axial_stress_peak_Pa", 1e-3);
-           }},
-          {"Porosity at the end, lateral skin / inside (–)",
-           [](const RunData &run)
-           {
-             return number_pair(run.summary, "porosity_skin_1",
-                                "porosity_inside_1", 1.);
-           }},
-          number_row("Bulge: section in the middle over the ends, less one (%)",
-                     "bulge_1", 100., 3)};
+  return {
+      text_row(ReportSection::boundaries, "Lateral boundary", "lateral"),
+      number_row(ReportSection::specimen, "Initial porosity (–)",
+                 "initial_porosity"),
+      {ReportSection::specimen, "Prepared stress x / y / z (kPa)",
+       [](const RunData &run) { return prepared_stress(run.summary); }},
+      {ReportSection::specimen, "Prepared unbalanced force ratio (–)",
+       [](const RunData &run) {
+         return format(in_preparation(run.summary, "unbalanced_force_ratio_1"),
+                       2);
+       }},
+      {ReportSection::response, "Cycles (–)",
+       [](const RunData &run) { return format(last(run, "cycle_1"), 3); }},
+      {ReportSection::response, "Permanent axial strain (%)",
+       [](const RunData &run)
+       { return format(permanent_strain_percent(run), 4); }},
+      {ReportSection::breakage, "Abrasion LAA (%)",
+       [](const RunData &run) { return format(abrasion_percent(run), 4); }},
+      {ReportSection::specimen, "Porosity, start → end (–)",
+       [](const RunData &run)
+       { return start_to_end(run.summary, "porosity"); }},
+      {ReportSection::network, "Coordination number, start → end (–)",
+       [](const RunData &run)
+       { return start_to_end(run.summary, "coordination"); }},
+      number_row(ReportSection::response,
+                 "Resilient axial strain, last cycle (%)",
+                 "resilient_axial_strain_1", 100.),
+      number_row(ReportSection::response, "Resilient modulus, last cycle (MPa)",
+                 "resilient_modulus_Pa", 1e-6),
+      number_row(ReportSection::response, "Damping ratio, last cycle (–)",
+                 "damping_ratio_1"),
+      number_row(ReportSection::network, "Change of the mean contact force (%)",
+                 "mean_contact_force_change_1", 100.),
+      {ReportSection::network,
+       "Particles in force chains, at rest / under load (%)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "force_chain_share_1",
+                            "force_chain_share_peak_1", 100.);
+       }},
+      {ReportSection::network,
+       "Anisotropy of the fabric, at rest / under load (–)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "fabric_anisotropy_1",
+                            "fabric_anisotropy_peak_1", 1.);
+       }},
+      {ReportSection::network, "Sliding contacts, at rest / under load (%)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "sliding_fraction_1",
+                            "sliding_fraction_peak_1", 100.);
+       }},
+      {ReportSection::response,
+       "Axial stress under load, inside / at the plate (kPa)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "inside_axial_stress_peak_Pa",
+                            "wall_axial_stress_peak_Pa", 1e-3);
+       }},
+      {ReportSection::boundaries,
+       "Porosity at the end, lateral skin / inside (–)",
+       [](const RunData &run)
+       {
+         return number_pair(run.summary, "porosity_skin_1", "porosity_inside_1",
+                            1.);
+       }},
+      number_row(
+          ReportSection::boundaries,
+          "Bulge: section in the middle over that at the ends, minus one (%)",
+          "bulge_1", 100., 3)};
 }
 } // namespace
 

@@ -12,6 +12,7 @@ import tempfile
 import time
 
 from lab import near, resumed_faults, spall_run, write_prm
+from report_pages import SECTIONS, page_faults
 from run_views import view_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary)
@@ -251,7 +252,8 @@ def main():
         page = (root / "whole" / "report.html").read_text()
         faults += [f"the report has no {word}"
                    for word in ("settlement", "roundness_distribution",
-                                "Density asked") if word not in page]
+                                "Density of the filling") if word not in page]
+        faults += page_faults(root / "whole" / "report.html", SECTIONS)
         return report_faults(faults)
 
 

@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 
+from report_pages import SECTIONS, page_faults
 from run_views import view_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary, summary_faults)
@@ -152,7 +153,9 @@ def single_particle(spall, root):
     page = (root / "cube" / "report.html").read_text()
     if "force_displacement" not in page or "First event" not in page:
         faults.append("the report has no force over displacement")
-    return faults
+    return faults + page_faults(root / "cube" / "report.html",
+                                ["Mechanical response", "Particle breakage",
+                                 "Energy balance", "Performance", "Input"])
 
 
 def other_shape_faults(shape, words):
@@ -211,6 +214,7 @@ def los_angeles(spall, root):
     if "where Drum/turns is 1" not in refused.stderr:
         faults.append(f"resumed to less: {refused.stderr}")
     spall_run([spall, "report", root / "whole"])
+    faults += page_faults(root / "whole" / "report.html", SECTIONS)
     said = spall_run([spall, "check", case]).stdout
     timed = re.search(r"predicted time .* for ([0-9.e+]+) steps of ([0-9.e-]+)",
                       said)
@@ -249,6 +253,7 @@ def study(spall, root):
     for word in ("<td>yes</td>", "Cases that failed", "Rayleigh", "<svg"):
         if word not in page:
             faults.append(f"the report does not say {word}")
+    faults += page_faults(root / "out" / "report.html", ["Cases"], shift=3.)
     before = {row["run"]: (root / "out" / row["run"] / "summary.json")
               .stat().st_mtime_ns for row in done}
     spall_run(words, status=2)

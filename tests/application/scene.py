@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 from lab import near, spall_run
+from report_pages import page_faults
 from triaxial_runs import differing, report_faults, rows, summary
 
 DATA = pathlib.Path(__file__).parents[2] / "data"
@@ -210,7 +211,8 @@ def restart(spall, root):
     if "walls" not in summary(whole):
         faults.append("no walls in summary.json")
     spall_run([spall, "report", whole])
-    return faults
+    return faults + page_faults(whole / "report.html",
+                                ["Mechanical response", "Boundaries", "Input"])
 
 
 def ranks_faults(spall, root, whole, names):

@@ -13,6 +13,7 @@ import tempfile
 import time
 
 from lab import near, resumed_faults, spall_run, write_prm
+from report_pages import SECTIONS, page_faults
 from run_views import view_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary, summary_faults)
@@ -199,9 +200,10 @@ def quick(spall, root):
     for word in ("settlement", "transfer", "stress"):
         if word not in page:
             faults.append(f"the report has no {word}")
-    if "no EGL" not in page and "The subgrade behind the section" not in page:
+    if "no EGL" not in page and "Subgrade behind the vertical section" not in \
+            page:
         faults.append("the report has no picture of the subgrade")
-    return faults
+    return faults + page_faults(root / "whole" / "report.html", SECTIONS)
 
 
 def history_faults(one, other, share):

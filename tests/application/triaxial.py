@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 
+from report_pages import SECTIONS, page_faults
 from run_views import view_faults
 from triaxial_runs import (CASE, DATA, LATERALS, missing_frame_faults,
                            named_frames, report_faults, rows, run, summary)
@@ -278,7 +279,7 @@ def report_is_written(spall, folders, page):
         return [f"report: status {ended.returncode}: {ended.stderr}"]
     text = page.read_text()
     return [f"report does not say {lateral}" for lateral in LATERALS
-            if lateral not in text]
+            if lateral not in text] + page_faults(page, SECTIONS)
 
 
 def check_faults(spall):

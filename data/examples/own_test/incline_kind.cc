@@ -137,12 +137,13 @@ const KindReport &report()
       .headlines = {{"Path", " mm",
                      [](const RunData &run)
                      { return 1e3 * last(run, "path_m"); }}},
-      .rows = {number_row("Path (mm)", "path_m", 1e3, 4)},
+      .rows = {number_row(ReportSection::response, "Path (mm)", "path_m", 1e3,
+                          4)},
       .charts = [](std::span<const RunData> runs)
       {
         return std::vector<Chart>{
             path_chart(runs, {"time_s", "Time (s)"},
-                       {"path", "path_m", "Path (mm)",
+                       {"path", ReportSection::response, "path_m", "Path (mm)",
                         "Path of the centre of the sphere.", 1e3})};
       }};
   return report;

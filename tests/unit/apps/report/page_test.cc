@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 #include "errors.h"
+#include "report/section.h"
 
 #include <dem/io/vtk_output.h>
 
@@ -146,11 +147,14 @@ protected:
 void expect_self_contained(const std::string &page)
 {
   for (const char *outside :
-       {"http:", "https:", "<script", "<link", "href=", "url(", "@import"})
+       {"http:", "https:", "<script", "<link", "url(", "@import"})
     EXPECT_FALSE(has(page, outside)) << outside;
   for (auto at = page.find("src=\""); at != std::string::npos;
        at = page.find("src=\"", at + 1))
     EXPECT_EQ(page.substr(at + 5, 5), "data:");
+  for (auto at = page.find("href=\""); at != std::string::npos;
+       at = page.find("href=\"", at + 1))
+    EXPECT_TRUE(page[at + 6] == '#' || page.substr(at + 6, 5) == "data:");
 }
 
 TEST_F(RunFolder, PageIsWrittenIntoTheRunWithTheNumbers)
@@ -168,6 +172,45 @@ TEST_F(RunFolder, PageIsWrittenIntoTheRunWithTheNumbers)
         "energies", "energy_residual"})
     EXPECT_TRUE(has(page, "<figure id=\"" + std::string(chart) + "\">"))
         << chart;
+}
+
+// Boundaries have neither rows nor figures here but the gain of the exchange.
+TEST_F(RunFolder, ContentsNameTheSectionsThatHaveSomething)
+{
+  const std::string page = read(report({run()}));
+  for (const spall::SectionHeading &heading : spall::section_headings)
+  {
+    EXPECT_TRUE(has(page, "<a href=\"#" + std::string(heading.id) + "\">" +
+                              heading.title + "</a>"))
+        << heading.id;
+    EXPECT_TRUE(has(page, "<section id=\"" + std::string(heading.id) + "\">"))
+        << heading.id;
+  }
+  write(folder / "run" / "summary.json", "{}");
+  const std::string poor = read(report({run()}));
+  EXPECT_TRUE(has(poor, "id=\"breakage\""));
+  EXPECT_FALSE(has(poor, "id=\"performance\""));
+  EXPECT_FALSE(has(poor, "href=\"#performance\""));
+}
+
+TEST_F(RunFolder, FiguresStandInTheirSectionsWithTheirNumbers)
+{
+  const std::string page = read(report({run()}));
+  const auto at = [&](const std::string &text) { return page.find(text); };
+  EXPECT_LT(at("<section id=\"breakage\">"), at("<figure id=\"abrasion\">"));
+  EXPECT_LT(at("<figure id=\"abrasion\">"), at("<section id=\"network\">"));
+  EXPECT_LT(at("<section id=\"energy\">"), at("<figure id=\"energies\">"));
+  // The abrasion of made_up_history() is 0.001 % a cycle.
+  EXPECT_TRUE(has(page, "download=\"abrasion.csv\""));
+  EXPECT_TRUE(has(page, "cycle_n_1,abrasion_laa_percent%0A0,0%0A0.25,0.00025"));
+  EXPECT_TRUE(has(page, "Plotted: abrasion LAA (%) against cycle N."));
+}
+
+TEST_F(RunFolder, InputShowsTheCaseFoldedAndTheCommand)
+{
+  const std::string page = read(report({run()}));
+  EXPECT_TRUE(has(page, "spall run run/case.prm --out run_repeated"));
+  EXPECT_TRUE(has(page, "<details><summary>Resolved case of run"));
 }
 
 TEST_F(RunFolder, GradationObtainedIsDrawnBesideTheOneAsked)

@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "report/chart.h"
+#include "report/chart_table.h"
 #include "report/figures.h"
 #include "report/run_data.h"
 #include "report/text.h"
@@ -113,7 +114,7 @@ TEST(ReportChart, DecadesCoverTheData)
 // what has no logarithm is not drawn.
 TEST(ReportChart, LogarithmicAxesAreEvenInDecades)
 {
-  Chart chart{"c", "C.", "x (m)", "y (m)"};
+  Chart chart{"c", ReportSection::response, "C.", "x (m)", "y (m)"};
   chart.has_log_y = true;
   Curve curve;
   curve.line_width = 0.;
@@ -133,7 +134,7 @@ TEST(ReportChart, LogarithmicAxesAreEvenInDecades)
 
 TEST(ReportChart, NamesStandAtWholeNumbers)
 {
-  Chart chart{"c", "C.", "x", "y"};
+  Chart chart{"c", ReportSection::response, "C.", "x", "y"};
   chart.x_names = {"soft", "stiff"};
   Curve curve;
   curve.x = {1., 2.};
@@ -157,7 +158,7 @@ TEST(ReportChart, ConstantAndAbsentDataHaveAnAxis)
 
 TEST(ReportChart, DrawsLabelsAndLegendAsEscapedText)
 {
-  Chart chart{"id", "caption", "x <label>", "y"};
+  Chart chart{"id", ReportSection::response, "caption", "x <label>", "y"};
   chart.curves = {{"first", {0., 1.}, {0., 1.}},
                   {"second & last", {0., 1.}, {1., 0.}}};
   const std::string svg = draw(chart);
@@ -169,13 +170,50 @@ TEST(ReportChart, DrawsLabelsAndLegendAsEscapedText)
 
 TEST(ReportChart, NanInterruptsTheLine)
 {
-  Chart chart{"id", "caption", "x", "y"};
+  Chart chart{"id", ReportSection::response, "caption", "x", "y"};
   chart.curves = {{"", {0., 1., nan_value, 2., 3.}, {0., 1., 1., 2., 3.}}};
   const std::string svg = draw(chart);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   const std::string path = svg.substr(svg.rfind("<path d="));
   EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
   EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 2);
+}
+
+TEST(ReportTables, ColumnsAreNamedByQuantityAndUnit)
+{
+  EXPECT_EQ(column_name("Axial strain (%)"), "axial_strain_percent");
+  EXPECT_EQ(column_name("Density (kg/m³)"), "density_kg_per_m3");
+  EXPECT_EQ(column_name("Cycle N (–)"), "cycle_n_1");
+  EXPECT_EQ(column_name("Torque (N m)"), "torque_Nm");
+  EXPECT_EQ(column_name("Mobility (mm/s per kN)"), "mobility_mm_per_s_per_kN");
+}
+
+TEST(ReportTables, HoldTheDrawnPointsOfTheCurvesWithNumbersOfTheirOwn)
+{
+  Chart chart{"id", ReportSection::response, "C.", "Time (s)", "Force (N)"};
+  Curve many, bars, named;
+  for (int k = 0; k <= 10000; ++k)
+  {
+    many.x.push_back(k / 10000.);
+    many.y.push_back(k);
+  }
+  many.csv_name = "a, b";
+  bars.x = {0., 0.5};
+  bars.y = {0., 5000.};
+  bars.is_in_csv = false;
+  named.name = "points";
+  named.x = {0.25, nan_value, 1.};
+  named.y = {2500., 1., 10000.};
+  named.marker = Marker::dot;
+  named.shift = 0.1;
+  chart.curves = {many, bars, named};
+  const ChartTable table = table_of(chart);
+  EXPECT_EQ(table.n_points, 10003u);
+  EXPECT_LT(table.n_rows, 2000u);
+  EXPECT_EQ(table.csv.find("curve,time_s,force_N\n\"a, b\",0,0\n"), 0u);
+  // The last point of a line is never left out; a shift is for the eye.
+  EXPECT_NE(table.csv.find("\"a, b\",1,10000\npoints,0.25,2500\npoints,1,"),
+            std::string::npos);
 }
 
 const Chart &find_chart(const std::vector<Chart> &charts, const std::string &id)
