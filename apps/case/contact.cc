@@ -29,47 +29,53 @@ void add_contact(List &list, Case &of)
   list.in("Contact");
   list.add(
       {"geometry", "-",
-       "sphere: overlap of the equivalent spheres; radial: of the local radii "
-       "along the branch; surface: of the true surfaces, at every contact "
-       "point, with the inertia tensors of the particles."},
+       "Contact geometry of two particles. The value sphere takes the overlap "
+       "of the equivalent spheres. The value radial takes the local radii "
+       "along the branch vector. The value surface takes the true surfaces at "
+       "every contact point, with the inertia tensors of the particles."},
       c.geometry, {"sphere", "radial", "surface"}, {{"ball", "sphere"}});
   list.add({"wall_geometry", "-",
-            "The same for particles on platens, rigid sides, the membrane and "
-            "the drum; surface needs geometry = surface where particles meet."},
+            "Contact geometry of particles with platens, rigid sides, membrane "
+            "and drum, with the same values. Where particles also meet each "
+            "other, surface requires geometry = surface."},
            c.wall_geometry, {"sphere", "radial", "surface"},
            {{"ball", "sphere"}});
   add_law(list,
           {"law", "-",
-           "Law of particles on each other: hertz, elliptic Hertz contact with "
-           "the curvatures of the particles; linear, springs of constant "
-           "stiffness; dmt, Hertz with the attraction of moist fines."},
+           "Contact law between particles. The value hertz is the elliptic "
+           "Hertz contact with the curvatures of the particles. The value "
+           "linear uses springs of constant stiffness. The value dmt adds the "
+           "attraction of moist fine particles to hertz."},
           of.particle.law);
   add_law_values(list, of.pair_laws);
-  list.add(
-      {"refresh_tolerance", "rad",
-       "The expansion of a shape is renewed when the contact direction has "
-       "moved this far in the body; 0: every step."},
-      c.refresh_tolerance, between(0., 0.1));
+  list.add({"refresh_tolerance", "rad",
+            "Rotation of the contact direction in the body frame after which "
+            "the expansion of the shape is updated. The value 0 updates it in "
+            "every step."},
+           c.refresh_tolerance, between(0., 0.1));
   list.add({"skin",
             "m",
-            "How far beyond contact the lists of candidates look; 0: set at "
-            "each rebuild to what costs least at the motion since the last.",
+            "Distance beyond contact up to which pairs enter the lists of "
+            "candidates. The value 0 chooses the cheapest distance at each "
+            "rebuild from the motion since the last one.",
             "",
             {"search_margin"}},
            c.skin, between(0., 1.));
   list.in("Contact", {.decides_preparation = false, .may_change = true});
   list.add({"overlap_warning", "-",
-            "Overlap over the radius of the smaller equivalent sphere: a "
-            "warning above it, since Hertz theory no longer holds."},
+            "Overlap over the radius of the smaller equivalent sphere above "
+            "which the run gives a warning. Hertz theory does not hold for "
+            "larger overlaps."},
            c.overlap.warning, above(0., 1.));
   list.add({"overlap_stop", "-",
-            "The run fails above this overlap over radius. At 1 a wall reaches "
-            "the centre of a particle."},
+            "Overlap over radius above which the run fails. At the value 1 a "
+            "wall reaches the centre of a particle."},
            c.overlap.stop, above(0., 1.));
   list.in("Contact");
   list.add({"friction_limit", "-",
-            "Normal force in the limits of friction and rolling: elastic, of "
-            "the spring alone; total, with its dashpot."},
+            "Normal force in the limits of sliding and rolling friction. The "
+            "value elastic is the force of the spring alone. The value total "
+            "includes the dashpot."},
            of.friction_limit, {"elastic", "total"});
 }
 } // namespace spall

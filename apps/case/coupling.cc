@@ -5,26 +5,36 @@ namespace spall
 void add_membrane(List &list, fem::MembraneParameters &m)
 {
   list.in("Membrane", after_preparation);
-  list.add({"law", "-",
-            "st_venant_kirchhoff: stretches of some tens of per cent; "
-            "neo_hooke: incompressible, any stretch, with poisson_ratio 0.5."},
-           m.law, {"st_venant_kirchhoff", "neo_hooke"});
-  list.add({"youngs_modulus", "Pa", "E."}, m.youngs_modulus, above(0., 1e13));
-  list.add({"poisson_ratio", "-", "nu."}, m.poisson_ratio, between(0., 0.5));
-  list.add({"thickness", "m", "Undeformed."}, m.thickness, above(0., 0.1));
+  list.add(
+      {"law", "-",
+       "Material law of the membrane. The value st_venant_kirchhoff holds for "
+       "stretches of some tens of per cent. The value neo_hooke is "
+       "incompressible and holds for any stretch, with poisson_ratio 0.5."},
+      m.law, {"st_venant_kirchhoff", "neo_hooke"});
+  list.add({"youngs_modulus", "Pa", "Young's modulus E of the membrane."},
+           m.youngs_modulus, above(0., 1e13));
+  list.add({"poisson_ratio", "-", "Poisson's ratio nu of the membrane."},
+           m.poisson_ratio, between(0., 0.5));
+  list.add({"thickness", "m", "Thickness of the undeformed membrane."},
+           m.thickness, above(0., 0.1));
   list.add({"tension", "N/m",
-            "In the surface as it is built, the same in all directions."},
+            "Initial tension of the membrane, equal in all directions of its "
+            "surface."},
            m.tension, between(0., 1e7));
   list.add({"wrinkling", "-",
-            "none: it bears compression as it bears tension; tension_field: it "
-            "wrinkles instead."},
+            "Behaviour of the membrane under compression. With none it carries "
+            "compression as it carries tension. With tension_field it wrinkles "
+            "instead."},
            m.wrinkling, {"none", "tension_field"});
   list.add({"residual_stiffness", "-",
-            "tension_field: share of the compression of the law that is borne "
-            "all the same."},
+            "Share of the compression that a wrinkled membrane (tension_field) "
+            "still carries."},
            m.residual_stiffness, below(0., 1.));
-  list.add({"density", "kg/m^3", "Undeformed."}, m.density, above(0., 3e4));
-  list.add({"mass_damping", "1/s", "alpha: force -alpha m v on each node."},
+  list.add({"density", "kg/m^3", "Mass density of the undeformed membrane."},
+           m.density, above(0., 3e4));
+  list.add({"mass_damping", "1/s",
+            "Mass-proportional damping coefficient alpha of the membrane. A "
+            "force -alpha m v acts on each node."},
            m.mass_damping, between(0., 1e5));
 }
 
@@ -33,22 +43,26 @@ namespace
 void add_relaxation(List &list, coupling::ExchangeParameters &rules)
 {
   list.add({"relaxation", "-",
-            "iterated: constant, the same factor in every pass; aitken, from "
-            "the last two residuals."},
+            "Relaxation of the iterated exchange. The value constant uses the "
+            "same factor in every pass. The value aitken computes it from the "
+            "last two residuals."},
            rules.relaxation.kind, {"constant", "aitken"});
-  list.add({"relaxation_factor", "-",
-            "iterated: share of a residual that a pass corrects; with aitken "
-            "of the first."},
-           rules.relaxation.factor, above(0., 1.));
   list.add(
-      {"tolerance", "m",
-       "iterated: gap left between the body and what particles saw of it."},
-      rules.tolerance, above(0., 1e-3));
-  list.add(
-      {"max_passes", "-", "iterated: of one window; then the last counts."},
-      rules.max_passes, between(1, 1e4));
+      {"relaxation_factor", "-",
+       "Relaxation factor of the iterated exchange: share of a residual that a "
+       "pass corrects. With aitken it is the factor of the first pass."},
+      rules.relaxation.factor, above(0., 1.));
+  list.add({"tolerance", "m",
+            "Tolerance of the iterated exchange: gap that may remain between "
+            "the body and its position as used by the particles."},
+           rules.tolerance, above(0., 1e-3));
+  list.add({"max_passes", "-",
+            "Largest number of passes of the iterated exchange in one window. "
+            "The result of the last pass is accepted."},
+           rules.max_passes, between(1, 1e4));
   list.add({"gap_limit", "m",
-            "iterated: the run stops if the last pass leaves a larger gap."},
+            "Largest gap that the last pass of the iterated exchange may "
+            "leave. The run stops at a larger gap."},
            rules.gap_limit, above(0., 1.))
       .may_change = true;
 }
@@ -57,43 +71,44 @@ void add_relaxation(List &list, coupling::ExchangeParameters &rules)
 void add_coupling(List &list, CouplingParameters &c)
 {
   list.in("Coupling", after_preparation);
-  list.add(
-      {"exchange", "-",
-       "every_step: particles and body (membrane, subgrade, elastic plate) "
-       "take "
-       "the same explicit steps; one_pass: window by window, the body "
-       "predicted with the last loads; iterated: until motion and loads of "
-       "each window agree; none: there is no such body (with one it is "
-       "refused; templates write every_step for a membrane, one_pass for a "
-       "subgrade)."},
-      c.exchange, {"none", "every_step", "one_pass", "iterated"});
+  list.add({"exchange", "-",
+            "Exchange between the particles and a deformable body: membrane, "
+            "subgrade or elastic plate. With every_step both take the same "
+            "explicit steps. With one_pass each window is computed once, with "
+            "the body predicted from the last loads. With iterated each window "
+            "is repeated until motion and loads agree. The value none is for "
+            "cases without such a body. Templates set every_step for a "
+            "membrane and one_pass for a subgrade."},
+           c.exchange, {"none", "every_step", "one_pass", "iterated"});
   list.add({"particle_steps",
             "-",
-            "Steps of the particles in one window; at most, with "
-            "window_tolerance.",
+            "Number of particle steps in one window. With window_tolerance it "
+            "is the largest number.",
             "",
             {"stone_steps"}},
            c.rules.particle_steps, between(1, 1e4));
-  list.add({"window_tolerance", "-",
-            "one_pass on a full subgrade: windows are as long as the gain of "
-            "the contacts allows, and shorter where the interface energy error "
-            "exceeds this share of "
-            "the work that crosses the interface; 0: all are of "
-            "one length."},
-           c.rules.window_tolerance, below(0., 1.));
-  list.add({"body_time", "-", "How the body takes its steps."},
+  list.add(
+      {"window_tolerance", "-",
+       "Tolerance of the window length for one_pass on a full subgrade. "
+       "Windows are as long as the gain of the contacts allows. They are "
+       "shorter where the interface energy error exceeds this share of the "
+       "work across the interface. The value 0 gives windows of one length."},
+      c.rules.window_tolerance, below(0., 1.));
+  list.add({"body_time", "-",
+            "Time integration of the deformable body: explicit or implicit."},
            c.is_body_implicit, {"explicit", "implicit"});
-  list.add({"body_steps", "-", "Steps of the body in one window."},
+  list.add({"body_steps", "-",
+            "Number of steps of the deformable body in one window."},
            c.body_steps, between(1, 1e4));
   list.add({"contact_tangent", "-",
-            "The stiffness of contacts enters the implicit steps of a "
-            "membrane: passes contract at any gain, one is enough where "
-            "contacts stay as they are."},
+            "Switch for the contact stiffness in the implicit steps of a "
+            "membrane. With true, passes converge at any gain. One pass "
+            "suffices while the contacts do not change."},
            c.rules.has_contact_tangent);
   add_relaxation(list, c.rules);
   list.add({"ledger_limit", "-",
-            "The run stops where the interface energy error exceeds this share "
-            "of the work that crosses the interface."},
+            "Limit of the interface energy error, as a share of the work "
+            "across the interface. The run stops above it."},
            c.ledger_limit, above(0., 1e6))
       .may_change = true;
 }

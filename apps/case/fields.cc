@@ -11,20 +11,28 @@ namespace
 void add_particle(List &list, dem::ParticleMaterial &s)
 {
   list.in("Particle");
-  list.add({"density", "kg/m^3", "Density of the solid, rho."}, s.density,
-           above(0., 3e4));
-  list.add({"shear_modulus", "Pa", "G of the Hertz contact."}, s.shear_modulus,
-           between(1., 1e13));
-  list.add({"poisson_ratio", "-", "nu of the Hertz contact."}, s.poisson_ratio,
-           below(0., 0.5));
-  list.add({"friction", "-", "Coulomb, particle on particle, f."}, s.friction,
-           between(0., 10.));
+  list.add(
+      {"density", "kg/m^3", "Mass density rho of the solid of the particles."},
+      s.density, above(0., 3e4));
+  list.add({"shear_modulus", "Pa",
+            "Shear modulus G of the particles in the Hertz contact law."},
+           s.shear_modulus, between(1., 1e13));
+  list.add({"poisson_ratio", "-",
+            "Poisson's ratio nu of the particles in the Hertz contact law."},
+           s.poisson_ratio, below(0., 0.5));
+  list.add(
+      {"friction", "-", "Coulomb friction coefficient f between particles."},
+      s.friction, between(0., 10.));
   list.add({"rolling_friction", "-",
-            "Rolling resistance, particle on particle, f_r."},
+            "Rolling friction coefficient f_r between particles."},
            s.rolling_friction, between(0., 10.));
-  list.add({"normal_damping", "-", "Share of critical damping, beta_n."},
+  list.add({"normal_damping", "-",
+            "Normal damping ratio beta_n between particles, as a share of "
+            "critical damping."},
            s.normal_damping, between(0., 5.));
-  list.add({"shear_damping", "-", "Share of critical damping, beta_s."},
+  list.add({"shear_damping", "-",
+            "Shear damping ratio beta_s between particles, as a share of "
+            "critical damping."},
            s.shear_damping, between(0., 5.));
 }
 
@@ -32,44 +40,51 @@ void add_particle(List &list, dem::ParticleMaterial &s)
 void add_breakage_choices(List &list, dem::BreakageParameters &b)
 {
   list.add({"hysteresis", "-",
-            "Swings of the energy below this share of it are noise and do not "
-            "count."},
+            "Relative threshold of reversals of the contact energy. Smaller "
+            "reversals are noise and are not counted."},
            b.hysteresis, below(0., 1.));
   list.add({"contacts", "-",
-            "seen: only contacts whose overlap follows the surface break "
-            "particles; all: also where equivalent spheres overlap."},
+            "Contacts that can break particles. The value seen takes only "
+            "contacts whose overlap follows the surface. The value all also "
+            "takes overlaps of equivalent spheres."},
            b.contacts, {"seen", "all"});
   list.add({"energy", "-",
-            "Energy of the criterion: the normal spring's, or with the shear "
-            "spring's."},
+            "Energy in the breakage criterion: that of the normal spring "
+            "(normal), or of the normal and the shear spring (with_shear)."},
            b.energy, {"normal", "with_shear"});
   list.add({"curvature", "-",
-            "Curvature of the cap: the particle's own, or relative to the "
-            "other particle."},
+            "Curvature of the removed cap: that of the particle itself (own), "
+            "or relative to the other particle (relative)."},
            b.curvature, {"own", "relative"});
-  list.add({"share", "-",
-            "Share of overlap and energy: full for each of two particles, or "
-            "by their "
-            "compliances (half, if they are alike)."},
-           b.share, {"full", "compliance"});
-  list.add({"precedence", "-", "Mode of an event that meets both conditions."},
-           b.precedence, {"instantaneous", "cumulative"});
-  list.add({"sides", "-",
-            "Where both particles of a contact ask: the one with the larger "
-            "energy ratio, or both."},
-           b.sides, {"larger", "both"});
-  list.add({"closure", "-",
-            "Depth of an event: exact volume, or the article's zero-mean "
-            "kernel."},
-           b.closure, {"exact", "article"});
   list.add(
-      {"memory", "-",
-       "Where the cumulative factor of a contact that opens goes: lost with "
-       "the contact, or kept by the patch of the particle."},
-      b.memory, {"contact", "patch"});
+      {"share", "-",
+       "Share of overlap and energy that counts for each of two particles. The "
+       "value full counts all for each. The value compliance divides by their "
+       "compliances, half for equal particles."},
+      b.share, {"full", "compliance"});
+  list.add(
+      {"precedence", "-",
+       "Mode of a breakage event that meets both conditions of the criterion."},
+      b.precedence, {"instantaneous", "cumulative"});
+  list.add({"sides", "-",
+            "Particle that breaks where both particles of a contact meet the "
+            "criterion. The value larger takes the one with the larger energy "
+            "ratio. The value both takes both."},
+           b.sides, {"larger", "both"});
+  list.add(
+      {"closure", "-",
+       "Depth of a breakage event. The value exact uses the exact removed "
+       "volume. The value article uses the zero-mean kernel of the article."},
+      b.closure, {"exact", "article"});
+  list.add({"memory", "-",
+            "Memory of the cumulative factor when a contact opens. The value "
+            "contact discards it with the contact. The value patch keeps it on "
+            "the patch of the particle surface."},
+           b.memory, {"contact", "patch"});
   list.add({"inscribed", "-",
-            "Sphere of r_ins, which tells corners: about the origin of the "
-            "series, or the largest one inside."},
+            "Inscribed sphere of radius r_ins, which identifies corners. The "
+            "value origin centres it at the origin of the series. The value "
+            "free takes the largest sphere inside the particle."},
            b.inscribed, {"origin", "free"})
       .decides_preparation = true;
 }
@@ -77,38 +92,43 @@ void add_breakage_choices(List &list, dem::BreakageParameters &b)
 void add_breakage(List &list, dem::BreakageParameters &b)
 {
   list.in("Breakage", after_preparation);
-  list.add(
-      {"is_active", "-", "Particles may break at all, once loading begins."},
-      b.is_active);
-  list.add({"fracture_energy", "J/m^2", "Breakage energy per area, G_c."},
+  list.add({"is_active", "-",
+            "Switch for breakage. With true, particles can break from the "
+            "start of loading."},
+           b.is_active);
+  list.add({"fracture_energy", "J/m^2", "Breakage energy G_c per unit area."},
            b.fracture_energy, above(0., 1e12));
   list.add({"min_equivalent_radius",
             "m",
-            "A particle does not break further below this.",
+            "Smallest equivalent radius of a particle that can break further.",
             "",
             {"min_ball_radius"}},
            b.min_equivalent_radius, between(0., 10.));
   // Which particles may break belongs to the particle, and so does its smallest
   // sphere; the floor of curvatures is also that of the contacts' stiffness.
   list.add({"min_diameter", "m",
-            "Particles below this initial size never break."},
+            "Smallest initial diameter of a breakable particle. Smaller "
+            "particles never break."},
            b.min_diameter, between(0., 10.))
       .decides_preparation = true;
   list.add({"curvature_floor_ratio", "-",
-            "beta: curvatures are at least 1 / (beta r_ins)."},
+            "Ratio beta of the lower limit of curvature. Curvatures are at "
+            "least 1 / (beta r_ins)."},
            b.curvature_floor_ratio, between(1., 1e6))
       .decides_preparation = true;
-  list.add(
-      {"kernel_floor", "-",
-       "c: the kernel is at least c / order wide, what the series carries."},
-      b.kernel_floor, between(1., 10.));
+  list.add({"kernel_floor", "-",
+            "Coefficient c of the smallest kernel width. The kernel is at "
+            "least c / order wide, which the series can resolve."},
+           b.kernel_floor, between(1., 10.));
   list.add({"quadrature_rings", "-",
-            "n: 2 n^2 nodes (N_q) measure a particle again after an event.",
+            "Number n of quadrature rings. A particle is measured on 2 n^2 "
+            "nodes (N_q) after each breakage event.",
             "exact volumes need 3 order < 2 n"},
            b.quadrature_rings, between(4, 400))
       .decides_preparation = true;
   list.add({"kernel_scale", "-",
-            "s: width s sqrt(delta R) of an event; at 1 the curvature halves."},
+            "Scale s of the width s sqrt(delta R) of a breakage event. With "
+            "the value 1 the curvature halves."},
            b.kernel_scale, between(0.5, 3.));
   add_breakage_choices(list, b);
 }
@@ -117,36 +137,41 @@ void add_time(List &list, TimeParameters &t)
 {
   list.in("Time");
   list.add({"step", "-",
-            "fixed: fixed_step; stable: safety times what the present contacts "
-            "allow; error: as stable, and within the two tolerances."},
+            "Rule of the time step. The value fixed uses fixed_step. The value "
+            "stable uses safety times the stable step of the present contacts. "
+            "The value error also meets the two tolerances."},
            t.step, {"fixed", "stable", "error"});
   list.add({"fixed_step", "s", "Time step of the rule fixed."}, t.fixed_step,
            above(0., 1e-2));
   list.add({"safety", "-",
-            "Largest share of the stable step, rules stable and error."},
+            "Largest time step of the rules stable and error, as a share of "
+            "the stable step."},
            t.safety, above(0., 1.));
   list.add({"impact_error", "-",
-            "Rules stable and error: largest non-conservative work of a Hertz "
-            "impact, over its kinetic energy.",
+            "Largest non-conservative work of a Hertz impact over its kinetic "
+            "energy, for the rules stable and error.",
             "an impact needs at least four steps"},
            t.impact_error, between(1e-5, 0.14));
   list.add({"force_tolerance", "-",
-            "Rule error: of the boundary forces, root mean square of a load "
-            "cycle."},
+            "Tolerance of the rule error for the boundary forces: relative "
+            "root mean square error over a load cycle."},
            t.force_tolerance, above(0., 1.))
       .decides_preparation = false;
   list.add({"energy_tolerance", "-",
-            "Rule error: energy residual of a load cycle that the step makes, "
-            "over its external work."},
+            "Tolerance of the rule error for the energy: residual of a load "
+            "cycle due to the time step, over its external work."},
            t.energy_tolerance, above(0., 1.))
       .decides_preparation = false;
-  list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while loading."},
+  list.add({"local_damping", "-",
+            "Local damping coefficient D_a while loading. The damped force is "
+            "F - D_a |F| sgn(v)."},
            t.local_damping, below(0., 1.))
       .decides_preparation = false;
   list.in("Time", {.decides_preparation = false, .may_change = true});
   list.add({"allow_unstable_step", "-",
-            "true: a fixed step above the limit of the present contacts gives "
-            "warnings; false: the run fails where loading begins with it."},
+            "Treatment of a fixed step above the stable step of the present "
+            "contacts. With true, the run gives warnings. With false, it fails "
+            "at the start of loading."},
            t.allow_unstable_step);
 }
 
@@ -155,18 +180,28 @@ void add_time(List &list, TimeParameters &t)
 void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
               const std::string &reason)
 {
-  list.add({"normal_stiffness", "N/m", "Linear spring, k_n."},
+  list.add({"normal_stiffness", "N/m",
+            "Normal stiffness k_n of the linear spring between particle and "
+            "boundary."},
            w.normal_stiffness, above(0., 1e15));
-  list.add({"shear_stiffness", "N/m", "Linear spring, k_s."}, w.shear_stiffness,
-           between(0., 1e15));
-  list.add({"friction", "-", "Coulomb, particle on boundary, f_w."}, w.friction,
-           between(0., 10.));
+  list.add({"shear_stiffness", "N/m",
+            "Shear stiffness k_s of the linear spring between particle and "
+            "boundary."},
+           w.shear_stiffness, between(0., 1e15));
+  list.add({"friction", "-",
+            "Coulomb friction coefficient f_w between particle and boundary."},
+           w.friction, between(0., 10.));
   list.add({"rolling_friction", "-",
-            "Rolling resistance, particle on boundary.", reason},
+            "Rolling friction coefficient between particle and boundary.",
+            reason},
            w.rolling_friction, rolling);
-  list.add({"normal_damping", "-", "Share of critical damping, beta_nw."},
+  list.add({"normal_damping", "-",
+            "Normal damping ratio beta_nw between particle and boundary, as a "
+            "share of critical damping."},
            w.normal_damping, between(0., 5.));
-  list.add({"shear_damping", "-", "Share of critical damping, beta_sw."},
+  list.add({"shear_damping", "-",
+            "Shear damping ratio beta_sw between particle and boundary, as a "
+            "share of critical damping."},
            w.shear_damping, between(0., 5.));
 }
 
@@ -179,22 +214,29 @@ struct CommonSection
 };
 
 const std::vector<CommonSection> common_sections = {
-    {{"Material", "Values of Particle, Wall, MembraneContact and Breakage."}},
+    {{"Material",
+      "Material file with values of Particle, Wall, MembraneContact and "
+      "Breakage."}},
     {{"Particle",
-      "Material of the particles: rolling-resistant Hertz contacts between "
-      "them. Single particle: its shape, too.",
+      "Material of the particles and of the contacts between them. In a single "
+      "particle test the section also holds the shape of the particle.",
       {"Stone"}}},
-    {{"Wall", "Particle against plates, rigid sides, platens and drum."}},
-    {{"MembraneContact", "Particle against membrane: linear springs."}, true},
-    {{"Contact", "What counts as overlap."}},
-    {{"Breakage", "Energy criterion of micro-breakage."}},
-    {{"Membrane", "The finite-element membrane round the specimen."}, true},
-    {{"Coupling",
-      "How particles and membrane, subgrade or elastic plate exchange motion "
-      "and loads."},
+    {{"Wall",
+      "Contact of the particles with rigid boundaries: plates, rigid sides, "
+      "platens and drum."}},
+    {{"MembraneContact",
+      "Contact of the particles with the membrane by linear springs."},
      true},
-    {{"Time", "Time integration."}},
-    {{"Run", "The machine."}}};
+    {{"Contact",
+      "Geometry and law of the contacts, and limits of the overlap."}},
+    {{"Breakage", "Energy criterion of the breakage of particles."}},
+    {{"Membrane", "Finite-element membrane around the specimen."}, true},
+    {{"Coupling",
+      "Exchange of motion and loads between the particles and a deformable "
+      "body: membrane, subgrade or elastic plate."},
+     true},
+    {{"Time", "Time integration and time step."}},
+    {{"Run", "Threads of the run."}}};
 
 /// The kinds that have a shared section.
 std::vector<std::string> kinds_with(const std::string &section)
@@ -210,7 +252,8 @@ std::vector<std::string> kinds_with(const std::string &section)
 
 std::vector<ListedSection> sections(const Case &of)
 {
-  std::vector<ListedSection> all = {{{"Case", "What is run."}, {}}};
+  std::vector<ListedSection> all = {
+      {{"Case", "Kind and title of the case."}, {}}};
   for (const TestKind &kind : test_kinds())
     for (const Section &section : kind.sections)
       all.push_back({section, {kind.name}});
@@ -220,7 +263,8 @@ std::vector<ListedSection> sections(const Case &of)
                                        : std::vector<std::string>{}});
   for (const WallSection &wall : of.walls)
     all.push_back({{wall.section(), "Rigid wall " + wall.name +
-                                        ": a mesh that is at rest or moves."},
+                                        ": a triangle mesh at rest or in "
+                                        "motion."},
                    kinds_with("Walls")});
   return all;
 }
@@ -229,9 +273,11 @@ std::vector<Parameter> parameters_of(Case &of)
 {
   List list;
   list.in("Case", after_preparation);
-  list.add_name({"kind", "-", "Kind of test."}, of.kind, kind_names());
-  list.add({"title", "-", "Heading of the report."}, of.title).may_change =
-      true;
+  list.add_name({"kind", "-", "Kind of test of the case."}, of.kind,
+                kind_names());
+  list.add({"title", "-", "Title of the case and heading of its report."},
+           of.title)
+      .may_change = true;
   for (const TestKind &kind : test_kinds())
   {
     list.only_of(kind.name);
@@ -240,19 +286,19 @@ std::vector<Parameter> parameters_of(Case &of)
   list.only_of("");
   // Its values are in their sections.
   list.in("Material", {.decides_preparation = false, .may_change = true});
-  list.add(
-      {"file", "-",
-       "File with any of Particle, Wall, MembraneContact and Breakage; what "
-       "the case itself sets wins. "
-       "Empty: none."},
-      of.material);
+  list.add({"file", "-",
+            "Material file with any of the sections Particle, Wall, "
+            "MembraneContact and Breakage. Values set in the case itself take "
+            "precedence. Empty stands for no material file."},
+           of.material);
   add_particle(list, of.particle);
   list.in("Wall");
   add_law(list,
           {"law", "-",
-           "Law of particles on walls: linear, the springs of this section; "
-           "hertz, particle on a rigid plate, with the curvatures of the "
-           "particle; dmt, Hertz with attraction."},
+           "Contact law of particles on walls. The value linear uses the "
+           "springs of this section. The value hertz treats the wall as a "
+           "rigid plate, with the curvatures of the particle. The value dmt "
+           "adds attraction to hertz."},
           of.wall.law);
   add_wall(list, of.wall, between(0., 10.), "");
   add_law_values(list, of.wall_laws);
@@ -266,8 +312,8 @@ std::vector<Parameter> parameters_of(Case &of)
   add_time(list, of.time);
   list.in("Run", {.decides_preparation = false, .may_change = true});
   list.add({"threads", "-",
-            "Most OpenMP threads of the run, 0: all cores; the fastest number "
-            "up to it is used."},
+            "Largest number of OpenMP threads. The run uses the fastest number "
+            "up to it. The value 0 allows all cores."},
            of.threads, between(0, most_threads));
   add_walls(list, of.walls);
   return std::move(list.parameters);

@@ -132,15 +132,21 @@ void add_membrane(List &list, fem::MembraneParameters &m);
 template <class Drawn>
 void add_drawn_particles(List &list, Drawn &drawn)
 {
+  list.add_path({"gradation", "-",
+                 "Gradation of the particles: CSV file diameter_m,passing_1 "
+                 "with the share of the mass that passes."},
+                drawn.gradation);
   list.add_path(
-      {"gradation", "-",
-       "CSV file diameter_m,passing_1: share of the mass that passes."},
-      drawn.gradation);
-  list.add_path({"shapes", "-", "Folder of shape files; empty: spheres."},
-                drawn.shapes);
-  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
+      {"shapes", "-",
+       "Folder of the shape files of the particles. Empty stands for spheres."},
+      drawn.shapes);
+  list.add({"order", "-",
+            "Order N_s of the spherical-harmonic series. Higher terms of the "
+            "files are omitted."},
            drawn.order, between(1, dem::max_order));
-  list.add({"seed", "-", "Seed of sizes, shapes, positions and orientations."},
+  list.add({"seed", "-",
+            "Seed of the random sizes, shapes, positions and orientations of "
+            "the particles."},
            drawn.seed, between(0, 2147483647));
 }
 void add_walls(List &list, std::vector<WallSection> &walls);

@@ -9,24 +9,26 @@ void add_container(List &list, ContainerParameters &c)
 {
   list.in("Container", after_preparation);
   list.add({"form", "-",
-            "rigid: a cylinder that does not move, as Wall; flexible: a tube "
-            "of membrane held at both rims, which takes the place of the mould "
-            "that the particles were poured into."},
+            "Form of the container. The value rigid is a fixed cylinder with "
+            "the contacts of section Wall. The value flexible is a membrane "
+            "tube held at both rims, which replaces the mould of the filling."},
            c.form, {"rigid", "flexible"});
-  list.add({"diameter", "m", "Inner diameter."}, c.diameter, above(0., 100.))
-      .decides_preparation = true;
-  list.add({"height", "m", "Height that the particles fill."}, c.height,
+  list.add({"diameter", "m", "Inner diameter of the container."}, c.diameter,
            above(0., 100.))
       .decides_preparation = true;
+  list.add({"height", "m", "Height of the container that the particles fill."},
+           c.height, above(0., 100.))
+      .decides_preparation = true;
   list.add({"elements_around", "-",
-            "Flexible: quads round the tube, about as long as wide."},
+            "Number of membrane quads around a flexible container. The quads "
+            "are about as high as wide."},
            c.elements_around, between(8, 400));
-  list.add({"freeboard", "m",
-            "Flexible: length of the tube above Container/height."},
-           c.freeboard, between(0., 100.));
+  list.add(
+      {"freeboard", "m", "Length of a flexible tube above Container/height."},
+      c.freeboard, between(0., 100.));
   list.add({"pressure", "Pa",
-            "Flexible: on the tube from outside; comes while the plate is "
-            "seated."},
+            "Outer pressure on a flexible tube, which is applied while the "
+            "plate is seated."},
            c.pressure, between(0., 1e8));
 }
 
@@ -35,108 +37,118 @@ void add_filling(List &list, FillingParameters &f)
   list.in("Filling");
   add_drawn_particles(list, f);
   list.add({"density", "kg/m^3",
-            "Requested density: mass of the particles over the volume that "
-            "they fill."},
+            "Requested density of the layer: mass of the particles over the "
+            "volume that they fill."},
            f.density, above(0., 3e4));
-  list.add({"layers", "-", "Poured and tamped one by one."}, f.layers,
-           between(1, 100));
+  list.add({"layers", "-",
+            "Number of layers that are poured and tamped one by one."},
+           f.layers, between(1, 100));
   list.add({"undercompaction", "-",
-            "Layers are tamped to less than the density, since the next ones "
-            "press on them: the first by this share, the last by none."},
+            "Undercompaction of the first layer: share by which it is left "
+            "below the requested density. It falls to zero in the last layer, "
+            "since later layers compact the earlier ones."},
            f.undercompaction, below(0., 0.5));
   list.add({"solid_fraction", "-",
             "Solid fraction of the cloud of one layer before it falls.",
             "random insertion jams above"},
            f.solid_fraction, above(0., 0.35));
   list.add({"friction", "-",
-            "Particle on particle while filling, to begin with: high is loose, "
-            "and the "
-            "tamper makes dense what is looser than asked."},
+            "Friction coefficient between particles at the start of the "
+            "filling. High friction gives a loose layer, which the tamper "
+            "compacts to the requested density."},
            f.friction, between(0., 10.));
   list.add({"friction_decay", "-",
-            "Share of it left by each stroke that meets tamper_pressure above "
-            "the density, when all particles are in; 1: the friction stays."},
+            "Factor on this friction after each stroke that reaches "
+            "tamper_pressure before the requested density, once all particles "
+            "are in. The value 1 keeps the friction."},
            f.friction_decay, above(0., 1.));
-  list.add({"local_damping", "-", "D_a: F - D_a |F| sgn(v) while filling."},
+  list.add({"local_damping", "-",
+            "Local damping coefficient D_a while filling. The damped force is "
+            "F - D_a |F| sgn(v)."},
            f.local_damping, below(0., 1.));
-  list.add({"tamper_speed", "m/s", "Speed of the tamper, down and up."},
+  list.add({"tamper_speed", "m/s", "Speed of the tamper, downward and upward."},
            f.tamper_speed, above(0., 10.));
   list.add({"tamper_pressure", "Pa",
-            "Pressure at which the tamper reverses, whatever the density."},
+            "Pressure at which the tamper reverses at any density."},
            f.tamper_pressure, above(0., 1e9));
-  list.add({"max_strokes", "-", "Most strokes of the tamper on one layer."},
+  list.add({"max_strokes", "-",
+            "Largest number of strokes of the tamper on one layer."},
            f.max_strokes, between(1, 1000));
   list.add({"unbalanced_ratio", "-",
-            "At rest: sum of the resultant forces over the weight."},
+            "Limit for particles at rest: sum of the resultant forces over the "
+            "weight."},
            f.unbalanced_ratio, above(0., 0.1));
-  list.add({"max_time", "s", "The filling fails if a layer takes longer."},
+  list.add({"max_time", "s",
+            "Largest time for one layer. The filling fails if a layer takes "
+            "longer."},
            f.max_time, above(0., 1e4));
-  list.add({"safety", "-",
-            "Above 0: share of the stable step while filling, with the usual "
-            "Contact/refresh_tolerance and skin, so that cases with "
-            "others and other steps in Time share a filling; 0: as Contact and "
-            "Time say."},
-           f.safety, between(0., 1.));
+  list.add(
+      {"safety", "-",
+       "Time step of the filling as a share of the stable step, with the usual "
+       "Contact/refresh_tolerance and skin. Cases with other steps in Time can "
+       "then share a filling. The value 0 uses Contact and Time."},
+      f.safety, between(0., 1.));
 }
 
 void add_plate(List &list, PlateParameters &p)
 {
   list.in("Plate", after_preparation);
   list.add({"form", "-",
-            "rigid: moves along z only; tilting: rigid, moves along z and "
-            "turns; elastic: bends about its axis, which is guided along z, "
-            "with Coupling for what the particles and it "
-            "tell each other."},
+            "Form of the plate. The value rigid moves along z only. The value "
+            "tilting also rotates. The value elastic bends about its axis, "
+            "which is guided along z, and uses section Coupling."},
            p.form, {"rigid", "tilting", "elastic"});
   list.add({"mass", "kg",
-            "All that moves with the plate: static load and exciter with its "
-            "eccentric mass."},
+            "Total mass that moves with the plate: plate, static load, and "
+            "exciter with its eccentric mass."},
            p.mass, above(0., 1e7));
+  list.add({"height", "m",
+            "Height of a tilting plate: a solid cylinder as wide as the "
+            "container, with the given mass."},
+           p.height, above(0., 100.));
   list.add(
-      {"height", "m",
-       "Tilting: height of the solid cylinder, as wide as the container, that "
-       "has the mass."},
-      p.height, above(0., 100.));
-  list.add({"thickness", "m",
-            "Elastic: thickness of the plate, as wide as the container."},
-           p.thickness, above(0., 10.));
-  list.add({"youngs_modulus", "Pa", "Elastic: E."}, p.youngs_modulus,
-           above(0., 1e15));
-  list.add({"poisson_ratio", "-", "Elastic: nu."}, p.poisson_ratio,
-           Range{0., 0.5, false, true});
-  list.add({"density", "kg/m^3", "Elastic: density of the plate itself."},
+      {"thickness", "m",
+       "Thickness of an elastic plate, which is as wide as the container."},
+      p.thickness, above(0., 10.));
+  list.add({"youngs_modulus", "Pa", "Young's modulus E of an elastic plate."},
+           p.youngs_modulus, above(0., 1e15));
+  list.add({"poisson_ratio", "-", "Poisson's ratio nu of an elastic plate."},
+           p.poisson_ratio, Range{0., 0.5, false, true});
+  list.add({"density", "kg/m^3",
+            "Mass density of the material of an elastic plate."},
            p.density, above(0., 3e4));
   list.add({"load_radius", "m",
-            "Elastic: all but the plate's own mass, and the forces on it, are "
-            "within, spread evenly; they do not stiffen it."},
+            "Radius within which all other masses and the forces are spread "
+            "evenly on an elastic plate. They do not stiffen it."},
            p.load_radius, above(0., 100.));
-  list.add({"elements", "-",
-            "Elastic: cells from the middle of the plate to its rim."},
-           p.elements, between(2, 40));
+  list.add(
+      {"elements", "-",
+       "Number of elements of an elastic plate from its middle to its rim."},
+      p.elements, between(2, 40));
   list.add({"load", "N",
-            "Presses on the plate besides its weight and has no mass: a soft "
-            "spring."},
+            "Force on the plate in addition to its weight, without mass, as of "
+            "a soft spring."},
            p.load, between(0., 1e9));
   list.add(
       {"seating_speed", "m/s",
-       "Speed at which the plate is lowered, the slower the more of it the "
-       "particles carry; then it is let go."},
+       "Speed at which the plate is lowered. It decreases with the share of "
+       "the plate that the particles carry. Then the plate is released."},
       p.seating_speed, above(0., 10.));
   list.add({"seating_time", "s",
-            "Shortest rest of the free plate before it vibrates. It ends when "
-            "plate and particles are at rest."},
+            "Shortest rest of the free plate before it vibrates. The rest ends "
+            "when plate and particles are at rest."},
            p.seating_time, above(0., 1e3));
   list.add({"seating_max_time", "s",
-            "The run fails if they are not at rest this long after "
-            "seating_time."},
+            "Largest time to rest after seating_time. The run fails if plate "
+            "and particles are not at rest by then."},
            p.seating_max_time, above(0., 1e4))
       .may_change = true;
   list.add({"seating_load_tolerance", "-",
-            "At rest: the load of the particles on the plate differs from its "
-            "static load by at most this share."},
+            "Tolerance of rest: largest relative difference between the load "
+            "of the particles on the plate and its static load."},
            p.seating_load_tolerance, above(0., 0.5));
   list.add({"seating_unbalanced_ratio", "-",
-            "At rest: largest unbalanced force ratio."},
+            "Tolerance of rest: largest unbalanced force ratio."},
            p.seating_unbalanced_ratio, above(0., 0.1));
 }
 
@@ -144,26 +156,32 @@ void add_vibration(List &list, VibrationParameters &v)
 {
   list.in("Vibration", after_preparation);
   list.add({"eccentric_mass", "kg",
-            "Turns at frequency: force m e (2 pi f)^2 sin(2 pi f t) along z."},
+            "Eccentric mass m of the exciter. Its force along z is m e (2 pi "
+            "f)^2 sin(2 pi f t)."},
            v.eccentric_mass, between(0., 1e6));
   list.add(
-      {"eccentricity", "m", "Distance of the eccentric mass from its axis."},
+      {"eccentricity", "m", "Distance e of the eccentric mass from its axis."},
       v.eccentricity, between(0., 10.));
-  list.add({"frequency", "Hz", "Frequency of the exciter."}, v.frequency,
+  list.add({"frequency", "Hz", "Frequency f of the exciter."}, v.frequency,
            above(0., 1e4));
   list.in("Vibration", {.decides_preparation = false, .may_change = true});
   list.add({"duration", "s", "Duration of the vibration."}, v.duration,
            above(0., 1e6));
-  list.add({"reports", "-",
-            "Times of vibration in seconds, with blanks between: density, "
-            "abrasion and the roundness of every particle are written then."},
-           v.reports);
-  list.add({"rows_per_period", "-", "Rows of history.csv."}, v.rows_per_period,
-           between(1, 1e6));
+  list.add(
+      {"reports", "-",
+       "Times of vibration in seconds, separated by blanks. Density, abrasion "
+       "and the roundness of every particle are written at these times."},
+      v.reports);
+  list.add({"rows_per_period", "-",
+            "Number of rows of history.csv in one period of the exciter."},
+           v.rows_per_period, between(1, 1e6));
   list.add({"frames_per_second", "1/s",
-            "Frames for ParaView; besides first, last and reports."},
+            "Number of ParaView frames per second of vibration, in addition to "
+            "the first, the last and those of reports."},
            v.frames_per_second, between(0., 1e5));
-  list.add({"checkpoint_every", "-", "Periods; 0: only at the end."},
+  list.add({"checkpoint_every", "-",
+            "Number of periods between checkpoints. The value 0 writes one at "
+            "the end only."},
            v.checkpoint_every, between(0, 1e7));
 }
 } // namespace

@@ -29,12 +29,13 @@ TestKind compaction_kind()
 {
   return {
       .name = "vibratory_compaction",
-      .sections =
-          {{"Container", "What the particles are in."},
-           {"Filling", "The particles, and how they get to their density."},
-           {"Plate",
-            "The plate on the particles: rigid, and it may tilt, or elastic."},
-           {"Vibration", "The exciter on the plate, and what is written."}},
+      .sections = {{"Container", "Container of the particles."},
+                   {"Filling",
+                    "Particles of the layer and their filling to the requested "
+                    "density."},
+                   {"Plate",
+                    "Plate on the particles: rigid, tilting or elastic."},
+                   {"Vibration", "Exciter on the plate, duration and output."}},
       .shared_sections = {"MembraneContact", "Membrane", "Coupling", "Walls"},
       .add_parameters = add_compaction,
       .set_defaults = set_defaults,

@@ -27,8 +27,10 @@ std::unique_ptr<Test> make(const Case &parameters)
 TestKind los_angeles_kind()
 {
   return {.name = "los_angeles",
-          .sections = {{"Charge", "Particles and steel balls in the drum."},
-                       {"Drum", "The Los Angeles drum and how long it turns."}},
+          .sections =
+              {{"Charge", "Particles and steel balls in the drum."},
+               {"Drum",
+                "Geometry and rotation of the Los Angeles drum, and output."}},
           .shared_sections = {"Walls"},
           .add_parameters = add_los_angeles,
           .set_defaults = set_defaults,

@@ -9,32 +9,42 @@ namespace
 void add_scene_section(List &list, SceneParameters &s)
 {
   list.in("Scene");
-  list.add_path({"particles", "-",
-                 "CSV file with one particle per row: x,y,z and radius or "
-                 "diameter, and any of qw,qx,qy,qz (orientation), vx,vy,vz, "
-                 "wx,wy,wz, shape, material. Or the folder of a run of this "
-                 "kind, whose last state is taken. Empty: none."},
-                s.particles);
-  list.add_path({"shapes", "-", "Folder of the shape files that it names."},
+  list.add_path(
+      {"particles", "-",
+       "CSV file of placed particles, or the folder of a run of kind scene, "
+       "whose last state is taken. Each row holds x,y,z and radius or "
+       "diameter. Optional columns are qw,qx,qy,qz (orientation), vx,vy,vz, "
+       "wx,wy,wz, shape and material. Empty stands for none."},
+      s.particles);
+  list.add_path({"shapes", "-",
+                 "Folder of the shape files that the placed particles name."},
                 s.shapes);
-  list.add({"order", "-", "N_s: what the files have beyond is cut off."},
+  list.add({"order", "-",
+            "Order N_s of the spherical-harmonic series. Higher terms of the "
+            "files are omitted."},
            s.order, between(1, dem::max_order));
   list.add({"gravity", "m/s^2", "Acceleration of gravity."}, s.gravity,
            between(-1e6, 1e6));
-  list.add({"duration", "s", "Simulated time."}, s.duration, above(0., 1e6))
+  list.add({"duration", "s", "Simulated time of the scene."}, s.duration,
+           above(0., 1e6))
       .may_change = true;
-  list.add({"breakage_start", "s", "Time from which particles may break."},
+  list.add({"breakage_start", "s", "Time from which particles can break."},
            s.breakage_start, between(0., 1e6));
   list.add({"largest_overlap", "-",
-            "Largest overlap of particles as placed, over the radius of the "
-            "smaller one."},
+            "Largest allowed overlap of placed particles, over the radius of "
+            "the smaller one."},
            s.largest_overlap, between(0., 0.5));
   list.in("Scene", {.may_change = true});
-  list.add({"rows", "-", "Rows of history.csv."}, s.rows, between(1, 1e7));
-  list.add({"frames", "-", "Frames for ParaView; 0: first and last."}, s.frames,
-           between(0, 1e6));
+  list.add(
+      {"rows", "-", "Number of rows of history.csv in the simulated time."},
+      s.rows, between(1, 1e7));
+  list.add({"frames", "-",
+            "Number of ParaView frames in the simulated time. The value 0 "
+            "writes the first and the last."},
+           s.frames, between(0, 1e6));
   list.add({"checkpoint_every", "s",
-            "Simulated time between checkpoints; 0: only at the end."},
+            "Simulated time between checkpoints. The value 0 writes one at the "
+            "end only."},
            s.checkpoint_every, between(0., 1e6));
 }
 
@@ -42,8 +52,9 @@ void add_box(List &list, SceneBoxParameters &b)
 {
   list.in("Box");
   const std::vector<std::string> faces = {"open", "rigid", "periodic"};
-  const std::string sentence = "Faces of the box along this axis: open, rigid "
-                               "planes of section Wall, or periodic.";
+  const std::string sentence =
+      "Faces of the box normal to this axis: open, rigid planes with the "
+      "contacts of section Wall, or periodic.";
   list.add({"x", "-", sentence}, b.x, faces);
   list.add({"y", "-", sentence}, b.y, faces);
   list.add({"z", "-", sentence}, b.z, faces);
@@ -55,8 +66,8 @@ void add_fill(List &list, FillParameters &f)
 {
   list.in("Fill");
   list.add({"mass", "kg",
-            "Mass of particles that are drawn and placed at random without "
-            "overlap; 0: none."},
+            "Mass of the particles that are drawn and placed at random without "
+            "overlap. With the value 0 there are none."},
            f.mass, between(0., 1e6));
   add_drawn_particles(list, f);
   list.add({"lower", "m", "Lower corner of the region that is filled."},
@@ -68,12 +79,14 @@ void add_fill(List &list, FillParameters &f)
 void add_other(List &list, dem::SolidMaterial &other)
 {
   list.in("Other");
-  list.add({"density", "kg/m^3", "Density."}, other.density, above(0., 3e4));
+  list.add({"density", "kg/m^3", "Mass density of the other material."},
+           other.density, above(0., 3e4));
   list.add({"shear_modulus", "Pa",
-            "Shear modulus. Friction and damping are those of Particle."},
+            "Shear modulus of the other material. Its friction and damping are "
+            "those of section Particle."},
            other.shear_modulus, between(1., 1e13));
-  list.add({"poisson_ratio", "-", "Poisson's ratio."}, other.poisson_ratio,
-           below(0., 0.5));
+  list.add({"poisson_ratio", "-", "Poisson's ratio of the other material."},
+           other.poisson_ratio, below(0., 0.5));
 }
 } // namespace
 

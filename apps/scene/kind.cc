@@ -32,22 +32,26 @@ std::unique_ptr<Test> make(const Case &parameters)
 
 TestKind scene_kind()
 {
-  return {.name = "scene",
-          .sections = {{"Scene", "Placed particles, gravity and duration."},
-                       {"Box", "A box of rigid or periodic faces."},
-                       {"Fill", "Particles that are drawn from a gradation and "
-                                "placed at random."},
-                       {"Other", "Material of placed particles of material "
-                                 "other, which do not break."}},
-          .shared_sections = {"Walls"},
-          .add_parameters = add_scene,
-          .set_defaults = set_defaults,
-          .set_template = set_template,
-          .check = check_scene,
-          .make = make,
-          .runs_on_many_ranks = true,
-          .seed_key = "Fill/seed",
-          .gradation_section = "Fill",
-          .report = scene_report};
+  return {
+      .name = "scene",
+      .sections =
+          {{"Scene",
+            "Placed particles, gravity, duration and output of a scene."},
+           {"Box",
+            "Box around the particles with open, rigid or periodic faces."},
+           {"Fill",
+            "Particles that are drawn from a gradation and placed at random."},
+           {"Other", "Second material (other) of placed particles, which do "
+                     "not break."}},
+      .shared_sections = {"Walls"},
+      .add_parameters = add_scene,
+      .set_defaults = set_defaults,
+      .set_template = set_template,
+      .check = check_scene,
+      .make = make,
+      .runs_on_many_ranks = true,
+      .seed_key = "Fill/seed",
+      .gradation_section = "Fill",
+      .report = scene_report};
 }
 } // namespace spall

@@ -21,15 +21,16 @@ std::unique_ptr<Test> make(const Case &parameters)
 
 TestKind single_particle_kind()
 {
-  return {
-      .name = "single_particle",
-      .sections = {{"Press", "Two rigid platens; the upper one comes down."}},
-      .shared_sections = {},
-      .add_parameters = add_single_particle,
-      .set_defaults = set_defaults,
-      .check = check_single_particle,
-      .make = make,
-      .seed_key = "Particle/seed",
-      .report = single_particle_report};
+  return {.name = "single_particle",
+          .sections =
+              {{"Press",
+                "Two rigid platens, of which the upper one moves downward."}},
+          .shared_sections = {},
+          .add_parameters = add_single_particle,
+          .set_defaults = set_defaults,
+          .check = check_single_particle,
+          .make = make,
+          .seed_key = "Particle/seed",
+          .report = single_particle_report};
 }
 } // namespace spall

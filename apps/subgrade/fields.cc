@@ -8,14 +8,16 @@ namespace
 void add_layer(List &list, LayerParameters &l)
 {
   list.in("Layer");
-  list.add({"length", "m", "Length of the box of the particles, along x."},
+  list.add({"length", "m", "Length of the box of the particles along x."},
            l.length, above(0., 100.));
-  list.add({"width", "m", "Width of the box of the particles, along y."},
+  list.add({"width", "m", "Width of the box of the particles along y."},
            l.width, above(0., 100.));
-  list.add({"thickness", "m", "Approximate thickness of the layer at rest."},
+  list.add({"thickness", "m",
+            "Approximate thickness of the particle layer at rest."},
            l.thickness, above(0., 10.));
   list.add({"solid_fraction", "-",
-            "With the box and the thickness: the volume of particles.",
+            "Solid fraction of the layer. Together with the box and the "
+            "thickness it gives the volume of the particles.",
             "random packings stay below 0.75"},
            l.solid_fraction, Range{0., 0.75, true, true});
   add_drawn_particles(list, l);
@@ -23,147 +25,164 @@ void add_layer(List &list, LayerParameters &l)
       {"layers", "-", "Number of layers that are poured one after the other."},
       l.layers, between(1, 1000));
   list.add({"is_tamped", "-",
-            "Each layer is tamped until the particles have the solid fraction; "
-            "else they just fall."},
+            "Switch for tamping. With true, each layer is tamped to the solid "
+            "fraction. With false, the particles only fall."},
            l.is_tamped);
-  list.add({"tamper_speed", "m/s", "Speed of the tamping plane."},
+  list.add({"tamper_speed", "m/s", "Speed of the tamper, downward and upward."},
            l.tamper_speed, above(0., 10.));
   list.add({"tamper_pressure", "Pa", "Pressure at which the tamper reverses."},
            l.tamper_pressure, above(0., 1e9));
-  list.add({"max_strokes", "-", "Most strokes of the tamper on one layer."},
+  list.add({"max_strokes", "-",
+            "Largest number of strokes of the tamper on one layer."},
            l.max_strokes, between(1, 1000));
   list.add({"initial_solid_fraction", "-",
             "Solid fraction of the cloud before it falls.",
             "random insertion jams above"},
            l.initial_solid_fraction, above(0., 0.35));
   list.add({"friction", "-",
-            "Particle on particle until the plate is placed; low is dense."},
+            "Friction coefficient between particles until the plate is placed. "
+            "Low friction gives a dense layer."},
            l.friction, between(0., 10.));
   list.add({"local_damping", "-",
-            "D_a: F - D_a |F| sgn(v) until loading begins; then Time/"
-            "local_damping."},
+            "Local damping coefficient D_a until loading begins. The damped "
+            "force is F - D_a |F| sgn(v). Then Time/local_damping applies."},
            l.local_damping, below(0., 1.));
   list.add({"unbalanced_ratio", "-",
             "Limit for particles at rest: sum of the resultant forces over the "
             "weight."},
            l.unbalanced_ratio, above(0., 0.1));
   list.add({"max_time", "s",
-            "For a layer, and for the plate, to come to rest; then the run "
-            "fails."},
+            "Largest time for a layer, and for the plate, to come to rest. The "
+            "run fails after it."},
            l.max_time, above(0., 1e4));
-  list.add({"safety", "-",
-            "Above 0: share of the stable step while pouring, with the usual "
-            "Contact/refresh_tolerance and skin, so that cases with "
-            "others and other steps in Time share what is poured; 0: as "
-            "Contact and Time say."},
-           l.safety, between(0., 1.));
+  list.add(
+      {"safety", "-",
+       "Time step of the pouring as a share of the stable step, with the usual "
+       "Contact/refresh_tolerance and skin. Cases with other steps in Time can "
+       "then share a layer. The value 0 uses Contact and Time."},
+      l.safety, between(0., 1.));
 }
 
 void add_plate(List &list, LoadPlateParameters &p)
 {
   list.in("LoadPlate", after_preparation);
-  list.add({"form", "-", "disc, or block: a sleeper."}, p.form,
-           {"disc", "block"});
+  list.add({"form", "-",
+            "Form of the loading plate: a disc, or a block such as a sleeper."},
+           p.form, {"disc", "block"});
   list.add({"diameter", "m", "Diameter of a disc."}, p.diameter,
            above(0., 10.));
-  list.add({"length", "m", "Length of a block, along x."}, p.length,
+  list.add({"length", "m", "Length of a block (sleeper) along x."}, p.length,
            above(0., 10.));
-  list.add({"width", "m", "Width of a block, along y."}, p.width,
+  list.add({"width", "m", "Width of a block (sleeper) along y."}, p.width,
            above(0., 10.));
   list.add({"height", "m", "Height of the sides of the plate."}, p.height,
            above(0., 10.));
   list.add({"mass", "kg",
             "Mass of the plate or sleeper and of all that moves with it."},
            p.mass, above(0., 1e6));
-  list.add({"static_load", "N", "Down on it besides its weight, always."},
+  list.add({"static_load", "N",
+            "Permanent downward force on the plate in addition to its weight."},
            p.static_load, between(0., 1e9));
   list.add({"motion", "-",
-            "vertical: guided; free: it moves and turns in all directions."},
+            "Motion of the plate. The value vertical guides it along z. The "
+            "value free allows all translations and rotations."},
            p.motion, {"vertical", "free"});
 }
 
 void add_ground(List &list, GroundParameters &g)
 {
   list.in("Subgrade", after_preparation);
-  list.add_path(
-      {"mesh", "-",
-       "File of gmsh (.msh) with the hexahedra of the ground in metres, "
-       "its top flat at z = 0, a node in the middle of the plate; empty: "
-       "a block of cells."},
-      g.mesh);
-  list.add({"length", "m", "Length of the ground without a mesh, along x."},
+  list.add_path({"mesh", "-",
+                 "Mesh of the subgrade: gmsh file (.msh) of hexahedra in "
+                 "metres. Its top is flat at z = 0, with a node in the middle "
+                 "of the plate. Empty stands for a generated block."},
+                g.mesh);
+  list.add({"length", "m", "Length of a subgrade without a mesh file along x."},
            g.length, above(0., 1000.));
-  list.add({"width", "m", "Width of the ground without a mesh, along y."},
+  list.add({"width", "m", "Width of a subgrade without a mesh file along y."},
            g.width, above(0., 1000.));
-  list.add(
-      {"layers", "-",
-       "Layers from the top down, separated by commas, each: thickness (m), "
-       "Young's modulus (Pa), Poisson's ratio, density (kg/m^3), and where "
-       "it yields: cohesion (Pa), friction angle, dilation angle (degrees; 0 "
-       "if left out), as Drucker and Prager say."},
-      g.layers);
+  list.add({"layers", "-",
+            "Layers of the subgrade from the top down, separated by commas. "
+            "The values of a layer are thickness (m), Young's modulus (Pa), "
+            "Poisson's ratio and density (kg/m^3). A layer that yields "
+            "(Drucker-Prager) also has cohesion (Pa), friction angle and "
+            "dilation angle (degrees, 0 if omitted)."},
+           g.layers);
   list.add({"cell_size", "m", "Size of the elements under the plate."},
            g.cell_size, above(0., 10.));
-  list.add({"growth", "-",
-            "Growth of the elements from one to the next, away from the "
-            "plate."},
-           g.growth, between(1., 3.));
+  list.add(
+      {"growth", "-",
+       "Ratio of the sizes of neighbouring elements, away from the plate."},
+      g.growth, between(1., 3.));
   list.add({"bottom", "-",
-            "absorbing: dashpots that take waves up, and springs of the "
-            "half-space beyond; rigid: held."},
+            "Boundary condition at the bottom. The value absorbing has "
+            "dashpots for outgoing waves and springs of the half-space beyond. "
+            "The value rigid is fixed."},
            g.bottom, {"absorbing", "rigid"});
-  list.add({"sides", "-",
-            "absorbing: as the bottom; rigid: held along their normals."},
-           g.sides, {"absorbing", "rigid"});
-  list.add({"mass_damping", "1/s", "Rayleigh alpha: force -alpha m v."},
-           g.mass_damping, between(0., 1e5));
-  list.add({"stiffness_damping", "s", "Rayleigh beta: force -beta K v."},
-           g.stiffness_damping, between(0., 1.));
-  list.add({"body", "-",
-            "full: all its elements move; condensed: the nodes of its top and "
-            "the slowest inner modes, implicit, with windows of one length; "
-            "without stress in the depth."},
-           g.body, {"full", "condensed"});
-  list.add({"inner_modes", "-",
-            "Modes of the interior that a condensed ground keeps."},
-           g.inner_modes, between(0, 10000));
-  list.add({"solver", "-",
-            "Solver of a full ground at rest and in implicit steps. direct: "
-            "factors, "
-            "once; amg: conjugate gradients with multigrid, for more than "
-            "about 50000 unknowns, whose factors take minutes and gigabytes."},
-           g.solver, {"direct", "amg"});
+  list.add(
+      {"sides", "-",
+       "Boundary condition at the sides. The value absorbing is the same as at "
+       "the bottom. The value rigid fixes the displacement along the normals."},
+      g.sides, {"absorbing", "rigid"});
+  list.add(
+      {"mass_damping", "1/s",
+       "Rayleigh damping coefficient alpha of the mass: force -alpha m v."},
+      g.mass_damping, between(0., 1e5));
+  list.add(
+      {"stiffness_damping", "s",
+       "Rayleigh damping coefficient beta of the stiffness: force -beta K v."},
+      g.stiffness_damping, between(0., 1.));
+  list.add(
+      {"body", "-",
+       "Model of the subgrade. With full all elements move. With condensed "
+       "only the top nodes and the slowest inner modes move, implicitly and in "
+       "windows of one length. A condensed subgrade gives no stress at depth."},
+      g.body, {"full", "condensed"});
+  list.add(
+      {"inner_modes", "-", "Number of inner modes of a condensed subgrade."},
+      g.inner_modes, between(0, 10000));
+  list.add(
+      {"solver", "-",
+       "Linear solver of a full subgrade at rest and in implicit steps. The "
+       "value direct factorises the matrix once. The value amg is the "
+       "conjugate gradient method with algebraic multigrid. It suits more than "
+       "about 50000 unknowns, whose factors take minutes and gigabytes."},
+      g.solver, {"direct", "amg"});
   list.add({"solver_tolerance", "-",
-            "amg: residual over right-hand side where it stops."},
+            "Tolerance of the solver amg: residual over right-hand side."},
            g.solver_tolerance, Range{0., 1e-4, true, false});
 }
 
 void add_pulse(List &list, PulseParameters &p)
 {
   list.in("Pulse", after_preparation);
-  list.add(
-      {"form", "-",
-       "haversine, sine: cycles at a frequency; train: axles that pass; "
-       "table: force over time from a CSV file; eccentric_mass: an exciter "
-       "on the plate, m e (2 pi f)^2 sin(2 pi f t)."},
-      p.form, {"haversine", "sine", "train", "table", "eccentric_mass"});
-  list.add({"amplitude", "N", "Peak of a haversine or a sine, down."},
+  list.add({"form", "-",
+            "Form of the load on the plate. The values haversine and sine are "
+            "cycles at a frequency. The value train is a sequence of axles. "
+            "The value table reads the force over time from a CSV file. The "
+            "value eccentric_mass is an exciter on the plate with the force m "
+            "e (2 pi f)^2 sin(2 pi f t)."},
+           p.form, {"haversine", "sine", "train", "table", "eccentric_mass"});
+  list.add({"amplitude", "N", "Peak force of a haversine or a sine, downward."},
            p.amplitude, between(0., 1e9));
   list.add(
       {"frequency", "Hz", "Frequency of a haversine, a sine or an exciter."},
       p.frequency, above(0., 1e4));
-  list.add({"cycles", "-", "Cycles of a haversine, a sine or an exciter."},
-           p.cycles, between(1, 1e7));
+  list.add(
+      {"cycles", "-", "Number of cycles of a haversine, a sine or an exciter."},
+      p.cycles, between(1, 1e7));
   list.add({"eccentric_mass", "kg",
-            "m: turns on the plate, whose mass it is part of."},
+            "Eccentric mass m of the exciter, which is part of the mass of the "
+            "plate."},
            p.eccentric_mass, between(0., 1e6));
-  list.add({"eccentricity", "m", "e: of the mass from its axis."},
-           p.eccentricity, between(0., 10.));
-  list.add_path({"table", "-",
-                 "CSV file time_s,force_N of the form table: down is positive, "
-                 "straight lines between the rows, from time 0, the start of "
-                 "loading."},
-                p.table);
+  list.add(
+      {"eccentricity", "m", "Distance e of the eccentric mass from its axis."},
+      p.eccentricity, between(0., 10.));
+  list.add_path(
+      {"table", "-",
+       "CSV file time_s,force_N of the form table, with straight lines between "
+       "the rows. Downward force is positive. Time 0 is the start of loading."},
+      p.table);
   list.add({"axle_load", "N", "Load of one axle of the train."}, p.axle_load,
            between(0., 1e9));
   list.add({"axle_spacing", "m", "Distance of the two axles of a bogie."},
@@ -177,46 +196,55 @@ void add_pulse(List &list, PulseParameters &p)
            between(1, 1e4));
   list.add({"speed", "m/s", "Speed of the train."}, p.speed, above(0., 1e3));
   list.add({"share", "-",
-            "Share of an axle load that one sleeper carries: zimmermann, a "
-            "rail on an "
-            "elastic bed; table: from a CSV file."},
+            "Share of an axle load that one sleeper carries. The value "
+            "zimmermann is a rail on an elastic bed. The value table reads it "
+            "from a CSV file."},
            p.share, {"zimmermann", "table"});
-  list.add({"sleeper_spacing", "m", "zimmermann: s."}, p.sleeper_spacing,
-           above(0., 100.));
-  list.add({"rail_stiffness", "N m^2", "zimmermann: E I of one rail."},
+  list.add({"sleeper_spacing", "m",
+            "Distance s of the sleepers for the share zimmermann."},
+           p.sleeper_spacing, above(0., 100.));
+  list.add({"rail_stiffness", "N m^2",
+            "Bending stiffness E I of one rail for the share zimmermann."},
            p.rail_stiffness, above(0., 1e12));
   list.add({"track_modulus", "N/m^2",
-            "zimmermann: u of one rail, force per length and deflection."},
+            "Track modulus u of one rail for the share zimmermann: force per "
+            "length and deflection."},
            p.track_modulus, above(0., 1e12));
-  list.add_path({"share_table", "-",
-                 "CSV file distance_m,share_1 of the share table, from 0 on."},
-                p.share_table);
-  list.add({"rest", "s", "After the last pulse."}, p.rest, between(0., 1e4));
+  list.add_path(
+      {"share_table", "-",
+       "CSV file distance_m,share_1 of the share table, from distance 0 on."},
+      p.share_table);
+  list.add({"rest", "s", "Time that is simulated after the last pulse."},
+           p.rest, between(0., 1e4));
 }
 
 void add_record(List &list, RecordParameters &r)
 {
   list.in("Record", {.decides_preparation = false, .may_change = true});
   list.add({"row_interval", "s",
-            "Time between rows of history.csv while loading; ten times that "
-            "before."},
+            "Time between rows of history.csv while loading. Before the "
+            "loading it is ten times as long."},
            r.row_interval, above(0., 1e3));
-  list.add({"frame_interval", "s", "Time between frames; 0: first and last."},
+  list.add({"frame_interval", "s",
+            "Time between ParaView frames. The value 0 writes the first and "
+            "the last."},
            r.frame_interval, between(0., 1e6));
-  list.add({"checkpoint_interval", "s", "0: only at the end."},
-           r.checkpoint_interval, between(0., 1e6));
+  list.add(
+      {"checkpoint_interval", "s",
+       "Time between checkpoints. The value 0 writes one at the end only."},
+      r.checkpoint_interval, between(0., 1e6));
   list.in("Record", after_preparation);
   list.add({"stress_depths", "m",
-            "Below the middle of the plate, where the vertical stress of the "
-            "subgrade is written; empty: nowhere."},
+            "Depths below the middle of the plate at which the vertical stress "
+            "of the subgrade is written. Empty stands for none."},
            r.stress_depths);
-  list.add({"highest_frequency", "Hz", "Highest frequency of transfer.csv."},
+  list.add({"highest_frequency", "Hz", "Highest frequency in transfer.csv."},
            r.highest_frequency, between(0., 1e5))
       .may_change = true;
-  list.add(
-      {"slices", "-",
-       "Slices by height of the particles below the plate in profile.csv."},
-      r.slices, between(1, 1000));
+  list.add({"slices", "-",
+            "Number of height slices of the particles below the plate in "
+            "profile.csv."},
+           r.slices, between(1, 1000));
 }
 } // namespace
 

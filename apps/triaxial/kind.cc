@@ -30,27 +30,33 @@ std::unique_ptr<Test> make(const Case &parameters)
 
 TestKind triaxial_kind()
 {
-  return {.name = "dynamic_triaxial",
-          .sections = {{"Specimen", "The particles and the room they fill."},
-                       {"Preparation",
-                        "Compaction of the random cloud by servo walls."},
-                       {"Boundary", "What holds the specimen."},
-                       {"Loading", "Confinement, and what the top plate does."},
-                       {"CycleJump", "Many cycles without simulating each."},
-                       {"Output", "What is written, and how often."}},
-          .shared_sections = {"MembraneContact", "Membrane", "Coupling"},
-          .add_parameters = add_triaxial,
-          .set_defaults = set_defaults,
-          .set_template = set_template,
-          .check = check_triaxial,
-          .make = make,
-          .runs_on_many_ranks = true,
-          .seed_key = "Specimen/seed",
-          .gradation_section = "Specimen",
-          // The step may change the cycle end: Triaxial::restore() checks it.
-          .may_change = {"Time/step", "Time/fixed_step", "Time/safety",
-                         "Time/impact_error", "Time/force_tolerance",
-                         "Time/energy_tolerance"},
-          .report = triaxial_report};
+  return {
+      .name = "dynamic_triaxial",
+      .sections =
+          {{"Specimen", "Particles, form and size of the specimen."},
+           {"Preparation",
+            "Compaction of the random cloud of particles by servo-controlled "
+            "walls."},
+           {"Boundary", "Lateral boundary and top plate of the specimen."},
+           {"Loading",
+            "Confining pressure, consolidation and loading by the top plate."},
+           {"CycleJump",
+            "Accelerated damage cycles: most load cycles are extrapolated "
+            "instead of simulated."},
+           {"Output", "Output files and their intervals."}},
+      .shared_sections = {"MembraneContact", "Membrane", "Coupling"},
+      .add_parameters = add_triaxial,
+      .set_defaults = set_defaults,
+      .set_template = set_template,
+      .check = check_triaxial,
+      .make = make,
+      .runs_on_many_ranks = true,
+      .seed_key = "Specimen/seed",
+      .gradation_section = "Specimen",
+      // The step may change the cycle end: Triaxial::restore() checks it.
+      .may_change = {"Time/step", "Time/fixed_step", "Time/safety",
+                     "Time/impact_error", "Time/force_tolerance",
+                     "Time/energy_tolerance"},
+      .report = triaxial_report};
 }
 } // namespace spall

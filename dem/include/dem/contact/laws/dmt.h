@@ -23,10 +23,12 @@ struct Dmt
 
   static std::vector<LawParameter> parameters()
   {
-    return {{"work_of_adhesion", "J/m^2", 0.1, 0., 1e3,
-             "w of the law dmt; a liquid: 2 gamma cos(theta)."},
-            {"attraction_range", "m", 1e-5, 1e-9, 1e-2,
-             "h of the law dmt: gap at which the attraction ends."}};
+    return {
+        {"work_of_adhesion", "J/m^2", 0.1, 0., 1e3,
+         "Work of adhesion w of the law dmt. For a liquid it is "
+         "2 gamma cos(theta)."},
+        {"attraction_range", "m", 1e-5, 1e-9, 1e-2,
+         "Range h of the attraction in the law dmt: gap at which it ends."}};
   }
 
   static double range(const LawValues &values) { return values[1]; }

@@ -16,9 +16,10 @@ struct Linear
 
   static std::vector<LawParameter> parameters()
   {
-    return {
-        {"normal_stiffness", "N/m", 1e6, 1., 1e12, "k_n of the law linear."},
-        {"shear_stiffness", "N/m", 0.85e6, 0., 1e12, "k_s of the law linear."}};
+    return {{"normal_stiffness", "N/m", 1e6, 1., 1e12,
+             "Normal stiffness k_n of the law linear."},
+            {"shear_stiffness", "N/m", 0.85e6, 0., 1e12,
+             "Shear stiffness k_s of the law linear."}};
   }
 
   /// All zero where `overlap` is.
