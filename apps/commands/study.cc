@@ -207,7 +207,7 @@ int study_command(Words words)
   if (are_programs_stopped())
     throw RunFailure("study: stopped with " + std::to_string(n_failed) +
                      " of " + std::to_string(points.size()) +
-                     " cases to go; run again to go on");
+                     " cases to go; run again to continue");
   const StudyData data{study, points, results};
   write_study_table(study, points, results, folder / "study.csv");
   write_text(folder / "report.html", study_page(data, folder, options.figures));

@@ -41,16 +41,17 @@ struct Command
 };
 
 constexpr std::array<Command, 8> commands = {
-    {{"template", "KIND", "print a commented case of a kind", template_command,
-      Processes::without_mpi},
+    {{"template", "KIND | parameters [--out FOLDER]",
+      "print a commented case of a kind, or the pages of all parameters",
+      template_command, Processes::without_mpi},
      {"check", "CASE.prm [--preparations DIR] [--set Section/key=value ...]",
       "validate; print particles, stable step, gain, memory, time",
       check_command, Processes::many_ranks},
      {"run",
       "CASE.prm [--out DIR] [--preparations DIR] [--threads N] [--resume] "
       "[--overwrite] [--until CYCLES] [--set Section/key=value ...]",
-      "run the case; --resume goes on with a stopped one, --overwrite begins "
-      "it again",
+      "run the case; --resume continues a stopped run, --overwrite starts it "
+      "again",
       run_command, Processes::many_ranks},
      {"report", "DIR [DIR ...] [--out FILE] [--figures FOLDER]",
       "write a self-contained report.html", report_command,
@@ -58,7 +59,7 @@ constexpr std::array<Command, 8> commands = {
      {"study",
       "STUDY.prm [--out DIR] [--jobs N] [--ranks-per-case N] [--mpirun WORDS] "
       "[--figures FOLDER] [--page FILE] [--set Section/key=value ...]",
-      "run a sweep of cases, or go on with it; table and report", study_command,
+      "run or continue a sweep of cases; table and report", study_command,
       Processes::without_mpi},
      {"shape",
       "fit MESH --order N --out S.json [--from rays|vertices] "

@@ -126,7 +126,7 @@ void check_free(const fs::path &folder, const RunOptions &options)
     return;
   if (fs::exists(state))
     refuse(folder, "holds a run that is not finished, with " + state.string() +
-                       ": --resume goes on with it, --overwrite starts again; "
+                       ": --resume continues it, --overwrite starts again; "
                        "else another folder");
   if (fs::exists(stopped))
     refuse(folder, "holds the state in which a run was stopped, " +

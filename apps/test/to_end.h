@@ -50,6 +50,6 @@ void run_to_end(Test &test, Recorder &recorder, const Loop &loop)
   if (is_stop_asked())
     throw RunFailure("stopped at step " +
                      std::to_string(test.engine().n_steps()) +
-                     ", go on with --resume; last checkpoint: " + last());
+                     ", continue with --resume; last checkpoint: " + last());
 }
 } // namespace spall

@@ -32,7 +32,7 @@ _spall() {
   case ${COMP_WORDS[1]} in
     template)
       words="dynamic_triaxial vibratory_compaction single_particle los_angeles
-        subgrade scene parameters"
+        subgrade scene parameters --out"
       ;;
     check) words="--preparations --set --help" ;;
     run)

@@ -141,7 +141,7 @@ def single_particle(spall, root):
     # What it has done is not taken away by mistake; that it is gone on with
     # below shows it.
     refused = spall_run(words, status=1)
-    if "--resume goes on" not in refused.stderr:
+    if "--resume continues it" not in refused.stderr:
         faults.append(f"again without --resume: {refused.stderr}")
     # Nor does it go on with other particles.
     faults += other_shape_faults(shape, words)

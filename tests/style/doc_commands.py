@@ -191,7 +191,7 @@ def self_check():
             '> commands = {\n {{"template", "KIND", "print"},\n'
             '{"run",\n "CASE [--out DIR] [--set S/key=value ...]", "run"}}};\n'
             "std::string usage()\n")
-        (root / "docs/parameters/parameters.md").write_text(
+        (root / "docs/parameters/index.md").write_text(
             "## Case\n\n| `kind` | - | scene | one of scene, drum | Kind. |\n\n"
             "## Time\n\n| `step` | - | fixed | one of fixed, stable | Rule. |\n"
             "| `safety` | - | 0.1 | a number | Share. |\n")
