@@ -1,4 +1,5 @@
 #include "case/file.h"
+#include "case/parameter_json.h"
 #include "commands/commands.h"
 #include "errors.h"
 #include "run/cost.h"
@@ -196,15 +197,18 @@ int check_command(Words words)
 {
   std::string file, preparations;
   std::vector<Override> overrides;
+  bool is_json = false;
   for (std::size_t k = 0; k < words.size(); ++k)
     if (words[k] == "--set" && k + 1 < words.size())
       overrides.push_back(parse_override(words[++k]));
     else if (words[k] == "--preparations" && k + 1 < words.size())
       preparations = words[++k];
+    else if (words[k] == "--json")
+      is_json = true;
     else if (words[k].starts_with("--") || !file.empty())
       throw InputError("check: " + words[k] +
-                       ": must be one case file, --preparations DIR and --set "
-                       "Section/key=value");
+                       ": must be one case file, --preparations DIR, --json "
+                       "and --set Section/key=value");
     else
       file = words[k];
   if (file.empty())
@@ -214,6 +218,11 @@ int check_command(Words words)
     report_deprecated(parameters.deprecated);
   else if (!std::freopen("/dev/null", "w", stdout)) // one speaks for all
     throw RunFailure("check: /dev/null cannot be opened");
+  if (is_json)
+  {
+    std::fputs(parameter_json(parameters).c_str(), stdout);
+    return 0;
+  }
   std::printf("case             %s: %s\n", file.c_str(),
               parameters.title.c_str());
   check_test(parameters, preparations);

@@ -1,4 +1,5 @@
 #include "case/file.h"
+#include "case/parameter_json.h"
 #include "case/parameter_pages.h"
 #include "commands/commands.h"
 #include "errors.h"
@@ -30,22 +31,30 @@ int parameters(Words words)
       write_asked(folder / page.file, page.text);
   return 0;
 }
+
+std::string joined_kinds()
+{
+  std::string kinds;
+  for (const std::string &kind : kind_names())
+    kinds += kind + ", ";
+  return kinds;
+}
 } // namespace
 
 int template_command(Words words)
 {
   if (!words.empty() && words[0] == "parameters")
     return parameters(words);
-  if (words.size() != 1)
-  {
-    std::string kinds;
-    for (const std::string &kind : kind_names())
-      kinds += kind + ", ";
-    throw InputError("template: needs one word, one of " + kinds +
-                     "which give a commented case, or parameters [--out "
-                     "FOLDER] (tables in Markdown)");
-  }
-  std::cout << template_case(words[0]);
+  const bool is_json = words.size() == 2 && words[1] == "--json";
+  if (words.size() != 1 && !is_json)
+    throw InputError("template: needs one word, one of " + joined_kinds() +
+                     "which give a commented case (with --json behind it every "
+                     "parameter as JSON), or parameters [--out FOLDER] (tables "
+                     "in Markdown)");
+  if (is_json && !find_kind(words[0]))
+    throw InputError("template " + words[0] + " --json: kind must be one of " +
+                     joined_kinds() + "without --json also parameters");
+  std::cout << (is_json ? template_json(words[0]) : template_case(words[0]));
   return 0;
 }
 } // namespace spall

@@ -41,11 +41,14 @@ struct Command
 };
 
 constexpr std::array<Command, 8> commands = {
-    {{"template", "KIND | parameters [--out FOLDER]",
-      "print a commented case of a kind, or the pages of all parameters",
+    {{"template", "KIND [--json] | parameters [--out FOLDER]",
+      "print a commented case of a kind (--json: a list of its parameters), or "
+      "the pages of all parameters",
       template_command, Processes::without_mpi},
-     {"check", "CASE.prm [--preparations DIR] [--set Section/key=value ...]",
-      "validate; print particles, stable step, gain, memory, time",
+     {"check",
+      "CASE.prm [--preparations DIR] [--json] [--set Section/key=value ...]",
+      "validate; print particles, stable step, gain, memory, time (--json: "
+      "validate alone, and print all values)",
       check_command, Processes::many_ranks},
      {"run",
       "CASE.prm [--out DIR] [--preparations DIR] [--threads N] [--resume] "

@@ -32,9 +32,9 @@ _spall() {
   case ${COMP_WORDS[1]} in
     template)
       words="dynamic_triaxial vibratory_compaction single_particle los_angeles
-        subgrade scene parameters --out"
+        subgrade scene parameters --json --out"
       ;;
-    check) words="--preparations --set --help" ;;
+    check) words="--preparations --json --set --help" ;;
     run)
       words="--out --preparations --threads --resume --overwrite --until --set
         --help"
