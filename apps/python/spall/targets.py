@@ -1,0 +1,108 @@
+"""What a calibration aims at: measured values and curves."""
+from __future__ import annotations
+
+import dataclasses
+from typing import Protocol, Sequence
+
+import numpy as np
+
+from .errors import InputError
+from .run import Run
+
+
+class Target(Protocol):
+    """Measured numbers, and the same of a run."""
+
+    name: str
+
+    def measured(self) -> np.ndarray:
+        """What was measured."""
+
+    def deviations(self) -> np.ndarray:
+        """Standard deviation of each measured number, in its unit."""
+
+    def computed(self, run: Run) -> np.ndarray:
+        """The same numbers of a run."""
+
+
+def _deviations(measured: np.ndarray,
+                given: float | Sequence[float] | None,
+                name: str) -> np.ndarray:
+    """Those given; else the largest measured value, so that residuals are
+    shares of it."""
+    if given is None:
+        given = float(np.max(np.abs(measured))) or 1.0
+    values = np.broadcast_to(np.asarray(given, dtype=float),
+                             measured.shape)
+    if not np.all(values > 0):
+        raise InputError(f"{name}: deviation = {given}: must be above 0")
+    return values
+
+
+@dataclasses.dataclass(frozen=True)
+class Value:
+    """A number of the summary, as ``permanent_axial_strain``.
+
+    ``value`` is in the unit of the summary, ``deviation`` the standard
+    deviation of the measurement in this unit. Without it the residual is a
+    share of the value.
+    """
+
+    name: str
+    value: float
+    deviation: float | None = None
+
+    def measured(self) -> np.ndarray:
+        return np.array([self.value], dtype=float)
+
+    def deviations(self) -> np.ndarray:
+        return _deviations(self.measured(), self.deviation, self.name)
+
+    def computed(self, run: Run) -> np.ndarray:
+        return np.array([float(run.summary[self.name])])
+
+
+@dataclasses.dataclass(frozen=True)
+class Curve:
+    """Points of a curve: column ``y`` of a table over its column ``x``.
+
+    ``points`` maps x to y in the units of the table. Between the rows of a
+    run y is linear. ``deviation`` is the standard deviation of the measured
+    y, one for all points or one for each; without it residuals are shares of
+    the largest y.
+    """
+
+    x: str
+    y: str
+    points: dict[float, float]
+    table: str = "cycles"
+    deviation: float | Sequence[float] | None = None
+
+    def __post_init__(self) -> None:
+        if not self.points:
+            raise InputError(f"{self.name}: has no points")
+
+    @property
+    def name(self) -> str:
+        """"y over x"."""
+        return f"{self.y} over {self.x}"
+
+    def measured(self) -> np.ndarray:
+        return np.array(list(self.points.values()), dtype=float)
+
+    def deviations(self) -> np.ndarray:
+        return _deviations(self.measured(), self.deviation, self.name)
+
+    def computed(self, run: Run) -> np.ndarray:
+        rows = run.loading if self.table == "history" \
+            else run.table(self.table)
+        x, y = rows[self.x], rows[self.y]
+        # Rows that go back, as in an unloading, are no part of the curve.
+        is_new = np.concatenate([[True],
+                                 x[1:] > np.maximum.accumulate(x)[:-1]])
+        at = np.array(list(self.points), dtype=float)
+        if len(x) == 0 or at.min() < x[0] or at.max() > x[is_new][-1]:
+            raise InputError(
+                f"{run.folder}: {self.x} of {self.table} does not reach from "
+                f"{at.min():g} to {at.max():g}")
+        return np.interp(at, x[is_new], y[is_new])
