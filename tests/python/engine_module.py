@@ -15,10 +15,11 @@ import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, sys.argv[1])
+sys.path[:0] = [sys.argv[1],
+                str(pathlib.Path(__file__).resolve().parents[2] / "apps/python")]
 try:
     import numpy as np
-    import spall_engine as dem
+    from spall import engine as dem
 except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
@@ -120,10 +121,8 @@ class EngineModule(unittest.TestCase):
                                0.4 * force * 1e-4, delta=1e-4 * force * 1e-4)
 
     def test_shapes_break_and_restart(self):
-        with open(next((DATA / "shapes/limestone_blocky").glob("*.json")),
-                  encoding="utf-8") as file:
-            coefficients = json.load(file)["coefficients"]
-        shape = dem.Shape(coefficients).resized(0.01)
+        file = next((DATA / "shapes/limestone_blocky").glob("*.json"))
+        shape = dem.read_shape(file).resized(0.01)
         self.assertAlmostEqual(shape.radius, 0.01, delta=1e-12)
 
         def scene():

@@ -29,7 +29,8 @@ def main():
                         script], check=True, stdout=subprocess.DEVNULL)
         packages = prefix / "lib" / "python3" / "dist-packages"
         files = {path.relative_to(packages).as_posix()
-                 for path in packages.rglob("*") if path.is_file()}
+                 for path in packages.rglob("*") if path.is_file()
+                 and not path.name.startswith("spall_engine.")}
         (prefix / "bin").mkdir()
         (prefix / "bin" / "spall").symlink_to(pathlib.Path(spall).resolve())
         environment = {key: value for key, value in os.environ.items()
