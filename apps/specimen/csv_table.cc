@@ -58,12 +58,14 @@ std::vector<std::string> cells_of(const std::string &text)
   return cells;
 }
 
-std::string quoted(const CsvRow &row)
+} // namespace
+
+void CsvRow::refuse(const std::string &allowed) const
 {
   constexpr std::size_t longest = 80;
-  return row.location + ": \"" + row.text.substr(0, longest) + "\": ";
+  throw InputError(location + ": \"" + text.substr(0, longest) +
+                   "\": " + allowed);
 }
-} // namespace
 
 int CsvTable::column(const std::string &name) const
 {
@@ -81,7 +83,7 @@ CsvTable read_csv(const std::string &path, const std::string &header)
   int n_lines = 0;
   for (std::string line; std::getline(in, line);)
   {
-    CsvRow row{trimmed(line), path + ":" + std::to_string(++n_lines), {}};
+    CsvRow row{trimmed(line), path + ":" + std::to_string(++n_lines), {}, {}};
     if (row.text.empty())
       continue;
     if (row.text.starts_with('#'))
@@ -92,9 +94,9 @@ CsvTable read_csv(const std::string &path, const std::string &header)
     row.cells = cells_of(row.text);
     const std::size_t n = table.header.cells.size();
     if (n > 0 && row.cells.size() != n)
-      throw InputError(quoted(row) + "has " + std::to_string(row.cells.size()) +
-                       " cells, must have " + std::to_string(n) + " as the " +
-                       "header has: " + table.header.text);
+      row.refuse("has " + std::to_string(row.cells.size()) +
+                 " cells, must have " + std::to_string(n) +
+                 " as the header has: " + table.header.text);
     if (n == 0)
       table.header = std::move(row);
     else
@@ -105,18 +107,39 @@ CsvTable read_csv(const std::string &path, const std::string &header)
   return table;
 }
 
-std::vector<double> numbers_of(const CsvRow &row, const std::string &header)
+CsvTable read_number_table(const std::string &path, const std::string &header)
 {
-  std::vector<double> numbers;
-  try
+  CsvTable table = read_csv(path, header);
+  if (table.header.cells != cells_of(header))
+    table.header.refuse("the header must be " + header);
+  for (CsvRow &row : table.rows)
+    try
+    {
+      for (const std::string &cell : row.cells)
+        row.numbers.push_back(to_number(cell));
+    }
+    catch (const std::invalid_argument &)
+    {
+      row.refuse("a row is numbers with decimal points, " + header);
+    }
+  return table;
+}
+
+ColumnPair read_ascending(const std::string &path, const std::string &header)
+{
+  const CsvTable table = read_number_table(path, header);
+  ColumnPair columns;
+  for (const CsvRow &row : table.rows)
   {
-    for (const std::string &cell : row.cells)
-      numbers.push_back(to_number(cell));
+    const double first = row.numbers[0];
+    if (columns.first.empty() ? first != 0. : first <= columns.first.back())
+      row.refuse("the first column of " + header + " must ascend from 0");
+    columns.first.push_back(first);
+    columns.second.push_back(row.numbers[1]);
   }
-  catch (const std::invalid_argument &)
-  {
-    throw InputError(quoted(row) + "a row is numbers, " + header);
-  }
-  return numbers;
+  if (columns.first.empty())
+    throw InputError(path + ": must be the header " + header +
+                     " and a row or more");
+  return columns;
 }
 } // namespace spall

@@ -1,75 +1,37 @@
 #include "specimen/gradation.h"
 
 #include "case/parameter.h"
-#include "case/source.h"
 #include "errors.h"
+#include "specimen/csv_table.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
 
 namespace spall
 {
 namespace
 {
-std::string strip(const std::string &text)
-{
-  std::string result;
-  for (const char c : text)
-    if (c != ' ' && c != '\t' && c != '\r')
-      result += c;
-  return result;
-}
-
 /// Above it a diameter is refused, as that of Particle/diameter [m].
 constexpr double largest_allowed = 10.;
 constexpr const char *about_units =
     "diameters are in m, so those of a table in mm must be divided by 1000";
 
-void add_row(Gradation &curve, const std::string &text,
-             const std::string &location)
+void add_row(Gradation &curve, const CsvRow &row)
 {
-  const std::size_t comma = text.find(',');
-  double diameter = 0., passing = 0.;
-  try
-  {
-    if (comma == std::string::npos)
-      throw std::invalid_argument("no comma");
-    diameter = to_number(text.substr(0, comma));
-    passing = to_number(text.substr(comma + 1));
-  }
-  catch (const std::invalid_argument &)
-  {
-    throw InputError(location + ": \"" + text +
-                     "\": a row is two numbers with decimal points, "
-                     "diameter_m,passing_1");
-  }
-  const std::string row = location + ": \"" + text + "\": ";
+  const double diameter = row.numbers[0], passing = row.numbers[1];
   if (diameter <= 0.)
-    throw InputError(row + "the diameter must be above 0");
+    row.refuse("the diameter must be above 0");
   if (diameter > largest_allowed)
-    throw InputError(row + "the diameter must be at most " +
-                     number_text(largest_allowed) + " m; " + about_units);
+    row.refuse("the diameter must be at most " + number_text(largest_allowed) +
+               " m; " + about_units);
   if (passing < 0. || passing > 1.)
-    throw InputError(row + "passing must be between 0 and 1 (a share, not "
-                           "per cent)");
+    row.refuse("passing must be between 0 and 1 (a share, not per cent)");
   if (!curve.diameter.empty() && diameter <= curve.diameter.back())
-    throw InputError(row + "the diameters must increase; a single size is "
-                           "two rows close together, 0.02,0 and 0.0201,1");
+    row.refuse("the diameters must increase; a single size is two rows close "
+               "together, 0.02,0 and 0.0201,1");
   if (!curve.passing.empty() && passing < curve.passing.back())
-    throw InputError(row + "passing must not decrease");
+    row.refuse("passing must not decrease");
   curve.diameter.push_back(diameter);
   curve.passing.push_back(passing);
-}
-
-[[noreturn]] void refuse_header(const std::string &location,
-                                const std::string &text)
-{
-  const bool is_in_mm = text.find("mm") != std::string::npos;
-  throw InputError(location + ": \"" + text +
-                   "\": the header must be diameter_m,passing_1" +
-                   (is_in_mm ? std::string("; ") + about_units : ""));
 }
 
 /// Leaves out the rows below the last 0 and above the first 1.
@@ -90,26 +52,21 @@ void trim(Gradation &curve)
 
 Gradation read_gradation(const std::string &path)
 {
-  std::ifstream in(path);
-  if (!in || std::filesystem::is_directory(path))
-    throw InputError(path + ": cannot be read as a gradation");
-  skip_byte_order_mark(in); // of spreadsheets
-  Gradation curve;
-  bool has_header = false;
-  int n_lines = 0;
-  for (std::string line; std::getline(in, line);)
+  const std::string header = "diameter_m,passing_1";
+  CsvTable table;
+  try
   {
-    const std::string location = path + ":" + std::to_string(++n_lines);
-    const std::string text = strip(line);
-    if (text.empty() || text.starts_with('#'))
-      continue;
-    if (has_header)
-      add_row(curve, text, location);
-    else if (text == "diameter_m,passing_1")
-      has_header = true;
-    else
-      refuse_header(location, text);
+    table = read_number_table(path, header);
   }
+  catch (const InputError &error)
+  {
+    const std::string what = error.what();
+    const bool is_in_mm = what.find("diameter_mm") != std::string::npos;
+    throw InputError(what + (is_in_mm ? std::string("; ") + about_units : ""));
+  }
+  Gradation curve;
+  for (const CsvRow &row : table.rows)
+    add_row(curve, row);
   if (curve.diameter.size() < 2)
     throw InputError(path + ": a gradation needs at least two rows");
   if (curve.passing.front() != 0. || curve.passing.back() != 1.)

@@ -8,21 +8,16 @@ namespace spall
 MotionTable read_motion_table(const std::string &path)
 {
   const std::string header = "time_s,x_m,y_m,z_m";
-  const CsvTable csv = read_csv(path, header);
-  if (csv.header.cells !=
-      std::vector<std::string>{"time_s", "x_m", "y_m", "z_m"})
-    throw InputError(csv.header.location + ": \"" + csv.header.text +
-                     "\": the header must be " + header);
+  const CsvTable csv = read_number_table(path, header);
   if (csv.rows.empty())
     throw InputError(path + ": has no rows, must be " + header +
                      " and one row for each time");
   MotionTable table;
   for (const CsvRow &row : csv.rows)
   {
-    const std::vector<double> v = numbers_of(row, header);
+    const std::vector<double> &v = row.numbers;
     if (v[0] < 0. || (!table.time.empty() && v[0] <= table.time.back()))
-      throw InputError(row.location + ": \"" + row.text +
-                       "\": times must be at least 0 and increase");
+      row.refuse("times must be at least 0 and increase");
     table.time.push_back(v[0]);
     table.shift.emplace_back(v[1], v[2], v[3]);
   }

@@ -26,11 +26,6 @@ const std::vector<std::string> position_names = {"x", "y", "z"},
                                velocity_names = {"vx", "vy", "vz"},
                                spin_names = {"wx", "wy", "wz"};
 
-[[noreturn]] void refuse(const CsvRow &row, const std::string &what)
-{
-  throw InputError(row.location + ": \"" + row.text + "\": " + what);
-}
-
 /// The columns of a group in the table; empty if it has none of them.
 std::vector<std::size_t> columns_of(const CsvTable &table,
                                     const std::vector<std::string> &group)
@@ -40,7 +35,7 @@ std::vector<std::size_t> columns_of(const CsvTable &table,
     if (const int column = table.column(name); column >= 0)
       columns.push_back(static_cast<std::size_t>(column));
   if (!columns.empty() && columns.size() != group.size())
-    refuse(table.header, "the header must be " + any_header);
+    table.header.refuse("the header must be " + any_header);
   return columns;
 }
 
@@ -68,7 +63,7 @@ struct PackingColumns
                               (material >= 0);
     if (position.empty() || size < 0 || has_both ||
         known != table.header.cells.size())
-      refuse(table.header, "the header must be " + any_header);
+      table.header.refuse("the header must be " + any_header);
   }
 };
 
@@ -80,7 +75,7 @@ double number(const CsvRow &row, std::size_t column)
   }
   catch (const std::invalid_argument &)
   {
-    refuse(row, "\"" + row.cells[column] + "\" must be a number");
+    row.refuse("\"" + row.cells[column] + "\" must be a number");
   }
 }
 
@@ -95,8 +90,8 @@ void add_particle(Packing &packing, const CsvRow &row,
 {
   const double size = number(row, static_cast<std::size_t>(columns.size));
   if (size <= 0.)
-    refuse(row, columns.is_diameter ? "the diameter must be above 0"
-                                    : "the radius must be above 0");
+    row.refuse(columns.is_diameter ? "the diameter must be above 0"
+                                   : "the radius must be above 0");
   packing.position.push_back(vector(row, columns.position));
   packing.radius.push_back(columns.is_diameter ? 0.5 * size : size);
   if (const auto &q = columns.orientation; !q.empty())
@@ -104,7 +99,7 @@ void add_particle(Packing &packing, const CsvRow &row,
     const dem::Quaternion turn(number(row, q[0]), number(row, q[1]),
                                number(row, q[2]), number(row, q[3]));
     if (!(std::abs(turn.norm() - 1.) < 1e-6))
-      refuse(row, "the quaternion must have length 1");
+      row.refuse("the quaternion must have length 1");
     // What has all its digits stays as it is, bit for bit.
     packing.orientation.push_back(
         std::abs(turn.norm() - 1.) < 1e-14 ? turn : turn.normalized());
@@ -138,7 +133,7 @@ void take_comment(Packing &packing, const CsvRow &row)
   {
   }
   if (sides.size() != 3 || !(std::min({sides[0], sides[1], sides[2]}) > 0.))
-    refuse(row, "must be # box LX LY LZ, three numbers above 0");
+    row.refuse("must be # box LX LY LZ, three numbers above 0");
   packing.box = {sides[0], sides[1], sides[2]};
 }
 } // namespace

@@ -1,8 +1,12 @@
 #include "subgrade/load.h"
 
 #include "case/file.h"
+#include "errors.h"
+#include "specimen/csv_table.h"
 
 #include <fem/drive.h>
+
+#include <utility>
 
 namespace spall
 {
@@ -24,8 +28,12 @@ Shares shares_of(const Case &c)
   const PulseParameters &p = c.subgrade.pulse;
   if (p.share == AxleShareForm::table)
   {
-    const fem::ShareTable table(
-        find_path(c, "Pulse", "share_table", p.share_table));
+    const std::string path =
+        find_path(c, "Pulse", "share_table", p.share_table);
+    const ColumnPair rows = read_ascending(path, "distance_m,share_1");
+    if (rows.first.size() < 2)
+      throw InputError(path + ": must have two rows or more");
+    const fem::ShareTable table(rows.first, rows.second);
     return {table, table.reach(), table.integral()};
   }
   const fem::RailBed bed{p.rail_stiffness, p.track_modulus, p.sleeper_spacing};
@@ -62,8 +70,10 @@ SubgradeLoad::SubgradeLoad(const Case &c)
     return;
   case PulseForm::table:
   {
+    ColumnPair rows = read_ascending(find_path(c, "Pulse", "table", p.table),
+                                     "time_s,force_N");
     const auto table =
-        fem::Drive::read_table(find_path(c, "Pulse", "table", p.table));
+        fem::Drive::table(std::move(rows.first), std::move(rows.second));
     force = table;
     length = table.last_time();
     if (length <= 0.)

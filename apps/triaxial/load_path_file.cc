@@ -2,14 +2,12 @@
 #include "case/case.h"
 #include "case/file.h"
 #include "case/parameter.h"
-#include "case/source.h"
 #include "errors.h"
+#include "specimen/csv_table.h"
 #include "triaxial/load_path.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -294,84 +292,47 @@ void check_in_order(const Row &row, const Case &c, bool &is_driven,
                                "Boundary/lateral = membrane: use rigid");
 }
 
-/// Cells of a line, without blanks about them.
-std::vector<std::string> cells_of(const std::string &line)
-{
-  std::vector<std::string> cells(1);
-  for (const char c : line)
-    if (c == ',')
-      cells.emplace_back();
-    else if (c != '\r')
-      cells.back() += c;
-  for (std::string &cell : cells)
-  {
-    const std::size_t first = cell.find_first_not_of(" \t");
-    cell = first == std::string::npos
-               ? ""
-               : cell.substr(first, cell.find_last_not_of(" \t") - first + 1);
-  }
-  return cells;
-}
-
-void check_header(const std::vector<std::string> &header,
-                  const std::string &location)
+void check_header(const CsvRow &header)
 {
   std::set<std::string> names;
-  for (const std::string &column : header)
+  for (const std::string &column : header.cells)
   {
     if (std::ranges::find(known_columns(), column) == known_columns().end())
     {
       const std::string near = nearest(column, known_columns());
-      throw InputError(location + ": \"" + column +
+      throw InputError(header.location + ": \"" + column +
                        "\": no column of a loading path has this name" +
                        (near.empty() ? "" : ", did you mean " + near + "?"));
     }
     if (!names.insert(column).second)
-      throw InputError(location + ": \"" + column +
+      throw InputError(header.location + ": \"" + column +
                        "\": a column must stand there once");
   }
 }
 
-Row row_of(const std::string &line, const std::vector<std::string> &header,
-           const std::string &location)
+Row row_of(const CsvRow &line, const CsvRow &header)
 {
-  const std::vector<std::string> cells = cells_of(line);
-  if (cells.size() != header.size())
-    throw InputError(location + ": " + std::to_string(cells.size()) +
-                     " cells: must be as many as the header has, " +
-                     std::to_string(header.size()));
-  Row row{location, {}};
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    if (!cells[k].empty())
-      row.cells[header[k]] = cells[k];
+  Row row{line.location, {}};
+  for (std::size_t k = 0; k < line.cells.size(); ++k)
+    if (!line.cells[k].empty())
+      row.cells[header.cells[k]] = line.cells[k];
   return row;
 }
 } // namespace
 
 LoadPath read_load_path(const std::string &file, const Case &c)
 {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file))
-    throw InputError(file + ": cannot be read as a loading path");
-  skip_byte_order_mark(in);
+  const CsvTable table =
+      read_csv(file, "columns of a loading path, such as "
+                     "name,axial_stress_Pa,duration_s, and below it at least "
+                     "one stage");
+  check_header(table.header);
   LoadPath path;
-  std::vector<std::string> header;
   bool is_driven = false;
-  int n_lines = 0;
   double n_cycles = 0.;
-  for (std::string line; std::getline(in, line);)
+  for (const CsvRow &line : table.rows)
   {
-    const std::string location = file + ":" + std::to_string(++n_lines);
-    if (const std::size_t first = line.find_first_not_of(" \t\r");
-        first == std::string::npos || line[first] == '#')
-      continue;
-    if (header.empty())
-    {
-      header = cells_of(line);
-      check_header(header, location);
-      continue;
-    }
-    const Row row = row_of(line, header, location);
+    const Row row = row_of(line, table.header);
     LoadStage stage = read_stage(row, c);
     check_in_order(row, c, is_driven, stage);
     if (stage.name.empty())
@@ -382,7 +343,7 @@ LoadPath read_load_path(const std::string &file, const Case &c)
                                  number_text(most_cycles) + " cycles");
     path.stages.push_back(std::move(stage));
     if (path.stages.size() > most_stages)
-      throw InputError(location + ": a loading path must have at most " +
+      throw InputError(row.location + ": a loading path must have at most " +
                        std::to_string(most_stages) + " stages");
   }
   if (path.stages.empty())

@@ -1,15 +1,11 @@
 #include "triaxial/wave.h"
 
-#include "case/parameter.h"
-#include "case/source.h"
 #include "errors.h"
+#include "specimen/csv_table.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
-#include <stdexcept>
 
 namespace spall
 {
@@ -32,38 +28,16 @@ double haversine_within(double x)
   return x > 0. && x < 1. ? haversine(x) : 0.;
 }
 
-/// A pair of numbers at `location`; throws InputError.
-std::pair<double, double> read_pair(const std::string &text,
-                                    const std::string &location)
+void add_point(WaveTable &table, const CsvRow &row)
 {
-  try
-  {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos)
-      throw std::invalid_argument("no comma");
-    return {to_number(text.substr(0, comma)),
-            to_number(text.substr(comma + 1))};
-  }
-  catch (const std::invalid_argument &)
-  {
-    throw InputError(location + ": \"" + text +
-                     "\": a row is two numbers with decimal points, "
-                     "share_1,value_1");
-  }
-}
-
-void add_point(WaveTable &table, const std::string &text,
-               const std::string &location)
-{
-  const auto [share, value] = read_pair(text, location);
-  const std::string row = location + ": \"" + text + "\": ";
+  const double share = row.numbers[0], value = row.numbers[1];
   if (table.share.empty() ? share != 0. : share <= table.share.back())
-    throw InputError(row + "shares must ascend from 0 to 1");
+    row.refuse("shares must ascend from 0 to 1");
   if (share > 1.)
-    throw InputError(row + "a share must be at most 1");
+    row.refuse("a share must be at most 1");
   if (std::abs(value) > 1.)
-    throw InputError(row + "a value must be between -1 and 1: the stage gives "
-                           "the amplitude");
+    row.refuse("a value must be between -1 and 1: the stage gives the "
+               "amplitude");
   table.share.push_back(share);
   table.value.push_back(value);
 }
@@ -112,28 +86,9 @@ double WaveTable::operator()(double x) const
 
 WaveTable read_wave_table(const std::string &path)
 {
-  std::ifstream in(path);
-  if (!in || std::filesystem::is_directory(path))
-    throw InputError(path + ": cannot be read as a wave");
-  skip_byte_order_mark(in);
   WaveTable table;
-  bool has_header = false;
-  int n_lines = 0;
-  for (std::string line; std::getline(in, line);)
-  {
-    const std::string location = path + ":" + std::to_string(++n_lines);
-    std::erase_if(line,
-                  [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
-    if (line.empty() || line.starts_with('#'))
-      continue;
-    if (has_header)
-      add_point(table, line, location);
-    else if (line == "share_1,value_1")
-      has_header = true;
-    else
-      throw InputError(location + ": \"" + line +
-                       "\": the header must be share_1,value_1");
-  }
+  for (const CsvRow &row : read_number_table(path, "share_1,value_1").rows)
+    add_point(table, row);
   if (table.share.size() < 3 || table.share.back() != 1. ||
       table.value.front() != 0. || table.value.back() != 0.)
     throw InputError(path + ": a wave needs at least three rows, the first "

@@ -1,5 +1,3 @@
-#include "column_file.h"
-
 #include <fem/drive.h>
 
 #include <algorithm>
@@ -58,12 +56,6 @@ Drive Drive::table(std::vector<double> times, std::vector<double> values)
   drive.times = std::move(times);
   drive.values = std::move(values);
   return drive;
-}
-
-Drive Drive::read_table(const std::string &path)
-{
-  ColumnPair columns = read_columns(path, "time_s,force_N");
-  return table(std::move(columns.first), std::move(columns.second));
 }
 
 double Drive::integral() const

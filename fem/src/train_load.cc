@@ -1,5 +1,3 @@
-#include "column_file.h"
-
 #include <fem/train_load.h>
 
 #include <algorithm>
@@ -55,13 +53,16 @@ double sleeper_share(const RailBed &bed, double x)
          (std::cos(s) + std::sin(s));
 }
 
-ShareTable::ShareTable(const std::string &path)
+ShareTable::ShareTable(std::vector<double> distances,
+                       std::vector<double> shares)
+    : distance(std::move(distances)), share(std::move(shares))
 {
-  ColumnPair columns = read_columns(path, "distance_m,share_1");
-  if (columns.first.size() < 2)
-    throw std::invalid_argument(path + ": must have two rows or more");
-  distance = std::move(columns.first);
-  share = std::move(columns.second);
+  if (distance.size() < 2 || distance.size() != share.size())
+    throw std::invalid_argument("share table: must have two rows or more");
+  for (std::size_t k = 0; k < distance.size(); ++k)
+    if (k == 0 ? distance[k] != 0. : !(distance[k] > distance[k - 1]))
+      throw std::invalid_argument("share table: row " + std::to_string(k + 1) +
+                                  ": distances must ascend from 0");
 }
 
 double ShareTable::operator()(double x) const

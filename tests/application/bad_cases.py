@@ -244,7 +244,8 @@ def gradation(name, text, *message):
 HEADER = "diameter_m,passing_1\n"
 GRADATIONS = [
     gradation("header", "d,p\n0.008,0\n0.016,1\n", "bad.csv:1", "header"),
-    gradation("text", HEADER + "0.008,0\nbig,1\n", "bad.csv:3", "two numbers"),
+    gradation("text", HEADER + "0.008,0\nbig,1\n", "bad.csv:3",
+              "numbers with decimal points"),
     gradation("order", HEADER + "0.016,0\n0.008,1\n", "increase"),
     gradation("falling", HEADER + "0.008,0\n0.01,0.6\n0.012,0.5\n0.016,1\n",
               "decrease"),
@@ -252,7 +253,7 @@ GRADATIONS = [
     gradation("end", HEADER + "0.008,0\n0.016,0.9\n", "end with 1"),
     gradation("negative", HEADER + "-0.008,0\n0.016,1\n", "above 0"),
     gradation("short", HEADER + "0.008,0\n", "two rows"),
-    gradation("empty", "", "two rows"),
+    gradation("empty", "", "first line must be diameter_m,passing_1"),
     gradation("per_cent", HEADER + "0.008,0\n0.016,100\n", "per cent"),
     gradation("mm", HEADER + "8,0\n16,1\n", "bad.csv:3", "at most 10 m",
               "mm must be divided by 1000"),

@@ -19,7 +19,7 @@ PATHS = [
     path("column", "name,axial_stres_Pa\na,1e5\n",
          "p.csv:1: \"axial_stres_Pa\"", "did you mean axial_stress_Pa?"),
     path("twice", "name,name\na,b\n", "p.csv:1: \"name\"", "once"),
-    path("cells", "name,duration_s\na,1,2\n", "p.csv:2: 3 cells", "2"),
+    path("cells", "name,duration_s\na,1,2\n", "p.csv:2: ", "has 3 cells, must have 2"),
     path("number", "duration_s,axial_stress_Pa\n0.1,1e5x\n",
          "p.csv:2: axial_stress_Pa = 1e5x: ", "a number"),
     path("range", "duration_s,axial_stress_Pa\n0.1,-5\n",

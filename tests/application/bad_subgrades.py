@@ -67,7 +67,7 @@ SUBGRADES = [
     ground({"Pulse/form": "table", "Pulse/table": ""}, "time_s,force_N"),
     ground({"Pulse/form": "table", "Pulse/table": "short.csv"}, "ends at 0 s"),
     ground({"Pulse/form": "table", "Pulse/table": "bad.csv"},
-           "header time_s,force_N"),
+           "header must be time_s,force_N"),
     ground({"Pulse/form": "train", "Pulse/axle_spacing": 30}, "car_length"),
     ground({"Pulse/form": "train", "Pulse/share": "table",
             "Pulse/share_table": "bad.csv"}, "distance_m,share_1"),

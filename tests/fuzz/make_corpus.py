@@ -110,6 +110,17 @@ def write_tables():
     put("gradation", "comma.csv", "diameter_m,passing_1\n0,008;0\n0,016;1\n")
     put("tables", "load.csv", "time_s,force_N\n0,0\n0.1,5e3\n0.2,0\n")
     put("tables", "share.csv", "distance_m,share_1\n0,0.4\n0.6,0.3\n1.2,0\n")
+    put("load_path", "ramp.csv", "name,axial_stress_Pa,duration_s\n"
+        "ramp,6e4,0.1\nrest,6e4,0.1\n")
+    put("load_path", "waves.csv",
+        "wave,amplitude_Pa,frequency_Hz,cycles_1,rest_s,lateral_rule\n"
+        "haversine,1e4,10,5,0.1,\nsquare,1e4,5,2,,constant_p\n")
+    put("load_path", "driven.csv",
+        "axial_strain_1,axial_strain_rate_1_per_s,until_stress_ratio_1\n"
+        "0.05,0.1,1.2\n")
+    put("load_path", "own_table.csv",
+        "wave,wave_file,amplitude_Pa,frequency_Hz,cycles_1\n"
+        "table,path.csv,1,1,1\n")
     put("packing", "plain.csv", "# box 1 1 1\n" + PACKING)
     put("packing", "turned.csv", "x,y,z,radius,qw,qx,qy,qz\n"
         "0.5,0.5,0.5,0.1,1,0,0,0\n")

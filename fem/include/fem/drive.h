@@ -31,9 +31,6 @@ public:
   /// Straight lines between the rows; the ends hold beyond them. Throws
   /// std::invalid_argument unless times ascend and there is a row.
   static Drive table(std::vector<double> times, std::vector<double> values);
-  /// A force from a CSV file: the header time_s,force_N, then rows of two
-  /// numbers with times that ascend from 0. The message names file and line.
-  static Drive read_table(const std::string &path);
 
   /// Every one of these throws std::invalid_argument on a wave that is not
   /// finite or has no positive frequency.

@@ -52,14 +52,14 @@ double characteristic_length(const RailBed &bed);
 /// that of the sleeper.
 double sleeper_share(const RailBed &bed, double x);
 
-/// Share over distance by straight lines between rows of a CSV (the header
-/// distance_m,share_1, then distances that ascend from 0); beyond the last one
+/// Share over distance by straight lines between rows; beyond the last one
 /// zero.
 class ShareTable
 {
 public:
-  /// Throws std::invalid_argument with file and line.
-  explicit ShareTable(const std::string &path);
+  /// Throws std::invalid_argument unless there are two rows or more and the
+  /// distances ascend from 0.
+  ShareTable(std::vector<double> distance, std::vector<double> share);
   double operator()(double x) const;               ///< of |x| [-]
   double reach() const { return distance.back(); } ///< [m]
   /// Integral of the share over x from minus to plus infinity [m].
