@@ -233,6 +233,10 @@ mesh_walls(const Engine &engine)
 {
   return all_of_kind<const MeshWall>(engine);
 }
+std::vector<std::reference_wrapper<MeshWall>> mesh_walls(Engine &engine)
+{
+  return all_of_kind<MeshWall>(engine);
+}
 
 std::size_t add_mesh_wall(Engine &engine, const std::string &label,
                           const WallMaterial &material, FacetSurface surface,

@@ -97,4 +97,5 @@ all_facets(const Engine &engine);
 /// have them.
 std::vector<std::reference_wrapper<const MeshWall>>
 mesh_walls(const Engine &engine);
+std::vector<std::reference_wrapper<MeshWall>> mesh_walls(Engine &engine);
 } // namespace dem

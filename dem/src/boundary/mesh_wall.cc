@@ -1,6 +1,7 @@
 #include <dem/binary.h>
 #include <dem/boundary/mesh_wall.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace dem
@@ -39,9 +40,8 @@ MeshWall::MeshWall(std::string its_label, std::int64_t its_number,
     surface.position[v] = moved(placed[v]);
 }
 
-WallLoad MeshWall::load() const
+WallLoad load_on(const FacetSurface &surface, const Vec3 &about)
 {
-  const Vec3 about = centre();
   WallLoad sum;
   for (std::size_t v = 0; v < surface.load.size(); ++v)
   {
@@ -49,6 +49,26 @@ WallLoad MeshWall::load() const
     sum.moment += (surface.position[v] - about).cross(surface.load[v]);
   }
   return sum;
+}
+
+WallLoad MeshWall::load() const
+{
+  return load_on(surface, centre());
+}
+
+double MeshWall::body_volume() const
+{
+  for (const auto &neighbours : topology.neighbour)
+    for (const std::int32_t other : neighbours)
+      if (other < 0)
+        return 0.;
+  double sum = 0.; // positive where the particles are inside
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto corner = corners_of(surface, static_cast<std::int32_t>(t));
+    sum += corner[0].dot(corner[1].cross(corner[2])) / 6.;
+  }
+  return std::max(0., -sum);
 }
 
 void MeshWall::move(double time_step)

@@ -32,6 +32,14 @@ double volume_of(std::span<const ParticleShape> particles)
     sum += particle.volume;
   return sum;
 }
+
+double largest_radius(std::span<const ParticleShape> particles)
+{
+  double largest = 0.;
+  for (const ParticleShape &particle : particles)
+    largest = std::max(largest, particle.circumscribed_radius);
+  return largest;
+}
 } // namespace
 
 double Room::section() const
@@ -90,6 +98,23 @@ Pouring::Pouring(const Room &its_room, const PouringParameters &p,
 {
 }
 
+void Pouring::set_first_layer(PlacedLayer placed)
+{
+  first = std::move(placed);
+}
+
+/// Of the cloud of a layer, or up to the top of the one that is placed [m].
+double Pouring::fall_height(std::size_t layer) const
+{
+  if (first.placement.empty() || layer > 0)
+    return volume_of(bodies[layer]) /
+           (parameters.solid_fraction * room.section());
+  double top = 0.;
+  for (const Placement &placed : first.placement)
+    top = std::max(top, placed.position.z() - room.floor.z());
+  return top;
+}
+
 double Pouring::expected_time(const Vec3 &gravity) const
 {
   constexpr double n_falls = 3.;
@@ -97,18 +122,15 @@ double Pouring::expected_time(const Vec3 &gravity) const
   for (const std::vector<ParticleShape> &layer : bodies)
     whole += volume_of(layer);
   double filled = 0.;
-  for (const std::vector<ParticleShape> &layer : bodies)
+  for (std::size_t layer = 0; layer < bodies.size(); ++layer)
   {
-    const double volume = volume_of(layer);
-    filled += volume;
-    const double cloud =
-        volume / (parameters.solid_fraction * room.section()); // [m]
+    filled += volume_of(bodies[layer]);
     const double tamping =
         parameters.density > 0.
-            ? 2. * layer.front().circumscribed_radius / parameters.tamper_speed
+            ? 2. * largest_radius(bodies[layer]) / parameters.tamper_speed
             : 0.;
-    sum += filled / whole *
-           (n_falls * std::sqrt(2. * cloud / gravity.norm()) + tamping);
+    const double fall = std::sqrt(2. * fall_height(layer) / gravity.norm());
+    sum += filled / whole * (n_falls * fall + tamping);
   }
   return sum;
 }
@@ -196,10 +218,25 @@ std::vector<Placement> Pouring::cloud_above(double floor,
     }
 }
 
-void Pouring::pour(Engine &engine)
+/// The first layer, where it is placed.
+void Pouring::pour_placed(Engine &engine) const
+{
+  const std::vector<ParticleShape> &layer = bodies.front();
+  for (std::size_t i = 0; i < layer.size(); ++i)
+    engine.add_particle(layer[i], first.placement[i].position,
+                        first.placement[i].orientation);
+  ParticleSystem &particles = engine.particles();
+  for (std::size_t row = 0; row < particles.size(); ++row)
+  {
+    const auto k = static_cast<std::size_t>(particles.id[row]);
+    particles.velocity(row) = first.velocity[k];
+    particles.spin(row) = first.spin[k];
+  }
+}
+
+void Pouring::pour_cloud(Engine &engine) const
 {
   const std::vector<ParticleShape> &layer = bodies[finished.size()];
-  engine.synchronize();
   const double floor = top_of(engine, room.floor.z());
   const Vec3 half(0.5 * room.width_x,
                   0.5 * (room.is_round ? room.width_x : room.width_y), 0.);
@@ -218,6 +255,16 @@ void Pouring::pour(Engine &engine)
   for (std::size_t i = 0; i < layer.size(); ++i)
     engine.add_particle(layer[i], placements[i].position,
                         placements[i].orientation);
+}
+
+void Pouring::pour(Engine &engine)
+{
+  const std::vector<ParticleShape> &layer = bodies[finished.size()];
+  engine.synchronize();
+  if (finished.empty() && !first.placement.empty())
+    pour_placed(engine);
+  else
+    pour_cloud(engine);
   now.mass += volume_of(layer) * engine.parameters().particle.density;
   now.strokes = 0;
   now.peak = 0.;

@@ -5,6 +5,10 @@
 
 namespace dem
 {
+/// Sum of the loads on the vertices of a surface, with the moment about a
+/// point.
+WallLoad load_on(const FacetSurface &surface, const Vec3 &about);
+
 /// A rigid wall of any shape: facets that move as one.
 class MeshWall final : public FacetBoundary
 {
@@ -30,8 +34,13 @@ public:
   int event_kind() const override { return 4; }
   void move(double time_step) override;
 
+  /// Its motion begins so long after now; infinite: not yet [s].
+  void start_in(double delay) { course.start = current.time + delay; }
   /// Of the particles on the wall in the last step.
   WallLoad load() const;
+  /// Of a closed wall with the particles outside what it encloses; else 0
+  /// [m^3].
+  double body_volume() const;
   const WallMotion &motion() const { return course; }
   const WallPose &pose() const { return current; }
   /// Centre of rotation now [m].

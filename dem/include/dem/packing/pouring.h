@@ -51,6 +51,13 @@ struct PouringParameters
 std::vector<std::vector<ParticleShape>>
 deal_layers(std::span<const ParticleShape> particles, int n);
 
+/// Where the particles of a layer are and how they move when it comes in.
+struct PlacedLayer
+{
+  std::vector<Placement> placement;
+  std::vector<Vec3> velocity, spin; ///< [m/s], [rad/s]
+};
+
 /// A layer does not come to rest in time.
 class NoRest : public std::runtime_error
 {
@@ -96,6 +103,10 @@ public:
   Pouring(const Room &room, const PouringParameters &parameters,
           std::vector<std::vector<ParticleShape>> layers, std::uint64_t seed);
 
+  /// The first layer begins like this, instead of as a cloud that is drawn; the
+  /// order of its particles is free then. The engine has no particles before.
+  void set_first_layer(PlacedLayer placed);
+
   /// Adds the tamper, a plane that is out of the way until it is needed.
   void prepare(Engine &engine);
 
@@ -122,6 +133,9 @@ public:
 
 private:
   void pour(Engine &engine);
+  void pour_cloud(Engine &engine) const;
+  void pour_placed(Engine &engine) const;
+  double fall_height(std::size_t layer) const;
   std::vector<Placement> cloud_above(double floor,
                                      const InsertionBox &slab) const;
   bool is_at_rest(Engine &engine, double limit);
@@ -155,6 +169,7 @@ private:
   PouringParameters parameters;
   std::vector<std::vector<ParticleShape>> bodies;
   std::uint64_t seed;
+  PlacedLayer first; ///< empty: it is drawn
   std::size_t plane = 0;
   State now;
   std::vector<Layer> finished;
