@@ -104,10 +104,14 @@ Chart level_chart(const StudyData &data, std::size_t k, std::size_t outcome)
   if (key.is_variant())
     for (const Level &level : levels)
       chart.x_names.push_back(level.value);
+  // Levels without a result are not on the axis.
+  std::vector<Level> drawn = levels;
+  std::erase_if(drawn, [](const Level &level)
+                { return !std::isfinite(level.mean()); });
   const double gap =
-      levels.empty()
+      drawn.empty()
           ? 0.
-          : series_gap * (along(levels.back().x) - along(levels.front().x));
+          : series_gap * (along(drawn.back().x) - along(drawn.front().x));
   for (std::size_t n = 0; n < series.size(); ++n)
   {
     Curve look;

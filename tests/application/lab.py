@@ -253,7 +253,7 @@ def study(spall, root):
     for word in ("<td>yes</td>", "Cases that failed", "Rayleigh", "<svg"):
         if word not in page:
             faults.append(f"the report does not say {word}")
-    faults += page_faults(root / "out" / "report.html", ["Cases"], shift=3.)
+    faults += page_faults(root / "out" / "report.html", ["Cases"], shift=6.)
     before = {row["run"]: (root / "out" / row["run"] / "summary.json")
               .stat().st_mtime_ns for row in done}
     spall_run(words, status=2)
