@@ -42,6 +42,7 @@ html_static_path = ["_static"]
 html_css_files = ["spall.css"]
 html_copy_source = False
 html_show_sphinx = False
+html_show_copyright = False
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
 
