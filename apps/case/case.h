@@ -65,8 +65,9 @@ struct SpecimenParameters
   double diameter = 0.1;       ///< of the cylinder after compaction, about [m]
   double height = 0.2;         ///< of the cylinder after compaction, about [m]
   double solid_fraction = 0.6; ///< with the size: volume of particles [-]
-  /// File of placed particles instead of drawn ones; may be empty.
+  /// File or run of placed particles instead of drawn ones; may be empty.
   std::string particles;
+  double largest_overlap = 0.05; ///< as placed, over the radius [-]
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/quick_7_22mm.csv";
   /// folder of shape files; empty: spheres
@@ -227,6 +228,9 @@ struct PressParameters
 struct ChargeParameters
 {
   double mass = 10.; ///< of the particles [kg]
+  /// File or run of placed particles instead of drawn ones; may be empty.
+  std::string particles;
+  double largest_overlap = 0.05; ///< as placed, over the radius [-]
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/los_angeles_20_45mm.csv";
   std::string shapes = "shapes/limestone_blocky";

@@ -1,11 +1,13 @@
 #include "case/checks.h"
 
+#include "case/fields.h"
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace spall
 {
@@ -118,6 +120,24 @@ void check_contact_tangent(const Case &c, const SourceLocation &location,
     refuse(location, {"Coupling", "contact_tangent", "true",
                       "is for a membrane with Coupling/exchange = one_pass or "
                       "iterated, body_time = implicit and body_steps = 1"});
+}
+
+void check_at_rest(const Case &c, const SourceLocation &location,
+                   const WallSection &wall, const std::string &allowed)
+{
+  const std::pair<const char *, bool> moving[] = {
+      {"velocity", !wall.velocity.isZero()},
+      {"amplitude", !wall.amplitude.isZero()},
+      {"table", !wall.table.empty()},
+      {"rotation_rate", wall.rotation_rate != 0.},
+      {"free", wall.free != FreeDirections::none},
+      {"inertia", wall.inertia > 0.}};
+  Case any = c;
+  for (const auto &[key, is_moving] : moving)
+    for (const Parameter &parameter :
+         is_moving ? parameters_of(any) : std::vector<Parameter>{})
+      if (parameter.section == wall.section() && parameter.key == key)
+        refuse(location, {wall.section(), key, value_text(parameter), allowed});
 }
 
 namespace

@@ -39,6 +39,11 @@ void check_inertia(const Case &c, const SourceLocation &location);
 /// Time/step = error is refused.
 void check_no_step_error(const Case &c, const SourceLocation &location);
 
+/// A wall that moves, or is moved by forces, is refused: `allowed` is the
+/// reason.
+void check_at_rest(const Case &c, const SourceLocation &location,
+                   const WallSection &wall, const std::string &allowed);
+
 /// Checks beyond single ranges: parameters against each other and against
 /// the files they name. Throws InputError.
 void check_case(const Case &parameters, const SourceLocation &location);

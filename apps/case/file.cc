@@ -293,11 +293,20 @@ std::optional<std::string> path_of(const Case &of, const std::string &name)
   return std::nullopt;
 }
 
-/// Of a file, or of the shape files of a folder.
+/// Of a file, of the shape files of a folder, or of the last particles of a
+/// run with their shapes.
 std::uint64_t digest_of(const fs::path &path)
 {
   if (!fs::is_directory(path))
     return digest_of_file(path);
+  if (const fs::path last = path / "particles.csv"; fs::exists(last))
+  {
+    Digest run;
+    run.add(hex_text(digest_of_file(last)));
+    if (fs::is_directory(path / "shapes"))
+      run.add(hex_text(digest_of(path / "shapes")));
+    return run.value();
+  }
   std::error_code status;
   std::map<fs::path, std::uint64_t> files;
   for (const fs::directory_entry &item : fs::directory_iterator(path, status))

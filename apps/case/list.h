@@ -149,6 +149,27 @@ void add_drawn_particles(List &list, Drawn &drawn)
             "the particles."},
            drawn.seed, between(0, 2147483647));
 }
+/// The keys of placed particles, in the section the list is in: particles and
+/// largest_overlap of `placed`. `otherwise`: what there is without them.
+template <class Placed>
+void add_placed_particles(List &list, Placed &placed,
+                          const std::string &otherwise)
+{
+  list.add_path({"particles", "-",
+                 "CSV file of placed particles, or the folder of a run, whose "
+                 "last state is taken. Each row holds x,y,z and radius or "
+                 "diameter. Optional columns are qw,qx,qy,qz (orientation), "
+                 "vx,vy,vz, wx,wy,wz, shape and material. Without a file " +
+                     otherwise},
+                placed.particles);
+  Parameter &largest =
+      list.add({"largest_overlap", "-",
+                "Largest allowed overlap of placed particles, over the radius "
+                "of the smaller one."},
+               placed.largest_overlap, between(0., 0.5));
+  largest.decides_preparation = false;
+  largest.may_change = true;
+}
 void add_walls(List &list, std::vector<WallSection> &walls);
 void add_coupling(List &list, CouplingParameters &c);
 void add_contact(List &list, Case &of);

@@ -30,6 +30,9 @@ struct ContainerParameters
 /// The particles, and how they get into the container.
 struct FillingParameters
 {
+  /// File or run of placed particles instead of drawn ones; may be empty.
+  std::string particles;
+  double largest_overlap = 0.05; ///< as placed, over the radius [-]
   /// CSV: diameter_m, passing_1
   std::string gradation = "gradations/compaction_10_45mm.csv";
   std::string shapes = "shapes/limestone"; ///< folder; empty: spheres

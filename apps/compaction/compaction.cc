@@ -37,6 +37,8 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
 {
   for (std::size_t i = 0; i < scene.all.size(); ++i)
     filled_mass += scene.all.solid_mass(i);
+  if (scene.placed)
+    pouring.set_first_layer(*scene.placed);
   pouring.prepare(engine());
   if (!fills_by_own_steps())
     return;

@@ -57,6 +57,7 @@ public:
   void take_prepared(std::istream &in) override;
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
+  std::vector<NamedBoundary> named_boundaries() const override;
 
 private:
   /// Results of a report besides the roundness of each particle.

@@ -35,6 +35,10 @@ void add_container(List &list, ContainerParameters &c)
 void add_filling(List &list, FillingParameters &f)
 {
   list.in("Filling");
+  add_placed_particles(list, f,
+                       "particles are drawn from the gradation. Placed ones "
+                       "are one layer, which falls from where it is and is "
+                       "tamped.");
   add_drawn_particles(list, f);
   list.add({"density", "kg/m^3",
             "Requested density of the layer: mass of the particles over the "

@@ -105,6 +105,21 @@ std::vector<Quantity> Compaction::measured() const
   return row;
 }
 
+/// The tamper is the plate that does not tilt.
+std::vector<NamedBoundary> Compaction::named_boundaries() const
+{
+  const bool is_plane = parameters.plate.form == PlateKind::rigid;
+  std::vector<NamedBoundary> all = {
+      {"floor", BoundaryKind::plane, 0},
+      {is_plane ? "plate" : "tamper", BoundaryKind::plane, pouring.tamper()},
+      {"container", BoundaryKind::drum}};
+  if (!is_plane)
+    all.push_back({"plate", BoundaryKind::surface});
+  if (parameters.container.is_flexible())
+    all.push_back({"membrane", BoundaryKind::surface});
+  return all;
+}
+
 void Compaction::summarise(nlohmann::ordered_json &summary) const
 {
   Test::summarise(summary);

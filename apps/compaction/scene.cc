@@ -6,6 +6,7 @@
 #include "errors.h"
 #include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
+#include "specimen/placed_particles.h"
 #include "test/test.h"
 
 #include <coupling/triaxial_cell.h>
@@ -45,7 +46,8 @@ std::vector<dem::ParticleShape> draw_filling(const Case &parameters,
   return particles;
 }
 
-dem::EngineParameters engine_settings(const Case &parameters)
+dem::EngineParameters engine_settings(const Case &parameters,
+                                      const dem::ParticleSystem &all)
 {
   dem::EngineParameters settings;
   settings.particle = parameters.particle;
@@ -58,25 +60,45 @@ dem::EngineParameters engine_settings(const Case &parameters)
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.filling.local_damping;
   settings.gravity = -gravity * dem::Vec3::UnitZ();
+  settings.geometry.usual_skin = 0.25 * all.smallest_radius();
   return settings;
 }
 
 /// Floor and wall; the ends of the cylinder are out of reach.
-std::unique_ptr<dem::Engine> empty_container(dem::EngineParameters settings,
-                                             const dem::ParticleSystem &all,
-                                             double radius)
+void add_container(const Case &parameters, dem::Engine &engine)
 {
-  settings.geometry.usual_skin = 0.25 * all.smallest_radius();
-  auto engine =
-      std::make_unique<dem::Engine>(settings, dem::ranks_of_program());
-  dem::add_plane(*engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
+  dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   dem::Drum wall;
   wall.axis = dem::Vec3::UnitZ();
-  wall.radius = radius;
-  wall.length = 1e3 * radius;
-  dem::set_drum(*engine, wall);
-  engine->set_breaking(false);
-  return engine;
+  wall.radius = 0.5 * parameters.container.diameter;
+  wall.length = 1e3 * wall.radius;
+  dem::set_drum(engine, wall);
+  add_mesh_walls(engine, parameters);
+}
+
+void draw_layers(const Case &parameters, CompactionScene &scene)
+{
+  const FillingParameters &f = parameters.filling;
+  scene.shapes = load_shapes(parameters, "Filling", f.shapes, f.order);
+  const std::vector<dem::ParticleShape> particles =
+      draw_filling(parameters, scene.shapes);
+  scene.all = unplaced_particles(parameters, particles);
+  scene.layers = dem::deal_layers(particles, f.layers);
+}
+
+void place_layer(const Case &parameters, CompactionScene &scene)
+{
+  const FillingParameters &f = parameters.filling;
+  const PlacedParticles particles =
+      place_particles(parameters, {"Filling", f.particles, f.shapes, f.order});
+  scene.shapes = particles.shapes;
+  scene.all = unplaced_particles(parameters, particles.body);
+  scene.layers = {particles.body};
+  scene.placed = placed_layer(particles);
+  check_as_placed(
+      parameters, particles,
+      {"Filling", f.largest_overlap, engine_settings(parameters, scene.all),
+       [&](dem::Engine &engine) { add_container(parameters, engine); }});
 }
 
 /// What the elastic plate stands.
@@ -101,7 +123,9 @@ void mind_plate(const Case &c, CompactionScene &scene)
 
 void choose_first_step(const Case &parameters, CompactionScene &scene)
 {
-  scene.limit = dem::critical_step(scene.engine->parameters(), scene.all);
+  const dem::EngineParameters &engine = scene.engine->parameters();
+  scene.limit = limit_on_walls(parameters, engine, scene.all,
+                               dem::critical_step(engine, scene.all));
   std::optional<fem::Membrane> tube;
   if (parameters.container.is_flexible())
     tube.emplace(make_tube(parameters));
@@ -118,15 +142,14 @@ CompactionScene make_compaction_scene(const Case &parameters)
 {
   CompactionScene scene;
   scene.room = room_of(parameters.container);
-  scene.shapes = load_shapes(parameters, "Filling", parameters.filling.shapes,
-                             parameters.filling.order);
-  const std::vector<dem::ParticleShape> particles =
-      draw_filling(parameters, scene.shapes);
-  scene.all = unplaced_particles(parameters, particles);
-  scene.layers = dem::deal_layers(particles, parameters.filling.layers);
-  scene.engine = empty_container(engine_settings(parameters), scene.all,
-                                 0.5 * parameters.container.diameter);
-  add_mesh_walls(*scene.engine, parameters);
+  if (parameters.filling.particles.empty())
+    draw_layers(parameters, scene);
+  else
+    place_layer(parameters, scene);
+  scene.engine = std::make_unique<dem::Engine>(
+      engine_settings(parameters, scene.all), dem::ranks_of_program());
+  add_container(parameters, *scene.engine);
+  scene.engine->set_breaking(false);
   choose_first_step(parameters, scene);
   return scene;
 }

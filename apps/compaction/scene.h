@@ -5,6 +5,8 @@
 #include <dem/packing/pouring.h>
 #include <fem/surface_mesh.h>
 
+#include <optional>
+
 namespace spall
 {
 /// Container and particles of a vibratory compaction before anything is poured.
@@ -13,6 +15,7 @@ struct CompactionScene
   ShapeLibrary shapes;
   dem::Room room;
   std::vector<std::vector<dem::ParticleShape>> layers;
+  std::optional<dem::PlacedLayer> placed; ///< of the only layer, unless drawn
   dem::ParticleSystem
       all; ///< the particles as they will be, nowhere in particular
   /// A floor, which is plane 0, and an upright cylinder; no particles.

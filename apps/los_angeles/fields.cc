@@ -10,6 +10,10 @@ void add_charge(List &list, ChargeParameters &c)
   list.in("Charge");
   list.add({"mass", "kg", "Total mass of the particles."}, c.mass,
            above(0., 1e4));
+  add_placed_particles(list, c,
+                       "particles are drawn from the gradation. Placed ones "
+                       "are the whole charge, the steel balls as material "
+                       "other, and fall from where they are.");
   add_drawn_particles(list, c);
   list.add({"balls", "-", "Number of steel balls."}, c.balls, between(0, 1000));
   list.add({"ball_mass", "kg", "Mass of all steel balls together."},

@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
+#include "specimen/placed_particles.h"
 #include "test/checkpoint.h"
 #include "test/roundness_table.h"
 
@@ -27,8 +28,6 @@ namespace spall
 {
 namespace
 {
-constexpr std::uint8_t steel = 1;
-
 double spin_of(const DrumParameters &d)
 {
   return d.turns_per_minute / 60. * 2. * std::numbers::pi;
@@ -57,7 +56,8 @@ std::vector<dem::ParticleShape> make_charge(const Case &parameters,
   return bodies;
 }
 
-dem::EngineParameters engine_settings(const Case &parameters)
+dem::EngineParameters engine_settings(const Case &parameters,
+                                      const PlacedParticles &charge)
 {
   dem::EngineParameters settings;
   settings.particle = parameters.particle;
@@ -68,6 +68,7 @@ dem::EngineParameters engine_settings(const Case &parameters)
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.time.local_damping;
   settings.gravity = -gravity * dem::Vec3::UnitZ();
+  settings.geometry.usual_skin = 0.25 * charge.smallest_radius();
   return settings;
 }
 
@@ -96,6 +97,43 @@ place_charge(const Case &parameters,
         " m or Drum/length = " + number_text(d.length) + " m larger");
   }
 }
+PlacedParticles drawn_charge(const Case &parameters)
+{
+  const ChargeParameters &c = parameters.charge;
+  PlacedParticles charge;
+  charge.shapes = load_shapes(parameters, "Charge", c.shapes, c.order);
+  dem::Random random(static_cast<std::uint64_t>(c.seed));
+  const std::vector<dem::ParticleShape> bodies =
+      make_charge(parameters, charge.shapes, random);
+  charge.add_at_rest(bodies, place_charge(parameters, bodies, random), "Charge",
+                     static_cast<std::size_t>(c.balls));
+  return charge;
+}
+
+void add_boundaries(const Case &parameters, dem::Engine &engine)
+{
+  const DrumParameters &d = parameters.drum;
+  dem::Drum drum;
+  drum.radius = d.radius;
+  drum.length = d.length;
+  drum.lifter_height = d.lifter_height;
+  drum.lifter_thickness = d.lifter_thickness;
+  dem::set_drum(engine, drum);
+  add_mesh_walls(engine, parameters);
+}
+
+PlacedParticles placed_charge(const Case &parameters)
+{
+  const ChargeParameters &c = parameters.charge;
+  PlacedParticles charge =
+      place_particles(parameters, {"Charge", c.particles, c.shapes, c.order,
+                                   "the steel balls of section Charge"});
+  check_as_placed(
+      parameters, charge,
+      {"Charge", c.largest_overlap, engine_settings(parameters, charge),
+       [&](dem::Engine &engine) { add_boundaries(parameters, engine); }});
+  return charge;
+}
 } // namespace
 
 /// What the constructor hands on: shapes, and the engine with all in it.
@@ -105,33 +143,15 @@ struct LosAngeles::Scene
   std::unique_ptr<dem::Engine> engine;
 
   explicit Scene(const Case &parameters)
-      : shapes(load_shapes(parameters, "Charge", parameters.charge.shapes,
-                           parameters.charge.order))
   {
-    dem::Random random(static_cast<std::uint64_t>(parameters.charge.seed));
-    const std::vector<dem::ParticleShape> bodies =
-        make_charge(parameters, shapes, random);
-    const std::vector<dem::Placement> placements =
-        place_charge(parameters, bodies, random);
-    dem::EngineParameters settings = engine_settings(parameters);
-    double smallest = bodies[0].inscribed_radius;
-    for (const dem::ParticleShape &body : bodies)
-      smallest = std::min(smallest, dem::mean_radius(body));
-    settings.geometry.usual_skin = 0.25 * smallest;
-    engine = std::make_unique<dem::Engine>(settings, dem::ranks_of_program());
-    const auto n_balls = static_cast<std::size_t>(parameters.charge.balls);
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      engine->add_particle(bodies[i], placements[i].position,
-                           placements[i].orientation,
-                           i < n_balls ? steel : std::uint8_t{0});
-    const DrumParameters &d = parameters.drum;
-    dem::Drum drum;
-    drum.radius = d.radius;
-    drum.length = d.length;
-    drum.lifter_height = d.lifter_height;
-    drum.lifter_thickness = d.lifter_thickness;
-    dem::set_drum(*engine, drum);
-    add_mesh_walls(*engine, parameters);
+    const PlacedParticles charge = parameters.charge.particles.empty()
+                                       ? drawn_charge(parameters)
+                                       : placed_charge(parameters);
+    shapes = charge.shapes;
+    engine = std::make_unique<dem::Engine>(engine_settings(parameters, charge),
+                                           dem::ranks_of_program());
+    add_particles(charge, *engine);
+    add_boundaries(parameters, *engine);
     engine->set_breaking(false);
   }
 };

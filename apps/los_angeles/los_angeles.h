@@ -31,6 +31,10 @@ public:
   bool ends_early() const override { return last_turn < parameters.drum.turns; }
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
+  std::vector<NamedBoundary> named_boundaries() const override
+  {
+    return {{"drum", BoundaryKind::drum}};
+  }
 
 private:
   struct Scene;

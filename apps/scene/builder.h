@@ -35,6 +35,6 @@ BuiltScene build_scene(const Case &parameters, const PlacedParticles &particles,
 /// of any particle on the box and on any wall (dem::critical_step). Throws
 /// InputError with the names of the two where particles, or a particle and a
 /// wall, overlap by more than Scene/largest_overlap.
-dem::StepLimit check_as_placed(const Case &parameters,
-                               const PlacedParticles &particles);
+dem::StepLimit check_scene_as_placed(const Case &parameters,
+                                     const PlacedParticles &particles);
 } // namespace spall

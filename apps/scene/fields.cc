@@ -9,13 +9,7 @@ namespace
 void add_scene_section(List &list, SceneParameters &s)
 {
   list.in("Scene");
-  list.add_path(
-      {"particles", "-",
-       "CSV file of placed particles, or the folder of a run of kind scene, "
-       "whose last state is taken. Each row holds x,y,z and radius or "
-       "diameter. Optional columns are qw,qx,qy,qz (orientation), vx,vy,vz, "
-       "wx,wy,wz, shape and material. Empty stands for none."},
-      s.particles);
+  add_placed_particles(list, s, "there are none.");
   list.add_path({"shapes", "-",
                  "Folder of the shape files that the placed particles name."},
                 s.shapes);
@@ -30,10 +24,6 @@ void add_scene_section(List &list, SceneParameters &s)
       .may_change = true;
   list.add({"breakage_start", "s", "Time from which particles can break."},
            s.breakage_start, between(0., 1e6));
-  list.add({"largest_overlap", "-",
-            "Largest allowed overlap of placed particles, over the radius of "
-            "the smaller one."},
-           s.largest_overlap, between(0., 0.5));
   list.in("Scene", {.may_change = true});
   list.add(
       {"rows", "-", "Number of rows of history.csv in the simulated time."},

@@ -7,8 +7,6 @@
 #include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
 
-#include <filesystem>
-
 namespace spall
 {
 namespace
@@ -23,10 +21,8 @@ ShapeLibrary filling_shapes(const Case &parameters, PlacedParticles &scene)
   for (const ShapeFile &file :
        read_shapes(find_path(parameters, "Fill", "shapes", fill.shapes)))
   {
-    own.push_back(load_with_warnings(file, fill.order));
-    scene.shapes.push_back(own.back());
-    scene.shape_names.push_back(
-        std::filesystem::path(file.path).stem().string());
+    own.add(load_with_warnings(file, fill.order), file);
+    scene.shapes.add(own.back(), file);
   }
   return own;
 }
@@ -58,15 +54,7 @@ void fill(const Case &parameters, PlacedParticles &scene)
                      " kg must be lower, or the region from Fill/lower to "
                      "Fill/upper larger");
   }
-  const std::size_t n = scene.body.size() + drawn.size();
-  for (std::size_t k = 0; k < drawn.size(); ++k)
-    scene.name.push_back("particle " + std::to_string(k + 1) + " of Fill");
-  scene.body.insert(scene.body.end(), drawn.begin(), drawn.end());
-  scene.placement.insert(scene.placement.end(), placements.begin(),
-                         placements.end());
-  scene.velocity.resize(n, dem::Vec3::Zero());
-  scene.spin.resize(n, dem::Vec3::Zero());
-  scene.material.resize(n, 0);
+  scene.add_at_rest(drawn, placements, "Fill");
 }
 } // namespace
 
@@ -75,9 +63,9 @@ PlacedParticles make_scene_particles(const Case &parameters)
   const SceneCase &own = parameters.own<SceneCase>();
   PlacedParticles scene;
   if (!own.scene.particles.empty())
-    scene =
-        place_particles(parameters, {"Scene", own.scene.particles,
-                                     own.scene.shapes, own.scene.order, true});
+    scene = place_particles(
+        parameters, {"Scene", own.scene.particles, own.scene.shapes,
+                     own.scene.order, "section Other, which does not break"});
   if (own.fill.mass > 0.)
     fill(parameters, scene);
   return scene;

@@ -42,7 +42,7 @@ double largest_speed(const dem::ParticleSystem &all)
 Scene::Scene(const Case &c) : Scene(c, make_scene_particles(c)) {}
 
 Scene::Scene(const Case &c, const PlacedParticles &particles)
-    : Scene(c, particles, check_as_placed(c, particles),
+    : Scene(c, particles, check_scene_as_placed(c, particles),
             build_scene(c, particles, dem::ranks_of_program()))
 {
 }
@@ -51,8 +51,7 @@ Scene::Scene(const Case &c, const PlacedParticles &particles,
              const dem::StepLimit &its_limit, BuiltScene built)
     : Test(c, particles.shapes, std::move(built.engine), its_limit,
            first_step(c, its_limit)),
-      own(parameters.own<SceneCase>()), placed(particles),
-      box(std::move(built.box))
+      own(parameters.own<SceneCase>()), box(std::move(built.box))
 {
 }
 
@@ -115,7 +114,7 @@ double Scene::frame_interval() const
 
 FrameParts Scene::frame_parts() const
 {
-  return {nullptr, !placed.shapes.empty()};
+  return {nullptr, !shape_library().empty()};
 }
 
 std::vector<Quantity> Scene::measured() const
@@ -131,21 +130,15 @@ std::vector<Quantity> Scene::measured() const
       {"largest_speed_m_per_s", largest_speed(all.particles()), true},
       {"n_contacts_1", static_cast<double>(network.n_contacts)},
       {"mean_contact_force_N", network.mean_force}};
-  for (const BoxPlane &face : box)
-  {
-    const dem::Vec3 &force = dem::planes(all)[face.plane].force;
-    for (std::size_t d = 0; d < 3; ++d)
-      row.push_back({"box_" + face.name + "_force_" + "xyz"[d] + "_N",
-                     force[static_cast<Eigen::Index>(d)]});
-  }
   return row;
 }
 
-std::vector<NamedText> Scene::take_files()
+std::vector<NamedBoundary> Scene::named_boundaries() const
 {
-  if (share_done() < 1. || std::exchange(is_written, true))
-    return {};
-  return {{"particles.csv", particle_table(whole().particles(), placed)}};
+  std::vector<NamedBoundary> all;
+  for (const BoxPlane &face : box)
+    all.push_back({"box_" + face.name, BoundaryKind::plane, face.plane});
+  return all;
 }
 
 void Scene::summarise(nlohmann::ordered_json &summary) const

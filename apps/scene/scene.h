@@ -20,12 +20,12 @@ public:
   Due due() const override;
   double frame_interval() const override;
   FrameParts frame_parts() const override;
-  std::vector<NamedText> take_files() override;
   double progress_at(double time) const override { return time; }
   const char *progress_column() const override { return "time_s"; }
   void summarise(nlohmann::ordered_json &summary) const override;
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
+  std::vector<NamedBoundary> named_boundaries() const override;
 
 private:
   Scene(const Case &parameters, const PlacedParticles &particles);
@@ -35,10 +35,8 @@ private:
   std::vector<Quantity> measured() const override;
 
   SceneCase own;
-  PlacedParticles placed;
   std::vector<BoxPlane> box;
   double time_before = 0.;      ///< at the last step [s]
   std::uint8_t is_breaking = 0; ///< breakage counts
-  bool is_written = false;      ///< the last state, as a file
 };
 } // namespace spall

@@ -41,6 +41,15 @@ void require_radius(const ShapeFile &shape, const dem::Coefficients &series)
                      "not carry the shape");
 }
 
+dem::Coefficients cut_at(const ShapeFile &shape, int order)
+{
+  dem::Coefficients series = shape.coefficients;
+  const auto kept = static_cast<std::size_t>(dem::n_coefficients(order));
+  if (series.size() > kept)
+    series.resize(kept);
+  return series;
+}
+
 /// Moves the origin to the centroid and reports it.
 void put_at_centroid(const ShapeFile &shape, dem::Coefficients &series,
                      std::vector<std::string> &warnings)
@@ -88,10 +97,7 @@ std::string resolution_warning(const dem::Coefficients &coefficients)
 
 LoadedShape loaded_shape(const ShapeFile &shape, int order)
 {
-  dem::Coefficients series = shape.coefficients;
-  const auto kept = static_cast<std::size_t>(dem::n_coefficients(order));
-  if (series.size() > kept)
-    series.resize(kept);
+  dem::Coefficients series = cut_at(shape, order);
   LoadedShape loaded;
   put_at_centroid(shape, series, loaded.warnings);
   require_radius(shape, series);
@@ -100,6 +106,15 @@ LoadedShape loaded_shape(const ShapeFile &shape, int order)
   loaded.coefficients =
       std::make_shared<const dem::Coefficients>(std::move(series));
   return loaded;
+}
+
+std::shared_ptr<const dem::Coefficients> as_written(const ShapeFile &shape,
+                                                    int order)
+{
+  dem::Coefficients series = cut_at(shape, order);
+  if (series.size() < shape.coefficients.size())
+    require_radius(shape, series);
+  return std::make_shared<const dem::Coefficients>(std::move(series));
 }
 
 std::shared_ptr<const dem::Coefficients>

@@ -27,6 +27,12 @@ LoadedShape loaded_shape(const ShapeFile &shape, int order);
 std::shared_ptr<const dem::Coefficients>
 load_with_warnings(const ShapeFile &shape, int order);
 
+/// The series of a file that a run has written, cut at an order: its origin
+/// stays where it is, as it did in that run. Throws InputError where the series
+/// has no radius above zero everywhere.
+std::shared_ptr<const dem::Coefficients> as_written(const ShapeFile &shape,
+                                                    int order);
+
 /// A line on how much the series adds in its upper third of degrees;
 /// empty where it is little [-].
 std::string resolution_warning(const dem::Coefficients &coefficients);

@@ -18,6 +18,10 @@ void check_single_particle(const Case &c, const SourceLocation &location)
     refuse(location,
            {"Press", "displacement", number_text(c.press.displacement),
             "must be below Particle/diameter = " + number_text(p.diameter)});
+  for (const WallSection &wall : c.walls)
+    if (wall.name == "lower" || wall.name == "upper")
+      check_at_rest(c, location, wall,
+                    "must not be set for a platen, which the press moves");
   check_no_step_error(c, location);
 }
 } // namespace spall

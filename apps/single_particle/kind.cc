@@ -25,7 +25,7 @@ TestKind single_particle_kind()
           .sections =
               {{"Press",
                 "Two rigid platens, of which the upper one moves downward."}},
-          .shared_sections = {},
+          .shared_sections = {"Walls"},
           .add_parameters = add_single_particle,
           .set_defaults = set_defaults,
           .check = check_single_particle,

@@ -1,7 +1,9 @@
 #include "single_particle/single_particle.h"
 
 #include "case/file.h"
+#include "errors.h"
 #include "shape/loaded.h"
+#include "specimen/mesh_walls.h"
 
 #include <dem/binary.h>
 #include <dem/engine_boundaries.h>
@@ -10,14 +12,23 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
 namespace spall
 {
 namespace
 {
-constexpr std::size_t lower_platen = 0, upper_platen = 1;
+/// Walls of these names take the place of the platens.
+constexpr const char *lower_name = "lower", *upper_name = "upper";
+
+bool has_wall(const Case &c, const std::string &name)
+{
+  return std::ranges::find(c.walls, name, &WallSection::name) != c.walls.end();
+}
 
 /// The shape of the case, cut at its order; none: a sphere.
 ShapeLibrary load_shape(const Case &parameters)
@@ -25,9 +36,11 @@ ShapeLibrary load_shape(const Case &parameters)
   const SingleParticleParameters &p = parameters.single_particle;
   if (p.shape.empty())
     return {};
-  return {load_with_warnings(
-      read_shape(find_path(parameters, "Particle", "shape", p.shape)),
-      p.order)};
+  const ShapeFile file =
+      read_shape(find_path(parameters, "Particle", "shape", p.shape));
+  ShapeLibrary library;
+  library.add(load_with_warnings(file, p.order), file);
+  return library;
 }
 
 dem::ParticleShape make_particle(const Case &parameters,
@@ -65,8 +78,7 @@ double reach(const dem::ParticleShape &body, dem::ContactGeometry geometry,
       .overlap;
 }
 
-std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
-                                        const ShapeLibrary &shapes)
+dem::EngineParameters engine_settings(const Case &parameters)
 {
   dem::EngineParameters settings;
   settings.particle = parameters.particle;
@@ -76,16 +88,103 @@ std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
   settings.breakage = parameters.breakage;
   settings.local_damping = parameters.time.local_damping;
   settings.geometry.usual_skin = 0.1 * parameters.single_particle.diameter;
-  auto engine = std::make_unique<dem::Engine>(settings);
+  return settings;
+}
+
+/// Whether the particle touches a wall that is moved by `shift` along z [m].
+bool touches(const Case &parameters, const dem::ParticleShape &particle,
+             WallSection wall, double shift)
+{
+  wall.position.z() += shift;
+  Case alone = parameters;
+  alone.walls = {std::move(wall)};
+  dem::EngineParameters settings = engine_settings(parameters);
+  settings.geometry.overlap.stop = std::numeric_limits<double>::max();
+  dem::Engine engine(settings);
+  engine.add_particle(particle, dem::Vec3::Zero(),
+                      orientation(parameters.single_particle));
+  add_mesh_walls(engine, alone);
+  engine.set_breaking(false);
+  engine.evaluate(1e-12);
+  const dem::ContactBatch &batch = dem::mesh_walls(engine)[0].get().batch;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (batch.overlap[k] > 0.)
+      return true;
+  return false;
+}
+
+/// A wall that is a platen, moved along z to where it comes to touch the
+/// particle: from below (side -1) or from above (+1).
+void bring_to_touch(const Case &parameters, const dem::ParticleShape &particle,
+                    double side, WallSection &wall)
+{
+  Case alone = parameters;
+  alone.walls = {wall};
+  dem::Engine empty(engine_settings(parameters));
+  add_mesh_walls(empty, alone);
+  double near = -std::numeric_limits<double>::max(); // to the particle
+  double far = -near;
+  for (const dem::Vec3 &point :
+       dem::mesh_walls(empty)[0].get().surface.position)
+  {
+    near = std::max(near, -side * point.z());
+    far = std::min(far, -side * point.z());
+  }
+  const double reach = 1.001 * particle.circumscribed_radius;
+  // `apart` is how far out the wall is moved; it goes through the particle.
+  double apart = reach + near;
+  const double step = 0.02 * reach, last = far - reach;
+  while (!touches(parameters, particle, wall, side * (apart - step)))
+    if ((apart -= step) < last)
+      throw InputError(parameters.file + ": " + wall.section() +
+                       "/mesh = " + wall.mesh +
+                       ": does not meet the particle, which is at the origin, "
+                       "along z");
+  double touching = apart - step;
+  while (apart - touching > 1e-12 * reach)
+  {
+    const double middle = 0.5 * (apart + touching);
+    (touches(parameters, particle, wall, side * middle) ? touching : apart) =
+        middle;
+  }
+  wall.position.z() += side * apart;
+}
+
+/// With platens that are walls where they touch the particle, the upper one
+/// with the speed of the press.
+Case with_platens(const Case &parameters, const dem::ParticleShape &particle)
+{
+  Case moved = parameters;
+  for (WallSection &wall : moved.walls)
+    if (wall.name == upper_name || wall.name == lower_name)
+    {
+      const bool is_upper = wall.name == upper_name;
+      bring_to_touch(parameters, particle, is_upper ? 1. : -1., wall);
+      if (is_upper)
+        wall.velocity = -parameters.press.speed * dem::Vec3::UnitZ();
+    }
+  return moved;
+}
+
+std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
+                                        const ShapeLibrary &shapes)
+{
+  auto engine = std::make_unique<dem::Engine>(engine_settings(parameters));
   const dem::ParticleShape particle = make_particle(parameters, shapes);
   const dem::Quaternion turned = orientation(parameters.single_particle);
   engine->add_particle(particle, dem::Vec3::Zero(), turned);
   const dem::Vec3 up = turned.conjugate() * dem::Vec3::UnitZ();
   const dem::ContactGeometry geometry = parameters.contact.wall_geometry;
   const dem::Vec3 z = dem::Vec3::UnitZ();
-  dem::add_plane(*engine, -reach(particle, geometry, -up) * z, z);
-  dem::add_plane(*engine, reach(particle, geometry, up) * z, -z);
-  dem::planes(*engine)[upper_platen].velocity = -parameters.press.speed * z;
+  if (!has_wall(parameters, lower_name))
+    dem::add_plane(*engine, -reach(particle, geometry, -up) * z, z);
+  if (!has_wall(parameters, upper_name))
+  {
+    const std::size_t plane =
+        dem::add_plane(*engine, reach(particle, geometry, up) * z, -z);
+    dem::planes(*engine)[plane].velocity = -parameters.press.speed * z;
+  }
+  add_mesh_walls(*engine, with_platens(parameters, particle));
   return engine;
 }
 } // namespace
@@ -108,9 +207,33 @@ void SingleParticle::move(double time_step)
   peak_force = std::max(peak_force, force());
 }
 
+/// Of the particle on a platen, along z [N].
+double SingleParticle::force_on(const std::string &name) const
+{
+  for (const dem::MeshWall &wall : dem::mesh_walls(engine()))
+    if (wall.label == name)
+      return wall.load().force.z();
+  return dem::planes(engine())[plane_of(name)].force.z();
+}
+
 double SingleParticle::force() const
 {
-  return dem::planes(engine())[upper_platen].force.z();
+  return force_on(upper_name);
+}
+
+/// Number of a platen among the planes.
+std::size_t SingleParticle::plane_of(const std::string &name) const
+{
+  return name == upper_name && !has_wall(parameters, lower_name) ? 1 : 0;
+}
+
+std::vector<NamedBoundary> SingleParticle::named_boundaries() const
+{
+  std::vector<NamedBoundary> all;
+  for (const char *name : {lower_name, upper_name})
+    if (!has_wall(parameters, name))
+      all.push_back({name, BoundaryKind::plane, plane_of(name)});
+  return all;
 }
 
 double SingleParticle::progress_at(double time) const
@@ -164,7 +287,7 @@ std::vector<Quantity> SingleParticle::measured() const
 {
   return {{"displacement_m", progress_at(engine().time())},
           {"force_N", force(), true},
-          {"lower_force_N", -dem::planes(engine())[lower_platen].force.z()}};
+          {"lower_force_N", -force_on(lower_name)}};
 }
 
 void SingleParticle::summarise(nlohmann::ordered_json &summary) const

@@ -22,12 +22,15 @@ public:
   void summarise(nlohmann::ordered_json &summary) const override;
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
+  std::vector<NamedBoundary> named_boundaries() const override;
 
 private:
   SingleParticle(const Case &parameters, const ShapeLibrary &library);
   void move(double time_step) override;
   std::vector<Quantity> measured() const override;
   double force() const; ///< on the upper platen, up [N]
+  double force_on(const std::string &name) const;
+  std::size_t plane_of(const std::string &name) const;
 
   double peak_force = 0.;          ///< [N]
   double displacement_before = 0.; ///< at the last step [m]

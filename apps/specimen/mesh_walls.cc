@@ -34,14 +34,15 @@ dem::TriangleMesh read_wall(const std::string &path)
   return {std::move(file.nodes), std::move(file.corners)};
 }
 
-dem::FacetSurface surface_of(const Case &c, const WallSection &wall)
+dem::FacetSurface surface_of(const Case &c, const WallSection &wall,
+                             const dem::Vec3 &origin)
 {
   const std::string path = find_path(c, wall.section(), "mesh", wall.mesh);
   try
   {
     dem::TriangleMesh mesh = read_wall(path);
     for (dem::Vec3 &point : mesh.points)
-      point = wall.scale * point + wall.position;
+      point = wall.scale * point + wall.position + origin;
     return dem::wall_surface(mesh, wall.particles);
   }
   catch (const std::invalid_argument &error)
@@ -76,7 +77,8 @@ dem::Vec3 free_directions(FreeDirections free)
 }
 
 dem::WallMotion motion_of(const Case &c, const WallSection &wall,
-                          const dem::Vec3 &acceleration)
+                          const dem::Vec3 &acceleration,
+                          const dem::Vec3 &origin)
 {
   dem::WallMotion motion;
   motion.start = wall.start;
@@ -91,7 +93,7 @@ dem::WallMotion motion_of(const Case &c, const WallSection &wall,
     motion.table_shift = table.shift;
   }
   motion.axis = wall.axis.normalized();
-  motion.centre = wall.centre;
+  motion.centre = wall.centre + origin;
   motion.spin = wall.rotation_rate;
   motion.free = free_directions(wall.free);
   motion.mass = wall.mass;
@@ -104,14 +106,16 @@ dem::WallMotion motion_of(const Case &c, const WallSection &wall,
 }
 } // namespace
 
-void add_mesh_walls(dem::Engine &engine, const Case &parameters)
+void add_mesh_walls(dem::Engine &engine, const Case &parameters,
+                    const dem::Vec3 &origin)
 {
   for (const WallSection &wall : parameters.walls)
     try
     {
       dem::add_mesh_wall(
-          engine, wall.name, wall.material, surface_of(parameters, wall),
-          motion_of(parameters, wall, engine.parameters().gravity));
+          engine, wall.name, wall.material,
+          surface_of(parameters, wall, origin),
+          motion_of(parameters, wall, engine.parameters().gravity, origin));
     }
     catch (const std::invalid_argument &error)
     {
@@ -120,18 +124,37 @@ void add_mesh_walls(dem::Engine &engine, const Case &parameters)
 }
 
 std::function<bool(const dem::Vec3 &, double)>
-clear_of_walls(const Case &parameters)
+clear_of_walls(const Case &parameters, const dem::Vec3 &origin)
 {
   if (parameters.walls.empty())
     return {};
   const auto walls = std::make_shared<dem::WallClearance>();
   for (const WallSection &wall : parameters.walls)
-    walls->add(dem::MeshWall(wall.name, 0, wall.material,
-                             surface_of(parameters, wall),
-                             motion_of(parameters, wall, dem::Vec3::Zero()))
-                   .surface);
+    walls->add(
+        dem::MeshWall(wall.name, 0, wall.material,
+                      surface_of(parameters, wall, origin),
+                      motion_of(parameters, wall, dem::Vec3::Zero(), origin))
+            .surface);
   return [walls](const dem::Vec3 &centre, double radius)
   { return walls->is_clear(centre, radius); };
+}
+
+dem::StepLimit limit_on_walls(const Case &parameters,
+                              const dem::EngineParameters &engine,
+                              const dem::ParticleSystem &particles,
+                              const dem::StepLimit &limit)
+{
+  dem::StepLimit shortest = limit;
+  dem::EngineParameters on = engine;
+  for (const WallSection &wall : parameters.walls)
+  {
+    on.surface = wall.material;
+    const dem::StepLimit its = dem::critical_step(
+        on, particles, "the wall (" + wall.section() + "/normal_stiffness)");
+    if (its.step < shortest.step)
+      shortest = its;
+  }
+  return shortest;
 }
 
 std::vector<std::pair<std::string, double>>

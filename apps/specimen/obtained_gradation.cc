@@ -26,15 +26,19 @@ struct GradationKey
 
 std::optional<GradationKey> gradation_key(const Case &c)
 {
-  if (!c.specimen.particles.empty())
-    return {};
   const std::string &section = find_kind(c.kind)->gradation_section;
   Case any = c;
+  std::optional<GradationKey> key;
   for (const Parameter &parameter : parameters_of(any))
-    if (parameter.section == section && parameter.key == "gradation" &&
-        !value_text(parameter).empty())
-      return GradationKey{section, value_text(parameter)};
-  return {};
+  {
+    if (parameter.section != section || value_text(parameter).empty())
+      continue;
+    if (parameter.key == "particles") // placed, not drawn
+      return {};
+    if (parameter.key == "gradation")
+      key = {section, value_text(parameter)};
+  }
+  return key;
 }
 
 Gradation read_table_of(const Case &c, const GradationKey &key)
@@ -90,7 +94,7 @@ std::vector<dem::ParticleShape> draw_particles(const Case &c,
   try
   {
     return dem::draw_particles({table.diameter, table.passing}, solid_volume,
-                               shapes, random);
+                               shapes.series(), random);
   }
   catch (const std::invalid_argument &error)
   {

@@ -4,11 +4,12 @@
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
-#include "shape/loaded.h"
+#include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
 #include "specimen/placed_particles.h"
 #include "specimen/sheet_file.h"
 
+#include <dem/engine_boundaries.h>
 #include <dem/packing/insertion.h>
 #include <dem/parallel/mpi_ranks.h>
 #include <fem/membrane.h>
@@ -21,17 +22,6 @@
 
 namespace spall
 {
-ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
-                         const std::string &folder, int order)
-{
-  ShapeLibrary library;
-  if (!folder.empty())
-    for (const ShapeFile &shape :
-         read_shapes(find_path(parameters, section, "shapes", folder)))
-      library.push_back(load_with_warnings(shape, order));
-  return library;
-}
-
 dem::ParticleSystem
 unplaced_particles(const Case &parameters,
                    const std::vector<dem::ParticleShape> &particles)
@@ -115,30 +105,51 @@ dem::Vec3 cloud_size(const SpecimenParameters &s, double solid_volume)
   return form * std::cbrt(solid_volume / s.initial_solid_fraction /
                           (section * form.prod()));
 }
+/// Refuses walls that reach beyond the membrane or the periodic cell, as far as
+/// its size is known; `origin`: of the walls, from the middle of the cloud [m].
+void require_walls_inside(const Case &parameters, const dem::Vec3 &origin)
+{
+  if (parameters.walls.empty() || parameters.boundary.lateral == Lateral::rigid)
+    return;
+  dem::Engine walls{dem::EngineParameters{}};
+  add_mesh_walls(walls, parameters, origin);
+  const std::string what = walls_beyond(parameters, walls, dem::Vec3::Zero(),
+                                        nominal_size(parameters.specimen));
+  if (!what.empty())
+    throw InputError(parameters.file + ": " + what);
+}
+
 /// Particles by the gradation, in a random cloud from the origin to `box`.
 PlacedParticles drawn_particles(const Case &parameters)
 {
   const SpecimenParameters &s = parameters.specimen;
+  require_walls_inside(parameters, dem::Vec3::Zero());
   PlacedParticles cloud;
   cloud.shapes = load_shapes(parameters, "Specimen", s.shapes, s.order);
   dem::Random random(static_cast<std::uint64_t>(s.seed));
-  cloud.body =
+  const std::vector<dem::ParticleShape> drawn =
       draw_particles(parameters, nominal_solid_volume(s), cloud.shapes, random);
-  if (cloud.body.empty())
+  if (drawn.empty())
     throw InputError(parameters.file + ": Specimen/solid_fraction = " +
                      std::to_string(s.solid_fraction) +
                      ": gives no room for a single particle of the gradation");
   double volume = 0.;
-  for (const dem::ParticleShape &particle : cloud.body)
+  for (const dem::ParticleShape &particle : drawn)
     volume += particle.volume;
   cloud.box = cloud_size(s, volume);
+  // Walls of the case are placed about the middle.
+  cloud.origin = 0.5 * cloud.box;
   try
   {
-    cloud.placement = dem::insert_particles(
-        cloud.body,
-        {dem::Vec3::Zero(), cloud.box, parameters.contact.follows_surfaces(),
-         s.form == SpecimenForm::cylinder},
-        random);
+    cloud.add_at_rest(
+        drawn,
+        dem::insert_particles(drawn,
+                              {dem::Vec3::Zero(), cloud.box,
+                               parameters.contact.follows_surfaces(),
+                               s.form == SpecimenForm::cylinder,
+                               clear_of_walls(parameters, cloud.origin)},
+                              random),
+        "Specimen");
   }
   catch (const dem::NoFreePosition &error)
   {
@@ -154,10 +165,13 @@ PlacedParticles drawn_particles(const Case &parameters)
 PlacedParticles given_particles(const Case &parameters)
 {
   const SpecimenParameters &s = parameters.specimen;
-  PlacedParticles given = place_particles(
-      parameters, {"Specimen", s.particles, s.shapes, s.order, false});
+  PlacedParticles given =
+      place_particles(parameters, {"Specimen", s.particles, s.shapes, s.order});
   if (!given.box.isZero())
+  {
+    require_walls_inside(parameters, -0.5 * given.box);
     return given;
+  }
   dem::Vec3 lower = dem::Vec3::Constant(std::numeric_limits<double>::max()),
             upper = -lower;
   for (std::size_t k = 0; k < given.size(); ++k)
@@ -170,6 +184,8 @@ PlacedParticles given_particles(const Case &parameters)
   for (dem::Placement &placement : given.placement)
     placement.position -= lower;
   given.box = upper - lower;
+  given.origin = -lower;
+  require_walls_inside(parameters, given.origin - 0.5 * given.box);
   return given;
 }
 
@@ -208,11 +224,8 @@ Specimen make_specimen(const Case &parameters)
   const PlacedParticles particles = s.particles.empty()
                                         ? drawn_particles(parameters)
                                         : given_particles(parameters);
-  double smallest = particles.body.front().inscribed_radius;
-  for (const dem::ParticleShape &particle : particles.body)
-    smallest = std::min(smallest, dem::mean_radius(particle));
   dem::EngineParameters engine = engine_parameters(parameters);
-  engine.geometry.usual_skin = 0.25 * smallest;
+  engine.geometry.usual_skin = 0.25 * particles.smallest_radius();
   if (parameters.boundary.lateral == Lateral::periodic)
     require_unique_images(
         parameters, particles,
@@ -221,13 +234,41 @@ Specimen make_specimen(const Case &parameters)
   specimen.shapes = particles.shapes;
   specimen.engine =
       std::make_unique<dem::Engine>(engine, dem::ranks_of_program());
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    specimen.engine->add_particle(particles.body[i],
-                                  particles.placement[i].position,
-                                  particles.placement[i].orientation);
-  const dem::Vec3 lower = dem::Vec3::Zero(), &upper = particles.box;
-  specimen.walls = add_walls(parameters, lower, upper, *specimen.engine);
+  const auto add_boundaries = [&](dem::Engine &to)
+  {
+    specimen.walls =
+        add_walls(parameters, dem::Vec3::Zero(), particles.box, to);
+    add_mesh_walls(to, parameters, particles.origin);
+    for (dem::MeshWall &wall : dem::mesh_walls(to))
+      wall.start_in(std::numeric_limits<double>::infinity()); // until loading
+  };
+  if (!s.particles.empty())
+    check_as_placed(parameters, particles,
+                    {"Specimen", s.largest_overlap, engine, add_boundaries});
+  add_particles(particles, *specimen.engine);
+  add_boundaries(*specimen.engine);
   return specimen;
+}
+
+std::string walls_beyond(const Case &parameters, const dem::Engine &engine,
+                         const dem::Vec3 &middle, const dem::Vec3 &size)
+{
+  const bool is_round = parameters.specimen.form == SpecimenForm::cylinder;
+  for (const dem::MeshWall &wall : dem::mesh_walls(engine))
+    for (const dem::Vec3 &point : wall.surface.position)
+    {
+      const dem::Vec3 at = (point - middle).cwiseAbs();
+      const dem::Vec3 beyond =
+          is_round ? dem::Vec3(at.head<2>().norm() - 0.5 * size.x(), 0.,
+                               at.z() - 0.5 * size.z())
+                   : dem::Vec3(at - 0.5 * size);
+      if (beyond.maxCoeff() > 0.)
+        return "Walls/" + wall.label + ": reaches " +
+               in_four_digits(beyond.maxCoeff()) +
+               " m beyond the specimen: must be inside of the membrane or the "
+               "periodic cell, or Boundary/lateral = rigid";
+    }
+  return {};
 }
 
 namespace
@@ -366,8 +407,10 @@ SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
   std::optional<fem::Membrane> membrane;
   if (parameters.boundary.lateral == Lateral::membrane)
     membrane.emplace(parameters.membrane, finest_mesh(parameters));
-  return choose_step(
-      parameters, dem::critical_step(engine.parameters(), engine.particles()),
-      engine.particles().smallest_mass(), membrane ? &*membrane : nullptr);
+  const dem::StepLimit limit = limit_on_walls(
+      parameters, engine.parameters(), engine.particles(),
+      dem::critical_step(engine.parameters(), engine.particles()));
+  return choose_step(parameters, limit, engine.particles().smallest_mass(),
+                     membrane ? &*membrane : nullptr);
 }
 } // namespace spall

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/case.h"
+#include "specimen/shape_library.h"
 
 #include <coupling/gain.h>
 #include <dem/control/box_servo.h>
@@ -14,13 +15,6 @@
 
 namespace spall
 {
-using ShapeLibrary = std::vector<std::shared_ptr<const dem::Coefficients>>;
-
-/// The shapes of a folder that the key `shapes` of this section names, cut at
-/// an order (loaded_shape()); empty: none. Throws InputError.
-ShapeLibrary load_shapes(const Case &parameters, const std::string &section,
-                         const std::string &folder, int order = dem::max_order);
-
 /// Particles that are still to be placed, for what does not move: masses,
 /// sizes, which of them break.
 dem::ParticleSystem
@@ -34,6 +28,12 @@ struct Specimen
   std::unique_ptr<dem::Engine> engine; ///< particles and walls
   dem::SpecimenWalls walls;
 };
+
+/// The walls of section Walls that are not wholly in a box, or in the upright
+/// cylinder in it, of this size about its middle: one line about the first of
+/// them; empty: there is none.
+std::string walls_beyond(const Case &parameters, const dem::Engine &engine,
+                         const dem::Vec3 &middle, const dem::Vec3 &size);
 
 /// Size of the box round the specimen after compaction, about [m].
 dem::Vec3 nominal_size(const SpecimenParameters &specimen);

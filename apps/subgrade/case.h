@@ -19,6 +19,9 @@ struct LayerParameters
   double thickness = 0.2; ///< about, when they have come to rest [m]
   double solid_fraction =
       0.58; ///< with the box: sets the volume of particles [-]
+  /// File or run of placed particles instead of drawn ones; may be empty.
+  std::string particles;
+  double largest_overlap = 0.05; ///< as placed, over the radius [-]
   std::string gradation = "gradations/los_angeles_20_45mm.csv";
   std::string shapes = "shapes/limestone_blocky";
   int order = dem::max_order; ///< N_s: at most this many degrees of the files

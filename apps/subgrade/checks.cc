@@ -31,8 +31,15 @@ void refuse_if_thrown(const SourceLocation &location, const Fault &fault,
 void check_layer(const Case &c, const SourceLocation &location)
 {
   const LayerParameters &l = c.subgrade.layer;
-  const Gradation curve = check_gradation(c, location, "Layer", l.gradation);
   check_shapes(c, location, "Layer", l.shapes);
+  if (!l.particles.empty())
+    return; // their number and sizes are those of the file
+  if (l.initial_solid_fraction >= l.solid_fraction)
+    refuse(location, {"Layer", "initial_solid_fraction",
+                      number_text(l.initial_solid_fraction),
+                      "must be below Layer/solid_fraction = " +
+                          number_text(l.solid_fraction)});
+  const Gradation curve = check_gradation(c, location, "Layer", l.gradation);
   const double largest = curve.diameter.back();
   const std::string particle =
       "the largest particle of the gradation, " + largest_text(curve);
@@ -43,11 +50,6 @@ void check_layer(const Case &c, const SourceLocation &location)
   if (l.thickness < largest)
     refuse(location, {"Layer", "thickness", number_text(l.thickness),
                       "must be at least " + particle});
-  if (l.initial_solid_fraction >= l.solid_fraction)
-    refuse(location, {"Layer", "initial_solid_fraction",
-                      number_text(l.initial_solid_fraction),
-                      "must be below Layer/solid_fraction = " +
-                          number_text(l.solid_fraction)});
 }
 
 void check_plate(const Case &c, const SourceLocation &location)

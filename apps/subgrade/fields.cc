@@ -20,6 +20,10 @@ void add_layer(List &list, LayerParameters &l)
             "thickness it gives the volume of the particles.",
             "random packings stay below 0.75"},
            l.solid_fraction, Range{0., 0.75, true, true});
+  add_placed_particles(list, l,
+                       "particles are drawn from the gradation. Placed ones "
+                       "are one layer, which falls from where it is and is "
+                       "tamped.");
   add_drawn_particles(list, l);
   list.add(
       {"layers", "-", "Number of layers that are poured one after the other."},

@@ -184,4 +184,15 @@ void Subgrade::note_roundness(double time)
   files.push_back(
       {roundness_file(time), roundness_table(whole().particles(), roundness)});
 }
+/// The sides in the order in which they were added.
+std::vector<NamedBoundary> Subgrade::named_boundaries() const
+{
+  return {{"x_min", BoundaryKind::plane, 0},
+          {"x_max", BoundaryKind::plane, 1},
+          {"y_min", BoundaryKind::plane, 2},
+          {"y_max", BoundaryKind::plane, 3},
+          {"tamper", BoundaryKind::plane, pouring.tamper()},
+          {"plate", BoundaryKind::surface},
+          {"subgrade", BoundaryKind::surface}};
+}
 } // namespace spall

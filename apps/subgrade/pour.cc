@@ -8,6 +8,8 @@ namespace spall
 /// The ground is held: nothing of it limits the steps yet.
 void Subgrade::begin_pouring()
 {
+  if (scene.placed)
+    pouring.set_first_layer(*scene.placed);
   pouring.prepare(engine());
   if (pours_by_own_steps())
     begin_steps(parameters.time.preparing(parameters.subgrade.layer.safety),

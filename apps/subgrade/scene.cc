@@ -6,6 +6,7 @@
 #include "errors.h"
 #include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
+#include "specimen/placed_particles.h"
 
 #include <dem/engine_boundaries.h>
 #include <dem/parallel/mpi_ranks.h>
@@ -35,7 +36,8 @@ coupling::ExchangeContact contact_with_ground(const Case &c,
           smallest_particle};
 }
 
-dem::EngineParameters engine_settings(const Case &c)
+dem::EngineParameters engine_settings(const Case &c,
+                                      const dem::ParticleSystem &all)
 {
   dem::EngineParameters settings;
   settings.particle = c.particle;
@@ -46,6 +48,7 @@ dem::EngineParameters engine_settings(const Case &c)
   settings.breakage = c.breakage;
   settings.local_damping = c.subgrade.layer.local_damping;
   settings.gravity = -gravity * dem::Vec3::UnitZ();
+  settings.geometry.usual_skin = 0.25 * all.smallest_radius();
   return settings;
 }
 
@@ -62,36 +65,69 @@ draw_layer(const Case &c, const ShapeLibrary &shapes, dem::Random &random)
   return particles;
 }
 
-} // namespace
-
-ParticleBox make_particle_box(const Case &c)
+void draw_layers(const Case &c, ParticleBox &scene)
 {
   const LayerParameters &l = c.subgrade.layer;
-  ParticleBox scene;
   scene.shapes = load_shapes(c, "Layer", l.shapes, l.order);
   dem::Random random(static_cast<std::uint64_t>(l.seed));
   const std::vector<dem::ParticleShape> particles =
       draw_layer(c, scene.shapes, random);
   scene.all = unplaced_particles(c, particles);
   scene.layers = dem::deal_layers(particles, l.layers);
-  scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
-  dem::EngineParameters settings = engine_settings(c);
-  settings.geometry.usual_skin = 0.25 * scene.all.smallest_radius();
-  scene.engine =
-      std::make_unique<dem::Engine>(settings, dem::ranks_of_program());
+}
+
+void add_sides(const Case &c, dem::Engine &engine)
+{
+  const LayerParameters &l = c.subgrade.layer;
   const dem::Vec3 half(0.5 * l.length, 0.5 * l.width, 0.);
   for (int d = 0; d < 2; ++d)
     for (const double sign : {-1., 1.})
     {
       dem::Vec3 inward = dem::Vec3::Zero();
       inward[d] = -sign;
-      dem::add_plane(*scene.engine, sign * half, inward);
+      dem::add_plane(engine, sign * half, inward);
     }
-  add_mesh_walls(*scene.engine, c);
+  add_mesh_walls(engine, c);
+}
+
+void place_layer(const Case &c, ParticleBox &scene)
+{
+  const LayerParameters &l = c.subgrade.layer;
+  const PlacedParticles particles =
+      place_particles(c, {"Layer", l.particles, l.shapes, l.order});
+  scene.shapes = particles.shapes;
+  scene.all = unplaced_particles(c, particles.body);
+  scene.layers = {particles.body};
+  scene.placed = placed_layer(particles);
+  const auto add_boundaries = [&](dem::Engine &engine)
+  {
+    dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ()); // the ground
+    add_sides(c, engine);
+  };
+  check_as_placed(c, particles,
+                  {"Layer", l.largest_overlap, engine_settings(c, scene.all),
+                   add_boundaries});
+}
+} // namespace
+
+ParticleBox make_particle_box(const Case &c)
+{
+  const LayerParameters &l = c.subgrade.layer;
+  ParticleBox scene;
+  if (l.particles.empty())
+    draw_layers(c, scene);
+  else
+    place_layer(c, scene);
+  scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
+  scene.engine = std::make_unique<dem::Engine>(engine_settings(c, scene.all),
+                                               dem::ranks_of_program());
+  add_sides(c, *scene.engine);
   scene.engine->set_breaking(false);
-  scene.limit =
-      dem::critical_step(scene.engine->parameters(), scene.all,
-                         "the subgrade (GroundContact/normal_stiffness)");
+  const dem::EngineParameters &engine = scene.engine->parameters();
+  scene.limit = limit_on_walls(
+      c, engine, scene.all,
+      dem::critical_step(engine, scene.all,
+                         "the subgrade (GroundContact/normal_stiffness)"));
   return scene;
 }
 

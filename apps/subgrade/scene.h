@@ -11,6 +11,7 @@
 #include <dem/packing/pouring.h>
 
 #include <memory>
+#include <optional>
 
 namespace spall
 {
@@ -20,7 +21,8 @@ struct ParticleBox
 {
   ShapeLibrary shapes;
   std::vector<std::vector<dem::ParticleShape>> layers; ///< to be poured
-  dem::ParticleSystem all; ///< the same, nowhere yet
+  std::optional<dem::PlacedLayer> placed; ///< of the only layer, unless drawn
+  dem::ParticleSystem all;                ///< the same, nowhere yet
   dem::Room room;
   std::unique_ptr<dem::Engine> engine; ///< planes; no particles, no bodies
   dem::StepLimit limit;

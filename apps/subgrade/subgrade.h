@@ -49,6 +49,7 @@ public:
   double preparation_time() const override;
   FastPreparation fast_preparation() override;
   int steps_in_move() const override;
+  std::vector<NamedBoundary> named_boundaries() const override;
 
 private:
   enum class Stage : std::int32_t

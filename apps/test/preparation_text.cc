@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace spall
 {
@@ -50,6 +51,16 @@ bool has_no_use(const Case &of, const Parameter &parameter, bool has_own_steps)
             (parameter.key == "safety" || parameter.key == "impact_error"));
   return parameter.key == "safety" && !has_own_steps;
 }
+/// Sections whose particles are placed, not drawn.
+std::set<std::string> placed_sections(Case &of)
+{
+  std::set<std::string> names;
+  for (const Parameter &parameter : parameters_of(of))
+    if (parameter.key == "particles" && parameter.is_path &&
+        !value_text(parameter).empty())
+      names.insert(parameter.section);
+  return names;
+}
 } // namespace
 
 std::string preparation_text(const Case &parameters, const ShapeLibrary &shapes,
@@ -60,6 +71,7 @@ std::string preparation_text(const Case &parameters, const ShapeLibrary &shapes,
   std::map<std::string, bool> has_section;
   for (const ListedSection &section : sections(of))
     has_section[section.name] = section.is_of(of.kind);
+  const std::set<std::string> placed = placed_sections(of);
   std::string text =
       "spall " SPALL_VERSION ", layout " + hex_text(state_layout) + "\n";
   for (const Parameter &parameter : parameters_of(of))
@@ -67,7 +79,9 @@ std::string preparation_text(const Case &parameters, const ShapeLibrary &shapes,
     if (!has_section[parameter.section] || !parameter.is_of(of.kind) ||
         !parameter.decides_preparation ||
         std::ranges::find(unused, parameter.name()) != unused.end() ||
-        has_no_use(of, parameter, own_safety > 0.))
+        has_no_use(of, parameter, own_safety > 0.) ||
+        (placed.contains(parameter.section) &&
+         (parameter.key == "gradation" || parameter.key == "seed")))
       continue;
     std::string value = value_text(parameter);
     if (parameter.key == "gradation")

@@ -9,8 +9,8 @@
 namespace spall
 {
 /// What decides the prepared particles, one line each: the version, then the
-/// parameters with the flag decides_preparation; of the keys `gradation` and
-/// `shapes`, which name files, their contents. Left out is what the case has no
+/// parameters with the flag decides_preparation; of keys that name files, their
+/// contents. Left out is what the case has no
 /// use for: by `unused`, which names keys as Section/key, and of the steps what
 /// Time does not use, or all of it and the tolerances of Contact where the
 /// preparation has its own (`own_safety` > 0). The same text, the same

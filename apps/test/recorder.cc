@@ -7,6 +7,7 @@
 #include "run/frames.h"
 #include "run/ledger_rows.h"
 #include "run/whole_file.h"
+#include "specimen/last_state.h"
 
 #include <nlohmann/json.hpp>
 
@@ -299,6 +300,7 @@ void Recorder::finish(Test &test)
   write_checkpoint(test);
   if (framed_at != test.engine().time())
     write_frame(test);
+  write_last_particles(test);
   output_seconds += elapsed() - begun;
   nlohmann::ordered_json summary;
   summary["kind"] = parameters.kind;
@@ -318,6 +320,13 @@ void Recorder::finish(Test &test)
   on_first_rank(
       test.ranks(),
       [&] { write_text(folder / "summary.json", summary.dump(2) + "\n"); });
+}
+
+void Recorder::write_last_particles(const Test &test)
+{
+  const dem::ParticleSystem &all = test.whole().particles();
+  on_first_rank(test.ranks(),
+                [&] { write_last_state(folder, all, test.shape_library()); });
 }
 
 std::string Recorder::save_stopped(Test &test)

@@ -51,6 +51,7 @@ private:
   void write_row(Test &test);
   void write_events(Test &test);
   void write_frame(const Test &test);
+  void write_last_particles(const Test &test);
   void write_checkpoint(Test &test, const std::string &name = "state.bin");
   Progressed restore_state(Test &test, const std::string &name);
   void follow_rewind(Test &test);

@@ -11,13 +11,20 @@ namespace spall
 {
 namespace
 {
-std::string name_of(const dem::Engine &engine, int kind, std::int64_t other)
+std::string name_of(const dem::Engine &engine,
+                    std::span<const NamedBoundary> named, int kind,
+                    std::int64_t other)
 {
   if (kind == 0)
     return "particles";
-  for (const dem::MeshWall &wall : dem::mesh_walls(engine))
-    if (wall.event_kind() == kind && wall.event_other(0) == other)
-      return wall.label;
+  for (const dem::FacetBoundary &facets : dem::all_facets(engine))
+    if (facets.event_kind() == kind && facets.event_other(0) == other)
+      return facets.label;
+  for (const NamedBoundary &one : named)
+    if ((kind == 1 && one.kind == BoundaryKind::plane &&
+         static_cast<std::int64_t>(one.number) == other) ||
+        (kind == 3 && one.kind == BoundaryKind::drum))
+      return one.name;
   const std::string name = kind == 1   ? "plane"
                            : kind == 2 ? "surface"
                            : kind == 3 ? "drum"
@@ -41,10 +48,12 @@ double RemovedMass::on(int kind, std::int64_t other) const
 }
 
 void RemovedMass::summarise(const dem::Engine &engine,
+                            std::span<const NamedBoundary> named,
                             nlohmann::ordered_json &summary) const
 {
   for (const auto &[on, mass] : masses)
-    summary["removed_mass_kg"][name_of(engine, on.first, on.second)] = mass;
+    summary["removed_mass_kg"][name_of(engine, named, on.first, on.second)] =
+        mass;
 }
 
 void RemovedMass::save(std::ostream &out) const

@@ -31,11 +31,20 @@ double first_step(const Case &parameters, const dem::StepLimit &limit)
   return parameters.time.fixed_step;
 }
 
+namespace
+{
+dem::StepLimit limit_of(const Case &c, const dem::Engine &scene)
+{
+  return limit_on_walls(
+      c, scene.parameters(), scene.particles(),
+      dem::critical_step(scene.parameters(), scene.particles()));
+}
+} // namespace
+
 Test::Test(const Case &c, ShapeLibrary library,
            std::unique_ptr<dem::Engine> scene)
     : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
-      is_shareable(needs_one_rank(c).empty()),
-      limit(dem::critical_step(whole().parameters(), whole().particles())),
+      is_shareable(needs_one_rank(c).empty()), limit(limit_of(c, whole())),
       watch(c.time, limit.step), step(first_step(c, limit))
 {
 }
@@ -43,8 +52,7 @@ Test::Test(const Case &c, ShapeLibrary library,
 Test::Test(const Case &c, ShapeLibrary library,
            std::unique_ptr<dem::Engine> scene, double its_step)
     : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
-      is_shareable(needs_one_rank(c).empty()),
-      limit(dem::critical_step(whole().parameters(), whole().particles())),
+      is_shareable(needs_one_rank(c).empty()), limit(limit_of(c, whole())),
       watch(c.time, limit.step), step(its_step)
 {
 }
@@ -117,7 +125,8 @@ void Test::say_prepared() const
 void Test::exchange_window(coupling::Exchange &joined, double window)
 try
 {
-  joined.advance_deferred(coupling::particles_of(engine(), shapes), window);
+  joined.advance_deferred(coupling::particles_of(engine(), shapes.series()),
+                          window);
 }
 catch (const coupling::GuardStop &stop)
 {
@@ -172,16 +181,22 @@ EnergyBalance Test::energy_balance() const
           e.non_conservative_work};
 }
 
+std::vector<Quantity> Test::boundary_row() const
+{
+  std::vector<Quantity> all;
+  for (const auto &[name, value] : boundary_quantities(
+           whole(), named_boundaries(), moment_point(), removed))
+    all.push_back({name, value});
+  return all;
+}
+
 std::vector<Quantity> Test::row() const
 {
   std::vector<Quantity> all = {{"time_s", engine().time()}};
   for (const Quantity &one : measured())
     all.push_back(one);
-  for (const auto &[name, value] : wall_quantities(whole()))
-    all.push_back({name, value});
-  for (const dem::MeshWall &wall : dem::mesh_walls(whole()))
-    all.push_back({wall.label + "_removed_mass_kg",
-                   removed.on(wall.event_kind(), wall.event_other(0))});
+  for (const Quantity &one : boundary_row())
+    all.push_back(one);
   const dem::EngineEnergy e = whole().energy();
   const coupling::BodyEnergy bodies = body_energy();
   const EnergyBalance balance = energy_balance();
@@ -258,9 +273,9 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
   summary["overlap_over_radius_1"] = whole().overlaps().largest;
-  for (const auto &[name, value] : wall_quantities(whole()))
-    summary["walls"][name] = value;
-  removed.summarise(whole(), summary);
+  for (const Quantity &one : boundary_row())
+    summary["walls"][one.name] = one.value;
+  removed.summarise(whole(), named_boundaries(), summary);
   add_contact_point_events(whole(), summary);
   if (first_event.time >= 0.)
   {
@@ -275,7 +290,7 @@ void Test::save(std::ostream &out) const
   dem::write_value(out, step);
   dem::write_value(out, watch.state());
   save_breakage(out);
-  whole().save(out, shapes);
+  whole().save(out, shapes.series());
 }
 
 void Test::restore(std::istream &in)
@@ -285,7 +300,7 @@ void Test::restore(std::istream &in)
   dem::read_value(in, record);
   watch.set_state(record);
   restore_breakage(in);
-  engine().restore(in, shapes);
+  engine().restore(in, shapes.series());
 }
 
 void Test::save_breakage(std::ostream &out) const
@@ -321,6 +336,13 @@ void require_shareable(const dem::Ranks &ranks, const Case &parameters)
 
 std::unique_ptr<Test> make_test(const Case &parameters)
 {
-  return find_kind(parameters.kind)->make(parameters);
+  std::unique_ptr<Test> test = find_kind(parameters.kind)->make(parameters);
+  for (const NamedBoundary &one : test->named_boundaries())
+    for (const WallSection &wall : parameters.walls)
+      if (wall.name == one.name)
+        throw InputError(parameters.file + ": " + wall.section() +
+                         ": tests of kind " + parameters.kind +
+                         " have a boundary of this name: choose another");
+  return test;
 }
 } // namespace spall

@@ -6,6 +6,7 @@
 #include "run/frames.h"
 #include "run/step_watch.h"
 #include "specimen/specimen.h"
+#include "test/boundary_columns.h"
 #include "test/removed_mass.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -124,6 +125,9 @@ public:
   virtual std::vector<Quantity> take_row() { return row(); }
   /// Breakage events since the last call.
   std::vector<dem::BreakageEvent> take_events();
+  /// Planes, drum and coupled surfaces that have columns in history.csv, the
+  /// same from the first row on.
+  virtual std::vector<NamedBoundary> named_boundaries() const { return {}; }
   /// Headers of the tables besides history, events and ledger.
   virtual std::vector<TableHeader> tables() const { return {}; }
   /// Rows of tables() since the last call, in order.
@@ -177,6 +181,8 @@ public:
   {
     return whole().particles();
   }
+  /// Shapes of the particles that have not broken.
+  const ShapeLibrary &shape_library() const { return shapes; }
   /// Exchange of particles and bodies; null while there is none.
   virtual const coupling::Exchange *exchange() const { return nullptr; }
   /// The step chosen at setup, of a test with an exchange; else null.
@@ -277,6 +283,10 @@ protected:
   virtual void move(double time_step) = 0;
   /// Columns of history.csv between time and counts.
   virtual std::vector<Quantity> measured() const { return {}; }
+  /// Point that their moments are about [m].
+  virtual dem::Vec3 moment_point() const { return dem::Vec3::Zero(); }
+  /// Columns of history.csv about them and about the walls of the case.
+  std::vector<Quantity> boundary_row() const;
   /// Work of gravity and of what is outside on particles and bodies [J].
   virtual double external_work() const;
   /// Energy of the bodies that are coupled to the particles.

@@ -59,6 +59,16 @@ void check_cycle_jump(const Case &c, const SourceLocation &location)
             "cycles"});
 }
 
+/// Particles are moved along their mean motion past walls that are at rest.
+void check_walls(const Case &c, const SourceLocation &location)
+{
+  if (c.cycle_jump.is_on())
+    for (const WallSection &wall : c.walls)
+      check_at_rest(c, location, wall,
+                    "must not be set with CycleJump/tolerance above 0: jumps "
+                    "need walls at rest");
+}
+
 LoadPath check_path(const Case &c, const SourceLocation &location)
 {
   if (c.loading.form == LoadForm::path && c.loading.path.empty())
@@ -104,6 +114,7 @@ void check_triaxial(const Case &c, const SourceLocation &location)
   }
   check_periodic(c, location);
   check_cycle_jump(c, location);
+  check_walls(c, location);
   check_time(c, location);
 }
 } // namespace spall

@@ -111,6 +111,9 @@ void Triaxial::begin_loading()
   start_size = dem::box_size(engine(), box);
   engine().set_breaking(parameters.breakage.is_active);
   servo.follow_load();
+  const auto walls_now = dem::mesh_walls(engine());
+  for (std::size_t k = 0; k < walls_now.size(); ++k)
+    walls_now[k].get().start_in(parameters.walls[k].start);
   watch.report(whole(), surroundings(), time_step());
   say(consolidated_text());
   begin_stage();

@@ -46,10 +46,11 @@ FastPreparation Triaxial::fast_preparation()
   const bool has_surfaces = engine().particles().follows_surfaces;
   const double target = parameters.preparation.pressure;
   const auto stress = [this] { return dem::box_stress(engine(), box).mean(); };
-  if (has_surfaces)
+  const bool has_walls = !parameters.walls.empty(); // which stay
+  if (has_surfaces && !has_walls)
     draw_gently(engine(), shrink, time_step(),
                 [&] { return stress() >= target; });
-  else
+  else if (!has_walls)
   {
     draw_together(engine(), shrink);
     relax(engine(), time_step());

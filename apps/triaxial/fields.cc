@@ -24,12 +24,9 @@ void add_specimen(List &list, SpecimenParameters &s)
             "Volume of the particles over that of the cube or cylinder.",
             "random packings stay below 0.75"},
            s.solid_fraction, Range{0., 0.75, true, true});
-  list.add_path({"particles", "-",
-                 "CSV file of placed particles, or the folder of a run of kind "
-                 "scene. These particles are compacted instead of particles "
-                 "drawn from the gradation. The columns are those of "
-                 "Scene/particles. Empty stands for none."},
-                s.particles);
+  add_placed_particles(list, s,
+                       "particles are drawn from the gradation. Placed ones "
+                       "are compacted from where they are.");
   add_drawn_particles(list, s);
   list.add({"initial_solid_fraction", "-",
             "Solid fraction of the random cloud before compaction.",

@@ -44,7 +44,7 @@ TestKind triaxial_kind()
             "Accelerated damage cycles: most load cycles are extrapolated "
             "instead of simulated."},
            {"Output", "Output files and their intervals."}},
-      .shared_sections = {"MembraneContact", "Membrane", "Coupling"},
+      .shared_sections = {"MembraneContact", "Membrane", "Coupling", "Walls"},
       .add_parameters = add_triaxial,
       .set_defaults = set_defaults,
       .set_template = set_template,

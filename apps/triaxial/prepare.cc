@@ -4,6 +4,7 @@
 
 #include <coupling/pressed_quads.h>
 #include <dem/binary.h>
+#include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
 
 #include <cmath>
@@ -68,10 +69,13 @@ void Triaxial::densify()
     engine().set_friction(lowering * friction);
 }
 
-/// Now [-].
+/// Now, of what is not in bodies among the particles [-].
 double Triaxial::porosity() const
 {
-  return 1. - solid_volume(whole().particles()) / volume();
+  double bodies = 0.;
+  for (const dem::MeshWall &wall : dem::mesh_walls(engine()))
+    bodies += wall.body_volume();
+  return 1. - solid_volume(whole().particles()) / (volume() - bodies);
 }
 
 void Triaxial::finish_preparation()
@@ -137,7 +141,7 @@ void Triaxial::save_prepared(std::ostream &out) const
 {
   dem::write_value(out, watch.state());
   dem::write_value(out, preparation);
-  whole().save(out, shapes);
+  whole().save(out, shapes.series());
   servo.save(out);
 }
 
@@ -148,7 +152,7 @@ void Triaxial::take_prepared(std::istream &in)
   watch.set_state(record);
   dem::read_value(in, preparation);
   preparation.is_taken = 1;
-  engine().restore(in, shapes);
+  engine().restore(in, shapes.series());
   servo.restore(in);
   hand_over();
   note_prepared();
@@ -177,6 +181,11 @@ void Triaxial::place_boundaries()
 {
   std::tie(lower, upper) = dem::box_corners(engine(), box);
   area = dem::box_section(engine(), box);
+  if (parameters.boundary.lateral != Lateral::rigid)
+    if (const std::string what = walls_beyond(
+            parameters, engine(), 0.5 * (lower + upper), upper - lower);
+        !what.empty())
+      throw RunFailure("preparation: " + what);
   if (refines_membrane())
     pressed = coupling::pressed_quads(lateral_mesh(parameters, lower, upper),
                                       dem::contact_network_of(whole()));

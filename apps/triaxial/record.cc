@@ -12,11 +12,13 @@ namespace
 {
 constexpr std::int64_t preparation_interval = 1000; // steps between rows
 
-std::vector<Quantity> quantities_of(const Sample &sample)
+std::vector<Quantity> quantities_of(const Sample &sample,
+                                    const std::vector<Quantity> &more)
 {
   std::vector<Quantity> row;
   for (const SampleColumn &column : sample_columns)
     row.push_back({column.name, sample.*column.value});
+  row.insert(row.end(), more.begin(), more.end());
   return row;
 }
 } // namespace
@@ -59,7 +61,31 @@ void Triaxial::note_due()
 
 std::vector<Quantity> Triaxial::row() const
 {
-  return quantities_of(sample(recorded.roundness));
+  return quantities_of(sample(recorded.roundness), boundary_row());
+}
+
+std::vector<NamedBoundary> Triaxial::named_boundaries() const
+{
+  std::vector<NamedBoundary> all;
+  const bool has_sides =
+      !box.is_round() && parameters.boundary.lateral != Lateral::periodic;
+  for (std::size_t d = 0; d < (has_sides ? 2u : 0u); ++d)
+    for (std::size_t end = 0; end < 2; ++end)
+      all.push_back({std::string(1, "xy"[d]) + (end == 0 ? "_min" : "_max"),
+                     BoundaryKind::plane, box.planes[d][end]});
+  all.push_back({"base", BoundaryKind::plane, box.planes[2][0]});
+  all.push_back({"plate", BoundaryKind::plane, box.planes[2][1]});
+  if (box.is_round())
+    all.push_back({"side", BoundaryKind::drum});
+  if (parameters.boundary.lateral == Lateral::membrane)
+    all.push_back({"membrane", BoundaryKind::surface});
+  return all;
+}
+
+dem::Vec3 Triaxial::moment_point() const
+{
+  const auto [low, high] = dem::box_corners(engine(), box);
+  return {0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), low.z()};
 }
 
 std::vector<Quantity> Triaxial::take_row()
@@ -80,7 +106,7 @@ std::vector<Quantity> Triaxial::take_row()
       begin_record();
     cycles.take(*this, recorded.last);
   }
-  return quantities_of(recorded.last);
+  return quantities_of(recorded.last, boundary_row());
 }
 
 /// The row where loading begins.

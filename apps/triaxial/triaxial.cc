@@ -156,12 +156,12 @@ coupling::CoupledParticles Triaxial::particles()
           },
           [this](std::ostream &out)
           {
-            engine().save(out, shapes);
+            engine().save(out, shapes.series());
             servo.save(out);
           },
           [this](std::istream &in)
           {
-            engine().restore(in, shapes);
+            engine().restore(in, shapes.series());
             servo.restore(in);
           }};
 }
@@ -273,7 +273,8 @@ void Triaxial::add_energies(Sample &s) const
 {
   const dem::EngineEnergy energy = whole().energy();
   s.external_work = energy.work_of("planes") + energy.work_of("drum") +
-                    energy.cell_work + energy.gravity_work;
+                    energy.work_of("mesh walls") + energy.cell_work +
+                    energy.gravity_work;
   s.kinetic_energy = energy.kinetic;
   s.elastic_energy = energy.elastic;
   s.friction = energy.friction;
@@ -322,7 +323,7 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, plan);
   coupling::save(out, observed_from);
   coupling::save(out, mean_motion);
-  whole().save(out, shapes);
+  whole().save(out, shapes.series());
   servo.save(out);
   if (joined)
     joined->save(out);
@@ -366,7 +367,7 @@ void Triaxial::restore(std::istream &in)
   if (has_boundaries && !joined) // a probe goes back with the one it has
     build_cell();
   watch.set_state(record); // a new membrane would have it evaluated again
-  engine().restore(in, shapes);
+  engine().restore(in, shapes.series());
   servo.restore(in);
   if (joined)
     joined->restore(in);

@@ -160,6 +160,7 @@ public:
 
   void save(std::ostream &out) const override;
   void restore(std::istream &in) override;
+  std::vector<NamedBoundary> named_boundaries() const override;
 
 private:
   /// Numbers of the history that the test stores; plain data for the
@@ -178,6 +179,7 @@ private:
   Triaxial(const Case &parameters, Specimen specimen);
   void move(double time_step) override;
   bool is_gathered() const override;
+  dem::Vec3 moment_point() const override; ///< middle of the base
   std::vector<dem::BreakageEvent> fresh_events() override;
   void note_due();
   void begin_record();

@@ -106,6 +106,10 @@ def number_faults(folder, form):
     mass = filling["layers"][-1]["mass_kg"]
     faults += near("mass", mass, 1300. * 0.07 * math.pi * 0.045 ** 2, 0.02)
     last = history[-1]
+    faults += near("force on the plate", last["plate_force_z_N"],
+                   last["plate_load_N"], 1e-9)
+    if not last["floor_force_z_N"] < 0.:
+        faults.append(f"the floor is pulled by {last['floor_force_z_N']} N")
     if found["n_particles"] < 30 or not last["settlement_m"] > 0.:
         faults.append(f"{found['n_particles']} particles settle by "
                       f"{last['settlement_m']} m")

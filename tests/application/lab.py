@@ -76,7 +76,7 @@ def resumed_faults(whole, resumed, names, frames=("",)):
 
 
 def loss_faults(folder, found):
-    """Events, mass and energy agree."""
+    """Events, mass and energy agree, and the mass by boundary."""
     history, events = rows(folder, "history.csv")[1], \
         rows(folder, "events.csv")[1]
     faults = []
@@ -90,7 +90,8 @@ def loss_faults(folder, found):
                         2750. * found["solid_volume_m3"] + lost)
     faults += near("laa_percent", found["laa_percent"], 100. * lost / initial,
                    1e-9)
-    return faults
+    return faults + near("mass by boundary",
+                         sum(found["removed_mass_kg"].values()), lost, 1e-9)
 
 
 def single_particle(spall, root):

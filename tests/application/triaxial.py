@@ -49,6 +49,15 @@ NETWORK = [
     ("inside_lateral_stress", "Pa"), ("wall_lateral_stress", "Pa"),
     ("specimen_axial_stress", "Pa"), ("specimen_lateral_stress", "Pa"),
     ("membrane_axial_stress", "Pa"), ("membrane_lateral_stress", "Pa")]
+AXES = [f"{what}_{axis}_{unit}" for what, unit in (("force", "N"),
+                                                   ("moment", "Nm"))
+        for axis in "xyz"]
+BOUNDARIES = [f"{name}_{column}" for name in
+              ("x_min", "x_max", "y_min", "y_max", "base", "plate")
+              for column in [*AXES, "removed_mass_kg"]] + [
+    f"membrane_{column}"
+    for column in [*AXES, "friction_J", "removed_mass_kg"]] + [
+    "planes_friction_J"]
 HEADERS = {
     "history.csv":
         "time_s,stage_1,cycle_1,axial_stress_Pa,lateral_stress_Pa,"
@@ -60,7 +69,7 @@ HEADERS = {
         "membrane_strain_energy_J,energy_residual_J,"
         "membrane_axial_stress_Pa,membrane_lateral_stress_Pa,"
         "porosity_1,overlap_over_radius_1,loading_stage_1,axial_target_Pa,"
-        "lateral_target_Pa,x_stress_Pa,y_stress_Pa",
+        "lateral_target_Pa,x_stress_Pa,y_stress_Pa," + ",".join(BOUNDARIES),
     "events.csv":
         "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
         "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"

@@ -34,11 +34,13 @@ TEST(RemovedMass, IsAddedByBoundary)
   spall::RemovedMass again;
   again.restore(state);
   nlohmann::ordered_json summary;
-  again.summarise(dem::Engine(dem::EngineParameters{}), summary);
+  const std::array named = {
+      spall::NamedBoundary{"base", spall::BoundaryKind::plane, 2}};
+  again.summarise(dem::Engine(dem::EngineParameters{}), named, summary);
   const auto &masses = summary["removed_mass_kg"];
   EXPECT_EQ(masses.size(), 4u);
   EXPECT_DOUBLE_EQ(masses["particles"], 6e-6);
   EXPECT_DOUBLE_EQ(masses["plane_0"], 8e-6);
-  EXPECT_DOUBLE_EQ(masses["plane_2"], 16e-6);
+  EXPECT_DOUBLE_EQ(masses["base"], 16e-6);
   EXPECT_DOUBLE_EQ(masses["drum"], 32e-6);
 }

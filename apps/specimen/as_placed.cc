@@ -1,0 +1,105 @@
+// Placed particles in an engine, and what of them is refused.
+#include "case/digits.h"
+#include "case/parameter.h"
+#include "errors.h"
+#include "specimen/placed_particles.h"
+
+#include <dem/parallel/ranks.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace spall
+{
+namespace
+{
+/// The deepest contact of a batch over the radius of its smaller particle.
+struct Deepest
+{
+  double ratio = 0.;
+  std::string a, b;
+};
+
+void note_overlaps(const dem::ParticleSystem &all,
+                   const dem::ContactBatch &batch,
+                   const std::function<std::string(std::size_t)> &other,
+                   bool is_pair, const PlacedParticles &particles,
+                   Deepest &deepest)
+{
+  for (std::size_t k = 0; k < batch.size(); ++k)
+  {
+    const auto a = static_cast<std::size_t>(batch.a[k]);
+    double radius = all.radius(a);
+    if (is_pair)
+      radius =
+          std::min(radius, all.radius(static_cast<std::size_t>(batch.b[k])));
+    const double ratio = batch.overlap[k] / radius;
+    if (ratio > deepest.ratio)
+      deepest = {ratio, particles.name[static_cast<std::size_t>(all.id[a])],
+                 other(k)};
+  }
+}
+
+/// Of all contacts.
+Deepest deepest_of(const dem::Engine &engine, const PlacedParticles &particles)
+{
+  const dem::ParticleSystem &all = engine.particles();
+  Deepest deepest;
+  note_overlaps(
+      all, engine.pairs(),
+      [&](std::size_t k)
+      {
+        const auto b = static_cast<std::size_t>(engine.pairs().b[k]);
+        return particles.name[static_cast<std::size_t>(all.id[b])];
+      },
+      true, particles, deepest);
+  for (const auto &boundary : engine.boundaries())
+    note_overlaps(
+        all, boundary->batch,
+        [&](std::size_t k) { return boundary->name_of(k); }, false, particles,
+        deepest);
+  return deepest;
+}
+} // namespace
+
+void add_particles(const PlacedParticles &from, dem::Engine &engine)
+{
+  for (std::size_t k = 0; k < from.body.size(); ++k)
+    engine.add_particle(from.body[k], from.placement[k].position,
+                        from.placement[k].orientation, from.material[k]);
+  dem::ParticleSystem &particles = engine.particles();
+  for (std::size_t row = 0; row < particles.size(); ++row)
+  {
+    const auto k = static_cast<std::size_t>(particles.id[row]);
+    particles.velocity(row) = from.velocity[k];
+    particles.spin(row) = from.spin[k];
+  }
+}
+
+dem::PlacedLayer placed_layer(const PlacedParticles &from)
+{
+  return {from.placement, from.velocity, from.spin};
+}
+
+std::unique_ptr<dem::Engine> check_as_placed(const Case &parameters,
+                                             const PlacedParticles &particles,
+                                             const PlacedCheck &check)
+{
+  dem::EngineParameters settings = check.engine;
+  settings.geometry.overlap.stop = std::numeric_limits<double>::max();
+  auto engine = std::make_unique<dem::Engine>(settings, dem::one_rank());
+  add_particles(particles, *engine);
+  check.add_boundaries(*engine);
+  engine->set_breaking(false);
+  engine->evaluate(1e-12);
+  const Deepest deepest = deepest_of(*engine, particles);
+  if (deepest.ratio > check.largest_overlap)
+    throw InputError(
+        parameters.file + ": " + deepest.a + ": overlaps " + deepest.b +
+        " by " + in_four_digits(deepest.ratio) +
+        " of its radius as placed: must be at most " + check.section +
+        "/largest_overlap = " + number_text(check.largest_overlap));
+  return engine;
+}
+} // namespace spall
