@@ -87,8 +87,7 @@ std::string parameter_json(Case of)
   Case defaults = defaults_of(of);
   const std::vector<Parameter> list = parameters_of(of),
                                by_default = parameters_of(defaults);
-  Json all = {{"version", SPALL_VERSION},
-              {"kind", of.kind},
+  Json all = {{"kind", of.kind},
               {"seed_key", find_kind(of.kind)->seed_key},
               {"sections", Json::array()}};
   for (const ListedSection &section : sections(of))

@@ -157,5 +157,5 @@ class Program(InFolder):
             spall.find_program()
 
     def test_version(self):
-        self.assertRegex(spall.version(), r"^\d+\.\d+")
+        self.assertRegex(spall.version(), r"^\d+\.\d+(\.\d+)?$")
         self.assertTrue(pathlib.Path(spall.find_program()).is_file())

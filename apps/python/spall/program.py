@@ -67,8 +67,8 @@ def find_program() -> pathlib.Path:
 
 
 def version() -> str:
-    """Version of the program."""
-    return call("--version").split()[-1]
+    """Version of the program, as 0.2.0."""
+    return call("--version").split()[1]
 
 
 def call(*words: str | pathlib.Path) -> str:
