@@ -122,8 +122,8 @@ struct LaneTriangles
 struct LaneDepth
 {
   SimdSurface on_a;
-  SimdFrame frame;
-  SimdShapeOperator shape_operator;
+  SimdFrame frame;   ///< two tangents at the contact in the last step
+  SimdVector before; ///< normal there
   SimdMatrix follow; ///< (I - delta K)^-1
   SimdMatrix hill;   ///< C
   SimdPlanar step;   ///< to the point next to y
@@ -131,14 +131,10 @@ struct LaneDepth
   SimdVector normal; ///< n; its length is one to first order
   SimdMask is_sound;
 
-  SimdVector in_world(const SimdPlanar &v) const
-  {
-    return v.x * frame.first + v.y * frame.second;
-  }
   /// Normal where the point of the particle is a step on.
   SimdVector normal_at(const SimdPlanar &on_particle) const
   {
-    return on_a.normal + in_world(shape_operator.matrix * on_particle);
+    return before + frame.in_world(on_a.shape_operator * on_particle);
   }
 };
 
@@ -149,15 +145,15 @@ LaneDepth depth_at(const FacetTask &task, std::int64_t k,
   LaneDepth at;
   at.on_a = locate_surface(task.side, k, particle);
   const SimdVector apart = particle.vector(at_position) + at.on_a.arm - y;
-  at.frame = across(at.on_a.normal);
-  at.shape_operator = shape_operator_of(task.side, k, at.on_a, at.frame);
-  const SimdMatrix &curvature = at.shape_operator.matrix;
-  const Simd delta = dot(apart, at.on_a.normal);
+  at.frame = {at.on_a.frame.first - at.on_a.turn.x * at.on_a.axis,
+              at.on_a.frame.second - at.on_a.turn.y * at.on_a.axis};
+  at.before = at.on_a.inverse_length() * at.on_a.outward();
+  const SimdMatrix &curvature = at.on_a.shape_operator;
+  const Simd delta = dot(apart, at.before);
   const SimdPlanar aside = in_frame(at.frame, apart);
   const SimdMatrix system{1. - delta * curvature.xx, -delta * curvature.xy,
                           1. - delta * curvature.yy};
-  at.is_sound =
-      is_above(system, Simd(least_system)) && load(task.side.radius + k) > 0.;
+  at.is_sound = is_above(system, Simd(least_system)) && at.on_a.height > 0.;
   const Simd inverse = 1. / select(at.is_sound, system.determinant(), Simd(1.));
   at.follow = {inverse * system.yy, -inverse * system.xy, inverse * system.xx};
   const SimdPlanar back = at.follow * aside;
@@ -167,7 +163,10 @@ LaneDepth depth_at(const FacetTask &task, std::int64_t k,
   at.hill = {curvature.xx * at.follow.xx + curvature.xy * at.follow.xy,
              curvature.xx * at.follow.xy + curvature.xy * at.follow.yy,
              curvature.xy * at.follow.xy + curvature.yy * at.follow.yy};
-  at.is_sound = at.is_sound && is_above(at.hill, least_hill / at.on_a.radius);
+  at.is_sound =
+      at.is_sound &&
+      is_above(at.hill,
+               least_hill / select(at.is_sound, at.on_a.height, Simd(1.)));
   at.normal = at.normal_at(at.step);
   return at;
 }
@@ -321,27 +320,6 @@ void store_contacts(const FacetTask &task, const LaneContacts &contact,
   }
 }
 
-/// Where the contacts are, as an offset from the direction of the expansion.
-/// Returns those that are stale.
-SimdMask note_on_particle(const FacetTask &task, std::int64_t k,
-                          const LaneDepth &depth, const SimdPlanar &step,
-                          const SimdMask &is_followed, double tolerance)
-{
-  const SimdVector point = depth.on_a.radius * depth.on_a.direction +
-                           step.x * depth.shape_operator.first.vector +
-                           step.y * depth.shape_operator.second.vector;
-  const SimdVector u = load_vector(task.side.direction, k);
-  const Simd along = dot(point, u);
-  const SimdVector offset =
-      1. / select(is_followed, along, Simd(1.)) * point - u;
-  const SimdVector before = load_vector(task.side.offset, k);
-  store_vector({select(is_followed, offset.x, before.x),
-                select(is_followed, offset.y, before.y),
-                select(is_followed, offset.z, before.z)},
-               task.side.offset, k);
-  return is_followed && dot(offset, offset) > tolerance * tolerance;
-}
-
 /// How much the depth of a contact point and of another one of its patch, on a
 /// triangle that has a corner of its own, have come nearer to each other in
 /// this step at most. With u the velocity of the wall against the particle, D
@@ -401,9 +379,9 @@ SimdMask follow(const FacetTask &task, std::int64_t k,
   const SimdVector area = cross(corner[1] - corner[0], corner[2] - corner[0]);
   SimdMask is_followed = is_due && at.is_known && depth.is_sound &&
                          climbed.is_sound &&
-                         is_short(step, depth.on_a.radius) &&
-                         is_short(climbed.across, depth.on_a.radius) &&
-                         overlap < deepest * depth.on_a.radius &&
+                         is_short(step, depth.on_a.height) &&
+                         is_short(climbed.across, depth.on_a.height) &&
+                         overlap < deepest * depth.on_a.height &&
                          dot(normal, area) > least_facing * length_of(area);
   if (any(side.is_there() && is_followed))
     is_followed = is_followed && (!side.is_there() ||
@@ -430,7 +408,7 @@ SimdMask follow(const FacetTask &task, std::int64_t k,
   point.set(4, {{normal.y, normal.z, Simd(0.)}});
   store_contacts(task, contact, is_followed, wall, point);
   const SimdMask rests = load(task.overlap + k) <= 0. &&
-                         overlap < -least_resting_gap * depth.on_a.radius;
+                         overlap < -least_resting_gap * depth.on_a.height;
   const Simd path = contact_paths(task, k);
   for (int lane = 0; lane < n_lanes; ++lane)
     if (const auto l = static_cast<std::size_t>(lane); is_followed[l])
@@ -442,7 +420,8 @@ SimdMask follow(const FacetTask &task, std::int64_t k,
           patch_left[l] + (rests[l] ? 2. * overlap[l] : 0.);
     }
   is_patch_due = is_followed && patch_left <= 0.;
-  is_stale = note_on_particle(task, k, depth, step, is_followed, tolerance);
+  is_stale =
+      move_on_surface(task.side, k, depth.on_a, step, is_followed, tolerance);
   return is_followed;
 }
 

@@ -14,35 +14,25 @@ namespace
 /// another one.
 constexpr double jump = 0.05;
 
-/// Surface expansion stored for the side of contact k.
-RadialExpansion known_expansion(const SideColumns &side, std::size_t k)
-{
-  const Triple<double> u = side.direction[k], g = side.gradient[k];
-  RadialExpansion known;
-  known.direction = Vec3(u.x, u.y, u.z).normalized();
-  known.radius = side.radius[k];
-  known.gradient = Vec3(g.x, g.y, g.z);
-  const auto entry = [&side, k](std::size_t c)
-  { return static_cast<double>(side.hessian[c][k]); };
-  known.hessian << entry(0), entry(3), entry(4), entry(3), entry(1), entry(5),
-      entry(4), entry(5), entry(2);
-  return known;
-}
-
-/// Notes where the contact is now: within the expansion as an offset from its
-/// direction, else by a new one.
+/// Notes where the contact is now: on the paraboloid as an offset from its
+/// vertex, else by a new one.
 void note_contact_point(const ForceContext &context, ContactBatch &batch,
                         std::size_t k, const Vec3 &on_particle, bool is_renewed)
 {
-  const Triple<double> u = batch.side_a.direction[k];
-  const Vec3 from(u.x, u.y, u.z);
-  const double along = on_particle.dot(from);
-  const Vec3 offset = on_particle / along - from;
-  const double reach = context.parameters.geometry.refresh_tolerance;
-  if (is_renewed || along <= 0. || offset.squaredNorm() > reach * reach)
-    renew_side(context, batch, k, true, on_particle);
-  else
-    batch.side_a.offset.set(k, {offset.x(), offset.y(), offset.z()});
+  if (!is_renewed)
+  {
+    const Paraboloid known = batch.side_a.paraboloid(k);
+    const Vec3 w = known.offset_towards(on_particle);
+    const double reach =
+        context.parameters.geometry.refresh_tolerance * known.height();
+    if (on_particle.dot(known.vertex.normal) > 0. &&
+        w.squaredNorm() <= reach * reach)
+    {
+      batch.side_a.set_offset(k, w);
+      return;
+    }
+  }
+  renew_side(context, batch, k, true, on_particle);
 }
 
 /// What the contacts of one thread add to the sums of all.
@@ -103,7 +93,7 @@ WallContactPoint follow(const Followed &all, std::size_t k,
                         particles.rotation(i),
                         context.parameters.geometry.refresh_tolerance);
   if (batch.side_a.is_known(k))
-    particle.start_from(known_expansion(batch.side_a, k));
+    particle.start_from(batch.side_a.paraboloid(k));
   const Vec3 start = batch.side_a.contact_point(k);
   const WallContactPoint contact_point = refine(particle, start);
   if (!contact_point.is_found || contact_point.overlap > 0.3 * particle.size())

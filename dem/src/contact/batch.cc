@@ -15,12 +15,26 @@ std::size_t whole_blocks(std::size_t n)
   return (n + ContactBatch::block - 1) / ContactBatch::block *
          ContactBatch::block;
 }
+
+Mat3 axes_of(const SideColumns &side, std::size_t k)
+{
+  const Triple<double> n = side.normal[k];
+  return surface_axes({n.x, n.y, n.z});
+}
+
+/// The offset of contact k from the vertex of its paraboloid, body frame.
+Vec3 along_surface(const SideColumns &side, std::size_t k)
+{
+  return axes_of(side, k).leftCols<2>() * side.offset[k];
+}
 } // namespace
 
 Vec3 SideColumns::contact_point(std::size_t k) const
 {
-  const Triple<double> at = direction[k] + offset[k];
-  return Vec3(at.x, at.y, at.z).normalized();
+  const Triple<double> at = direction[k];
+  if (!is_known(k))
+    return Vec3(at.x, at.y, at.z).normalized();
+  return paraboloid(k).at(along_surface(*this, k)).position.normalized();
 }
 
 double SideColumns::local_radius(std::size_t k,
@@ -34,21 +48,43 @@ double SideColumns::local_radius(std::size_t k,
          h(3) * w.x * w.y + h(4) * w.x * w.z + h(5) * w.y * w.z;
 }
 
-RadialExpansion SideColumns::expansion_at_contact_point(std::size_t k) const
+Paraboloid SideColumns::paraboloid(std::size_t k) const
 {
-  const auto vector = [](const Triple<double> &of)
-  { return Vec3(of.x, of.y, of.z); };
-  const auto h = [this, k](std::size_t c)
-  { return static_cast<double>(hessian[c][k]); };
-  RadialExpansion at;
-  at.direction = contact_point(k);
-  const Vec3 &s = at.direction;
-  at.hessian << h(0), h(3), h(4), h(3), h(1), h(5), h(4), h(5), h(2);
-  const Vec3 slope =
-      vector(gradient[k]) + at.hessian * (s - vector(direction[k]));
-  at.gradient = slope - slope.dot(s) * s;
-  at.radius = local_radius(k, {s.x(), s.y(), s.z()});
-  return at;
+  const Mat3 axes = axes_of(*this, k);
+  const auto tangents = axes.leftCols<2>();
+  const auto entry = [this, k](std::size_t c)
+  { return static_cast<double>(shape_operator[c][k]); };
+  Eigen::Matrix2d planar;
+  planar << entry(0), entry(1), entry(1), entry(2);
+  return {{tangents * aside[k] + height[k] * axes.col(2), axes.col(2),
+           tangents * planar * tangents.transpose()}};
+}
+
+SurfacePoint SideColumns::surface_at_contact_point(std::size_t k) const
+{
+  return paraboloid(k).at(along_surface(*this, k));
+}
+
+void SideColumns::set_paraboloid(std::size_t k, const SurfacePoint &vertex)
+{
+  const Vec3 &n = vertex.normal;
+  normal.set(k, {n.x(), n.y(), n.z()});
+  const Mat3 axes = axes_of(*this, k);
+  const auto tangents = axes.leftCols<2>();
+  aside.set(k, tangents.transpose() * vertex.position);
+  const Vec3 up = vertex.position - tangents * aside[k];
+  height[k] = up.dot(axes.col(2)) / axes.col(2).squaredNorm();
+  const Eigen::Matrix2d planar =
+      tangents.transpose() * vertex.shape_operator * tangents;
+  const double entries[3] = {planar(0, 0), planar(0, 1), planar(1, 1)};
+  for (std::size_t c = 0; c < 3; ++c)
+    shape_operator[c][k] = static_cast<Narrow>(entries[c]);
+  offset.set(k, Eigen::Vector2d::Zero());
+}
+
+void SideColumns::set_offset(std::size_t k, const Vec3 &w)
+{
+  offset.set(k, axes_of(*this, k).leftCols<2>().transpose() * w);
 }
 
 /// A counting sort by A of short rows.

@@ -59,8 +59,8 @@ void renew_sides(const ForceContext &context, ContactBatch &batch,
   renew_side(context, batch, k, false, contact_point.on_b);
 }
 
-void relocate_pair(const ForceContext &context, ContactBatch &batch,
-                   std::size_t k, RangeSum &sum)
+double relocate_pair(const ForceContext &context, ContactBatch &batch,
+                     std::size_t k, RangeSum &sum)
 {
   const ParticleSystem &particles = context.particles;
   const std::size_t i = particle_of(batch, k, true),
@@ -72,7 +72,7 @@ void relocate_pair(const ForceContext &context, ContactBatch &batch,
   if (!found.is_found || found.overlap > deepest_overlap * mean_radius(a))
   {
     end_contact(batch, k, sum);
-    return;
+    return 0.;
   }
   const bool is_jump = (found.on_a - start.on_a).norm() > jump ||
                        (found.on_b - start.on_b).norm() > jump;
@@ -85,6 +85,7 @@ void relocate_pair(const ForceContext &context, ContactBatch &batch,
     renew_overlap_offset(batch, k, found.overlap);
   }
   renew_sides(context, batch, k, found);
+  return -found.overlap;
 }
 
 void relocate_wall(const ForceContext &context, ContactBatch &batch,

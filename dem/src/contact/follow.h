@@ -19,8 +19,8 @@ void renew_sides(const ForceContext &context, ContactBatch &batch,
 /// Searches the common normal of contact k from where it was, as carefully as
 /// it takes; if there is none left, the contact stays open until the lists are
 /// rebuilt. A jump to another contact point is counted, and adds no energy.
-void relocate_pair(const ForceContext &context, ContactBatch &batch,
-                   std::size_t k, RangeSum &sum);
+double relocate_pair(const ForceContext &context, ContactBatch &batch,
+                     std::size_t k, RangeSum &sum);
 /// The same for the support point towards a wall.
 void relocate_wall(const ForceContext &context, ContactBatch &batch,
                    std::size_t k, const WallRow &wall, RangeSum &sum);

@@ -36,14 +36,26 @@ struct Vectors
   Number *x, *y, *z;
 };
 
-/// SideColumns, renewed by Surfaces.
+/// Components along two tangents.
+template <class Number>
+struct Planars
+{
+  Number *x, *y;
+};
+
+/// SideColumns, renewed by Surfaces; those that its layout leaves out are null.
 struct Side
 {
   Vectors<const Narrow> direction;
   const double *radius;
   Vectors<const Narrow> gradient;
   const Narrow *hessian[6];
-  Vectors<Narrow> offset; ///< null unless contacts follow their surfaces
+
+  Vectors<const Narrow> normal;
+  const double *height;
+  Planars<const Narrow> aside;
+  const Narrow *shape_operator[3];
+  Planars<Narrow> offset;
 };
 
 /// ContactBatch; columns that its layout leaves out are null.
@@ -84,13 +96,15 @@ struct ColumnsAhead
 struct Surfaces
 {
   void *owner;
-  /// Evaluates side 0 (A) or 1 (B) of contact k at this body direction.
+  /// Evaluates side 0 (A) or 1 (B) of contact k at this body direction; null:
+  /// where its contact is.
   void (*renew)(void *owner, std::int64_t k, int side, const double *direction);
   /// Mixes the prefactors of contact k with this normal.
   void (*mix)(void *owner, std::int64_t k, const double *normal);
   /// Searches again for the contact point of contact k, which its steps have
-  /// lost.
-  void (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
+  /// lost. Returns how far the surfaces are apart there, < 0 if they overlap; 0
+  /// if there is none.
+  double (*relocate)(void *owner, std::int64_t k, RangeSum *sum);
 };
 
 /// Simd that are worked on in turn make one block for every instruction set.

@@ -4,29 +4,16 @@ namespace dem
 {
 namespace
 {
-/// s / (s.u) - u: where the ray along s meets the plane that touches the sphere
-/// at u.
-Vec3 offset_from(const Vec3 &u, const Vec3 &s)
+/// w of the paraboloid where a direction meets it, if it holds there: no
+/// farther from the vertex than this part of the height.
+std::optional<Vec3> offset_within(const std::optional<Paraboloid> &known,
+                                  const Vec3 &direction, double tolerance)
 {
-  return s / s.dot(u) - u;
-}
-
-/// r and its derivatives at s beside the direction u of `from`, of the surface
-/// r = r_u + g.w + w.H w / 2 with the offset w: value and gradient exactly, so
-/// that normals are those of one smooth surface.
-RadialExpansion moved(const RadialExpansion &from, const Vec3 &s)
-{
-  const Vec3 &u = from.direction;
-  const Vec3 w = offset_from(u, s);
-  const Vec3 bent = from.hessian * w, slope = from.gradient + bent;
-  const double cosine = s.dot(u);
-  RadialExpansion at;
-  at.direction = s;
-  at.radius = from.radius + from.gradient.dot(w) + 0.5 * w.dot(bent);
-  at.gradient = (slope - (slope.dot(s) / cosine) * u) / cosine;
-  const Mat3 across = Mat3::Identity() - s * s.transpose();
-  at.hessian = across * from.hessian * across;
-  return at;
+  if (!known || direction.dot(known->vertex.normal) <= 0.)
+    return {};
+  const Vec3 w = known->offset_towards(direction);
+  const double reach = tolerance * known->height();
+  return w.squaredNorm() <= reach * reach ? std::optional(w) : std::nullopt;
 }
 } // namespace
 
@@ -37,9 +24,9 @@ ParticleView::ParticleView(const ParticleShape &seen, const Vec3 &at,
 {
 }
 
-void ParticleView::start_from(const RadialExpansion &expansion)
+void ParticleView::start_from(const Paraboloid &paraboloid)
 {
-  known = expansion;
+  known = paraboloid;
   has_renewed = false;
   last_direction = Vec3::Zero();
 }
@@ -53,22 +40,15 @@ const SurfacePoint &ParticleView::at(const Vec3 &direction)
 {
   if (direction == last_direction)
     return last;
-  const bool is_near = known.radius > 0. &&
-                       direction.dot(known.direction) > 0. &&
-                       offset_from(known.direction, direction).squaredNorm() <=
-                           tolerance * tolerance;
-  if (!is_near && body.series)
+  const std::optional<Vec3> w = offset_within(known, direction, tolerance);
+  const SurfacePoint on_body =
+      w ? known->at(*w) : surface_point(body, direction);
+  if (!w && body.series)
   {
-    known = expand(*body.series, direction);
-    known.radius *= body.scale;
-    known.gradient *= body.scale;
-    known.hessian *= body.scale;
+    known = Paraboloid{on_body};
     has_renewed = true;
   }
-  last = turned(!body.series ? surface_point(body, direction)
-                : is_near    ? surface_point(moved(known, direction))
-                             : surface_point(known),
-                rotation);
+  last = turned(on_body, rotation);
   last.position += position;
   last_direction = direction;
   return last;

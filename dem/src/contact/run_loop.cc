@@ -15,9 +15,12 @@ SurfaceOwner &owner_of(void *owner)
 
 void renew(void *owner, std::int64_t k, int side, const double *direction)
 {
-  renew_side(owner_of(owner).context, owner_of(owner).batch,
-             static_cast<std::size_t>(k), side == 0,
-             Eigen::Map<const Vec3>(direction));
+  ContactBatch &batch = owner_of(owner).batch;
+  const auto contact = static_cast<std::size_t>(k);
+  const SideColumns &columns = side == 0 ? batch.side_a : batch.side_b;
+  renew_side(owner_of(owner).context, batch, contact, side == 0,
+             direction ? Vec3(Eigen::Map<const Vec3>(direction))
+                       : columns.contact_point(contact));
 }
 
 void mix(void *owner, std::int64_t k, const double *normal)
@@ -26,15 +29,15 @@ void mix(void *owner, std::int64_t k, const double *normal)
                  static_cast<std::size_t>(k), Eigen::Map<const Vec3>(normal));
 }
 
-void relocate(void *owner, std::int64_t k, RangeSum *sum)
+double relocate(void *owner, std::int64_t k, RangeSum *sum)
 {
   const SurfaceOwner &of = owner_of(owner);
   const auto contact = static_cast<std::size_t>(k);
   if (of.batch.layout.has_partners)
-    relocate_pair(of.context, of.batch, contact, *sum);
-  else
-    relocate_wall(of.context, of.batch, contact,
-                  of.walls[row_of(of.batch.b[contact])], *sum);
+    return relocate_pair(of.context, of.batch, contact, *sum);
+  relocate_wall(of.context, of.batch, contact,
+                of.walls[row_of(of.batch.b[contact])], *sum);
+  return 0.;
 }
 
 template <class Row>
@@ -84,6 +87,15 @@ kernel::Contacts contacts_view(ContactBatch &batch)
 /// Contacts up to this many bytes stay in the caches: asking ahead only costs.
 constexpr std::size_t cached_bytes = std::size_t{4} << 20;
 
+/// Whether a column is one of some vectors.
+template <class... Columns>
+bool is_any_of(const void *column, const Columns &...vectors)
+{
+  return ((column == vectors.x.data() || column == vectors.y.data() ||
+           column == vectors.z.data()) ||
+          ...);
+}
+
 /// All but what is read rarely.
 kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
 {
@@ -92,7 +104,9 @@ kernel::ColumnsAhead columns_ahead(ContactBatch &batch)
   const auto is_rare = [&batch](const void *column)
   {
     return column == batch.factor_a.data() || column == batch.factor_b.data() ||
-           column == batch.event.data();
+           column == batch.event.data() ||
+           (batch.layout.has_contact_points &&
+            is_any_of(column, batch.side_a.direction, batch.side_b.direction));
   };
   const auto add = [&]<class Entry>(bool is_there, std::vector<Entry> &column)
   {
@@ -131,14 +145,19 @@ kernel::Side side_view(SideColumns &side)
     return kernel::Vectors<const Narrow>{column.x.data(), column.y.data(),
                                          column.z.data()};
   };
-  kernel::Side view{
-      vectors(side.direction),
-      side.radius.data(),
-      vectors(side.gradient),
-      {},
-      {side.offset.x.data(), side.offset.y.data(), side.offset.z.data()}};
+  kernel::Side view{vectors(side.direction),
+                    side.radius.data(),
+                    vectors(side.gradient),
+                    {},
+                    vectors(side.normal),
+                    side.height.data(),
+                    {side.aside.x.data(), side.aside.y.data()},
+                    {},
+                    {side.offset.x.data(), side.offset.y.data()}};
   for (std::size_t c = 0; c < 6; ++c)
     view.hessian[c] = side.hessian[c].data();
+  for (std::size_t c = 0; c < 3; ++c)
+    view.shape_operator[c] = side.shape_operator[c].data();
   return view;
 }
 

@@ -3,79 +3,11 @@
 #include "particle_simd.h"
 
 /// The true surface of a particle about a contact (docs/theory/surfaces.md), in
-/// lanes.
+/// lanes: its osculating paraboloid.
 namespace dem::kernel
 {
 namespace
 {
-/// World vector that the body with the unit quaternion q calls v: q v q^-1.
-SimdVector to_world(const SimdQuad &q, const SimdVector &v)
-{
-  const SimdVector twice = Simd(2.) * cross(q.vector, v);
-  return v + q.number * twice + cross(q.vector, twice);
-}
-
-/// The surface of one side where its contact was in the last step.
-struct SimdSurface
-{
-  SimdQuad orientation;
-  SimdVector direction; ///< s, body frame
-  SimdVector gradient;  ///< grad_S r, body frame
-  Simd radius;
-  Simd steepness;    ///< |grad (|x| - r)| = sqrt(1 + |grad_S r|^2 / r^2)
-  SimdVector arm;    ///< from the centre of the particle, world
-  SimdVector normal; ///< outward, world
-};
-
-SimdVector side_hessian_times(const Side &side, std::int64_t k,
-                              const SimdVector &w)
-{
-  const Simd xy = load(side.hessian[3] + k), xz = load(side.hessian[4] + k),
-             yz = load(side.hessian[5] + k);
-  return {load(side.hessian[0] + k) * w.x + xy * w.y + xz * w.z,
-          xy * w.x + load(side.hessian[1] + k) * w.y + yz * w.z,
-          xz * w.x + yz * w.y + load(side.hessian[2] + k) * w.z};
-}
-
-/// Sides without surface data give a unit sphere.
-SimdSurface locate_surface(const Side &side, std::int64_t k,
-                           const ParticleSimd &particle)
-{
-  SimdSurface at;
-  at.orientation = particle.quad(at_orientation);
-  const SimdVector w = load_vector(side.offset, k);
-  const SimdVector g = load_vector(side.gradient, k);
-  const SimdVector bent = side_hessian_times(side, k, w);
-  const Simd radius = load(side.radius + k);
-  const SimdMask is_known = radius > 0.;
-  SimdVector towards = load_vector(side.direction, k) + w;
-  towards.z = select(is_known, towards.z, Simd(1.));
-  at.direction = 1. / stdx::sqrt(dot(towards, towards)) * towards;
-  at.radius =
-      select(is_known, radius + dot(g, w) + 0.5 * dot(w, bent), Simd(1.));
-  const SimdVector slope = g + bent;
-  at.gradient = slope - dot(slope, at.direction) * at.direction;
-  const SimdVector outward = at.direction - 1. / at.radius * at.gradient;
-  at.steepness = stdx::sqrt(dot(outward, outward));
-  at.arm = to_world(at.orientation, at.radius * at.direction);
-  at.normal = to_world(at.orientation, 1. / at.steepness * outward);
-  return at;
-}
-
-/// Two unit vectors across n (Duff et al. 2017).
-struct SimdFrame
-{
-  SimdVector first, second;
-};
-
-SimdFrame across(const SimdVector &n)
-{
-  const Simd sign = select(n.z < 0., Simd(-1.), Simd(1.));
-  const Simd a = -1. / (sign + n.z), b = n.x * n.y * a;
-  return {{1. + sign * n.x * n.x * a, sign * b, -sign * n.x},
-          {b, sign + n.y * n.y * a, -n.y}};
-}
-
 /// A symmetric matrix in a frame of two tangents.
 struct SimdMatrix
 {
@@ -95,74 +27,141 @@ SimdPlanar operator*(const SimdMatrix &m, const SimdPlanar &v)
   return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y};
 }
 
+SimdPlanar operator+(const SimdPlanar &u, const SimdPlanar &v)
+{
+  return {u.x + v.x, u.y + v.y};
+}
+
 Simd dot(const SimdPlanar &u, const SimdPlanar &v)
 {
   return u.x * v.x + u.y * v.y;
 }
+
+/// As PlanarColumn.
+template <class Columns>
+SimdPlanar load_planar(const Columns &column, std::int64_t k)
+{
+  return {load(column.x + k), load(column.y + k)};
+}
+
+/// Two tangents of a surface.
+struct SimdFrame
+{
+  SimdVector first, second;
+
+  SimdVector in_world(const SimdPlanar &v) const
+  {
+    return v.x * first + v.y * second;
+  }
+};
 
 SimdPlanar in_frame(const SimdFrame &frame, const SimdVector &v)
 {
   return {dot(frame.first, v), dot(frame.second, v)};
 }
 
-/// One tangent against the surface: what its second derivatives need.
-struct SimdTangent
+/// World axes of the body with a unit quaternion.
+struct SimdRotation
 {
-  SimdVector vector; ///< body frame
-  Simd along, slope; ///< t.s, grad_S r.t
-  SimdVector flat;   ///< t - (t.s) s
-};
+  SimdVector x, y, z;
 
-SimdTangent tangent_of(const SimdSurface &at, const SimdVector &world)
-{
-  SimdTangent t;
-  t.vector = to_body(at.orientation, world);
-  t.along = dot(t.vector, at.direction);
-  t.slope = dot(t.vector, at.gradient);
-  t.flat = t.vector - t.along * at.direction;
-  return t;
-}
-
-/// The shape operator and its frame in the body.
-struct SimdShapeOperator
-{
-  SimdMatrix matrix;
-  SimdTangent first, second;
-};
-
-/// t_i.(grad grad F) t_j / |grad F| with F(x) = |x| - r(x / |x|).
-SimdShapeOperator shape_operator_of(const Side &side, std::int64_t k,
-                                    const SimdSurface &at,
-                                    const SimdFrame &frame)
-{
-  SimdShapeOperator shape_operator;
-  shape_operator.first = tangent_of(at, frame.first);
-  shape_operator.second = tangent_of(at, frame.second);
-  const SimdVector along_first =
-      side_hessian_times(side, k, shape_operator.first.flat);
-  const SimdVector along_second =
-      side_hessian_times(side, k, shape_operator.second.flat);
-  const Simd inverse = 1. / at.radius;
-  const auto entry =
-      [&](const SimdTangent &t, const SimdTangent &u, const SimdVector &h_t)
+  explicit SimdRotation(const SimdQuad &q)
   {
-    const Simd second =
-        dot(h_t, u.flat) - t.along * u.slope - t.slope * u.along;
-    return (dot(t.flat, u.flat) - inverse * second) * inverse / at.steepness;
-  };
-  shape_operator.matrix = {
-      entry(shape_operator.first, shape_operator.first, along_first),
-      entry(shape_operator.first, shape_operator.second, along_first),
-      entry(shape_operator.second, shape_operator.second, along_second)};
-  return shape_operator;
+    const SimdVector &v = q.vector;
+    const SimdVector twice = v + v;
+    const Simd xx = v.x * twice.x, xy = v.x * twice.y, xz = v.x * twice.z,
+               yy = v.y * twice.y, yz = v.y * twice.z, zz = v.z * twice.z;
+    const SimdVector w = q.number * twice;
+    x = {1. - (yy + zz), xy + w.z, xz - w.y};
+    y = {xy - w.z, 1. - (xx + zz), yz + w.x};
+    z = {xz + w.y, yz - w.x, 1. - (xx + yy)};
+  }
+  SimdVector operator*(const SimdVector &v) const
+  {
+    return v.x * x + v.y * y + v.z * z;
+  }
+};
+
+/// The surface of one side about its contact: x(w) = p + F w - (w.K w / 2) n,
+/// with an unscaled normal n + F K w. World, from the centre of the particle.
+struct SimdSurface
+{
+  SimdFrame frame;           ///< F
+  SimdVector axis;           ///< n
+  SimdMatrix shape_operator; ///< K
+  SimdPlanar offset;         ///< w of the contact in the last step
+  SimdPlanar turn;           ///< K w
+  Simd height;               ///< of p along n; 0: nothing is known
+  SimdVector arm;            ///< x(w)
+
+  /// 1 / |n + F K w|, by its series.
+  Simd inverse_length() const
+  {
+    const Simd square = dot(turn, turn);
+    return 1. - square * (0.5 - square * (0.375 - 0.3125 * square));
+  }
+  SimdVector outward() const { return axis + frame.in_world(turn); }
+  /// Components of v along n + F K w, and across it where v is along it nearly:
+  /// zero where v is parallel to it.
+  Simd along(const SimdPlanar &in_frame, const Simd &on_axis) const
+  {
+    return on_axis + dot(turn, in_frame);
+  }
+  SimdPlanar across(const SimdPlanar &in_frame, const Simd &on_axis) const
+  {
+    return {in_frame.x - on_axis * turn.x, in_frame.y - on_axis * turn.y};
+  }
+};
+
+/// Axes of surface_axes() in the world. Sides without surface data have any.
+SimdFrame surface_frame(const SimdRotation &rotation, const SimdVector &n)
+{
+  const Simd sign = select(n.z < 0., Simd(-1.), Simd(1.));
+  const Simd a = -1. / (sign + n.z), b = n.x * n.y * a;
+  const Simd signed_x = sign * n.x;
+  return {rotation * SimdVector{1. + signed_x * n.x * a, sign * b, -signed_x},
+          rotation * SimdVector{b, sign + n.y * n.y * a, -n.y}};
 }
 
-/// No step follows a contact farther than this part of the radius.
+SimdSurface locate_surface(const Side &side, std::int64_t k,
+                           const ParticleSimd &particle)
+{
+  SimdSurface at;
+  at.frame = surface_frame(SimdRotation(particle.quad(at_orientation)),
+                           load_vector(side.normal, k));
+  at.axis = cross(at.frame.first, at.frame.second);
+  at.shape_operator = {load(side.shape_operator[0] + k),
+                       load(side.shape_operator[1] + k),
+                       load(side.shape_operator[2] + k)};
+  at.offset = load_planar(side.offset, k);
+  at.turn = at.shape_operator * at.offset;
+  at.height = load(side.height + k);
+  at.arm = at.frame.in_world(load_planar(side.aside, k) + at.offset) +
+           (at.height - 0.5 * dot(at.offset, at.turn)) * at.axis;
+  return at;
+}
+
+/// Notes where the contact is now; the sides that are farther from the vertex
+/// than this part of its height are stale.
+SimdMask move_on_surface(const Side &side, std::int64_t k,
+                         const SimdSurface &before, const SimdPlanar &step,
+                         const SimdMask &is_followed, double tolerance)
+{
+  const SimdPlanar moved = before.offset + step;
+  const SimdPlanar kept{select(is_followed, moved.x, before.offset.x),
+                        select(is_followed, moved.y, before.offset.y)};
+  store(kept.x, side.offset.x + k);
+  store(kept.y, side.offset.y + k);
+  const Simd reach = tolerance * before.height;
+  return is_followed && dot(kept, kept) > reach * reach;
+}
+
+/// No step follows a contact farther than this part of the height.
 constexpr double longest_follow = 0.02;
 
-SimdMask is_short(const SimdPlanar &step, const Simd &radius)
+SimdMask is_short(const SimdPlanar &step, const Simd &height)
 {
-  return dot(step, step) < longest_follow * longest_follow * radius * radius;
+  return dot(step, step) < longest_follow * longest_follow * height * height;
 }
 } // namespace
 } // namespace dem::kernel

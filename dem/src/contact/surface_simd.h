@@ -25,11 +25,10 @@ struct LaneStep
 };
 
 /// Solves (K_A + K_B - delta K_B K_A) a = -m - K_B t, as newton_step() does.
-LaneStep step_to_normal(const SimdShapeOperator &a, const SimdShapeOperator &b,
+LaneStep step_to_normal(const SimdMatrix &ka, const SimdMatrix &kb,
                         const SimdPlanar &t, const SimdPlanar &m,
                         const Simd &overlap)
 {
-  const SimdMatrix &ka = a.matrix, &kb = b.matrix;
   const SimdMatrix lens{ka.xx + kb.xx, ka.xy + kb.xy, ka.yy + kb.yy};
   const SimdPlanar kb_t = kb * t;
   const SimdPlanar right{-m.x - kb_t.x, -m.y - kb_t.y};
@@ -53,51 +52,32 @@ LaneStep step_to_normal(const SimdShapeOperator &a, const SimdShapeOperator &b,
   return step;
 }
 
-/// Notes where the contact is now: the point x of the surface in the body frame
-/// as an offset from the direction u of the expansion, x / (x.u) - u.
+/// Notes where the contact is now, and renews the surface where that is too far
+/// from where it was evaluated.
 void follow_side(const Task &task, const Side &side, std::int64_t k, int which,
-                 const SimdVector &point, const SimdMask &is_followed)
+                 const SimdSurface &before, const SimdPlanar &step,
+                 const SimdMask &is_followed)
 {
-  const SimdVector u = load_vector(side.direction, k);
-  const Simd along = dot(point, u);
-  const SimdMask is_valid = is_followed && along > 0.;
-  const SimdVector offset = 1. / select(is_valid, along, Simd(1.)) * point - u;
-  const SimdVector before = load_vector(side.offset, k);
-  const SimdVector kept{select(is_valid, offset.x, before.x),
-                        select(is_valid, offset.y, before.y),
-                        select(is_valid, offset.z, before.z)};
-  store_vector(kept, side.offset, k);
-  const SimdMask is_stale =
-      is_valid &&
-      dot(kept, kept) > task.refresh_tolerance * task.refresh_tolerance;
+  const SimdMask is_stale = move_on_surface(side, k, before, step, is_followed,
+                                            task.refresh_tolerance);
   if (!any(is_stale))
     return;
-  SimdTable<4> table;
-  table.set(0, {u + kept});
   for (int lane = 0; lane < n_lanes; ++lane)
     if (is_stale[static_cast<std::size_t>(lane)])
-      task.surfaces.renew(task.surfaces.owner, k + lane, which,
-                          table.value[lane]);
+      task.surfaces.renew(task.surfaces.owner, k + lane, which, nullptr);
 }
 
-SimdVector planar_in_body(const SimdShapeOperator &shape_operator,
-                          const SimdPlanar &v)
-{
-  return v.x * shape_operator.first.vector + v.y * shape_operator.second.vector;
-}
-
-SimdVector planar_in_world(const SimdFrame &frame, const SimdPlanar &v)
-{
-  return v.x * frame.first + v.y * frame.second;
-}
-
-/// Has the contacts of some lanes searched again, one by one.
-void relocate(const Task &task, std::int64_t k, const SimdMask &is_lost,
+/// Has the contacts of some lanes searched again, one by one. Returns how far
+/// their surfaces are apart, < 0 where they overlap; 0 where there is no
+/// contact point.
+Simd relocate(const Task &task, std::int64_t k, const SimdMask &is_lost,
               RangeSum &sum)
 {
+  Simd apart(0.);
   for (int lane = 0; lane < n_lanes; ++lane)
-    if (is_lost[static_cast<std::size_t>(lane)])
-      task.surfaces.relocate(task.surfaces.owner, k + lane, &sum);
+    if (const auto l = static_cast<std::size_t>(lane); is_lost[l])
+      apart[l] = task.surfaces.relocate(task.surfaces.owner, k + lane, &sum);
+  return apart;
 }
 
 /// Overlap that counts: `overlap_offset` was there when the contact was found,
@@ -113,6 +93,19 @@ Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap)
   return stdx::max(depth - overlap_offset, Simd(0.));
 }
 
+/// Open contacts whose surfaces cross each other deeply, where no lens is, are
+/// none: they stay open until the lists are rebuilt.
+void end_crossed(const Task &task, std::int64_t k, const SimdMask &is_lost,
+                 const SimdMask &is_deep)
+{
+  const SimdMask ends =
+      is_lost && is_deep && load(task.contacts.overlap + k) <= 0.;
+  if (any(ends))
+    store(select(ends, Simd(closed_offset),
+                 load(task.contacts.overlap_offset + k)),
+          task.contacts.overlap_offset + k);
+}
+
 /// Contacts of one set of lanes as they lie, at their common normals.
 struct SurfaceGeometry
 {
@@ -123,15 +116,40 @@ struct SurfaceGeometry
   Simd overlap; ///< counted; 0 where open
 };
 
+/// Changes between the frames of two surfaces that face each other: a
+/// reflection, its own inverse, but for the square of the angle between them.
+struct OpposedFrames
+{
+  Simd cosine, sine;
+
+  OpposedFrames() = default;
+  OpposedFrames(const SimdFrame &a, const SimdFrame &b)
+      : cosine(dot(a.first, b.first)), sine(dot(a.first, b.second))
+  {
+  }
+  SimdPlanar operator*(const SimdPlanar &v) const
+  {
+    return {cosine * v.x + sine * v.y, sine * v.x - cosine * v.y};
+  }
+  SimdMatrix operator*(const SimdMatrix &m) const
+  {
+    const Simd cc = cosine * cosine, ss = sine * sine, cs = cosine * sine,
+               mixed = 2. * cs * m.xy;
+    return {cc * m.xx + mixed + ss * m.yy,
+            cs * (m.xx - m.yy) + (ss - cc) * m.xy,
+            ss * m.xx - mixed + cc * m.yy};
+  }
+};
+
 /// Two surfaces before the Newton step.
 struct SurfacePair
 {
   SimdVector images; ///< of a periodic cell, see images_of()
   SimdVector branch; ///< from the centre of A to the image of B
   SimdSurface on_a, on_b;
-  SimdFrame frame;
-  SimdShapeOperator shape_operator_a, shape_operator_b;
-  LaneStep step;
+  SimdVector normal;    ///< of A
+  OpposedFrames from_b; ///< from the frame of B to that of A and back
+  LaneStep step;        ///< in the frame of A
 };
 
 SurfacePair approach_pair(const Task &task, std::int64_t k,
@@ -147,20 +165,23 @@ SurfacePair approach_pair(const Task &task, std::int64_t k,
   }
   pair.on_a = locate_surface(contacts.side_a, k, a);
   pair.on_b = locate_surface(contacts.side_b, k, b);
-  pair.frame = across(pair.on_a.normal);
-  const SimdVector apart = pair.on_a.arm - pair.branch - pair.on_b.arm;
-  pair.shape_operator_a =
-      shape_operator_of(contacts.side_a, k, pair.on_a, pair.frame);
-  pair.shape_operator_b =
-      shape_operator_of(contacts.side_b, k, pair.on_b, pair.frame);
-  pair.step = step_to_normal(
-      pair.shape_operator_a, pair.shape_operator_b, in_frame(pair.frame, apart),
-      in_frame(pair.frame, pair.on_b.normal), dot(apart, pair.on_a.normal));
-  pair.step.is_sound = pair.step.is_sound &&
-                       is_short(pair.step.on_a, pair.on_a.radius) &&
-                       is_short(pair.step.on_b, pair.on_b.radius) &&
-                       load(contacts.side_a.radius + k) > 0. &&
-                       load(contacts.side_b.radius + k) > 0.;
+  const SimdSurface &a_side = pair.on_a, &b_side = pair.on_b;
+  const SimdVector apart = a_side.arm - pair.branch - b_side.arm;
+  const SimdVector facing = b_side.outward();
+  const SimdPlanar aside = in_frame(a_side.frame, apart),
+                   tilt = in_frame(a_side.frame, facing);
+  const Simd depth = dot(a_side.axis, apart),
+             against = dot(a_side.axis, facing);
+  const Simd inverse_length = a_side.inverse_length();
+  pair.normal = inverse_length * a_side.outward();
+  pair.from_b = OpposedFrames(a_side.frame, b_side.frame);
+  pair.step =
+      step_to_normal(a_side.shape_operator, pair.from_b * b_side.shape_operator,
+                     a_side.across(aside, depth), a_side.across(tilt, against),
+                     inverse_length * a_side.along(aside, depth));
+  pair.step.is_sound = pair.step.is_sound && against < 0. &&
+                       is_short(pair.step.on_a, a_side.height) &&
+                       is_short(pair.step.on_b, b_side.height);
   return pair;
 }
 
@@ -179,9 +200,10 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
   const SimdMask is_open = load(contacts.overlap_offset + k) >= closed_offset;
   SurfacePair pair = approach_pair(task, k, a, b);
   const SimdMask is_lost = is_valid && !is_open && !pair.step.is_sound;
+  Simd found_apart(0.);
   if (any(is_lost))
   {
-    relocate(task, k, is_lost, sum);
+    found_apart = relocate(task, k, is_lost, sum);
     pair = approach_pair(task, k, a, b);
   }
   // A contact that ends here gets no step: its old force works where it was.
@@ -191,26 +213,25 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
                       select(is_there, pair.step.overlap, Simd(0.)), is_there};
   SurfaceGeometry geometry;
   geometry.images = pair.images;
-  geometry.apart = stdx::max(-step.overlap, Simd(0.));
+  // Between surfaces that are nearly flat the step may not hold where the
+  // search has just found the contact point: open ones rest all the same.
+  geometry.apart =
+      stdx::max(select(is_there, -step.overlap, found_apart), Simd(0.));
   geometry.overlap = counted_overlap(task, k, step.overlap);
-  const SimdPlanar turn = pair.shape_operator_a.matrix * step.on_a;
-  geometry.normal =
-      normalised(pair.on_a.normal + planar_in_world(pair.frame, turn));
+  end_crossed(task, k, is_lost && !is_there,
+              found_apart < -0.25 * longest_follow * pair.on_a.height);
+  const SimdPlanar turn = pair.on_a.shape_operator * step.on_a;
+  geometry.normal = normalised(pair.normal + pair.on_a.frame.in_world(turn));
   geometry.normal_before =
-      pair.on_a.normal -
-      cross(Simd(task.time_step) * a.vector(at_spin), pair.on_a.normal);
-  geometry.arm_a = pair.on_a.arm + planar_in_world(pair.frame, step.on_a) -
+      pair.normal -
+      cross(Simd(task.time_step) * a.vector(at_spin), pair.normal);
+  geometry.arm_a = pair.on_a.arm + pair.on_a.frame.in_world(step.on_a) -
                    0.5 * step.overlap * geometry.normal;
   geometry.arm_b = geometry.arm_a - pair.branch;
   if (!task.adds_loads_only)
   {
-    follow_side(task, contacts.side_a, k, 0,
-                pair.on_a.radius * pair.on_a.direction +
-                    planar_in_body(pair.shape_operator_a, step.on_a),
-                is_there);
-    follow_side(task, contacts.side_b, k, 1,
-                pair.on_b.radius * pair.on_b.direction +
-                    planar_in_body(pair.shape_operator_b, step.on_b),
+    follow_side(task, contacts.side_a, k, 0, pair.on_a, step.on_a, is_there);
+    follow_side(task, contacts.side_b, k, 1, pair.on_b, pair.from_b * step.on_b,
                 is_there);
   }
   return geometry;
@@ -301,8 +322,6 @@ template <class Law>
 struct SurfaceAtWall
 {
   SimdSurface on_a;
-  SimdFrame frame;
-  SimdShapeOperator shape_operator;
   SimdPlanar step;
   Simd overlap; ///< after the step; < 0: a gap
   SimdMask is_sound;
@@ -317,17 +336,17 @@ SurfaceAtWall approach_wall(const Task &task, std::int64_t k,
   const SimdVector normal = wall.vector(at_normal);
   SurfaceAtWall at;
   at.on_a = locate_surface(side, k, a);
-  at.frame = across(normal);
-  at.shape_operator = shape_operator_of(side, k, at.on_a, at.frame);
-  const SimdPlanar m = in_frame(at.frame, at.on_a.normal);
-  const SimdMatrix &shape_operator = at.shape_operator.matrix;
+  const Simd facing = dot(at.on_a.axis, normal);
+  const SimdPlanar back =
+      at.on_a.across(in_frame(at.on_a.frame, normal), facing);
+  const SimdPlanar m{-back.x, -back.y};
+  const SimdMatrix &shape_operator = at.on_a.shape_operator;
   const Simd determinant = shape_operator.determinant();
-  at.is_sound = shape_operator.xx > 0. && determinant > 0. &&
-                load(side.radius + k) > 0. && dot(at.on_a.normal, normal) > 0.;
+  at.is_sound = shape_operator.xx > 0. && determinant > 0. && facing > 0.;
   const Simd inverse = 1. / select(at.is_sound, determinant, Simd(1.));
   at.step = {inverse * (shape_operator.xy * m.y - shape_operator.yy * m.x),
              inverse * (shape_operator.xy * m.x - shape_operator.xx * m.y)};
-  at.is_sound = at.is_sound && is_short(at.step, at.on_a.radius);
+  at.is_sound = at.is_sound && is_short(at.step, at.on_a.height);
   at.overlap =
       dot(a.vector(at_position) + at.on_a.arm - wall.vector(at_point), normal) -
       0.5 * dot(m, at.step);
@@ -364,15 +383,12 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
   at.overlap = select(is_there, at.overlap, Simd(0.));
   SupportGeometry geometry;
   geometry.overlap = counted_overlap(task, k, at.overlap);
-  const SimdVector aside = at.on_a.arm + planar_in_world(at.frame, at.step);
+  const SimdVector aside = at.on_a.arm + at.on_a.frame.in_world(at.step);
   // On the normal the contact is half way into the wall.
   geometry.arm =
       aside + (distance + 0.5 * at.overlap - dot(aside, normal)) * normal;
   if (!task.adds_loads_only)
-    follow_side(task, task.contacts.side_a, k, 0,
-                at.on_a.radius * at.on_a.direction +
-                    planar_in_body(at.shape_operator, at.step),
-                is_there);
+    follow_side(task, task.contacts.side_a, k, 0, at.on_a, at.step, is_there);
   return geometry;
 }
 

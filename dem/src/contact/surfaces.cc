@@ -20,6 +20,18 @@ Vec3 first_direction(const ForceContext &context, std::int32_t particle,
          Vec3(d[0], d[1], d[2]);
 }
 
+void note_expansion(SideColumns &side, std::size_t k, const RadialExpansion &at)
+{
+  const Vec3 &g = at.gradient;
+  const Mat3 &h = at.hessian;
+  side.radius[k] = at.radius;
+  side.gradient.set(k, {g.x(), g.y(), g.z()});
+  const double entries[6] = {h(0, 0), h(1, 1), h(2, 2),
+                             h(0, 1), h(0, 2), h(1, 2)};
+  for (std::size_t c = 0; c < 6; ++c)
+    side.hessian[c][k] = static_cast<Narrow>(entries[c]);
+}
+
 /// Prefactors::radius of contact k for laws that use it.
 void note_reduced_radius(const GapCoefficients &gap, ContactBatch &batch,
                          std::size_t k)
@@ -44,17 +56,11 @@ void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,
   const SurfaceSide fresh =
       evaluate_side(context.particles.shape[row_of(particle)], rounded,
                     context.parameters.breakage.curvature_floor_ratio);
-  const Vec3 &g = fresh.expansion.gradient;
-  const Mat3 &h = fresh.expansion.hessian;
-  side.radius[k] = fresh.expansion.radius;
-  side.gradient.set(k, {g.x(), g.y(), g.z()});
-  const double entries[6] = {h(0, 0), h(1, 1), h(2, 2),
-                             h(0, 1), h(0, 2), h(1, 2)};
-  for (std::size_t c = 0; c < 6; ++c)
-    side.hessian[c][k] = static_cast<Narrow>(entries[c]);
-  side.curvature[k] = fresh.curvature;
   if (batch.layout.has_contact_points)
-    side.offset.set(k, {});
+    side.set_paraboloid(k, surface_point(fresh.expansion));
+  else
+    note_expansion(side, k, fresh.expansion);
+  side.curvature[k] = fresh.curvature;
   if (batch.layout.has_partners)
     batch.torsion_angle[k] = not_mixed;
   else if (batch.layout.has_prefactors)
@@ -81,10 +87,20 @@ void forget_side(ContactBatch &batch, std::size_t k, bool is_a)
   if (!batch.layout.has_sides)
     return;
   SideColumns &side = is_a ? batch.side_a : batch.side_b;
-  // A contact that follows its surface starts from there.
   if (!batch.layout.has_contact_points)
+  {
     side.direction.set(k, {});
-  side.radius[k] = 0.;
+    side.radius[k] = 0.;
+    return;
+  }
+  // A contact that follows its surface starts from there.
+  const Triple<double> u = side.direction[k];
+  if (dot(u, u) > 0.)
+  {
+    const Vec3 at = side.contact_point(k);
+    side.direction.set(k, {at.x(), at.y(), at.z()});
+  }
+  side.height[k] = 0.;
 }
 
 void mix_prefactors(const ForceContext &context, ContactBatch &batch,

@@ -68,7 +68,7 @@ SurfacePoint point_of(const ParticleSystem &particles, std::int32_t particle,
   const auto i = static_cast<std::size_t>(particle);
   const SurfacePoint on_body =
       side.is_known(k)
-          ? surface_point(side.expansion_at_contact_point(k))
+          ? side.surface_at_contact_point(k)
           : surface_point(particles.shape[i], side.contact_point(k));
   return turned(on_body, particles.rotation(i));
 }

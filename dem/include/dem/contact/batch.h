@@ -2,6 +2,7 @@
 
 #include <dem/contact/law_table.h>
 #include <dem/contact/narrow.h>
+#include <dem/contact/paraboloid.h>
 #include <dem/contact/side.h>
 #include <dem/particles/particle_system.h>
 #include <dem/vector.h>
@@ -36,6 +37,25 @@ struct TripleColumn
   }
 };
 
+/// Components along two tangents of a surface.
+struct PlanarColumn
+{
+  std::vector<Narrow> x, y;
+
+  Eigen::Vector2d operator[](std::size_t k) const { return {x[k], y[k]}; }
+  void set(std::size_t k, const Eigen::Vector2d &value)
+  {
+    x[k] = static_cast<Narrow>(value.x());
+    y[k] = static_cast<Narrow>(value.y());
+  }
+  template <class Visit, class... Selves>
+  static void visit(const Visit &call, bool is_there, Selves &...selves)
+  {
+    call(is_there, selves.x...);
+    call(is_there, selves.y...);
+  }
+};
+
 /// Which optional columns a batch has: only what its scene needs.
 struct BatchLayout
 {
@@ -51,45 +71,65 @@ struct BatchLayout
   bool has_contact_points = false; ///< contacts follow their surfaces
 };
 
-/// Surface data of the particle on one side of each contact: the
-/// second-order expansion of r about one body direction and the curvatures
-/// there. The direction is zero where nothing is known. Empty
-/// where the contacts do not read the shape.
+/// Surface data of the particle on one side of each contact: the surface to
+/// second order where it was evaluated last, and the curvatures there. Along
+/// the branch that is the expansion of r about a direction, of contacts that
+/// follow their surfaces the paraboloid about a point. The direction is zero
+/// where nothing is known. Empty where the contacts do not read the shape.
 struct SideColumns
 {
-  TripleColumn<Narrow> direction;             ///< evaluated there, unit [-]
+  TripleColumn<Narrow> direction; ///< evaluated there, body frame, unit [-]
+  std::vector<SideCurvature> curvature;
+
+  /// Along the branch; radius 0: not known.
   std::vector<double> radius;                 ///< [m]
   TripleColumn<Narrow> gradient;              ///< surface gradient of r [m]
   std::array<std::vector<Narrow>, 6> hessian; ///< xx, yy, zz, xy, xz, yz [m]
-  std::vector<SideCurvature> curvature;
-  /// Where the contact is now: at u + offset, u being `direction`, if contacts
-  /// follow their surfaces [-]
-  TripleColumn<Narrow> offset;
+
+  /// Contacts that follow their surfaces: Paraboloid; height 0: not known.
+  /// In the axes f_1, f_2, f_3 of surface_axes(normal) the vertex is at (aside,
+  /// height), and the contact an offset w along f_1 and f_2 from there.
+  TripleColumn<Narrow> normal;                       ///< body frame [-]
+  std::vector<double> height;                        ///< [m]
+  PlanarColumn aside;                                ///< [m]
+  std::array<std::vector<Narrow>, 3> shape_operator; ///< xx, xy, yy [1/m]
+  PlanarColumn offset;                               ///< [m]
 
   bool is_known(std::size_t k) const
   {
-    return !radius.empty() && radius[k] > 0.;
+    return radius.empty() ? !height.empty() && height[k] > 0. : radius[k] > 0.;
   }
   /// Where contact k is on the surface, unit [-].
   Vec3 contact_point(std::size_t k) const;
   /// r at a unit direction near the one of contact k, from the expansion [m].
   double local_radius(std::size_t k, const Triple<double> &on_body) const;
-  /// What is known about the contact point of contact k: the expansion moved
-  /// there.
-  RadialExpansion expansion_at_contact_point(std::size_t k) const;
+  /// What is known about the surface of contact k that follows it.
+  Paraboloid paraboloid(std::size_t k) const;
+  /// The surface where that contact is.
+  SurfacePoint surface_at_contact_point(std::size_t k) const;
+  /// Takes the surface about another point; the contact is there.
+  void set_paraboloid(std::size_t k, const SurfacePoint &vertex);
+  /// Where the contact is, along w of its paraboloid.
+  void set_offset(std::size_t k, const Vec3 &w);
 
   template <class Visit, class... Selves>
   static void visit(const Visit &call, const BatchLayout &has, bool is_there,
                     Selves &...selves)
   {
+    const bool has_radius = is_there && !has.has_contact_points,
+               has_paraboloid = is_there && has.has_contact_points;
     TripleColumn<Narrow>::visit(call, is_there, selves.direction...);
-    call(is_there, selves.radius...);
-    TripleColumn<Narrow>::visit(call, is_there, selves.gradient...);
-    for (std::size_t c = 0; c < 6; ++c)
-      call(is_there, selves.hessian[c]...);
     call(is_there, selves.curvature...);
-    TripleColumn<Narrow>::visit(call, is_there && has.has_contact_points,
-                                selves.offset...);
+    call(has_radius, selves.radius...);
+    TripleColumn<Narrow>::visit(call, has_radius, selves.gradient...);
+    for (std::size_t c = 0; c < 6; ++c)
+      call(has_radius, selves.hessian[c]...);
+    TripleColumn<Narrow>::visit(call, has_paraboloid, selves.normal...);
+    call(has_paraboloid, selves.height...);
+    PlanarColumn::visit(call, has_paraboloid, selves.aside...);
+    for (std::size_t c = 0; c < 3; ++c)
+      call(has_paraboloid, selves.shape_operator[c]...);
+    PlanarColumn::visit(call, has_paraboloid, selves.offset...);
   }
 };
 

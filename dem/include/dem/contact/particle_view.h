@@ -1,21 +1,23 @@
 #pragma once
 
-#include <dem/contact/common_normal.h>
+#include <dem/contact/paraboloid.h>
+
+#include <optional>
 
 namespace dem
 {
-/// The surface of a particle in the world, evaluated locally: an expansion
-/// of second order, rebuilt where it does not reach.
+/// The surface of a particle in the world, evaluated locally: a paraboloid,
+/// rebuilt where it does not reach.
 class ParticleView
 {
 public:
-  /// `tolerance`: how far an expansion holds [rad]; 0: always the series. The
-  /// body must outlive the view.
+  /// `tolerance`: how far a paraboloid holds, of its height [-]; 0: always the
+  /// series. The body must outlive the view.
   ParticleView(const ParticleShape &body, const Vec3 &position,
                const Mat3 &rotation, double tolerance);
 
-  /// An expansion that is known already, scale applied.
-  void start_from(const RadialExpansion &known);
+  /// A paraboloid that is known already, body frame.
+  void start_from(const Paraboloid &known);
 
   /// The surface at a unit direction of the body frame; position, normal and
   /// shape_operator in the world.
@@ -38,7 +40,7 @@ private:
   Vec3 position;
   Mat3 rotation;
   double tolerance, mean_size;
-  RadialExpansion known; ///< radius 0: none yet
+  std::optional<Paraboloid> known;
   bool has_renewed = false;
   Vec3 last_direction = Vec3::Zero(); ///< that `last` is at
   SurfacePoint last;

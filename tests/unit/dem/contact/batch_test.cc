@@ -37,32 +37,72 @@ TEST(ContactBatch, HasNoPairWithoutContacts)
                      [](const auto &) { FAIL() << "a pair of nothing"; });
 }
 
-// What is known about a direction, moved to where the contact has come on the
-// surface: the value there, and the slope by differences of it.
-TEST(SideColumns, ExpansionMovesWithTheContactPoint)
+namespace
+{
+/// A side with room for one contact that follows its surface.
+dem::SideColumns empty_side()
 {
   dem::SideColumns side;
-  const dem::Vec3 u = dem::Vec3(0.3, -0.2, 0.9).normalized();
-  side.direction = {{static_cast<dem::Narrow>(u.x())},
-                    {static_cast<dem::Narrow>(u.y())},
-                    {static_cast<dem::Narrow>(u.z())}};
-  side.radius = {0.012};
-  side.gradient = {{0.002f}, {-0.001f}, {0.0005f}};
-  side.hessian = {
-      {{0.003f}, {-0.002f}, {0.001f}, {0.0007f}, {0.0004f}, {-0.0006f}}};
-  side.offset = {{0.05f}, {0.08f}, {-0.03f}};
-  const dem::RadialExpansion there = side.expansion_at_contact_point(0);
-  const dem::Vec3 &s = there.direction;
-  const auto radius = [&side](const dem::Vec3 &at) {
-    return side.local_radius(0, {at.x(), at.y(), at.z()});
-  };
-  EXPECT_NEAR((s - side.contact_point(0)).norm(), 0., 1e-15);
-  EXPECT_NEAR(there.radius, radius(s), 1e-15);
-  EXPECT_NEAR(there.gradient.dot(s), 0., 1e-15);
-  const dem::Vec3 along = s.cross(dem::Vec3::UnitX()).normalized();
-  const double step = 1e-4;
-  for (const dem::Vec3 &t : {along, dem::Vec3(s.cross(along))})
-    EXPECT_NEAR(there.gradient.dot(t),
-                (radius(s + step * t) - radius(s - step * t)) / (2. * step),
-                1e-12);
+  const std::vector<dem::Narrow> one(1);
+  side.direction = {one, one, one};
+  side.normal = {one, one, one};
+  side.height.resize(1);
+  side.aside = {one, one};
+  side.shape_operator = {one, one, one};
+  side.offset = {one, one};
+  return side;
+}
+} // namespace
+
+// Columns take a surface as it is, but for the digits of floats along it.
+TEST(SideColumns, KeepTheParaboloid)
+{
+  dem::RadialExpansion at;
+  at.direction = dem::Vec3(0.3, -0.2, 0.9).normalized();
+  at.radius = 0.012;
+  at.gradient = dem::Vec3(0.002, 0.003, 0.).cross(at.direction);
+  const dem::Mat3 across =
+      dem::Mat3::Identity() - at.direction * at.direction.transpose();
+  at.hessian = across * dem::Vec3(0.003, -0.002, 0.001).asDiagonal() * across;
+  const dem::SurfacePoint point = dem::surface_point(at);
+  dem::SideColumns side = empty_side();
+  EXPECT_FALSE(side.is_known(0));
+  side.set_paraboloid(0, point);
+  EXPECT_TRUE(side.is_known(0));
+  const dem::SurfacePoint found = side.paraboloid(0).vertex;
+  EXPECT_NEAR((found.normal - point.normal).norm(), 0., 2e-7);
+  EXPECT_NEAR((found.position - point.position).norm(), 0., 2e-7 * at.radius);
+  EXPECT_NEAR((found.position - point.position).dot(point.normal), 0.,
+              1e-13 * at.radius);
+  EXPECT_NEAR((found.shape_operator - point.shape_operator).norm() * at.radius,
+              0., 1e-6);
+  EXPECT_NEAR((side.contact_point(0) - at.direction).norm(), 0., 2e-7);
+}
+
+// The point of a paraboloid that a direction meets, with the normal that
+// differences of positions give.
+TEST(Paraboloid, HasThePointTowardsADirection)
+{
+  dem::Paraboloid surface;
+  surface.vertex.normal = dem::Vec3(0.1, 0.3, -0.8).normalized();
+  const dem::Vec3 &n = surface.vertex.normal;
+  const dem::Mat3 across = dem::Mat3::Identity() - n * n.transpose();
+  surface.vertex.position = dem::Vec3(0.002, 0.003, -0.011);
+  surface.vertex.shape_operator =
+      across * dem::Vec3(120., 60., 200.).asDiagonal() * across;
+  const auto towards = [&surface](const dem::Vec3 &direction)
+  { return surface.at(surface.offset_towards(direction)); };
+  const dem::Vec3 u =
+      (surface.vertex.position + across * dem::Vec3(1e-4, -5e-5, 8e-5))
+          .normalized();
+  const dem::SurfacePoint there = towards(u);
+  EXPECT_NEAR(there.position.cross(u).norm(), 0., 1e-13);
+  EXPECT_NEAR(there.normal.norm(), 1., 1e-15);
+  const double step = 1e-5;
+  for (const dem::Vec3 &t : {dem::Vec3::UnitX(), dem::Vec3::UnitY()})
+  {
+    const dem::Vec3 chord = towards((u + step * t).normalized()).position -
+                            towards((u - step * t).normalized()).position;
+    EXPECT_NEAR(there.normal.dot(chord) / chord.norm(), 0., 1e-8);
+  }
 }
