@@ -1,7 +1,11 @@
+#include "shape/test_shapes.h"
+
 #include <dem/contact/batch.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -105,4 +109,34 @@ TEST(Paraboloid, HasThePointTowardsADirection)
                             towards((u - step * t).normalized()).position;
     EXPECT_NEAR(there.normal.dot(chord) / chord.norm(), 0., 1e-8);
   }
+}
+
+// At the usual tolerance a paraboloid is off the surface by what the expansion
+// of the radius to second order is: 6.8e-8 and 7.0e-8 of the radius.
+TEST(Paraboloid, IsAsNearAsTheExpansion)
+{
+  double paraboloid = 0., expansion = 0.;
+  int n = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed)
+  {
+    const std::vector<double> series = dem::test::random_particle(12, seed);
+    for (const dem::Vec3 &s : dem::test::random_directions(200, seed))
+    {
+      const dem::RadialExpansion at = dem::expand(series, s);
+      const dem::Paraboloid surface{dem::surface_point(at)};
+      const dem::Vec3 w =
+          5e-3 * surface.height() * surface.vertex.normal.unitOrthogonal();
+      const dem::Vec3 x = surface.at(w).position, to = x.normalized();
+      const double exact = dem::expand(series, to).radius;
+      const dem::Vec3 u = to / to.dot(s) - s;
+      const double second =
+          at.radius + at.gradient.dot(u) + 0.5 * u.dot(at.hessian * u);
+      paraboloid += std::pow((x.norm() - exact) / exact, 2);
+      expansion += std::pow((second - exact) / exact, 2);
+      ++n;
+    }
+  }
+  RecordProperty("paraboloid", std::to_string(std::sqrt(paraboloid / n) * 1e9));
+  RecordProperty("expansion", std::to_string(std::sqrt(expansion / n) * 1e9));
+  EXPECT_LT(paraboloid, 4. * expansion);
 }
