@@ -54,10 +54,9 @@ AXES = [f"{what}_{axis}_{unit}" for what, unit in (("force", "N"),
         for axis in "xyz"]
 BOUNDARIES = [f"{name}_{column}" for name in
               ("x_min", "x_max", "y_min", "y_max", "base", "plate")
-              for column in [*AXES, "removed_mass_kg"]] + [
-    f"membrane_{column}"
-    for column in [*AXES, "friction_J", "removed_mass_kg"]] + [
-    "planes_friction_J"]
+              for column in [*AXES, "removed_mass_kg"]]
+OF_MEMBRANE = [f"membrane_{column}"
+               for column in [*AXES, "friction_J", "removed_mass_kg"]]
 HEADERS = {
     "history.csv":
         "time_s,stage_1,cycle_1,axial_stress_Pa,lateral_stress_Pa,"
@@ -69,7 +68,8 @@ HEADERS = {
         "membrane_strain_energy_J,energy_residual_J,"
         "membrane_axial_stress_Pa,membrane_lateral_stress_Pa,"
         "porosity_1,overlap_over_radius_1,loading_stage_1,axial_target_Pa,"
-        "lateral_target_Pa,x_stress_Pa,y_stress_Pa," + ",".join(BOUNDARIES),
+        "lateral_target_Pa,x_stress_Pa,y_stress_Pa," +
+        ",".join([*BOUNDARIES, *OF_MEMBRANE, "planes_friction_J"]),
     "events.csv":
         "time_s,cycle_1,particle_1,other_1,kind_1,mode_1,force_before_N,"
         "force_after_N,overlap_m,elastic_energy_J,fracture_energy_J,"
@@ -153,6 +153,9 @@ def file_faults(folder, found):
     is_membrane = found["lateral"] == "membrane"
     faults = []
     for name, header in HEADERS.items():
+        if not is_membrane:
+            header = ",".join(column for column in header.split(",")
+                              if column not in OF_MEMBRANE)
         if name == "ledger.csv" and not is_membrane:
             if (folder / name).exists():
                 faults.append(f"{name} without a membrane")
