@@ -75,7 +75,10 @@ int CsvTable::column(const std::string &name) const
              : static_cast<int>(found - header.cells.begin());
 }
 
-CsvTable read_csv(const std::string &path, const std::string &header)
+namespace
+{
+/// The header must be this one where it is exact.
+CsvTable read(const std::string &path, const std::string &header, bool is_exact)
 {
   std::istringstream in(file_text(path));
   skip_byte_order_mark(in); // of spreadsheets
@@ -97,6 +100,8 @@ CsvTable read_csv(const std::string &path, const std::string &header)
       row.refuse("has " + std::to_string(row.cells.size()) +
                  " cells, must have " + std::to_string(n) +
                  " as the header has: " + table.header.text);
+    if (n == 0 && is_exact && row.cells != cells_of(header))
+      row.refuse("the header must be " + header);
     if (n == 0)
       table.header = std::move(row);
     else
@@ -107,11 +112,16 @@ CsvTable read_csv(const std::string &path, const std::string &header)
   return table;
 }
 
+} // namespace
+
+CsvTable read_csv(const std::string &path, const std::string &header)
+{
+  return read(path, header, false);
+}
+
 CsvTable read_number_table(const std::string &path, const std::string &header)
 {
-  CsvTable table = read_csv(path, header);
-  if (table.header.cells != cells_of(header))
-    table.header.refuse("the header must be " + header);
+  CsvTable table = read(path, header, true);
   for (CsvRow &row : table.rows)
     try
     {

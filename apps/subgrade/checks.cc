@@ -26,6 +26,10 @@ void refuse_if_thrown(const SourceLocation &location, const Fault &fault,
   {
     refuse(location, {fault.section, fault.key, fault.value, what.what()});
   }
+  catch (const InputError &what) // of the file that the key names
+  {
+    refuse(location, {fault.section, fault.key, fault.value, what.what()});
+  }
 }
 
 void check_layer(const Case &c, const SourceLocation &location)
