@@ -93,19 +93,6 @@ Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap)
   return stdx::max(depth - overlap_offset, Simd(0.));
 }
 
-/// Open contacts whose surfaces cross each other deeply, where no lens is, are
-/// none: they stay open until the lists are rebuilt.
-void end_crossed(const Task &task, std::int64_t k, const SimdMask &is_lost,
-                 const SimdMask &is_deep)
-{
-  const SimdMask ends =
-      is_lost && is_deep && load(task.contacts.overlap + k) <= 0.;
-  if (any(ends))
-    store(select(ends, Simd(closed_offset),
-                 load(task.contacts.overlap_offset + k)),
-          task.contacts.overlap_offset + k);
-}
-
 /// Contacts of one set of lanes as they lie, at their common normals.
 struct SurfaceGeometry
 {
@@ -218,8 +205,6 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
   geometry.apart =
       stdx::max(select(is_there, -step.overlap, found_apart), Simd(0.));
   geometry.overlap = counted_overlap(task, k, step.overlap);
-  end_crossed(task, k, is_lost && !is_there,
-              found_apart < -0.25 * longest_follow * pair.on_a.height);
   const SimdPlanar turn = pair.on_a.shape_operator * step.on_a;
   geometry.normal = normalised(pair.normal + pair.on_a.frame.in_world(turn));
   geometry.normal_before =
