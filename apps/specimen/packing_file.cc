@@ -4,6 +4,7 @@
 #include "errors.h"
 #include "run/whole_file.h"
 #include "specimen/csv_table.h"
+#include "specimen/json_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +141,8 @@ void take_comment(Packing &packing, const CsvRow &row)
 
 Packing read_placed_particles(const std::string &path)
 {
-  const CsvTable table = read_csv(path, any_header);
+  const CsvTable table = path.ends_with(".json") ? read_json_table(path)
+                                                 : read_csv(path, any_header);
   const PackingColumns columns(table);
   Packing packing;
   for (const CsvRow &row : table.comments)

@@ -94,7 +94,22 @@ def collision(spall, root):
         if first[name] != last[name]:
             faults.append(f"{name} of the next run: {first[name]}, was "
                           f"{last[name]}")
-    return faults
+    return faults + json_faults(spall, root, out)
+
+
+def json_faults(spall, root, from_csv):
+    """The same particles as JSON give the same bits."""
+    particles = {"box": [0.1, 0.1, 0.1], "particles": [
+        {"x": 0, "y": 0, "z": 0, "radius": 0.01, "vx": 0.5, "vy": 0, "vz": 0},
+        {"x": 0.03, "y": 0, "z": 0, "radius": 0.01, "vx": -0.3, "vy": 0,
+         "vz": 0}]}
+    out = run_scene(spall, root / "json",
+                    {"Scene": {"gravity": [0, 0, 0],
+                               "particles": "particles.json"}},
+                    "", [("particles.json", json.dumps(particles))])
+    return [f"particles.json: {name} differs"
+            for name in ("history.csv", "particles.csv")
+            if (out / name).read_text() != (from_csv / name).read_text()]
 
 
 def weight_on_walls(spall, root):
@@ -273,9 +288,22 @@ BAD = [
      ["Walls/floor/speed", "no key of this name"]),
     ("table", {"Walls": {"floor": {"mesh": "floor.obj", "table": "t.csv"}}},
      TWO, ["t.csv:3", "increase"]),
+    ("cut json", {"Scene": {"particles": "cut.json"}}, "",
+     ["cut.json: is not JSON: at byte"]),
+    ("short json", {"Scene": {"particles": "short.json"}}, "",
+     ["short.json: particle 2", "must have the keys x,y,z,radius"]),
+    ("word in json", {"Scene": {"particles": "word.json"}}, "",
+     ["word.json: particle 1", "zero", "must be a number"]),
     ("corners", {"Box": {"lower": [0, 0, 0], "upper": [1, 0, 1]}}, TWO,
      ["Box/upper = 1, 0, 1", "must be above"]),
 ]
+
+
+BAD_JSON = {
+    "cut.json": '[{"x": 0, "y": 0',
+    "short.json": '[{"x": 0, "y": 0, "z": 0, "radius": 0.01}, {"x": 1}]',
+    "word.json": '[{"x": 0, "y": 0, "z": "zero", "radius": 0.01}]',
+}
 
 
 def bad_input(spall, root):
@@ -283,7 +311,7 @@ def bad_input(spall, root):
     faults = []
     for name, sections, particles, words in BAD:
         case = write_case(root / name, sections, particles,
-                          {"floor.obj": FLOOR,
+                          {"floor.obj": FLOOR, **BAD_JSON,
                            "t.csv": "time_s,x_m,y_m,z_m\n0,0,0,0\n0,1,0,0\n"})
         said = spall_run([spall, "check", case], status=1).stderr.strip()
         faults += [f"{name}: {said}: must have '{word}'"
