@@ -155,13 +155,14 @@ template <class Placed>
 void add_placed_particles(List &list, Placed &placed,
                           const std::string &otherwise)
 {
-  list.add_path({"particles", "-",
-                 "CSV file of placed particles, or the folder of a run, whose "
-                 "last state is taken. Each row holds x,y,z and radius or "
-                 "diameter. Optional columns are qw,qx,qy,qz (orientation), "
-                 "vx,vy,vz, wx,wy,wz, shape and material. Without a file " +
-                     otherwise},
-                placed.particles);
+  list.add_path(
+      {"particles", "-",
+       "CSV or JSON file of placed particles, or the folder of a run, "
+       "whose last state is taken. Each particle has x,y,z and radius "
+       "or diameter. Optional columns are qw,qx,qy,qz (orientation), "
+       "vx,vy,vz, wx,wy,wz, shape and material. Without a file " +
+           otherwise},
+      placed.particles);
   Parameter &largest =
       list.add({"largest_overlap", "-",
                 "Largest allowed overlap of placed particles, over the radius "
