@@ -1,4 +1,4 @@
-#include "shape/test_shapes.h"
+#include "../shape/test_shapes.h"
 
 #include <dem/contact/batch.h>
 
