@@ -165,6 +165,7 @@ TEST_F(CaseFile, ResolvedCaseReadsBackTheSame)
   c.specimen.shapes = "shapes";
   c.particle.law = c.wall.law = "linear"; // the last does not go with surfaces
   c.loading.form = LoadForm::compression; // a path needs its file
+  c.boundary.lateral = Lateral::rigid;    // periodic sides need a box
   const std::string printed = resolved_case(c);
   Case again = read_case(write("resolved.prm", printed), {});
   EXPECT_EQ(again.specimen.shapes, (folder / "shapes").string());

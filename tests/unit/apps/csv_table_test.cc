@@ -9,7 +9,7 @@
 
 namespace
 {
-class CsvFile : public testing::Test
+class CsvTableFile : public testing::Test
 {
 protected:
   const std::string path = testing::TempDir() + "/csv_table_test.csv";
@@ -23,7 +23,7 @@ protected:
   }
 };
 
-TEST_F(CsvFile, ReadsWhatSpreadsheetsWrite)
+TEST_F(CsvTableFile, ReadsWhatSpreadsheetsWrite)
 {
   const spall::ColumnPair columns =
       read("\xEF\xBB\xBF"
@@ -32,7 +32,7 @@ TEST_F(CsvFile, ReadsWhatSpreadsheetsWrite)
   EXPECT_EQ(columns.second, (std::vector<double>{10., 30., -10.}));
 }
 
-TEST_F(CsvFile, RefusesInOneLineWithItsNumber)
+TEST_F(CsvTableFile, RefusesInOneLineWithItsNumber)
 {
   const std::string header = "time_s,force_N\n";
   const std::pair<std::string, std::string> wrong[] = {
@@ -61,7 +61,7 @@ TEST_F(CsvFile, RefusesInOneLineWithItsNumber)
     }
 }
 
-TEST_F(CsvFile, IsNoFolderAndIsThere)
+TEST_F(CsvTableFile, IsNoFolderAndIsThere)
 {
   EXPECT_THROW(spall::read_csv(testing::TempDir(), "x"), spall::InputError);
   EXPECT_THROW(spall::read_csv(path + ".none", "x"), spall::InputError);

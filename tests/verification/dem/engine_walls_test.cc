@@ -157,10 +157,11 @@ TEST(SurfaceOnFacets, FlatMeshActsAsThePlane)
     const dem::ParticleLoad &exact = on_plane.particles().load[0],
                             &found = on_mesh.particles().load[0];
     ASSERT_GT(exact.force.z(), 1.);
-    EXPECT_LT((found.force - exact.force).norm(), 1e-10 * exact.force.norm());
-    // Normals on the plane come of gradients in single precision.
+    // Contacts keep their normals in single precision, 6e-8: 2e-8 and 8e-8 were
+    // found.
+    EXPECT_LT((found.force - exact.force).norm(), 1e-7 * exact.force.norm());
     EXPECT_LT((found.moment - exact.moment).norm(),
-              2e-8 * 0.01 * exact.force.norm());
+              2e-7 * 0.01 * exact.force.norm());
     // What the particle gets the vertices give.
     Vec3 sum = Vec3::Zero();
     for (const Vec3 &load : dem::surface(on_mesh).load)
