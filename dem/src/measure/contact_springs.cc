@@ -383,14 +383,20 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
   add_planes(engine, ahead, network);
   if (drum(engine).is_there())
     add_drum(engine, ahead, network);
-  for (const FacetBoundary &facets : all_facets(engine))
+  const auto add_surface = [&](const FacetBoundary &facets)
   {
     const auto first_point = static_cast<std::int32_t>(network.mass.size());
     // The mass of a prescribed vertex is not used.
     for (const double mass : facets.surface.mass)
       network.mass.push_back(std::isinf(mass) ? 1. : mass);
     add_facets(engine, facets, first_point, ahead, network);
-  }
+  };
+  // First those whose vertices may refer to other bodies, as the mesh of a
+  // membrane does (coupling::refer_to_nodes): no wall may lie between them.
+  for (const FacetBoundary &facets : surfaces(engine))
+    add_surface(facets);
+  for (const MeshWall &wall : mesh_walls(engine))
+    add_surface(wall);
   if (horizon > 0.)
     add_impacts(engine, ahead, network);
   return network;
