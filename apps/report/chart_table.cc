@@ -104,7 +104,7 @@ std::string csv_cell(const std::string &text)
 std::string csv_number(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
+  std::snprintf(text, sizeof text, "%.8g", value);
   return text;
 }
 

@@ -178,7 +178,7 @@ def page_faults(path, sections, shift=0.):
         faults.append(f"{path.name}: no figures")
     for figure in charts:
         faults += figure_faults(figure, shift)
-    # A table of six digits a number is about twice the path that shows it.
+    # A table of eight digits a number is about three times the path that shows it.
     tables = sum(len(figure.get("csv", {}).get("href", ""))
                  for figure in charts)
     if tables > 0.8 * len(text):
