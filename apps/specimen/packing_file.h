@@ -26,7 +26,8 @@ struct Packing
 /// Reads a CSV, plain or compressed by gzip, one particle per row: columns
 /// x,y,z and radius or diameter, and any of qw,qx,qy,qz, vx,vy,vz, wx,wy,wz,
 /// shape and material. A comment `# box LX LY LZ` gives the box, else it is
-/// zero. A file .json has the same columns as keys (json_table.h). Throws InputError with file, line and what is allowed.
+/// zero. A file .json has the same columns as keys (json_table.h). Throws
+/// InputError with file, line and what is allowed.
 Packing read_placed_particles(const std::string &path);
 
 /// The same for particles in a box: without that comment it is a cube whose
