@@ -107,7 +107,9 @@ class Reading(Shared):
         contacts = run.contacts()
         length = np.linalg.norm(contacts["to"] - contacts["from"], axis=1)
         self.assertTrue(np.all((length > 0) & (length < 0.05)))
-        self.assertTrue(np.all(contacts["normal_force"] >= 0))
+        # A dashpot may cancel a spring but for its last digits.
+        force = contacts["normal_force"]
+        self.assertTrue(np.all(force >= -1e-6 * force.max()))
         with self.assertRaisesRegex(spall.InputError, "no membrane, it has"):
             run.frame().read("membrane")
         with self.assertRaisesRegex(spall.InputError, "Output/surfaces"):
