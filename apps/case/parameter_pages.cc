@@ -82,14 +82,24 @@ std::string links(const std::vector<std::string> &pages)
   return joined(all);
 }
 
+/// A line for each sentence.
+std::string lines_of(std::string sentences)
+{
+  for (std::size_t end = 0;
+       (end = sentences.find(". ", end)) != std::string::npos; ++end)
+    sentences[end + 1] = '\n';
+  return sentences;
+}
+
 std::string section_text(const ListedSection &section, Case &defaults)
 {
   const std::vector<Parameter> list = parameters_of(defaults);
-  std::string text = "\n## " + section.name + "\n\n" + section.sentence +
+  std::string text = "\n## " + section.name + "\n\n" +
+                     lines_of(section.sentence) +
                      "\n\nKinds: " + kinds_text(section) + ".";
   if (const auto explained_in = manual_pages(section).explained_in;
       !explained_in.empty())
-    text += " Theory: " + links(explained_in) + ".";
+    text += "\nTheory: " + links(explained_in) + ".";
   text += "\n\n| key | unit | default | allowed | meaning |\n"
           "|---|---|---|---|---|\n";
   for (std::size_t k = 0; k < list.size(); ++k)

@@ -8,6 +8,7 @@
 #include <dem/measure/network.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <pybind11/eigen.h>
@@ -28,7 +29,7 @@ using Series = std::shared_ptr<const dem::Coefficients>;
 struct PyEngine
 {
   dem::Engine engine;
-  std::vector<Series> library = {};
+  std::vector<Series> shapes = {};
 
   explicit PyEngine(const dem::EngineParameters &parameters)
       : engine(parameters)
@@ -36,10 +37,10 @@ struct PyEngine
   }
   void note(const Series &series)
   {
-    for (const Series &known : library)
+    for (const Series &known : shapes)
       if (known == series)
         return;
-    library.push_back(series);
+    shapes.push_back(series);
   }
 };
 
@@ -77,12 +78,12 @@ std::ptrdiff_t offset_of()
 }
 
 /// A column of the particles' state.
-template <auto field, int n_columns>
+template <auto field, int n_columns, bool is_writeable = true>
 py::array state_column(const py::object &self)
 {
   auto &engine = self.cast<PyEngine &>().engine;
   return view(self, engine.particles().state, offset_of<field>(), n_columns,
-              true);
+              is_writeable);
 }
 
 py::array load_column(const py::object &self, bool is_moment)
@@ -192,11 +193,13 @@ py::dict contacts(const PyEngine &self)
 
 void save(const PyEngine &self, const std::string &file)
 {
-  std::ofstream out(file, std::ios::binary);
-  self.engine.save(out, self.library);
-  out.flush();
+  const std::string part = file + ".part"; // an earlier file stays whole
+  std::ofstream out(part, std::ios::binary);
+  self.engine.save(out, self.shapes);
+  out.close();
   if (!out)
-    throw std::runtime_error(file + ": cannot be written");
+    throw std::runtime_error(part + ": cannot be written");
+  std::filesystem::rename(part, file);
 }
 
 void restore(PyEngine &self, const std::string &file)
@@ -204,7 +207,7 @@ void restore(PyEngine &self, const std::string &file)
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw std::runtime_error(file + ": cannot be read");
-  self.engine.restore(in, self.library);
+  self.engine.restore(in, self.shapes);
 }
 
 /// A plane of an engine by its number.
@@ -241,6 +244,8 @@ PyMeshWall add_mesh_wall(PyEngine &self, const std::string &name,
                          const Vec3 &velocity, double spin, const Vec3 &axis,
                          const Vec3 &centre)
 {
+  if (!(axis.norm() > 0.))
+    throw std::invalid_argument("axis: must not be 0");
   dem::FacetSurface surface;
   surface.position = vertices;
   surface.triangles = facets;
@@ -323,24 +328,10 @@ void bind_columns(py::class_<PyEngine> &engine)
       .def_property_readonly(
           "orientation", &state_column<&State::orientation, 4>,
           "Quaternions body to world as x, y, z, w, a view of n x 4.")
-      .def_property_readonly(
-          "radius",
-          [](const py::object &self)
-          {
-            py::array all = state_column<&State::radius, 1>(self);
-            all.attr("setflags")(py::arg("write") = false);
-            return all;
-          },
-          "Radii of the equivalent spheres, read-only [m].")
-      .def_property_readonly(
-          "mass",
-          [](const py::object &self)
-          {
-            py::array all = state_column<&State::mass, 1>(self);
-            all.attr("setflags")(py::arg("write") = false);
-            return all;
-          },
-          "Masses, read-only [kg].")
+      .def_property_readonly("radius", &state_column<&State::radius, 1, false>,
+                             "Radii of the equivalent spheres, read-only [m].")
+      .def_property_readonly("mass", &state_column<&State::mass, 1, false>,
+                             "Masses, read-only [kg].")
       .def_property_readonly(
           "force",
           [](const py::object &self) { return load_column(self, false); },
