@@ -285,6 +285,20 @@ std::vector<PointResult> run_points(const Study &study,
   return results;
 }
 
+namespace
+{
+/// In quotes where a comma, a quote or a new line would end it (RFC 4180).
+std::string csv_cell(const std::string &value)
+{
+  if (value.find_first_of(",\"\n\r") == std::string::npos)
+    return value;
+  std::string cell = "\"";
+  for (const char c : value)
+    cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + '"';
+}
+} // namespace
+
 void write_study_table(const Study &study,
                        const std::vector<StudyPoint> &points,
                        const std::vector<PointResult> &results,
@@ -303,7 +317,7 @@ void write_study_table(const Study &study,
   {
     out << points[k].folder << ',' << results[k].is_done;
     for (const std::string &value : points[k].values_in_case)
-      out << ',' << value;
+      out << ',' << csv_cell(value);
     out << ',' << points[k].seed;
     for (const double value : results[k].outcomes)
       out << ',' << value;

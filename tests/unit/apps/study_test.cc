@@ -47,6 +47,22 @@ TEST_F(StudyFile, CasesAreFoundByWhatTheyAre)
   EXPECT_EQ(fresh[11].folder, "run_0012");
 }
 
+// A value with commas stays in its column.
+TEST_F(StudyFile, TableQuotesValuesWithCommas)
+{
+  const Study grid = study("grid");
+  StudyPoint point = points_of(grid)[0];
+  point.values_in_case = {"0.4 80e6, 1 50e6", "of \"one\" layer"};
+  point.folder = "run_0001";
+  write_study_table(grid, {point}, {{true, "", {1.5}}}, folder / "study.csv");
+  std::ifstream in(folder / "study.csv");
+  std::string header, row;
+  std::getline(in, header);
+  std::getline(in, row);
+  EXPECT_EQ(row, "run_0001,1,\"0.4 80e6, 1 50e6\",\"of \"\"one\"\" layer\"," +
+                     point.seed + ",1.5");
+}
+
 // In a grid of two keys each is seen at every value of the other.
 TEST_F(StudyFile, GridIsSeenByTheOtherKey)
 {
