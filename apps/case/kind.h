@@ -47,6 +47,9 @@ struct TestKind
   std::unique_ptr<Test> (*make)(const Case &parameters) = nullptr;
   /// Its particles can be spread over ranks: measures take Test::whole().
   bool runs_on_many_ranks = false;
+  /// Section/key = value of a case of such a kind that keeps it on one rank,
+  /// empty if there is none; may be null.
+  std::string (*needs_one_rank)(const Case &parameters) = nullptr;
   std::string seed_key; ///< Section/key of the seed of its particles
   /// Section with the key `gradation` of its particles; empty: it has none.
   std::string gradation_section = {};

@@ -3,6 +3,9 @@
 #include "scene/case.h"
 #include "scene/scene.h"
 
+#include <array>
+#include <utility>
+
 namespace spall
 {
 namespace
@@ -22,6 +25,17 @@ void set_template(Case &c)
   own.fill.mass = 10.;
   own.fill.gradation = "gradations/los_angeles_20_45mm.csv";
   own.box.x = own.box.y = own.box.z = BoxFaces::rigid;
+}
+
+std::string one_rank_setting(const Case &parameters)
+{
+  const SceneBoxParameters &box = parameters.own<SceneCase>().box;
+  const std::array<std::pair<const char *, BoxFaces>, 3> all{
+      {{"x", box.x}, {"y", box.y}, {"z", box.z}}};
+  for (const auto &[key, faces] : all)
+    if (faces == BoxFaces::periodic)
+      return std::string("Box/") + key + " = periodic";
+  return {};
 }
 
 std::unique_ptr<Test> make(const Case &parameters)
@@ -50,6 +64,7 @@ TestKind scene_kind()
       .check = check_scene,
       .make = make,
       .runs_on_many_ranks = true,
+      .needs_one_rank = one_rank_setting,
       .seed_key = "Fill/seed",
       .gradation_section = "Fill",
       .report = scene_report};

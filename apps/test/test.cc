@@ -322,9 +322,8 @@ std::string needs_one_rank(const Case &parameters)
     return "Case/kind = " + parameters.kind;
   if (parameters.breakage.memory == dem::FactorMemory::patch)
     return "Breakage/memory = patch";
-  if (parameters.boundary.lateral == Lateral::periodic)
-    return "Boundary/lateral = periodic";
-  return {};
+  return kind->needs_one_rank ? kind->needs_one_rank(parameters)
+                              : std::string();
 }
 
 void require_shareable(const dem::Ranks &ranks, const Case &parameters)

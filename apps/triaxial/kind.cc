@@ -22,6 +22,13 @@ void set_template(Case &c)
   c.coupling.exchange = ExchangeChoice::every_step;
 }
 
+std::string one_rank_setting(const Case &parameters)
+{
+  return parameters.boundary.lateral == Lateral::periodic
+             ? "Boundary/lateral = periodic"
+             : "";
+}
+
 std::unique_ptr<Test> make(const Case &parameters)
 {
   return std::make_unique<Triaxial>(parameters);
@@ -51,6 +58,7 @@ TestKind triaxial_kind()
       .check = check_triaxial,
       .make = make,
       .runs_on_many_ranks = true,
+      .needs_one_rank = one_rank_setting,
       .seed_key = "Specimen/seed",
       .gradation_section = "Specimen",
       // The step may change the cycle end: Triaxial::restore() checks it.
