@@ -79,8 +79,9 @@ enum class GroundBody
 
 enum class GroundSolver
 {
-  direct, ///< factors
-  amg     ///< conjugate gradients with multigrid
+  direct,         ///< factors
+  amg,            ///< conjugate gradients with multigrid
+  distributed_amg ///< the same with its matrices spread over the ranks
 };
 
 struct GroundParameters
@@ -99,7 +100,7 @@ struct GroundParameters
   GroundBody body = GroundBody::full;
   int inner_modes = 60;                       ///< of a condensed body
   GroundSolver solver = GroundSolver::direct; ///< of a full body
-  double solver_tolerance = 1e-10;            ///< amg: residual over load [-]
+  double solver_tolerance = 1e-10; ///< of both amg: residual over load [-]
 };
 
 enum class PulseForm

@@ -122,8 +122,9 @@ void check_ground(const Case &c, const SourceLocation &location)
 void check_solver(const Case &c, const SourceLocation &location)
 {
   const GroundParameters &g = c.subgrade.ground;
-  if (g.solver == GroundSolver::amg && g.body == GroundBody::condensed)
-    refuse(location, {"Subgrade", "solver", "amg",
+  if (g.solver != GroundSolver::direct && g.body == GroundBody::condensed)
+    refuse(location, {"Subgrade", "solver",
+                      g.solver == GroundSolver::amg ? "amg" : "distributed_amg",
                       "must be direct with Subgrade/body = condensed, which is "
                       "made of factors"});
 }

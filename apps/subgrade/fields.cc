@@ -150,10 +150,14 @@ void add_ground(List &list, GroundParameters &g)
        "Linear solver of a full subgrade at rest and in implicit steps. The "
        "value direct factorises the matrix once. The value amg is the "
        "conjugate gradient method with algebraic multigrid. It suits more than "
-       "about 50000 unknowns, whose factors take minutes and gigabytes."},
-      g.solver, {"direct", "amg"});
+       "about 50000 unknowns, whose factors take minutes and gigabytes. The "
+       "value distributed_amg is amg with its matrices spread over all MPI "
+       "ranks. With it the results of different numbers of ranks agree to "
+       "solver_tolerance, and not bit for bit."},
+      g.solver, {"direct", "amg", "distributed_amg"});
   list.add({"solver_tolerance", "-",
-            "Tolerance of the solver amg: residual over right-hand side."},
+            "Tolerance of the solvers amg and distributed_amg: residual over "
+            "right-hand side."},
            g.solver_tolerance, Range{0., 1e-4, true, false});
 }
 

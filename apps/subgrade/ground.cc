@@ -77,6 +77,20 @@ fem::Voigt weight_stress(std::span<const GroundLayer> layers, double depth)
   return stress;
 }
 
+fem::SolidSolver solver_of(GroundSolver solver)
+{
+  switch (solver)
+  {
+  case GroundSolver::amg:
+    return fem::SolidSolver::amg;
+  case GroundSolver::distributed_amg:
+    return fem::SolidSolver::distributed_amg;
+  case GroundSolver::direct:
+    break;
+  }
+  return fem::SolidSolver::direct;
+}
+
 fem::SolidParameters soil_of(const GroundParameters &g,
                              std::span<const GroundLayer> layers)
 {
@@ -90,8 +104,7 @@ fem::SolidParameters soil_of(const GroundParameters &g,
   std::ranges::reverse(soil.layers); // tops ascend
   soil.mass_damping = g.mass_damping;
   soil.stiffness_damping = g.stiffness_damping;
-  soil.solver = g.solver == GroundSolver::amg ? fem::SolidSolver::amg
-                                              : fem::SolidSolver::direct;
+  soil.solver = solver_of(g.solver);
   soil.solver_tolerance = g.solver_tolerance;
   return soil;
 }

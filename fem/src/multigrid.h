@@ -3,6 +3,8 @@
 #include "solid_supports.h"
 #include "solid_system.h"
 
+#include <memory>
+
 namespace fem
 {
 /// Conjugate gradients preconditioned by smoothed aggregation with the rigid
@@ -11,13 +13,22 @@ namespace fem
 class MultigridSolver
 {
 public:
-  /// `lower`: symmetric, positive definite, on the unknowns of the supports.
-  MultigridSolver(const SparseMatrix &lower, const SolidSupports &supports,
-                  std::span<const Eigen::Vector3d> nodes);
+  /// On one rank alone, or with rows and hierarchy spread over all ranks: then
+  /// every rank gives the same body, and all calls are collective.
+  enum class Spread
+  {
+    one_rank,
+    all_ranks
+  };
+
+  /// The sum with these weights must be positive definite on the unknowns.
+  MultigridSolver(const SolidParts &parts, const SystemWeights &weights,
+                  Spread spread);
   ~MultigridSolver();
 
-  /// Until the residual is `tolerance` times the right-hand side [-]. Throws
-  /// std::runtime_error if it does not get there.
+  /// All unknowns, on every rank, for the same right-hand side on every rank.
+  /// Iterates until the residual is `tolerance` times the right-hand side [-].
+  /// Throws std::runtime_error if it does not get there.
   Eigen::VectorXd solve(const Eigen::VectorXd &right_hand_side,
                         double tolerance);
   int n_iterations() const; ///< of the last solve

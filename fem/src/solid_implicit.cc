@@ -23,11 +23,13 @@ void Solid::State::solve(const SystemWeights &weights, NodeField &field)
     kept.factor.reset(); // its memory first
     kept.multigrid.reset();
     kept.version = -1;
-    const SparseMatrix matrix = assemble(parts(), weights);
     if (parameters.solver == SolidSolver::direct)
-      kept.factor.emplace(matrix);
+      kept.factor.emplace(assemble(parts(), weights));
     else
-      kept.multigrid.emplace(matrix, supports, mesh.nodes);
+      kept.multigrid.emplace(parts(), weights,
+                             parameters.solver == SolidSolver::distributed_amg
+                                 ? MultigridSolver::Spread::all_ranks
+                                 : MultigridSolver::Spread::one_rank);
     kept.weights = weights;
     kept.version = version;
   }

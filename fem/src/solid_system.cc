@@ -3,6 +3,7 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/UmfPackSupport>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace fem
@@ -12,12 +13,31 @@ namespace
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Shares = std::vector<SolidSupports::Share>;
 
+/// Entries of a matrix that are asked for.
+struct IsLower
+{
+  bool operator()(std::int32_t row, std::int32_t column) const
+  {
+    return row >= column;
+  }
+};
+
+struct IsInMarkedRow
+{
+  std::span<const char> is_marked; ///< of each unknown
+  bool operator()(std::int32_t row, std::int32_t) const
+  {
+    return is_marked[static_cast<std::size_t>(row)] != 0;
+  }
+};
+
+template <typename IsAsked>
 void add_product(const Shares &rows, const Shares &columns, double value,
-                 Triplets &entries)
+                 const IsAsked &is_asked, Triplets &entries)
 {
   for (const auto &row : rows)
     for (const auto &column : columns)
-      if (row.unknown >= column.unknown)
+      if (is_asked(row.unknown, column.unknown))
         entries.emplace_back(row.unknown, column.unknown,
                              value * row.weight * column.weight);
 }
@@ -32,8 +52,9 @@ std::array<Shares, 24> cell_shares(const SolidParts &parts, std::size_t cell)
   return shares;
 }
 
+template <typename IsAsked>
 void add_cell(const SolidParts &parts, std::size_t cell, double weight,
-              Triplets &entries)
+              const IsAsked &is_asked, Triplets &entries)
 {
   const CellMatrix &stiffness = parts.elastic.stiffness(cell);
   const std::array<Shares, 24> shares = cell_shares(parts, cell);
@@ -42,11 +63,13 @@ void add_cell(const SolidParts &parts, std::size_t cell, double weight,
       add_product(shares[i], shares[j],
                   weight * stiffness(static_cast<Eigen::Index>(i),
                                      static_cast<Eigen::Index>(j)),
-                  entries);
+                  is_asked, entries);
 }
 
+template <typename IsAsked>
 void add_node(const SolidParts &parts, std::size_t node,
-              const SystemWeights &weights, Triplets &entries)
+              const SystemWeights &weights, const IsAsked &is_asked,
+              Triplets &entries)
 {
   Eigen::Matrix3d sum =
       weights.mass * parts.mass[node] * Eigen::Matrix3d::Identity() +
@@ -54,13 +77,37 @@ void add_node(const SolidParts &parts, std::size_t node,
   if (!parts.bedding.empty())
     sum += weights.stiffness * parts.bedding[node];
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j <= i; ++j)
+    for (int j = 0; j < 3; ++j)
     {
       const std::int32_t row = parts.supports.unknown(node, i);
       const std::int32_t column = parts.supports.unknown(node, j);
-      if (row >= 0 && column >= 0)
+      if (row >= 0 && column >= 0 && is_asked(row, column))
         entries.emplace_back(row, column, sum(i, j));
     }
+}
+
+/// Whether a node, or a parent of one that hangs, has an unknown with a mark.
+std::vector<char> marked_nodes(const SolidParts &parts,
+                               std::span<const char> is_marked)
+{
+  const SolidSupports &supports = parts.supports;
+  std::vector<char> result(parts.mesh.nodes.size(), 0);
+  const auto has_mark = [&](std::size_t node)
+  {
+    for (int c = 0; c < 3; ++c)
+      if (const std::int32_t unknown = supports.unknown(node, c);
+          unknown >= 0 && is_marked[static_cast<std::size_t>(unknown)])
+        return true;
+    return false;
+  };
+  for (std::size_t k = 0; k < result.size(); ++k)
+    if (!supports.is_hanging(k))
+      result[k] = has_mark(k);
+    else
+      for (const auto &[parent, weight] : supports.parents(k))
+        if (has_mark(static_cast<std::size_t>(parent)))
+          result[k] = 1;
+  return result;
 }
 
 template <typename Action>
@@ -79,13 +126,34 @@ SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights)
   Triplets entries;
   entries.reserve(300 * parts.mesh.cells.size() + 6 * parts.mesh.nodes.size());
   for (std::size_t k = 0; k < parts.mesh.cells.size(); ++k)
-    add_cell(parts, k, weights.stiffness, entries);
+    add_cell(parts, k, weights.stiffness, IsLower(), entries);
   for (std::size_t k = 0; k < parts.mesh.nodes.size(); ++k)
-    add_node(parts, k, weights, entries);
+    add_node(parts, k, weights, IsLower(), entries);
   const auto n = static_cast<Eigen::Index>(parts.supports.n_unknowns());
   SparseMatrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+SparseRows assemble_rows(const SolidParts &parts, const SystemWeights &weights,
+                         std::span<const char> is_marked)
+{
+  const IsInMarkedRow is_asked{is_marked};
+  const std::vector<char> is_near = marked_nodes(parts, is_marked);
+  Triplets entries;
+  for (std::size_t k = 0; k < parts.mesh.cells.size(); ++k)
+    if (std::ranges::any_of(parts.mesh.cells[k],
+                            [&](std::int32_t node) {
+                              return is_near[static_cast<std::size_t>(node)];
+                            }))
+      add_cell(parts, k, weights.stiffness, is_asked, entries);
+  for (std::size_t k = 0; k < parts.mesh.nodes.size(); ++k)
+    if (is_near[k])
+      add_node(parts, k, weights, is_asked, entries);
+  const auto n = static_cast<Eigen::Index>(parts.supports.n_unknowns());
+  SparseRows rows(n, n);
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
 }
 
 SparseMatrix assemble_cells(const SolidParts &parts,

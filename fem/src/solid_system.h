@@ -10,6 +10,7 @@
 namespace fem
 {
 using SparseMatrix = Eigen::SparseMatrix<double>;
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Everything linear about a body: a sum of these three on its unknowns.
 struct SystemWeights
@@ -34,7 +35,11 @@ struct SolidParts
 /// Lower triangle of the sum, on the unknowns of the supports.
 SparseMatrix assemble(const SolidParts &parts, const SystemWeights &weights);
 
-/// The same of given matrices of some cells, with all entries.
+/// All entries of its rows whose unknowns are marked; the others are empty.
+SparseRows assemble_rows(const SolidParts &parts, const SystemWeights &weights,
+                         std::span<const char> is_marked);
+
+/// The sum of given matrices of some cells, with all entries.
 SparseMatrix assemble_cells(const SolidParts &parts,
                             std::span<const CellChange> cells, double weight);
 

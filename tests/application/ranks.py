@@ -21,7 +21,7 @@ import cycle_jump
 import subgrade
 from lab import DRUM, write_prm
 from triaxial_runs import (ENVIRONMENT, QUICK, command, differing,
-                           report_faults, run, summary, summary_faults)
+                           report_faults, rows, run, summary, summary_faults)
 
 MPIRUN = shutil.which("mpirun")
 TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
@@ -179,7 +179,33 @@ def compacted_long(spall, root):
 
 def ground(spall, root):
     case = write_prm(root / "case.prm", subgrade.SCENE)
-    return case_faults(spall, root, "subgrade", case)
+    return (case_faults(spall, root, "subgrade", case) +
+            distributed_faults(spall, root))
+
+
+def distributed_faults(spall, root):
+    """A ground whose linear systems are spread over two ranks against one that
+    every rank factorises: to the tolerance of the solver, not bit for bit."""
+    found = {}
+    for solver in ("direct", "distributed_amg"):
+        case = write_prm(root / f"{solver}.prm", subgrade.changed(
+            Subgrade={"solver": solver}, Coupling={"body_time": "implicit"}))
+        ended = launch(2, [spall, "run", case, "--threads", 1, "--out",
+                           root / solver])
+        if ended.returncode != 0:
+            return [f"{solver}: status {ended.returncode}\n{ended.stderr}"]
+        found[solver] = rows(root / solver, "history.csv")[1]
+    faults = []
+    for column in ("plate_settlement_m", "subgrade_force_N",
+                   "vertical_stress_0.05m_Pa"):
+        direct, spread = ([row[column] for row in found[solver]]
+                          for solver in ("direct", "distributed_amg"))
+        size = max(map(abs, direct))
+        apart = max(abs(a - b) for a, b in zip(direct, spread, strict=True))
+        if not apart < 1e-5 * size:
+            faults.append(f"distributed_amg: {column} {apart / size} apart")
+        print(f"distributed_amg: {column} {apart / size:.1e} apart")
+    return faults
 
 
 def ground_long(spall, root):
@@ -305,8 +331,15 @@ def faults(spall, root):
     found += one_line("patch", launch(2, command(
         spall, root / "patch", "membrane",
         settings=("Breakage/memory=patch",))), "Breakage/memory = patch")
-    if (root / "patch").exists():
-        found.append("patch: left a folder")
+    found += one_line("periodic sides", launch(2, command(
+        spall, root / "periodic", "periodic")), "Boundary/lateral = periodic")
+    scene = write_prm(root / "scene.prm", {
+        "Case": {"kind": "scene"}, "Box": {"y": "periodic"},
+        "Fill": {"mass": 1}})
+    found += one_line("periodic box", launch(2, [
+        spall, "run", scene, "--out", root / "box"]), "Box/y = periodic")
+    found += [f"{name}: left a folder" for name in ("patch", "periodic", "box")
+              if (root / name).exists()]
     (root / "file").write_text("")
     found += one_line("no folder", launch(2, command(
         spall, root / "file", "rigid")), "is a file")

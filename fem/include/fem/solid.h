@@ -48,7 +48,11 @@ double shear_wave_speed(const SolidLayer &layer);
 enum class SolidSolver
 {
   direct, ///< factors, kept while the matrix stays
-  amg     ///< conjugate gradients with multigrid, which is kept
+  amg,    ///< conjugate gradients with multigrid, which is kept
+  /// amg with matrix and multigrid spread over all ranks of MPI: advance and
+  /// settle are collective, and every rank has the same body and loads. The
+  /// motion, the same bits on every rank, is that of amg to its tolerance.
+  distributed_amg
 };
 
 struct SolidParameters
@@ -92,7 +96,8 @@ struct StepLimit
 /// volume change of the cell, Newton's method in all implicit and static steps.
 /// Three ways to move it, which may follow one another: explicit (begin_step,
 /// end_step), implicit (advance), without inertia (settle). Displacements and
-/// loads are one vector per node of the mesh. Serial.
+/// loads are one vector per node of the mesh. Every rank has all of it, and
+/// moves it alone but for SolidSolver::distributed_amg.
 class Solid
 {
 public:
