@@ -1,166 +1,12 @@
 #!/usr/bin/env python3
-"""How contacts, breakage and coupling work, into docs/pictures.
+"""Coupling, stages of a run and membrane, into docs/pictures.
 
     python3 scripts/figures/mechanics.py
 """
 import math
 
-from svg import (BLUE, Drawing, GREEN, GREY, INK, ORANGE, PALE, RED, ROCK,
-                 STEEL, particle_outline)
-
-
-def rounded(x, y, radius, phase):
-    """Outline of a particle with three blunt corners."""
-    return [(x + radius * (1. + 0.13 * math.cos(3. * a + phase)) * math.cos(a),
-             y + radius * (1. + 0.13 * math.cos(3. * a + phase)) * math.sin(a))
-            for a in (2. * math.pi * k / 90 for k in range(90))]
-
-
-def support(outline, n):
-    """The point of an outline that lies farthest along n."""
-    return max(outline, key=lambda p: p[0] * n[0] + p[1] * n[1])
-
-
-def common_normal(a, b, start):
-    """Direction of the least overlap near an angle, and the two points."""
-    best = None
-    for k in range(-100, 101):
-        n = (math.cos(start + 0.01 * k), math.sin(start + 0.01 * k))
-        p, q = support(a, n), support(b, (-n[0], -n[1]))
-        overlap = (p[0] - q[0]) * n[0] + (p[1] - q[1]) * n[1]
-        if best is None or overlap < best[0]:
-            best = (overlap, n, p, q)
-    return best
-
-
-def radius_along(outline, centre, angle):
-    """Distance of an outline from its centre in a direction."""
-    return min((abs(math.remainder(math.atan2(y - centre[1], x - centre[0])
-                                   - angle, 2. * math.pi)),
-                math.hypot(x - centre[0], y - centre[1]))
-               for x, y in outline)[1]
-
-
-def contact_geometries():
-    d = Drawing(720, 300, "Overlap and contact point of the three contact "
-                "geometries: sphere, radial, surface")
-    words = {"sphere": ("overlap of the equivalent",
-                        "spheres along the branch"),
-             "radial": ("overlap of the local radii", "along the branch"),
-             "surface": ("overlap of the surfaces along",
-                         "their common normal")}
-    for k, name in enumerate(words):
-        left, size = 20 + 236 * k, 56
-        a, b = (left + 60, 172), (left + 154, 118)
-        shapes = rounded(*a, size, 2.4), rounded(*b, size, 4.5)
-        is_faded = name == "sphere"
-        d.text(left + 108, 30, name, is_bold=True, size=15)
-        for fill in ("#f3efe8" if is_faded else ROCK, "none"):
-            for shape in shapes:
-                d.polygon(shape, fill=fill, stroke=GREY if is_faded else INK,
-                          width=1.2)
-        branch = math.atan2(b[1] - a[1], b[0] - a[0])
-        n, length = (math.cos(branch), math.sin(branch)), math.dist(a, b)
-        if name == "surface":
-            _, n, p, q = common_normal(*shapes, branch)
-        else:
-            d.line(a, b, stroke=GREY, dash="4 3")
-            reach = ((size, size) if is_faded else
-                     (radius_along(shapes[0], a, branch),
-                      radius_along(shapes[1], b, branch + math.pi)))
-            p = (a[0] + reach[0] * n[0], a[1] + reach[0] * n[1])
-            q = (b[0] - reach[1] * n[0], b[1] - reach[1] * n[1])
-        if is_faded:
-            for x, y in (a, b):
-                d.circle(x, y, size, stroke=BLUE, dash="5 3")
-        for x, y in (a, b):
-            d.circle(x, y, 2.5, fill=INK)
-        d.line(p, q, stroke=ORANGE, width=3)
-        x, y = 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])
-        d.circle(x, y, 3, fill=RED, stroke=RED)
-        d.arrow(x, y, x + 44 * n[0], y + 44 * n[1], colour=RED, width=2)
-        d.text(x + 50 * n[0] + 7, y + 50 * n[1] + 9, "n", colour=RED,
-               is_bold=True)
-        for line, of_line in enumerate(words[name]):
-            d.text(left + 108, 262 + 17 * line, of_line, size=12)
-    d.save("contact_geometries")
-
-
-def chipped(outline, cx, cy, angle, depth, width):
-    """The outline less a kernel of this depth around a direction."""
-    points = []
-    for x, y in outline:
-        radius, at = math.hypot(x - cx, y - cy), math.atan2(y - cy, x - cx)
-        gap = math.atan2(math.sin(at - angle), math.cos(at - angle))
-        radius -= depth * math.exp(-0.5 * (gap / width) ** 2)
-        points.append((cx + radius * math.cos(at), cy + radius * math.sin(at)))
-    return points
-
-
-def corner(cx, cy):
-    points = []
-    for k in range(180):
-        a = 2. * math.pi * k / 180
-        gap = math.atan2(math.sin(a - math.pi / 2), math.cos(a - math.pi / 2))
-        r = 78. + 24. * math.exp(-0.5 * (gap / 0.33) ** 2)
-        points.append((cx + r * math.cos(a), cy + r * math.sin(a)))
-    return points
-
-
-def breakage_event():
-    d = Drawing(700, 340, "A breakage event: the corner before, the corner "
-                "after, and the contact force over time")
-    wall = 250
-    for k, title in enumerate(("before", "after")):
-        cx, cy = 120 + 216 * k, 160
-        sharp = corner(cx, cy)
-        blunt = chipped(sharp, cx, cy, math.pi / 2, 11., 0.3)
-        d.text(cx, 28, title, is_bold=True, size=15)
-        if k == 0:
-            d.polygon(sharp, fill=ROCK)
-            d.line((cx - 90, wall), (cx + 90, wall), width=2)
-            cap = [p for p in sharp if p[1] >= wall]
-            d.polygon(cap, fill="#e8a59e", stroke=RED, width=1)
-            d.line((cx + 30, wall + 8), (cx + 58, wall + 26), stroke=RED,
-                   width=1)
-            d.text(cx + 60, wall + 38, "cap: V = A &#948;/2", colour=RED,
-                   size=12)
-            d.text(cx - 46, wall + 24, "overlap &#948;", size=12)
-            d.arrow(cx, wall + 66, cx, wall + 18, colour=BLUE, width=2)
-            d.text(cx - 8, wall + 62, "F", colour=BLUE, anchor="end",
-                   is_bold=True)
-        else:
-            d.polygon(blunt, fill=ROCK)
-            d.polygon(sharp, stroke=GREY, dash="4 3", width=1)
-            d.line((cx - 90, wall), (cx + 90, wall), width=2)
-            d.text(cx + 4, wall + 38, "volume less V, corner blunter",
-                   size=12)
-            d.arrow(cx, wall + 62, cx, wall + 46, colour=BLUE, width=2,
-                    head=6)
-            d.text(cx - 8, wall + 62, "F'", colour=BLUE, anchor="end",
-                   is_bold=True)
-        d.circle(cx, cy, 2.5, fill=INK)
-    d.text(228, 180, "E", size=15, colour=RED, is_bold=True)
-    d.text(238, 184, "e", size=11, colour=RED, is_bold=True)
-    d.text(228, 198, "&gt; G A", size=13, colour=RED)
-    d.arrow(206, 212, 252, 212, colour=RED)
-    x, y = 480, 250
-    d.arrow(x, y, x + 200, y)
-    d.arrow(x, y, x, y - 180)
-    d.text(x + 200, y + 18, "displacement", anchor="end")
-    d.text(x + 8, y - 172, "force", anchor="start")
-    curve, force, start = [(x, y)], 0., 0
-    for k in range(1, 181):
-        force += 1.05 * (0.4 + k / 260.)
-        if k in (70, 118, 155):
-            curve.append((x + k, y - force))
-            force *= 0.72
-        curve.append((x + k, y - force))
-    d.line(*curve, stroke=BLUE, width=2)
-    d.text(x + 76, y - 66, "event", colour=RED, size=12, anchor="start")
-    d.circle(x + 70, y - min(1.05 * sum(0.4 + k / 260. for k in range(1, 71)),
-                             200.), 3, fill=RED, stroke=RED)
-    d.save("breakage_event")
+from svg import (BLUE, GREEN, GREY, INK, ORANGE, PALE, RED, ROCK, STEEL,
+                 Drawing, particle_outline)
 
 
 def coupling_window():
@@ -260,6 +106,5 @@ def membrane():
 
 
 if __name__ == "__main__":
-    for draw in (contact_geometries, breakage_event, coupling_window,
-                 run_stages, membrane):
+    for draw in (coupling_window, run_stages, membrane):
         draw()

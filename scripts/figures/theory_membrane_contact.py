@@ -3,7 +3,7 @@
 the contact radius c and the features that carry the sphere."""
 import math
 
-from theory_drawing import BLUE, FILL, RED, SOFT, Drawing
+from svg import BLUE, GREY, LIGHT_BLUE, RED, Drawing
 
 WIDTH, HEIGHT = 780, 300
 
@@ -13,7 +13,7 @@ def profile(drawing):
     radius, c, slope = 120., 62., 62. / 120.
     centre = (205., 178.)
     low = centre[1] - radius
-    drawing.circle(centre, radius, FILL)
+    drawing.circle(*centre, radius, fill=LIGHT_BLUE)
 
     def sheet(x):
         s = abs(x)
@@ -25,25 +25,27 @@ def profile(drawing):
     cell = 25.
     nodes = [(centre[0] + x, sheet(x))
              for x in [cell * k for k in range(-7, 8)]]
-    drawing.path(nodes, stroke=RED, width=2.2)
+    drawing.line(*nodes, stroke=RED, width=2.2)
     for p in nodes:
-        drawing.dot(p, RED, 3.)
-    drawing.dot(centre)
-    drawing.arrow(centre, (centre[0], centre[1] - 62.))
-    drawing.text((centre[0] + 8, centre[1] - 50), "W", "start", italic=True)
+        drawing.dot(*p, colour=RED, radius=3.)
+    drawing.dot(*centre)
+    drawing.arrow(*centre, centre[0], centre[1] - 62.)
+    drawing.text(centre[0] + 8, centre[1] - 50, "W", anchor="start",
+                 is_italic=True)
     drawing.line(centre, (centre[0] - 104., centre[1] + 60.), stroke=BLUE)
-    drawing.text((centre[0] - 58, centre[1] + 42), "R", colour=BLUE,
-                 italic=True)
-    drawing.arrow((centre[0], low - 24.), (centre[0] + c, low - 24.), BLUE,
-                  both=True)
-    drawing.text((centre[0] + c / 2, low - 42.), "c", colour=BLUE, italic=True)
+    drawing.text(centre[0] - 58, centre[1] + 42, "R", colour=BLUE,
+                 is_italic=True)
+    drawing.arrow(centre[0], low - 24., centre[0] + c, low - 24., colour=BLUE,
+                  is_double=True)
+    drawing.text(centre[0] + c / 2, low - 42., "c", colour=BLUE,
+                 is_italic=True)
     for x in (0., c):
         drawing.line((centre[0] + x, low - 30.),
                      (centre[0] + x, sheet(x)), stroke=BLUE, width=0.8,
                      dash="3 3")
     end = nodes[-1]
-    drawing.arrow(end, (end[0] + 40., end[1] + 11.), RED)
-    drawing.text((end[0] + 34., end[1] + 20.), "T", colour=RED, italic=True)
+    drawing.arrow(*end, end[0] + 40., end[1] + 11., colour=RED)
+    drawing.text(end[0] + 34., end[1] + 20., "T", colour=RED, is_italic=True)
 
 
 def seen_from_above(drawing):
@@ -63,30 +65,33 @@ def seen_from_above(drawing):
                 third = ((a[0] + b[0] + centre[0]) / 3,
                          (a[1] + b[1] + centre[1]) / 3)
                 is_in = math.dist(third, middle) < reach
-                drawing.path([a, b, centre], True,
-                             FILL if is_in else "#ffffff", SOFT, 0.8)
-    drawing.circle(middle, reach, stroke=RED, width=2., dash="5 3")
+                drawing.polygon([a, b, centre],
+                                fill=LIGHT_BLUE if is_in else "#ffffff",
+                                stroke=GREY, width=0.8)
+    drawing.circle(*middle, reach, stroke=RED, width=2., dash="5 3")
     for i in range(n + 1):
         for j in range(n):
             p = node(i, j)
             if math.dist(p, middle) < reach:
-                drawing.dot(p, RED, 4.)
+                drawing.dot(*p, colour=RED, radius=4.)
     for i in range(n):
         for j in range(n - 1):
             p = (left + (i + 0.5) * cell, bottom + (j + 0.5) * cell)
             if math.dist(p, middle) < reach:
-                drawing.dot(p, BLUE, 3.)
-    drawing.text((582, 36), "facets +1, edges −1, vertices +1", size=13)
+                drawing.dot(*p, colour=BLUE, radius=3.)
+    drawing.text(582, 36, "facets +1, edges −1, vertices +1", size=13)
 
 
 def main():
-    drawing = Drawing(WIDTH, HEIGHT, "A sphere on a membrane of facets")
+    drawing = Drawing(WIDTH, HEIGHT,
+                      "A sphere on a membrane of facets",
+                      is_upward=True)
     profile(drawing)
     seen_from_above(drawing)
-    drawing.text((60, HEIGHT - 284), "section", colour=SOFT, size=12)
-    drawing.text((582, HEIGHT - 284), "seen along the normal", colour=SOFT,
+    drawing.text(60, HEIGHT - 284, "section", colour=GREY, size=12)
+    drawing.text(582, HEIGHT - 284, "seen along the normal", colour=GREY,
                  size=12)
-    drawing.write("theory_membrane_contact.svg")
+    drawing.save("theory_membrane_contact")
 
 
 if __name__ == "__main__":

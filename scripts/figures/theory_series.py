@@ -5,7 +5,7 @@ import json
 import math
 import pathlib
 
-from theory_drawing import BLUE, FILL, GREEN, RED, SOFT, Drawing
+from svg import BLUE, GREEN, GREY, INK, LIGHT_BLUE, RED, Drawing
 
 WIDTH, HEIGHT = 780, 330
 SHAPES = pathlib.Path(__file__).resolve().parents[2] / "data/shapes"
@@ -54,8 +54,10 @@ def section(coefficients, order, n=240):
 
 
 def main():
-    drawing = Drawing(WIDTH, HEIGHT, "Sections of shapes whose series are cut "
-                                     "at order 4, 8 and 20")
+    drawing = Drawing(WIDTH, HEIGHT,
+                      "Sections of shapes whose series are cut "
+                      "at order 4, 8 and 20",
+                      is_upward=True)
     for number, (name, words) in enumerate(CASES):
         stored = json.loads((SHAPES / name).read_text(encoding="utf-8"))
         coefficients = stored["coefficients"]
@@ -68,17 +70,18 @@ def main():
         for order, colour in ORDERS:
             points = [(centre[0] + scale * x, centre[1] + scale * y)
                       for x, y in section(coefficients, min(order, highest))]
-            drawing.path(points, True, FILL if order == 4 else "none", colour,
-                         1.8, None if order == 20 else "5 3")
-        drawing.dot(centre, "#222222", 2.4)
-        drawing.text((centre[0], 24.), words, size=13, colour=SOFT)
+            drawing.polygon(points, fill=LIGHT_BLUE if order == 4 else "none",
+                            stroke=colour, width=1.8,
+                            dash="" if order == 20 else "5 3")
+        drawing.dot(*centre, colour=INK, radius=2.4)
+        drawing.text(centre[0], 24., words, size=13, colour=GREY)
     for k, (order, colour) in enumerate(ORDERS):
         y = 300. - 18. * k
         drawing.line((338., y), (362., y), stroke=colour, width=2.,
-                     dash=None if order == 20 else "5 3")
-        drawing.text((368., y - 4.), f"order {order}", "start", colour=colour,
-                     size=12)
-    drawing.write("theory_series.svg")
+                     dash="" if order == 20 else "5 3")
+        drawing.text(368., y - 4., f"order {order}", anchor="start",
+                     colour=colour, size=12)
+    drawing.save("theory_series")
 
 
 if __name__ == "__main__":
