@@ -39,14 +39,14 @@ def cycle_jump_errors():
 
 
 def cycle_jump_rates():
-    """Growth in the cycles after the wear over that of every cycle."""
+    """Growth in the cycles after the damage cycles over that of every cycle."""
     rows = {row[0]: row[2:] for row in table_of(RESULTS / "cycle_jump.md",
                                                 "cycle")}
     series = [(name, [(k + 1, float(cell)) for k, cell in
                       enumerate(rows[name])], "line dots", index)
               for index, name in enumerate(("strain", "abrasion"))]
     return chart(series + [("every cycle", [(1, 1.), (12, 1.)], "dashes", 5)],
-                 ("cycle after the wear",
+                 ("cycle after the damage cycles",
                   "growth over that of every cycle (-)"))
 
 
