@@ -62,24 +62,24 @@ PageHead head_of(std::span<const RunData> runs)
 struct PictureSort
 {
   ReportSection section;
-  std::vector<Picture> Report::*pictures;
+  Picture RunPictures::*picture;
   const char *caption;
 };
 
 constexpr std::array picture_sorts = {
     PictureSort{
-        ReportSection::specimen, &Report::pictures,
+        ReportSection::specimen, &RunPictures::specimen,
         "Particles with their surfaces, at the start and at the end. The "
         "colour is the share of its mass that a particle has lost; 98 % of the "
         "particles lie within the colour bar. A membrane or plate is half "
         "transparent."},
     PictureSort{
-        ReportSection::network, &Report::networks,
+        ReportSection::network, &RunPictures::network,
         "Contact network: a line from centre to centre, or to the boundary, "
         "for each contact. Its width and colour are the normal force; 99 % of "
         "the contacts lie within the colour bar. The colour of a membrane is "
         "its outward displacement from its initial position."},
-    PictureSort{ReportSection::boundaries, &Report::grounds,
+    PictureSort{ReportSection::boundaries, &RunPictures::ground,
                 "Subgrade behind the vertical section through its middle. The "
                 "colour is the settlement since the first frame; displacements "
                 "are magnified. The plate is at its true position."}};
@@ -102,11 +102,9 @@ std::string pictures_of(const Report &report, ReportSection section)
   std::string out;
   for (const PictureSort &sort : picture_sorts)
     if (sort.section == section)
-    {
-      const std::vector<Picture> &pictures = report.*sort.pictures;
-      for (std::size_t k = 0; k < pictures.size(); ++k)
-        out += picture_figure(report, k, pictures[k], sort.caption);
-    }
+      for (std::size_t k = 0; k < report.pictures.size(); ++k)
+        out += picture_figure(report, k, report.pictures[k].*sort.picture,
+                              sort.caption);
   return out;
 }
 
@@ -148,9 +146,9 @@ std::string missing_figures(const Report &report)
 {
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < report.pictures.size(); ++k)
-    if (report.pictures[k].png.empty())
+    if (report.pictures[k].specimen.png.empty())
       lines.push_back("No picture of " + report.runs[k].name + ": " +
-                      report.pictures[k].problem);
+                      report.pictures[k].specimen.problem);
   for (const Chart &chart : report.charts)
     if (chart.curves.empty())
       for (const std::string &note : chart.notes)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "report/chart.h"
-#include "report/render.h"
+#include "report/pictures.h"
 #include "report/run_data.h"
 
 #include <span>
@@ -10,14 +10,12 @@
 
 namespace spall
 {
-/// Everything of a page; pictures[k] and so on belong to runs[k].
+/// Everything of a page; pictures[k] belong to runs[k].
 struct Report
 {
   std::span<const RunData> runs;
   std::vector<Chart> charts;
-  std::vector<Picture> pictures; ///< of the particles
-  std::vector<Picture> networks; ///< of contact forces and bulge
-  std::vector<Picture> grounds;  ///< of the settled subgrade
+  std::vector<RunPictures> pictures;
 };
 
 /// One HTML page that needs no other file and no network.

@@ -2,4 +2,6 @@
 find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(nlohmann_json REQUIRED)
 find_package(ZLIB REQUIRED)
-find_package(OpenGL REQUIRED COMPONENTS EGL OpenGL)
+if(SPALL_RENDERING)
+  include(${CMAKE_CURRENT_LIST_DIR}/dependencies_rendering.cmake)
+endif()

@@ -1,9 +1,4 @@
-# What reading and writing files of the particle engine needs, and the report of
-# the program.
+# What reading and writing files of the particle engine needs.
 find_package(VTK 9.1 REQUIRED COMPONENTS
-  CommonCore CommonDataModel CommonExecutionModel
-  IOXML IOXMLParser IOImage IOExport
-  FiltersCore FiltersSources
-  RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation
-  RenderingContext2D RenderingContextOpenGL2 InteractionStyle
-  ChartsCore ViewsCore ViewsContext2D glew)
+  CommonCore CommonDataModel CommonExecutionModel IOXML IOXMLParser)
+set(SPALL_VTK_FILES ${VTK_LIBRARIES})

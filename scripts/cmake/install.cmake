@@ -39,6 +39,7 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/dependencies_dem_mpi.cmake
   ${CMAKE_CURRENT_LIST_DIR}/dependencies_fem.cmake
   ${CMAKE_CURRENT_LIST_DIR}/dependencies_app.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/dependencies_rendering.cmake
   DESTINATION ${SPALL_INSTALL_CMAKE} COMPONENT development)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/

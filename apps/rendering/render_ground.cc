@@ -1,7 +1,7 @@
-#include "report/render_ground.h"
+#include "rendering/render_ground.h"
 
-#include "report/egl_window.h"
-#include "report/stage.h"
+#include "rendering/egl_window.h"
+#include "rendering/stage.h"
 
 #include <vtkActor.h>
 #include <vtkCell.h>

@@ -1,4 +1,4 @@
-#include "report/specimen_files.h"
+#include "rendering/specimen_files.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

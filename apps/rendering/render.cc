@@ -1,8 +1,8 @@
-#include "report/render.h"
+#include "rendering/render.h"
 
-#include "report/egl_window.h"
-#include "report/picture_sheet.h"
-#include "report/stage.h"
+#include "rendering/egl_window.h"
+#include "rendering/picture_sheet.h"
+#include "rendering/stage.h"
 
 #include <vtkActor.h>
 #include <vtkCellData.h>

@@ -1,4 +1,4 @@
-#include "report/picture_sheet.h"
+#include "rendering/picture_sheet.h"
 
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/egl_window.h"
+#include "rendering/egl_window.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/picture_sheet.h"
+#include "rendering/picture_sheet.h"
 
 #include <vtkCamera.h>
 #include <vtkLookupTable.h>

@@ -1,4 +1,4 @@
-#include "report/egl_window.h"
+#include "rendering/egl_window.h"
 
 #include <vtkObjectFactory.h>
 #include <vtk_glew.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/render.h"
+#include "rendering/render.h"
 
 namespace spall
 {

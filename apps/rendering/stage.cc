@@ -1,4 +1,4 @@
-#include "report/stage.h"
+#include "rendering/stage.h"
 
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
