@@ -16,7 +16,8 @@ std::vector<std::filesystem::path> data_folders()
   if (!error)
     folders.push_back(program.parent_path() / ".." / "share" / "spall" /
                       "data");
-  for (const char *folder : {SPALL_DATA_DIR, SPALL_INSTALLED_DATA_DIR})
+  for (const char *folder :
+       {SPALL_DATA_DIR, SPALL_INSTALLED_DATA_DIR, "/usr/share/spall/data"})
     folders.emplace_back(folder);
   return folders;
 }
