@@ -4,6 +4,7 @@
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "run/frame_tables.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -201,10 +202,20 @@ void check_walls(const Case &c, const SourceLocation &location)
                         "must be above 0 with " + section + "/amplitude"});
   }
 }
+
+void check_frame_tables(const Case &c, const SourceLocation &location)
+{
+  if (c.own<FrameTablesParameters>().form == FrameTablesForm::hdf5 &&
+      !dem::writes_hdf5())
+    refuse(location, {"Output", "frame_tables", "hdf5",
+                      "must be none: this program is built without HDF5 "
+                      "(CMake option SPALL_HDF5)"});
+}
 } // namespace
 
 void check_case(const Case &parameters, const SourceLocation &location)
 {
+  check_frame_tables(parameters, location);
   check_breakage(parameters, location);
   check_attractions(parameters, location);
   check_overlap(parameters, location);

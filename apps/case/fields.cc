@@ -1,6 +1,7 @@
 #include "case/fields.h"
 
 #include "case/list.h"
+#include "run/frame_tables.h"
 
 #include <algorithm>
 
@@ -236,6 +237,7 @@ const std::vector<CommonSection> common_sections = {
       "body: membrane, subgrade or elastic plate."},
      true},
     {{"Time", "Time integration and time step."}},
+    {{"Output", "Output files and their intervals."}},
     {{"Run", "Threads of the run."}}};
 
 /// The kinds that have a shared section.
@@ -310,6 +312,11 @@ std::vector<Parameter> parameters_of(Case &of)
   add_membrane(list, of.membrane);
   add_coupling(list, of.coupling);
   add_time(list, of.time);
+  list.in("Output", {.decides_preparation = false, .may_change = true});
+  list.add({"frame_tables", "-",
+            "Tables of the particles and contacts of every frame in addition "
+            "to the ParaView files: none, or an HDF5 file (hdf5)."},
+           of.own<FrameTablesParameters>().form, {"none", "hdf5"});
   list.in("Run", {.decides_preparation = false, .may_change = true});
   list.add({"threads", "-",
             "Largest number of OpenMP threads. The run uses the fastest number "

@@ -10,6 +10,7 @@ namespace
 const std::vector<ManualPages> pages = {
     {"Case", "case"},
     {"Material", "case"},
+    {"Output", "case"},
     {"Run", "case"},
     {"Particle", "particle", {"theory/shape.md", "theory/contact.md"}},
     {"Wall", "contact", {"theory/contact.md", "theory/walls.md"}},

@@ -47,13 +47,16 @@ bool is_result(const std::string &name)
                                      name.starts_with("sections_")));
 }
 
-/// NAME_NNNNN.vtu
+/// NAME_NNNNN.vtu or tables_NNNNN.h5
 bool is_frame(const std::string &name)
 {
   const std::size_t end = name.find_first_of("0123456789");
-  return end != std::string::npos && name.substr(0, end).ends_with('_') &&
-         name.ends_with(".vtu") &&
-         name.find_first_not_of("0123456789", end) == name.size() - 4;
+  if (end == std::string::npos || !name.substr(0, end).ends_with('_'))
+    return false;
+  const std::size_t dot = name.find_first_not_of("0123456789", end);
+  const std::string ending = dot == std::string::npos ? "" : name.substr(dot);
+  return ending == ".vtu" ||
+         (ending == ".h5" && name.substr(0, end) == "tables_");
 }
 
 /// Files and drafts in the folder whose name is one of those.

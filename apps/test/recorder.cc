@@ -4,6 +4,7 @@
 #include "run/cost.h"
 #include "run/event_rows.h"
 #include "run/first_rank.h"
+#include "run/frame_tables.h"
 #include "run/frames.h"
 #include "run/ledger_rows.h"
 #include "run/whole_file.h"
@@ -57,6 +58,7 @@ void add_values(const std::vector<Quantity> &from, std::vector<double> &row)
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
     : parameters(c), folder(std::move(run_folder)),
+      tables_form(parameters.own<FrameTablesParameters>().form),
       started(std::chrono::steady_clock::now())
 {
 }
@@ -223,11 +225,36 @@ void Recorder::write_frame(const Test &test)
 {
   const dem::Engine &scene = test.whole();
   const FrameParts parts = test.frame_parts();
-  on_first_rank(
-      test.ranks(),
-      [&] { spall::write_frame(folder, scene, parts, n_frames, frames); });
+  on_first_rank(test.ranks(),
+                [&]
+                {
+                  write_tables(test, scene);
+                  spall::write_frame(folder, scene, parts, n_frames, frames);
+                });
   ++n_frames;
   framed_at = test.engine().time();
+}
+
+/// The tables of the frame that is written next, if the case asks for them.
+void Recorder::write_tables(const Test &test, const dem::Engine &scene) const
+{
+  if (tables_form == FrameTablesForm::none)
+    return remove_frame_tables(folder, n_frames);
+  dem::FrameDescription frame{.title = parameters.title,
+                              .kind = parameters.kind,
+                              .program = SPALL_VERSION,
+                              .number = n_frames,
+                              .shapes = test.shape_library().series()};
+  for (std::size_t k = 0; k < frame.shapes.size(); ++k)
+    frame.shape_names.push_back(test.shape_library().entry(k).name);
+  for (const NamedBoundary &one : test.named_boundaries())
+    if (one.kind == BoundaryKind::plane)
+    {
+      frame.plane_names.resize(
+          std::max(frame.plane_names.size(), one.number + 1));
+      frame.plane_names[one.number] = one.name;
+    }
+  write_frame_tables(folder, scene, frame);
 }
 
 /// By phase [s]; the phases of stepping are those after the preparation. Adds

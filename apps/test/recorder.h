@@ -1,6 +1,7 @@
 #pragma once
 
 #include "run/csv_file.h"
+#include "run/frame_tables.h"
 #include "specimen/obtained_gradation.h"
 #include "test/checkpoint.h"
 #include "test/test.h"
@@ -51,6 +52,7 @@ private:
   void write_row(Test &test);
   void write_events(Test &test);
   void write_frame(const Test &test);
+  void write_tables(const Test &test, const dem::Engine &scene) const;
   void write_last_particles(const Test &test);
   void write_checkpoint(Test &test, const std::string &name = "state.bin");
   Progressed restore_state(Test &test, const std::string &name);
@@ -66,6 +68,7 @@ private:
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   std::optional<double> framed_at; ///< time of the last frame [s]
+  FrameTablesForm tables_form;     ///< of the frames
   double output_seconds = 0.;
   /// Clocks when the preparation had ended.
   struct Spent

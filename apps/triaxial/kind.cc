@@ -49,8 +49,7 @@ TestKind triaxial_kind()
             "Confining pressure, consolidation and loading by the top plate."},
            {"CycleJump",
             "Accelerated damage cycles: most load cycles are extrapolated "
-            "instead of simulated."},
-           {"Output", "Output files and their intervals."}},
+            "instead of simulated."}},
       .shared_sections = {"MembraneContact", "Membrane", "Coupling", "Walls"},
       .add_parameters = add_triaxial,
       .set_defaults = set_defaults,

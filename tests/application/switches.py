@@ -19,6 +19,7 @@ PARTS = {
     "SPALL_PYTHON": (("pybind11",), ("pybind11", "spall_engine")),
     "SPALL_RENDERING": (("OpenGL", "GLEW", "Freetype"),
                         ("vtkRendering", "libEGL", "rendering/draw.cc")),
+    "SPALL_HDF5": ((), ("-DSPALL_HDF5", "table_file_test.cc")),
 }
 
 
@@ -40,8 +41,9 @@ def faults(cmake, source):
     found = [f"{switch} = OFF: {word} would be built"
              for switch, (_, traces) in PARTS.items() for word in traces
              if word in rules]
-    if "set(SPALL_RENDERING OFF)" not in config:
-        found.append("SpallConfig.cmake would ask for rendering")
+    found += [f"SpallConfig.cmake would ask for {switch}"
+              for switch in ("SPALL_RENDERING", "SPALL_HDF5")
+              if f"set({switch} OFF)" not in config]
     if "python_engine" in tests or "python_case" in tests:
         found.append("tests of the Python package are left")
     return found

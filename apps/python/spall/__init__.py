@@ -11,8 +11,8 @@ unit, and the unit beside it: ``table["axial_stress"]`` is in
     run = case.run("runs/five", threads=2)
     print(run.cycles["permanent_axial_strain"])
 
-Numpy is required. Pandas, matplotlib, scipy and VTK are used where they are
-installed, and named in the message where one of them is needed and missing.
+Numpy is required. Pandas, matplotlib, scipy, VTK and h5py are used where they
+are installed, and named in the message where one of them is needed and missing.
 """
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ from .calibration import Calibration, calibrate
 from .case import Case
 from .compare import Comparison, compare
 from .errors import InputError, MissingPackage, RunError, SpallError
+from .frame_tables import FrameTables, read_frame_tables
 from .frames import Frame
 from .packing import Packing, read_packing
 from .parameters import Parameter
@@ -37,9 +38,9 @@ from .targets import Curve, Value
 from .vtu import Grid, read_vtu
 
 __all__ = [
-    "Calibration", "Case", "Comparison", "Curve", "Frame", "Grid",
-    "InputError", "MissingPackage", "Packing", "Parameter", "Progress",
-    "Record", "Run", "RunError", "SpallError", "Study", "Table", "Value",
-    "calibrate", "compare", "find_program", "read_packing", "read_vtu",
-    "version",
+    "Calibration", "Case", "Comparison", "Curve", "Frame",
+    "FrameTables", "Grid", "InputError", "MissingPackage", "Packing",
+    "Parameter", "Progress", "Record", "Run", "RunError", "SpallError",
+    "Study", "Table", "Value", "calibrate", "compare", "find_program",
+    "read_frame_tables", "read_packing", "read_vtu", "version",
 ]

@@ -36,7 +36,8 @@ class MissingPackage(SpallError, ImportError):
 
 
 _DEBIAN = {"pandas": "python3-pandas", "matplotlib": "python3-matplotlib",
-           "scipy": "python3-scipy", "vtkmodules": "python3-vtk9"}
+           "scipy": "python3-scipy", "vtkmodules": "python3-vtk9",
+           "h5py": "python3-h5py"}
 
 
 def need(module: str, what: str) -> ModuleType:

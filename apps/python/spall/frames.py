@@ -10,16 +10,20 @@ from xml.etree import ElementTree
 import numpy as np
 
 from .errors import InputError
+from .frame_tables import FrameTables, read_frame_tables
 from .table import Table
 from .vtu import Grid, read_vtu, read_with_vtk
 
 _NAME = re.compile(r"(?P<part>.+)_(?P<number>\d+)\.vtu$")
+#: What a case must set for a part that is not always there.
+_SETTINGS = {"surfaces": ": set Output/surfaces = all or ends in the case",
+             "tables": ": set Output/frame_tables = hdf5 in the case"}
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
 class Frame:
     """The files of one instant, by part: particles, contacts, membrane,
-    surfaces, walls, plate, subgrade, drum."""
+    surfaces, walls, plate, subgrade, drum, and tables (HDF5)."""
 
     number: int                     #: in the names of the files
     time: float                     #: [s]
@@ -32,14 +36,13 @@ class Frame:
     def path(self, part: str) -> pathlib.Path:
         """File of a part. InputError if the frame has none."""
         if part not in self.files:
-            more = (": set Output/surfaces = all or ends in the case"
-                    if part == "surfaces" else "")
+            more = _SETTINGS.get(part, "")
             raise InputError(f"frame {self.number} has no {part}, it has "
                              f"{', '.join(self.files)}{more}")
         return self.files[part]
 
     def read(self, part: str) -> Grid:
-        """The grid of a part."""
+        """The grid of a part, unless it is the tables."""
         return read_vtu(self.path(part))
 
     def vtk(self, part: str) -> Any:
@@ -70,6 +73,16 @@ class Frame:
         return Table({"from_m": ends[:, 0], "to_m": ends[:, 1],
                       **grid.cell_data}, str(self.path("contacts")))
 
+    def tables(self) -> FrameTables:
+        """Particles and contacts in double precision, with normals, forces as
+        vectors and stresses (needs h5py). InputError without
+        ``Output/frame_tables = hdf5``, or if they are of another instant."""
+        tables = read_frame_tables(self.path("tables"))
+        if tables.time != self.time:
+            raise InputError(f"{tables.path}: is of {tables.time:g} s, the "
+                             f"frame of {self.time:g} s")
+        return tables
+
 
 def read_frames(folder: pathlib.Path) -> list[Frame]:
     """The frames that run.pvd names, in the order of time; none without it."""
@@ -86,4 +99,7 @@ def read_frames(folder: pathlib.Path) -> list[Frame]:
         frame = frames.setdefault(
             number, Frame(number, float(entry.get("timestep", "nan")), {}))
         frame.files[found["part"]] = path
+        tables = path.with_name(f"tables_{found['number']}.h5")
+        if tables.exists():
+            frame.files["tables"] = tables
     return [frames[number] for number in sorted(frames)]

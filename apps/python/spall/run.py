@@ -6,6 +6,7 @@ import json
 import pathlib
 
 from .errors import InputError
+from .frame_tables import FrameTables
 from .frames import Frame, read_frames
 from .mesh import write_surfaces
 from .packing import Packing
@@ -143,6 +144,10 @@ class Run:
     def contacts(self, frame: Frame | int = -1) -> Table:
         """The contacts of a frame, see ``Frame.contacts``."""
         return self.frame(frame).contacts()
+
+    def tables(self, frame: Frame | int = -1) -> FrameTables:
+        """The HDF5 tables of a frame, see ``Frame.tables``."""
+        return self.frame(frame).tables()
 
     def packing(self, frame: Frame | int = -1) -> Packing:
         """The particles of a frame as a packing: positions, orientations,

@@ -2,7 +2,7 @@
 #include <dem/contact/common_normal.h>
 #include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
-#include <dem/measure/network.h>
+#include <dem/measure/wall_frame.h>
 
 namespace dem
 {
@@ -121,6 +121,23 @@ Vec3 wall_contact_point(const Engine &engine, const ContactBatch &batch,
     return nearest_on_drum(drum(engine), drum_part(batch, k), from).point;
   const Plane &plane = planes(engine)[static_cast<std::size_t>(batch.b[k])];
   return from - (from - plane.point).dot(plane.normal) * plane.normal;
+}
+
+ContactFrame wall_contact_frame(const Engine &engine, const ContactBatch &batch,
+                                std::size_t k)
+{
+  const ParticleSystem &particles = engine.particles();
+  const Vec3 point = wall_contact_point(engine, batch, k);
+  if (batch.layout.has_contact_points)
+    return {point, contact_point_on_a(particles, batch, k).normal};
+  const Vec3 &from = particles.position(static_cast<std::size_t>(batch.a[k]));
+  if (&batch == &on_planes(engine))
+    return {point,
+            -planes(engine)[static_cast<std::size_t>(batch.b[k])].normal};
+  if (&batch == &on_drum(engine))
+    return {point,
+            nearest_on_drum(drum(engine), drum_part(batch, k), from).normal};
+  return {point, (point - from).normalized()};
 }
 
 Network contact_network_of(const Engine &engine)
