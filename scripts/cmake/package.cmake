@@ -56,6 +56,7 @@ if(TARGET spall_engine)
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     ", python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next})")
 endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-h5py")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   ${PROJECT_SOURCE_DIR}/scripts/debian/postinst
   ${PROJECT_SOURCE_DIR}/scripts/debian/prerm)
