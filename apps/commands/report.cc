@@ -45,6 +45,25 @@ Options parse(Words words)
   return options;
 }
 
+/// Of the runs that have slices; their ids are file names.
+std::vector<SliceFigure> draw_slices(std::span<const RunData> runs)
+{
+  std::vector<SliceFigure> figures;
+  for (const RunData &run : runs)
+  {
+    SliceFigure figure = slice_figure(
+        run, runs.size() > 1
+                 ? "slices_" + std::to_string(&run - runs.data() + 1)
+                 : "slices");
+    if (figure.svg.empty())
+      continue;
+    if (runs.size() > 1)
+      figure.caption = run.name + ". " + figure.caption;
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
 void write_figures(const Report &report, const fs::path &folder)
 {
   std::error_code error;
@@ -55,6 +74,8 @@ void write_figures(const Report &report, const fs::path &folder)
   for (const Chart &chart : report.charts)
     if (!chart.curves.empty())
       write_asked(folder / (chart.id + ".svg"), svg_file(draw(chart)));
+  for (const SliceFigure &figure : report.slices)
+    write_asked(folder / (figure.id + ".svg"), svg_file(figure.svg));
   for (std::size_t k = 0; k < report.pictures.size(); ++k)
   {
     const std::string number =
@@ -75,7 +96,8 @@ int report_command(Words words)
 {
   const Options options = parse(words);
   const std::vector<RunData> runs = read_runs(options.folders);
-  const Report report{runs, make_charts(runs), draw_pictures(options.folders)};
+  const Report report{runs, make_charts(runs), draw_pictures(options.folders),
+                      draw_slices(runs)};
   fs::path page = "report.html";
   if (!options.out.empty())
     page = options.out;

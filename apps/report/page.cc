@@ -141,6 +141,14 @@ std::string cases(const Report &report)
   return out;
 }
 
+std::string slices_of(const Report &report)
+{
+  std::string out;
+  for (const SliceFigure &figure : report.slices)
+    out += html_figure(figure);
+  return out;
+}
+
 /// Figures that the page lacks, and why.
 std::string missing_figures(const Report &report)
 {
@@ -166,6 +174,7 @@ struct SectionPart
 };
 
 constexpr std::array section_parts = {
+    SectionPart{ReportSection::breakage, slices_of},
     SectionPart{ReportSection::performance,
                 [](const Report &report) { return wall_clock(report.runs); }},
     SectionPart{ReportSection::input, cases},

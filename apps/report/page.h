@@ -3,6 +3,7 @@
 #include "report/chart.h"
 #include "report/pictures.h"
 #include "report/run_data.h"
+#include "report/slice_figure.h"
 
 #include <span>
 #include <string>
@@ -16,6 +17,8 @@ struct Report
   std::span<const RunData> runs;
   std::vector<Chart> charts;
   std::vector<RunPictures> pictures;
+  /// Of specimens, for runs that have them.
+  std::vector<SliceFigure> slices = {};
 };
 
 /// One HTML page that needs no other file and no network.

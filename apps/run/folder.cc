@@ -42,9 +42,10 @@ bool is_result(const std::string &name)
                                 "run.pvd",       "view.py",     "report.html",
                                 "log.txt"};
   return std::ranges::find(files, name) != files.end() ||
-         (name.ends_with(".csv") && (name.starts_with("roundness_") ||
-                                     name.starts_with("boundary_profile_") ||
-                                     name.starts_with("sections_")));
+         (name.ends_with(".csv") &&
+          (name.starts_with("roundness_") ||
+           name.starts_with("boundary_profile_") ||
+           name.starts_with("sections_") || name.starts_with("slices_")));
 }
 
 /// NAME_NNNNN.vtu or tables_NNNNN.h5

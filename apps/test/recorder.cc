@@ -49,6 +49,12 @@ std::vector<TableHeader> headers_of(const Test &test)
   return all;
 }
 
+std::optional<SliceSpace> slice_space_of(const Test &test)
+{
+  const auto *sliced = dynamic_cast<const Sliced *>(&test);
+  return sliced ? sliced->slice_space() : std::nullopt;
+}
+
 void add_values(const std::vector<Quantity> &from, std::vector<double> &row)
 {
   for (const Quantity &one : from)
@@ -79,6 +85,30 @@ void Recorder::write_gradation(const Test &test)
         [&] { write_text(folder / gradation_file, gradation_table(*drawn)); });
 }
 
+/// Before what has broken is restored.
+void Recorder::note_first_shapes(const Test &test)
+{
+  if (dynamic_cast<const Sliced *>(&test))
+    first_shapes = dem::first_shapes(test.all_particles());
+}
+
+/// slices_WHEN.csv; false: the test has no slices now.
+bool Recorder::write_slices(const Test &test, const std::string &when)
+{
+  const std::optional<SliceSpace> space = slice_space_of(test);
+  if (!space)
+    return false;
+  const dem::ParticleSystem &all = test.whole().particles();
+  on_first_rank(test.ranks(),
+                [&]
+                {
+                  slices = cut_specimen(all, first_shapes, *space);
+                  write_text(folder / ("slices_" + when + ".csv"),
+                             slices_table(slices));
+                });
+  return true;
+}
+
 std::filesystem::path Recorder::checkpoint(const std::string &name) const
 {
   return folder / "checkpoint" / name;
@@ -87,6 +117,7 @@ std::filesystem::path Recorder::checkpoint(const std::string &name) const
 void Recorder::start(Test &test)
 {
   write_gradation(test);
+  note_first_shapes(test);
   const std::vector<TableHeader> headers = headers_of(test);
   on_first_rank(test.ranks(),
                 [&]
@@ -124,7 +155,9 @@ Progressed Recorder::restore_state(Test &test, const std::string &name)
 void Recorder::resume(Test &test)
 {
   write_gradation(test); // before what has broken is restored
+  note_first_shapes(test);
   spent_before = restore_state(test, "state.bin").spent;
+  has_first_slices = slice_space_of(test).has_value();
   on_first_rank(
       test.ranks(),
       [&] { write_text(folder / "case.prm", resolved_case(parameters)); });
@@ -192,6 +225,8 @@ void Recorder::write_due(Test &test, const Due &due)
   write_files(test);
   if (due.frame)
     write_frame(test);
+  if (is_any_due && !has_first_slices)
+    has_first_slices = write_slices(test, "start");
 }
 
 void Recorder::write_row(Test &test)
@@ -328,6 +363,7 @@ void Recorder::finish(Test &test)
   if (framed_at != test.engine().time())
     write_frame(test);
   write_last_particles(test);
+  write_slices(test, "end");
   output_seconds += elapsed() - begun;
   nlohmann::ordered_json summary;
   summary["kind"] = parameters.kind;
@@ -341,6 +377,7 @@ void Recorder::finish(Test &test)
   add_energy_balance(test.reported_balance(), summary);
   if (test.has_ledger() && test.exchange())
     add_ledger(*test.exchange(), summary);
+  add_slices(slices, summary);
   summary["warnings"] = test.warnings();
   add_cost(wall_clock(test), summary);
   summary["version"] = SPALL_VERSION;

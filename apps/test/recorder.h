@@ -4,6 +4,7 @@
 #include "run/frame_tables.h"
 #include "specimen/obtained_gradation.h"
 #include "test/checkpoint.h"
+#include "test/slices.h"
 #include "test/test.h"
 
 #include <dem/io/vtk_output.h>
@@ -47,6 +48,8 @@ public:
 private:
   std::filesystem::path checkpoint(const std::string &name) const;
   void write_gradation(const Test &test);
+  void note_first_shapes(const Test &test);
+  bool write_slices(const Test &test, const std::string &when);
   void write_files(Test &test);
   void write_due(Test &test, const Due &due);
   void write_row(Test &test);
@@ -64,7 +67,10 @@ private:
   Case parameters;
   std::filesystem::path folder;
   std::optional<ObtainedGradation> drawn;
-  std::map<std::string, CsvFile> tables; ///< by file name
+  std::vector<dem::FirstShape> first_shapes; ///< by id, of a Sliced test
+  bool has_first_slices = false;             ///< slices_start.csv is written
+  std::vector<SpecimenSlice> slices;         ///< the last, on the first rank
+  std::map<std::string, CsvFile> tables;     ///< by file name
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   std::optional<double> framed_at; ///< time of the last frame [s]

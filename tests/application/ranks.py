@@ -27,7 +27,8 @@ MPIRUN = shutil.which("mpirun")
 TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
           "gradation.csv", "boundary_profile_start.csv",
           "boundary_profile_end.csv", "sections_start.csv",
-          "sections_end.csv", "transfer.csv", "profile.csv", "bowl.csv",
+          "sections_end.csv", "slices_start.csv", "slices_end.csv",
+          "transfer.csv", "profile.csv", "bowl.csv",
           "case.prm", "run.pvd"]
 # Root in a container, and fewer cores than ranks, are fine for this.
 LAUNCHED = {**ENVIRONMENT, "OMPI_ALLOW_RUN_AS_ROOT": "1",

@@ -10,6 +10,8 @@ VOID = {"meta", "img", "path", "circle", "rect", "br", "link"}
 SECTIONS = ["Specimen", "Mechanical response", "Particle breakage",
             "Contact network", "Boundaries", "Energy balance", "Performance",
             "Input"]
+SLICES = ["end_1", "height_share_1", "particle_1", "spalled_1", "loop_1",
+          "x_m", "y_m"]
 COLUMN = re.compile(r"[a-z][a-z0-9_]*_[A-Za-z0-9_]+")
 
 
@@ -136,6 +138,14 @@ def figure_faults(figure, shift):
     if figure["id"] == "wall_clock":
         if header != ["run", "phase", "time_s"] or not rows:
             yield f"{figure['id']}: CSV {header}, {len(rows)} rows"
+        return
+    if figure["id"].startswith("slices"):
+        n_points = sum(len(re.findall("[ML]", found["d"]))
+                       for tag, found in figure["svg"] if tag == "path")
+        # A line more is the bar of the scale.
+        if header != SLICES or n_points != len(rows) + 2:
+            yield f"{figure['id']}: CSV {header}, {len(rows)} rows, " \
+                f"{n_points} points"
         return
     if len(names) != 2 or not all(COLUMN.fullmatch(name) for name in names):
         yield f"{figure['id']}: columns {header}"

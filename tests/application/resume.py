@@ -16,7 +16,8 @@ from triaxial_runs import (QUICK, command, differing, missing_frame_faults,
 
 TABLES = ["history.csv", "events.csv", "ledger.csv", "cycles.csv",
           "boundary_profile_start.csv", "boundary_profile_end.csv",
-          "sections_start.csv", "sections_end.csv", "gradation.csv"]
+          "sections_start.csv", "sections_end.csv", "slices_start.csv",
+          "slices_end.csv", "gradation.csv"]
 
 
 def stop_when(is_time, spall, folder, lateral, *options, settings=()):

@@ -19,6 +19,7 @@ import tempfile
 
 from report_pages import SECTIONS, page_faults
 from run_views import view_faults
+from slices import slice_faults
 from triaxial_runs import (CASE, DATA, LATERALS, missing_frame_faults,
                            named_frames, report_faults, rows, run, summary)
 
@@ -57,6 +58,7 @@ BOUNDARIES = [f"{name}_{column}" for name in
               for column in [*AXES, "removed_mass_kg"]]
 OF_MEMBRANE = [f"membrane_{column}"
                for column in [*AXES, "friction_J", "removed_mass_kg"]]
+SLICES = "height_share_1,particle_1,spalled_1,loop_1,x_m,y_m"
 HEADERS = {
     "history.csv":
         "time_s,stage_1,cycle_1,axial_stress_Pa,lateral_stress_Pa,"
@@ -98,6 +100,8 @@ HEADERS = {
         "n_particles_lateral_1,porosity_platens_1,coordination_platens_1,"
         "n_particles_platens_1",
     "sections_end.csv": "height_share_1,section_m2",
+    "slices_start.csv": SLICES,
+    "slices_end.csv": SLICES,
 }
 DENSITY = 2750.  # kg/m^3, of the material file
 
@@ -330,7 +334,8 @@ def main():
                 reference_faults(found, json.loads(path.read_text())) +
                 promise_faults(found) + file_faults(folder, found) +
                 row_faults(folder, found) + cycle_faults(folder, found) +
-                reread_faults(spall, folder) + view_faults(folder))
+                reread_faults(spall, folder) + view_faults(folder) +
+                slice_faults(folder))
             faults += [f"{lateral}: {fault}" for fault in found_faults]
         faults += report_is_written(spall, folders,
                                     pathlib.Path(name) / "report.html")
