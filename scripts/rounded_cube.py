@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the series of the cube x^6 + y^6 + z^6 = a^6, a = 20 mm, as a shape.
+"""Writes the series of the cube x^6 + y^6 + z^6 = a^6, a = 20 mm, as a shape,
+or the cube itself as a mesh.
 
     rounded_cube.py ORDER > SHAPE.json
+    rounded_cube.py --mesh N > MESH.obj    N x N quads on each face, in metres
 
 r(s) = a / (x^6 + y^6 + z^6)^(1/6), projected on real orthonormal harmonics by
 Gauss-Legendre rings of equal steps. No package is needed.
@@ -73,7 +75,37 @@ def project(order):
     return [a if abs(a) > 1e-15 else 0. for a in coefficients]
 
 
+def face_point(face, i, j, n):
+    """A point of a face on the cube: i, j = 0 .. n at equal angles."""
+    axis, side = face // 2, 1. if face % 2 == 0 else -1.
+    point = [0., 0., 0.]
+    point[axis] = side
+    point[(axis + 1) % 3] = side * math.tan(math.pi / 4. * (2. * i / n - 1.))
+    point[(axis + 2) % 3] = math.tan(math.pi / 4. * (2. * j / n - 1.))
+    scale = HALF_EDGE / sum(x ** 6 for x in point) ** (1. / 6.)
+    return tuple(round(scale * x, 12) + 0. for x in point)
+
+
+def write_mesh(n, out):
+    """Points on the exact surface, counter-clockwise from outside."""
+    numbers, quads = {}, []
+    for face in range(6):
+        for i in range(n):
+            for j in range(n):
+                quads.append([numbers.setdefault(face_point(face, a, b, n),
+                                                 len(numbers) + 1)
+                              for a, b in ((i, j), (i + 1, j), (i + 1, j + 1),
+                                           (i, j + 1))])
+    for point in numbers:
+        out.write("v {} {} {}\n".format(*point))
+    for a, b, c, d in quads:
+        out.write(f"f {a} {b} {c}\nf {a} {c} {d}\n")
+
+
 def main():
+    if sys.argv[1] == "--mesh":
+        write_mesh(int(sys.argv[2]), sys.stdout)
+        return
     order = int(sys.argv[1])
     json.dump({
         "name": "rounded_cube",

@@ -1,108 +1,22 @@
-#include "case/digits.h"
 #include "commands/commands.h"
 #include "errors.h"
+#include "shape/corners.h"
 #include "shape/file.h"
 #include "shape/generate.h"
 #include "shape/loaded.h"
+#include "shape/mesh_fit.h"
 #include "shape/report.h"
 #include "shape/words.h"
 
-#include <dem/io/mesh_reader.h>
+#include <dem/shape/spherical_harmonics.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <stdexcept>
 
 namespace spall
 {
 namespace
 {
-/// A fit and the seconds it took.
-struct TimedFit
-{
-  dem::ShapeFit fit;
-  double seconds = 0.;
-};
-
-dem::TriangleMesh mesh_in_metres(const ShapeWords &words)
-{
-  dem::TriangleMesh mesh = dem::read_mesh(words.inputs[0]);
-  for (dem::Vec3 &point : mesh.points)
-    point *= metres(words.unit);
-  return mesh;
-}
-
-/// Of particles that a file is taken to be in metres for, if nothing is said
-/// of its unit [m].
-constexpr double least_size = 1e-5, largest_size = 0.5;
-
-/// Throws InputError for a mesh that is hardly in metres, unless --unit says
-/// so.
-void require_unit(const ShapeWords &words, const dem::TriangleMesh &mesh)
-{
-  if (words.has_unit)
-    return;
-  dem::Vec3 lower = mesh.points[0], upper = lower;
-  for (const dem::Vec3 &point : mesh.points)
-  {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-  const double size = (upper - lower).maxCoeff();
-  if (size >= least_size && size <= largest_size)
-    return;
-  const std::string found = in_four_digits(size);
-  throw InputError(words.inputs[0] + ": is " + found +
-                   " m across if it is in metres: give its unit, --unit mm "
-                   "for " +
-                   found + " mm, or --unit m if it is of that size");
-}
-
-TimedFit fit_file(const ShapeWords &words, const dem::FitOptions &options)
-{
-  using Clock = std::chrono::steady_clock;
-  const dem::TriangleMesh mesh = mesh_in_metres(words);
-  try
-  {
-    const Clock::time_point start = Clock::now();
-    TimedFit timed{dem::fit_shape(mesh, words.order, options), 0.};
-    timed.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    require_unit(words, mesh);
-    return timed;
-  }
-  catch (const std::invalid_argument &error)
-  {
-    throw InputError(words.inputs[0] + ": " + error.what());
-  }
-}
-
-void warn_of_misfit(const std::string &path, const dem::ShapeFit &fit)
-{
-  if (has_misfit(fit))
-    std::fprintf(stderr, "warning: %s: %s\n", path.c_str(),
-                 misfit_text(fit).c_str());
-}
-
-/// Throws InputError where the series misses more of the mesh than allowed.
-void check_misfit(const ShapeWords &words, const dem::ShapeFit &fit)
-{
-  const double misfit =
-      std::max(std::abs(fit.volume_error), std::abs(fit.length_error));
-  if (misfit > words.max_misfit)
-  {
-    char allowed[120];
-    std::snprintf(allowed, sizeof allowed,
-                  "; at most %.3g %% allowed: take a higher order or give "
-                  "--max-misfit",
-                  100. * words.max_misfit);
-    throw InputError(words.inputs[0] + ": " + misfit_text(fit) + allowed);
-  }
-  warn_of_misfit(words.inputs[0], fit);
-}
-
 void report(const std::vector<ShapeFacts> &groups, const std::string &json)
 {
   if (!json.empty())
@@ -120,6 +34,8 @@ void require_one_input(const ShapeWords &words)
                      "\" is one word too many: one file at a time");
   if (words.count > 0 || words.has_seed)
     throw InputError("shape: --count and --seed are for generate");
+  if (words.has_patch)
+    throw InputError("shape: --patch is for corners");
 }
 
 int fit_command(const ShapeWords &words)
@@ -191,6 +107,8 @@ int shape_command(Words words)
     return info_command(parsed);
   if (words[0] == "generate")
     return generate_shapes(parsed);
+  if (words[0] == "corners")
+    return compare_shape_corners(parsed);
   fail_shape_usage(words[0] + " is unknown, ");
 }
 } // namespace spall

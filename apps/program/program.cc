@@ -69,9 +69,11 @@ constexpr std::array<Command, 8> commands = {
       "[--max-overhang F] [--max-misfit F] [--unit m|mm|um] [--json FILE] "
       "[--source TEXT] "
       "[--licence TEXT] | info S.json|MESH [--unit m|mm|um] [--json FILE] | "
-      "generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
+      "corners MESH [S.json] --out DIR [--order N] [--patch F] "
+      "[--unit m|mm|um] [--json FILE] | generate SAMPLE_DIR [SAMPLE_DIR ...] "
+      "--count N --seed K --out DIR "
       "[--order N] [--json FILE]",
-      "fit, measure and generate particle shapes", shape_command,
+      "fit, measure, compare and generate particle shapes", shape_command,
       Processes::without_mpi},
      {"bench",
       "--packing P.csv [--steps N] [--threads N] [--shapes DIR] "

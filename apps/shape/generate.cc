@@ -177,6 +177,8 @@ int generate_shapes(const ShapeWords &words)
   if (words.out.empty() || words.count == 0 || !words.has_seed ||
       words.inputs.empty())
     fail_shape_usage();
+  if (words.has_patch)
+    throw InputError("shape: --patch is for corners");
   if (words.has_unit || words.has_fit)
     throw InputError("shape: --unit, --from, --max-overhang and --max-misfit "
                      "are for a mesh");

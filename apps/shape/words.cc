@@ -59,6 +59,14 @@ void set_misfit(ShapeWords &words, const std::string &word)
           word, "0 .. 1");
 }
 
+void set_patch(ShapeWords &words, const std::string &word)
+{
+  words.patch = number<double>("--patch", word, "0.01 .. 0.5");
+  words.has_patch = true;
+  require(words.patch >= 0.01 && words.patch <= 0.5, "--patch", word,
+          "0.01 .. 0.5");
+}
+
 void set_samples(ShapeWords &words, const std::string &word)
 {
   require(word == "rays" || word == "vertices", "--from", '"' + word + '"',
@@ -98,6 +106,7 @@ const std::map<std::string, Setter> &setters()
       {"--max-overhang", set_overhang},
       {"--max-misfit", set_misfit},
       {"--from", set_samples},
+      {"--patch", set_patch},
       {"--unit", set_unit},
       {"--count", set_count},
       {"--seed", set_seed},
@@ -148,6 +157,9 @@ void fail_shape_usage(const std::string &what)
       "[--max-overhang F] [--max-misfit F] [--unit m|mm|um] [--json FILE] "
       "[--source TEXT] "
       "[--licence TEXT], or info S.json|MESH [--unit m|mm|um] [--json FILE], "
+      "or corners MESH [S.json] --out DIR [--order N] [--patch F] "
+      "[--from rays|vertices] [--max-overhang F] [--max-misfit F] "
+      "[--unit m|mm|um] [--json FILE], "
       "or generate SAMPLE_DIR [SAMPLE_DIR ...] --count N --seed K --out DIR "
       "[--order N] [--json FILE]");
 }

@@ -21,9 +21,13 @@ struct ShapeWords
   dem::FitOptions fit;
   /// Share of length or volume of a mesh that a fit may miss [-].
   double max_misfit = 0.15;
+  /// Radius of the patches that curvatures of a mesh are fitted to, over the
+  /// mean radius [-].
+  double patch = 0.05;
   int count = 0; ///< particles to generate [-]
   std::uint64_t seed = 0;
-  bool has_order = false, has_unit = false, has_fit = false, has_seed = false;
+  bool has_order = false, has_unit = false, has_fit = false, has_seed = false,
+       has_patch = false;
 };
 
 /// Throws InputError with one line: the option, its value, what is allowed.

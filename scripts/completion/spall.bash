@@ -47,7 +47,7 @@ _spall() {
     shape)
       words="--help"
       if [ "$COMP_CWORD" -eq 2 ]; then
-        words="fit info generate --help"
+        words="fit info corners generate --help"
       fi
       case ${COMP_WORDS[2]} in
         fit)
@@ -55,6 +55,10 @@ _spall() {
             --licence"
           ;;
         info) words="--unit --json" ;;
+        corners)
+          words="--out --order --patch --from --max-overhang --max-misfit --unit
+            --json"
+          ;;
         generate) words="--count --seed --out --order --json" ;;
       esac
       ;;

@@ -3,6 +3,7 @@
 
     shape.py SPALL
 """
+import csv
 import json
 import math
 import pathlib
@@ -13,7 +14,8 @@ import tempfile
 
 from test_meshes import box_triangles, stl
 
-SHAPES = pathlib.Path(__file__).resolve().parents[2] / "data" / "shapes"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SHAPES, SCRIPTS = ROOT / "data" / "shapes", ROOT / "scripts"
 
 
 def shape(spall, folder, *words):
@@ -130,6 +132,51 @@ def loose_faults(spall, folder):
                    "weld distance"))
 
 
+def corner_faults(spall, folder):
+    """The exact rounded cube and its series of order 20: edges of a curvature
+    of 198.4 / m in their middle, (p - 1) 2^(1/p) / sqrt(2) / a with p = 6, and
+    an inscribed radius of 20 mm."""
+    cube = subprocess.run([sys.executable, "-B", SCRIPTS / "rounded_cube.py",
+                           "--mesh", "40"], check=True, capture_output=True)
+    (folder / "exact.obj").write_bytes(cube.stdout)
+    shape(spall, folder, "fit", "exact.obj", "--order", 20, "--out", "e.json")
+    shape(spall, folder, "corners", "exact.obj", "--order", 20, "--out", "k",
+          "--json", "k.json")
+    shape(spall, folder, "corners", "exact.obj", "e.json", "--out", "l",
+          "--json", "l.json")
+    found = json.loads((folder / "k.json").read_text())["corners"]
+    faults = [] if found == json.loads(
+        (folder / "l.json").read_text())["corners"] else ["fit and file differ"]
+    faults += near(found["inscribed_mesh_m"], 0.02, 1e-9, "inscribed radius")
+    faults += near(found["agreement_percent"], 100., 0.02,
+                   "share of the surface that agrees")
+    with open(folder / "k" / "corners.csv", newline="") as table:
+        points = [{name: float(value) for name, value in row.items()}
+                  for row in csv.DictReader(table)]
+    same = sum(p["area_m2"] for p in points
+               if p["corner_mesh_1"] == p["corner_series_1"])
+    total = sum(p["area_m2"] for p in points)
+    faults += near(100. * same / total, found["agreement_percent"], 1e-4,
+                   "share by the table")
+    edge = min(points, key=lambda p: abs(p["polar_rad"] - math.pi / 2) +
+               abs(p["azimuth_rad"] - math.pi / 4))
+    faults += near(edge["kappa_max_mesh_1_per_m"],
+                   5. * 2. ** (1. / 6.) / 2.**0.5 / 0.02, 0.06, "edge")
+    picture = (folder / "k" / "corners.svg").read_text()
+    faults += [] if picture.count("<g ") == 4 and "http:" in picture \
+        else ["corners.svg"]
+    for words, part in ((("--patch", 2), "0.01 .. 0.5"),
+                        (("e.json", "--order", 20), "is a series"),
+                        (("off.json",), "a series of this mesh")):
+        status, said = status_of(spall, folder, "corners", "exact.obj", *words,
+                                 "--out", "m")
+        if status != 1 or part not in said or (folder / "m").exists():
+            faults.append(f"corners {words}: {said}")
+    status, said = status_of(spall, folder, "info", "e.json", "--patch", 0.1)
+    return faults + ([] if status == 1 and "is for corners" in said else
+                     [f"info --patch: {said}"])
+
+
 def generate_faults(spall, folder):
     sample = [SHAPES / "limestone", SHAPES / "limestone_blocky"]
     for out, count, seed in (("a", 3, 1), ("b", 2, 1), ("c", 2, 2)):
@@ -157,6 +204,7 @@ def main():
         folder = pathlib.Path(name)
         faults = (fit_faults(spall, folder) + misfit_faults(spall, folder)
                   + centroid_faults(spall, folder)
+                  + corner_faults(spall, folder)
                   + generate_faults(spall, folder))
     print("\n".join(faults) or "passed")
     return 1 if faults else 0
