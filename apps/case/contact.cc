@@ -50,8 +50,10 @@ void add_contact(List &list, Case &of)
   add_law_values(list, of.pair_laws);
   list.add({"refresh_tolerance", "rad",
             "Rotation of the contact direction in the body frame after which "
-            "the expansion of the shape is updated. The value 0 updates it in "
-            "every step."},
+            "the series of the shape is evaluated again. With true surfaces it "
+            "is the distance of the contact point from the vertex of the "
+            "osculating paraboloid, over the height of the vertex. The value 0 "
+            "evaluates the series in every step."},
            c.refresh_tolerance, between(0., 0.1));
   list.add({"skin",
             "m",
