@@ -195,6 +195,8 @@ void check_test(const Case &parameters, const std::string &preparations)
 
 int check_command(Words words)
 {
+  // Each line as soon as it is known, in a file or a pipe too.
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   std::string file, preparations;
   std::vector<Override> overrides;
   bool is_json = false;

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The list of parameters as JSON: that of a template and that of a case.
+"""The list of parameters as JSON: that of a template and that of a case. The
+lines of a check come one by one.
 
     parameter_list.py SPALL
 """
@@ -124,11 +125,21 @@ def case_faults(spall):
             yield f"{words}: status {ended.returncode}: {ended.stderr}"
 
 
+def line_faults(spall):
+    """A pipe has the first lines of a check while it still runs."""
+    with subprocess.Popen([spall, "check", CASE], bufsize=0,
+                          stdout=subprocess.PIPE) as running:
+        first = running.stdout.read(65536)
+        if not first.startswith(b"case") or b"memory" in first:
+            yield "check: the first line comes with the last one"
+        running.kill()
+
+
 def main():
     spall = sys.argv[1]
     return report_faults(
         [*(fault for kind in KINDS for fault in template_faults(spall, kind)),
-         *range_faults(spall), *case_faults(spall)])
+         *range_faults(spall), *case_faults(spall), *line_faults(spall)])
 
 
 if __name__ == "__main__":
