@@ -194,13 +194,13 @@ Json parse_json(const std::string &file, std::istream &in)
   {
     const std::string what = error.what();
     const std::size_t at = what.find("at line");
-    throw InputError(file + ": no valid JSON: " +
+    throw InputError(file + ": not valid JSON: " +
                      what.substr(at == std::string::npos ? 0 : at));
   }
   catch (const Json::out_of_range &error)
   {
     const std::string what = error.what(); // ends: number overflow ... '1e400'
-    throw InputError(file + ": no valid JSON: " +
+    throw InputError(file + ": not valid JSON: " +
                      what.substr(std::min(what.find("number"), what.size())));
   }
 }

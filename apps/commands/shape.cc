@@ -31,7 +31,7 @@ void require_one_input(const ShapeWords &words)
     fail_shape_usage();
   if (words.inputs.size() > 1)
     throw InputError("shape: \"" + words.inputs[1] +
-                     "\" is one word too many: one file at a time");
+                     "\" is a second file: one file at a time");
   if (words.count > 0 || words.has_seed)
     throw InputError("shape: --count and --seed are for generate");
   if (words.has_patch)

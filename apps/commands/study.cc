@@ -120,7 +120,7 @@ void check_free(const fs::path &folder)
   }
   if (!is_empty)
     throw InputError("study: --out " + folder.string() +
-                     ": holds something that is no study: must be empty, new "
+                     ": holds files that are not a study: must be empty, new "
                      "or the folder of an earlier study");
 }
 

@@ -47,7 +47,8 @@ int template_command(Words words)
     return parameters(words);
   const bool is_json = words.size() == 2 && words[1] == "--json";
   if (words.size() != 1 && !is_json)
-    throw InputError("template: needs one word, one of " + joined_kinds() +
+    throw InputError("template: a kind must be given, one of " +
+                     joined_kinds() +
                      "which give a commented case (with --json behind it every "
                      "parameter as JSON), or parameters [--out FOLDER] (tables "
                      "in Markdown)");

@@ -153,7 +153,7 @@ void Compaction::hand_over(double plate_height)
         "filled to " + number_text(pouring.layers().back().density) +
         " kg/m^3, above Particle/density = " +
         number_text(parameters.particle.density) +
-        ": the particles lie in each other: stiffer contacts "
+        ": the particles interpenetrate: stiffer contacts "
         "(Particle/shear_modulus, Wall/normal_stiffness) or a lower "
         "Filling/tamper_pressure");
   now.stage = Stage::seating;

@@ -14,7 +14,7 @@ void check_los_angeles(const Case &c, const SourceLocation &location)
   if (c.wall.rolling_friction > 0.)
     refuse(location,
            {"Wall", "rolling_friction", number_text(c.wall.rolling_friction),
-            "must be 0: the rolling law takes walls not to turn"});
+            "must be 0: rolling resistance assumes walls that do not turn"});
   const DrumParameters &d = c.drum;
   if (d.lifter_height > 0.29 * d.radius)
     refuse(

@@ -133,8 +133,9 @@ int run_on_ranks(const Command &command, Words words)
 int dispatch(const Command &command, Words words)
 {
   if (std::ranges::find(words, "") != words.end())
-    throw InputError(std::string(command.name) +
-                     ": an empty word: must be a file, an option or its value");
+    throw InputError(
+        std::string(command.name) +
+        ": an empty argument: must be a file, an option or its value");
   if (std::ranges::any_of(words, [](const std::string &word)
                           { return word == "--help" || word == "-h"; }))
   {

@@ -124,7 +124,7 @@ void check_free(const fs::path &folder, const RunOptions &options)
     refuse(folder, "holds the case file itself, which the run would "
                    "overwrite: must be another folder");
   if (fs::exists(folder) && !holds_run(folder) && !holds_first_traces(folder))
-    refuse(folder, "holds something that is no run: must be empty, new or "
+    refuse(folder, "holds files that are not a run: must be empty, new or "
                    "the folder of an earlier run");
   if (holds_complete_run(folder) || options.is_overwriting)
     return;

@@ -14,8 +14,9 @@ namespace spall
 void require_energy(double residual, double time)
 {
   if (!std::isfinite(residual))
-    throw RunFailure("the energy has become no number at " + number_text(time) +
-                     " s: does the material, or a shape, make sense?");
+    throw RunFailure("the energy is not a finite number at " +
+                     number_text(time) +
+                     " s: check the material values and the shapes");
 }
 
 std::string ledger_header()

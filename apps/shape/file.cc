@@ -38,12 +38,12 @@ Json parse(const std::string &path)
   {
     Json json = Json::parse(in);
     if (!json.is_object())
-      fail(path, "is no JSON object");
+      fail(path, "is not a JSON object");
     return json;
   }
   catch (const Json::exception &error)
   {
-    fail(path, std::string("is no valid JSON: ") + error.what());
+    fail(path, std::string("is not valid JSON: ") + error.what());
   }
 }
 

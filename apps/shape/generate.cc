@@ -112,7 +112,7 @@ std::vector<ShapeFile> read_sample(const std::vector<std::string> &folders)
 void require_empty(const std::string &folder)
 {
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw InputError(folder + ": is no folder");
+    throw InputError(folder + ": is not a folder");
   if (fs::exists(folder) && !fs::is_empty(folder))
     throw InputError(folder + ": is not empty; particles go to a new folder");
 }

@@ -232,7 +232,7 @@ void Subgrade::start_loading()
                           (layer.length * layer.width * now.height);
   if (now.porosity <= 0.)
     throw RunFailure("porosity of the layer " + number_text(now.porosity) +
-                     ": the particles lie in each other: stiffer contacts "
+                     ": the particles interpenetrate: stiffer contacts "
                      "(Particle/shear_modulus, Wall and GroundContact"
                      "/normal_stiffness) or less load on the plate");
   now.coordination = dem::contact_network(whole().particles(), whole().pairs())

@@ -141,9 +141,9 @@ void require_checkpoint(const std::filesystem::path &path)
 void refuse_shorter(const char *key, double done, double asked)
 {
   if (done > asked * (1. + 1e-3))
-    throw std::runtime_error("has come to " + number_text(done) + " where " +
+    throw std::runtime_error("has reached " + number_text(done) + " where " +
                              key + " is " + number_text(asked) +
-                             ": must be no less");
+                             ": must not be less");
 }
 
 void read_checkpoint(const std::filesystem::path &path, const Case &parameters,

@@ -42,7 +42,7 @@ std::ifstream PreparationStore::open_state() const
   std::uint64_t mark = 0;
   dem::read_value(in, mark);
   if (mark != state_layout)
-    throw std::runtime_error("is no preparation of this version");
+    throw std::runtime_error("is not a preparation of this version");
   if (!is_as_digested(file))
     throw std::runtime_error("is damaged");
   if (read_text(in) != text)

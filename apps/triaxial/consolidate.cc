@@ -96,7 +96,8 @@ std::string Triaxial::unconsolidated_text() const
        << " (Loading/consolidation_unbalanced_ratio = "
        << l.consolidation_unbalanced_ratio
        << (consolidation.side_error > 1.
-               ? "): the servo sides swing: Boundary/servo_response_time = " +
+               ? "): the servo sides oscillate: Boundary/servo_response_time "
+                 "= " +
                      number_text(parameters.boundary.servo_response_time) +
                      " s must be longer"
                : "): allow more time or wider tolerances, or raise "

@@ -306,7 +306,7 @@ void check_header(const CsvRow &header)
     }
     if (!names.insert(column).second)
       throw InputError(header.location + ": \"" + column +
-                       "\": a column must stand there once");
+                       "\": a column must appear once");
   }
 }
 

@@ -86,7 +86,7 @@ void Triaxial::finish_preparation()
     throw RunFailure(
         "preparation: porosity " + number_text(preparation.porosity) +
         ": the particles have more volume than the specimen, so "
-        "they lie in each other: stiffer contacts "
+        "they interpenetrate: stiffer contacts "
         "(Particle/shear_modulus, Wall/normal_stiffness) or a lower "
         "Preparation/pressure");
   const PreparationParameters &target = parameters.preparation;
@@ -115,7 +115,7 @@ std::string Triaxial::unprepared_text() const
        << preparation.unbalanced_ratio << " (limit "
        << parameters.preparation.unbalanced_ratio
        << (is_swinging
-               ? "): the servo walls swing about their target: "
+               ? "): the servo walls oscillate about their target: "
                  "Boundary/servo_response_time = " +
                      number_text(parameters.boundary.servo_response_time) +
                      " s must be longer"

@@ -156,7 +156,7 @@ std::size_t Exchange::coupled_body_of(const DeformableBody &body) const
   const auto found =
       std::ranges::find_if(coupled_bodies, [&](const CoupledBody &coupled)
                            { return coupled.body.get() == &body; });
-  require(found != coupled_bodies.end(), "a body that is none of its own");
+  require(found != coupled_bodies.end(), "a body of another exchange");
   return static_cast<std::size_t>(found - coupled_bodies.begin());
 }
 

@@ -64,8 +64,8 @@ std::string not_finite_fault(const ParticleSystem &particles, double time)
       continue;
     char text[200];
     std::snprintf(text, sizeof text,
-                  "particle %lld has %s that is no finite number at %.8g s: "
-                  "the step is too long, or an input is no number",
+                  "particle %lld has %s that is not a finite number at %.8g s: "
+                  "the step is too long, or an input is not a number",
                   static_cast<long long>(particles.id[i]),
                   has_position ? "a velocity or a spin" : "a position", time);
     return text;
@@ -83,7 +83,7 @@ void require_sane(double fastest, double time_step, double largest_radius)
     return;
   char text[160];
   std::snprintf(text, sizeof text,
-                "particles leap by %.3g m in a step of %.3g s, more than a "
+                "particles move by %.3g m in a step of %.3g s, more than a "
                 "hundred of their radii: the step is too long",
                 leap, time_step);
   throw std::runtime_error(text);
@@ -155,7 +155,8 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
   {
     stop_together<std::runtime_error>(distribution.ranks(),
                                       not_finite_fault(system, now));
-    throw std::runtime_error("some particle moves by no finite number");
+    throw std::runtime_error(
+        "a particle moves by a distance that is not finite");
   }
   require_sane(fastest.moving, time_step, largest_radius);
   const bool has_deforming_lists = follows_walls() && deforms(walls);

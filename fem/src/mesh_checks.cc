@@ -99,7 +99,7 @@ void check_edges(const SurfaceMesh &mesh)
   if (twice != edges.end())
     refuse("edge " + std::to_string(twice->first) + "-" +
            std::to_string(twice->second) +
-           " is run through twice in the same direction: the quads round it "
+           " is traversed twice in the same direction: the quads round it "
            "are turned differently or more than two");
 }
 } // namespace

@@ -168,7 +168,8 @@ void fill(Triangulation &triangulation, const std::string &path)
   }
   catch (const std::invalid_argument &fault)
   {
-    refuse(path, std::string(" is no gmsh file of hexahedra: ") + fault.what());
+    refuse(path,
+           std::string(" is not a gmsh file of hexahedra: ") + fault.what());
   }
   if (!mesh.triangles.empty())
     mesh.other_cell = "triangles";

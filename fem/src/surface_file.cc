@@ -32,7 +32,7 @@ GmshMesh quads_of(const std::string &path)
   }
   catch (const std::invalid_argument &fault)
   {
-    refuse(path, std::string(" is no gmsh file of a surface of quads: ") +
+    refuse(path, std::string(" is not a gmsh file of a surface of quads: ") +
                      fault.what());
   }
   const std::string other = !mesh.triangles.empty()   ? "triangles"

@@ -33,7 +33,7 @@ Triangles read_triangles(const std::string &path)
   catch (const std::invalid_argument &fault)
   {
     throw std::invalid_argument(
-        path + " is no gmsh file of triangles: " + fault.what());
+        path + " is not a gmsh file of triangles: " + fault.what());
   }
   Triangles mesh;
   mesh.nodes = std::move(file.nodes);

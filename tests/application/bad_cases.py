@@ -79,7 +79,7 @@ VALUES = [
          "two images of another one"],
         {"Boundary": {"lateral": "periodic"}, "Specimen": {"side": 0.032}}),
     value("Boundary", "mesh", "none.msh", "no such file or folder"),
-    value("Boundary", "mesh", "g.csv", "is no gmsh file of a surface of quads"),
+    value("Boundary", "mesh", "g.csv", "is not a gmsh file of a surface of"),
     value("Contact", "geometry", "surface_of_doom",
           "one of sphere, radial, surface"),
     value("Contact", "wall_geometry", "surface", "Contact/geometry = surface"),

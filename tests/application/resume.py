@@ -117,7 +117,7 @@ def refusal_faults(spall, whole, lateral, extra):
             faults.append(f"'{said}': status {ended.returncode}, "
                           f"{ended.stderr}")
 
-    refused("has come to 2 where Loading/cycles is 1", "Loading/cycles=1")
+    refused("has reached 2 where Loading/cycles is 1", "Loading/cycles=1")
     (whole / "history.csv").unlink()
     refused("history.csv: is missing")
     (whole / "history.csv").write_bytes(history)

@@ -99,7 +99,7 @@ double FacetBoundary::speed() const
   }
   if (!std::isfinite(check))
     throw std::runtime_error("a vertex of a boundary surface has a velocity "
-                             "that is no finite number: the step of the "
+                             "that is not a finite number: the step of the "
                              "boundary is too long");
   return std::sqrt(square);
 }

@@ -157,7 +157,7 @@ TriangleMesh read_stl(std::string_view bytes)
   if (begins_as_text(bytes) && bytes.find('\0') == std::string_view::npos)
     return TextScanner(bytes).read();
   if (bytes.size() < header)
-    fail("is no STL file: a text begins with solid, a binary file has " +
+    fail("is not an STL file: a text begins with solid, a binary file has " +
          std::to_string(header) + " bytes or more");
   return read_binary(bytes);
 }

@@ -33,7 +33,7 @@ void require_closed(const detail::MeshEdges &edges)
         " of its diagonal apart are taken as one");
   if (edges.n_shared > 0)
     throw std::invalid_argument(
-        "mesh is no single surface: " + std::to_string(edges.n_shared) +
+        "mesh is not a single surface: " + std::to_string(edges.n_shared) +
         " edges belong to more than two triangles, "
         "every edge must have two");
 }

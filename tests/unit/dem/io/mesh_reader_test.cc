@@ -147,7 +147,7 @@ TEST_F(MeshReader, SaysWhatIsWrongInOneLine)
   for (const char *text : {"", "this is no mesh\n"})
   {
     expect(write("e.obj", text), "no triangles");
-    expect(write("e.stl", text), "is no STL file");
+    expect(write("e.stl", text), "is not an STL file");
   }
   expect(write("e.stl", "solid t\nendsolid t\n"), "no triangles");
   expect(write("v.obj", std::string(obj) + "v 2,5 0 0\n"),
