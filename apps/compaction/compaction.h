@@ -2,7 +2,6 @@
 
 #include "compaction/plate.h"
 #include "compaction/scene.h"
-#include "test/slices.h"
 #include "test/test.h"
 
 #include <coupling/membrane_body.h>
@@ -12,7 +11,7 @@ namespace spall
 {
 /// A vibratory compaction: particles are poured into a cylinder in layers and
 /// tamped, a plate comes down on them, gets its weight, and vibrates.
-class Compaction : public Test, public Sliced
+class Compaction : public Test
 {
 public:
   enum class Stage : std::int32_t
@@ -39,7 +38,6 @@ public:
   const coupling::Exchange *exchange() const override { return joined.get(); }
   const SetupStep *setup_step() const override { return &scene.setup; }
   FrameParts frame_parts() const override;
-  std::optional<SliceSpace> slice_space() const override;
   std::vector<NamedText> take_files() override;
   const dem::ParticleSystem &all_particles() const override
   {

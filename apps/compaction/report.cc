@@ -3,7 +3,6 @@
 #include "compaction/compaction.h"
 #include "test/roundness_table.h"
 
-#include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
 
 #include <nlohmann/json.hpp>
@@ -76,22 +75,6 @@ void Compaction::report(double due)
 std::vector<NamedText> Compaction::take_files()
 {
   return std::exchange(files, {});
-}
-
-std::optional<SliceSpace> Compaction::slice_space() const
-{
-  if (now.stage != Stage::vibration)
-    return {};
-  return SliceSpace{0., height(),
-                    [this](double z)
-                    {
-                      for (const dem::FacetBoundary &facets :
-                           dem::surfaces(engine()))
-                        if (tube && facets.label == "membrane")
-                          return tube_section(facets.surface, z);
-                      return dem::circle_polygon(scene.room.floor.head<2>(),
-                                                 0.5 * scene.room.width_x);
-                    }};
 }
 
 std::vector<Quantity> Compaction::measured() const

@@ -14,7 +14,6 @@ import time
 from lab import near, resumed_faults, spall_run, write_prm
 from report_pages import SECTIONS, page_faults
 from run_views import view_faults
-from slices import slice_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary)
 
@@ -52,8 +51,7 @@ PLATES = {
     },
 }
 FILES = ["history.csv", "events.csv", "ledger.csv", "roundness_0s.csv",
-         "roundness_0.1s.csv", "roundness_0.2s.csv", "slices_start.csv",
-         "slices_end.csv"]
+         "roundness_0.1s.csv", "roundness_0.2s.csv"]
 
 
 def write_case(root, form):
@@ -233,7 +231,7 @@ def main():
                     "--threads", 1, *options]
         spall_run(words("whole"))
         faults = number_faults(root / "whole", sys.argv[2])
-        faults += view_faults(root / "whole") + slice_faults(root / "whole")
+        faults += view_faults(root / "whole")
         # A checkpoint of the filling, and one of the vibration.
         spall_run(words("until", "--until", 2, "--preparations",
                         root / "fillings"))
