@@ -13,18 +13,23 @@ enum class ContainerForm
   flexible ///< a tube of membrane, held at both rims
 };
 
-/// What the particles are poured into: an upright cylinder on a rigid floor.
+/// What the particles are poured into: an upright cylinder on a rigid floor, or
+/// a mesh.
 struct ContainerParameters
 {
   ContainerForm form = ContainerForm::rigid;
   double diameter = 0.15; ///< inner [m]
   double height = 0.15;   ///< that the particles are to fill [m]
+  /// File of triangles instead of the cylinder and its floor; may be empty.
+  std::string mesh;
+  double scale = 1.; ///< unit of that file [m]
   /// Flexible: quads round the tube; along it they are about as long.
   int elements_around = 36;
   double freeboard = 0.02; ///< of the flexible tube above the particles [m]
   double pressure = 0.;    ///< on the flexible tube, from outside [Pa]
 
   bool is_flexible() const { return form == ContainerForm::flexible; }
+  bool has_mesh() const { return !mesh.empty(); }
 };
 
 /// The particles, and how they get into the container.

@@ -2,6 +2,7 @@
 
 #include "case/file.h"
 #include "case/parameter.h"
+#include "compaction/container_mesh.h"
 #include "compaction/kind.h"
 
 #include <sstream>
@@ -49,7 +50,7 @@ void check_size(const Case &c, const SourceLocation &location)
       "must be at least twice the largest particle of the gradation, " +
       largest_text(curve);
   const ContainerParameters &box = c.container;
-  if (box.diameter < 2. * largest)
+  if (!box.has_mesh() && box.diameter < 2. * largest)
     refuse(location, {"Container", "diameter", number_text(box.diameter), why});
   if (box.height < 2. * largest)
     refuse(location, {"Container", "height", number_text(box.height), why});
@@ -77,6 +78,7 @@ void check_compaction(const Case &c, const SourceLocation &location)
   check_inertia(c, location);
   check_contact_tangent(c, location, c.container.is_flexible());
   check_size(c, location);
+  check_container_mesh(c, location);
   check_plate(c, location);
   check_shapes(c, location, "Filling", c.filling.shapes);
   check_reports(c, location);

@@ -305,7 +305,7 @@ double Compaction::volume() const
 {
   return tube ? volume_below(tube->membrane(),
                              parameters.container.elements_around, height())
-              : scene.room.section() * height();
+              : scene.room.volume_below(height());
 }
 
 /// Fines that are not there any more count, as they stay in the container.

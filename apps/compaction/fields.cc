@@ -13,11 +13,24 @@ void add_container(List &list, ContainerParameters &c)
             "the contacts of section Wall. The value flexible is a membrane "
             "tube held at both rims, which replaces the mould of the filling."},
            c.form, {"rigid", "flexible"});
-  list.add({"diameter", "m", "Inner diameter of the container."}, c.diameter,
-           above(0., 100.))
+  list.add({"diameter", "m",
+            "Inner diameter of a container without a mesh file."},
+           c.diameter, above(0., 100.))
       .decides_preparation = true;
   list.add({"height", "m", "Height of the container that the particles fill."},
            c.height, above(0., 100.))
+      .decides_preparation = true;
+  list.add_path(
+          {"mesh", "-",
+           "Triangle mesh of the inner surface of a rigid container: STL, PLY, "
+           "OBJ or gmsh file. It is open at a flat rim, or closed there by a "
+           "flat lid, which is taken off. It replaces the cylinder and its "
+           "floor, and its lowest point is moved to z = 0. Empty stands for "
+           "the cylinder."},
+          c.mesh)
+      .decides_preparation = true;
+  list.add({"scale", "m", "Length of one unit of the mesh file."}, c.scale,
+           above(0., 1e3))
       .decides_preparation = true;
   list.add({"elements_around", "-",
             "Number of membrane quads around a flexible container. The quads "

@@ -110,9 +110,12 @@ std::vector<NamedBoundary> Compaction::named_boundaries() const
 {
   const bool is_plane = parameters.plate.form == PlateKind::rigid;
   std::vector<NamedBoundary> all = {
-      {"floor", BoundaryKind::plane, 0},
-      {is_plane ? "plate" : "tamper", BoundaryKind::plane, pouring.tamper()},
-      {"container", BoundaryKind::drum}};
+      {is_plane ? "plate" : "tamper", BoundaryKind::plane, pouring.tamper()}};
+  if (!scene.room.container) // else it is a mesh wall, floor and all
+  {
+    all.insert(all.begin(), {"floor", BoundaryKind::plane, 0});
+    all.push_back({container_name, BoundaryKind::drum});
+  }
   if (!is_plane)
     all.push_back({"plate", BoundaryKind::surface});
   if (parameters.container.is_flexible())

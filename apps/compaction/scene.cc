@@ -2,6 +2,7 @@
 
 #include "case/gravity.h"
 #include "case/parameter.h"
+#include "compaction/container_mesh.h"
 #include "compaction/plate.h"
 #include "errors.h"
 #include "specimen/mesh_walls.h"
@@ -21,20 +22,37 @@ namespace spall
 {
 namespace
 {
-
-dem::Room room_of(const ContainerParameters &c)
+dem::Room room_of(const Case &parameters)
 {
-  return {dem::Vec3::Zero(), c.diameter, c.diameter, true};
+  const ContainerParameters &c = parameters.container;
+  if (!c.has_mesh())
+    return {dem::Vec3::Zero(), c.diameter, c.diameter, true};
+  dem::Room room{.container = container_of_mesh(parameters)};
+  const dem::Vec3 width = room.container->upper() - room.container->lower();
+  room.floor = room.container->lower() + 0.5 * width;
+  room.floor.z() = 0.;
+  room.width_x = width.x();
+  room.width_y = width.y();
+  return room;
+}
+
+/// Share of the container, up to the height that the particles fill [m^3].
+double filled_volume(const Case &parameters, const dem::Room &room,
+                     double solid_share)
+{
+  const double height = parameters.container.height;
+  return room.container ? solid_share * room.volume_below(height)
+                        : solid_share * room.section() * height;
 }
 
 /// Largest first.
 std::vector<dem::ParticleShape> draw_filling(const Case &parameters,
-                                             const ShapeLibrary &shapes)
+                                             const ShapeLibrary &shapes,
+                                             const dem::Room &room)
 {
   const FillingParameters &f = parameters.filling;
-  const double volume = f.density / parameters.particle.density *
-                        room_of(parameters.container).section() *
-                        parameters.container.height;
+  const double volume =
+      filled_volume(parameters, room, f.density / parameters.particle.density);
   dem::Random random(static_cast<std::uint64_t>(f.seed));
   std::vector<dem::ParticleShape> particles =
       draw_particles(parameters, volume, shapes, random);
@@ -64,9 +82,16 @@ dem::EngineParameters engine_settings(const Case &parameters,
   return settings;
 }
 
-/// Floor and wall; the ends of the cylinder are out of reach.
-void add_container(const Case &parameters, dem::Engine &engine)
+/// Floor and wall; the ends of the cylinder are out of reach. Or the mesh.
+void add_container(const Case &parameters, const dem::Room &room,
+                   dem::Engine &engine)
 {
+  if (room.container)
+  {
+    dem::add_mesh_wall(engine, container_name, parameters.wall,
+                       room.container->wall(), {});
+    return add_mesh_walls(engine, parameters);
+  }
   dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
   dem::Drum wall;
   wall.axis = dem::Vec3::UnitZ();
@@ -81,7 +106,7 @@ void draw_layers(const Case &parameters, CompactionScene &scene)
   const FillingParameters &f = parameters.filling;
   scene.shapes = load_shapes(parameters, "Filling", f.shapes, f.order);
   const std::vector<dem::ParticleShape> particles =
-      draw_filling(parameters, scene.shapes);
+      draw_filling(parameters, scene.shapes, scene.room);
   scene.all = unplaced_particles(parameters, particles);
   scene.layers = dem::deal_layers(particles, f.layers);
 }
@@ -95,10 +120,11 @@ void place_layer(const Case &parameters, CompactionScene &scene)
   scene.all = unplaced_particles(parameters, particles.body);
   scene.layers = {particles.body};
   scene.placed = placed_layer(particles);
-  check_as_placed(
-      parameters, particles,
-      {"Filling", f.largest_overlap, engine_settings(parameters, scene.all),
-       [&](dem::Engine &engine) { add_container(parameters, engine); }});
+  check_as_placed(parameters, particles,
+                  {"Filling", f.largest_overlap,
+                   engine_settings(parameters, scene.all),
+                   [&](dem::Engine &engine)
+                   { add_container(parameters, scene.room, engine); }});
 }
 
 /// What the elastic plate stands.
@@ -141,14 +167,14 @@ void choose_first_step(const Case &parameters, CompactionScene &scene)
 CompactionScene make_compaction_scene(const Case &parameters)
 {
   CompactionScene scene;
-  scene.room = room_of(parameters.container);
+  scene.room = room_of(parameters);
   if (parameters.filling.particles.empty())
     draw_layers(parameters, scene);
   else
     place_layer(parameters, scene);
   scene.engine = std::make_unique<dem::Engine>(
       engine_settings(parameters, scene.all), dem::ranks_of_program());
-  add_container(parameters, *scene.engine);
+  add_container(parameters, scene.room, *scene.engine);
   scene.engine->set_breaking(false);
   choose_first_step(parameters, scene);
   return scene;

@@ -9,6 +9,9 @@
 
 namespace spall
 {
+/// In history.csv, of the cylinder and of a mesh.
+constexpr const char *container_name = "container";
+
 /// Container and particles of a vibratory compaction before anything is poured.
 struct CompactionScene
 {
@@ -18,7 +21,8 @@ struct CompactionScene
   std::optional<dem::PlacedLayer> placed; ///< of the only layer, unless drawn
   dem::ParticleSystem
       all; ///< the particles as they will be, nowhere in particular
-  /// A floor, which is plane 0, and an upright cylinder; no particles.
+  /// A floor, which is plane 0, and an upright cylinder, or the mesh wall
+  /// container_name alone; no particles.
   std::unique_ptr<dem::Engine> engine;
   dem::StepLimit limit; ///< for any one particle, and one node of the membrane
   SetupStep setup;

@@ -26,21 +26,13 @@ namespace
                    ": " + what);
 }
 
-dem::TriangleMesh read_wall(const std::string &path)
-{
-  if (std::filesystem::path(path).extension() != ".msh")
-    return dem::read_mesh(path);
-  fem::Triangles file = fem::read_triangles(path);
-  return {std::move(file.nodes), std::move(file.corners)};
-}
-
 dem::FacetSurface surface_of(const Case &c, const WallSection &wall,
                              const dem::Vec3 &origin)
 {
   const std::string path = find_path(c, wall.section(), "mesh", wall.mesh);
   try
   {
-    dem::TriangleMesh mesh = read_wall(path);
+    dem::TriangleMesh mesh = read_wall_mesh(path);
     for (dem::Vec3 &point : mesh.points)
       point = wall.scale * point + wall.position + origin;
     return dem::wall_surface(mesh, wall.particles);
@@ -105,6 +97,14 @@ dem::WallMotion motion_of(const Case &c, const WallSection &wall,
   return motion;
 }
 } // namespace
+
+dem::TriangleMesh read_wall_mesh(const std::string &path)
+{
+  if (std::filesystem::path(path).extension() != ".msh")
+    return dem::read_mesh(path);
+  fem::Triangles file = fem::read_triangles(path);
+  return {std::move(file.nodes), std::move(file.corners)};
+}
 
 void add_mesh_walls(dem::Engine &engine, const Case &parameters,
                     const dem::Vec3 &origin)

@@ -4,6 +4,7 @@
 
 #include <dem/engine.h>
 #include <dem/integrate/time_step.h>
+#include <dem/shape/fit.h>
 
 #include <functional>
 #include <string>
@@ -12,6 +13,10 @@
 
 namespace spall
 {
+/// Triangles of a STL, PLY, OBJ or gmsh file. Throws std::invalid_argument or
+/// InputError.
+dem::TriangleMesh read_wall_mesh(const std::string &path);
+
 /// Adds the walls of the case to a scene, whose coordinates have the origin of
 /// the case at `origin` [m]. Throws InputError on a mesh or a table that cannot
 /// be one.

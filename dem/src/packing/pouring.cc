@@ -44,8 +44,26 @@ double largest_radius(std::span<const ParticleShape> particles)
 
 double Room::section() const
 {
+  if (container)
+    return container->section(container->rim());
   return is_round ? 0.25 * std::numbers::pi * width_x * width_x
                   : width_x * width_y;
+}
+
+double Room::section_at(double height) const
+{
+  return container ? container->section(height) : section();
+}
+
+double Room::volume_below(double height) const
+{
+  return container ? container->volume_below(height) : section() * height;
+}
+
+double Room::height_of(double mass, double density) const
+{
+  return container ? container->height_of(mass / density)
+                   : mass / (density * section());
 }
 
 double top_of(const Engine &engine, double floor)
@@ -176,7 +194,12 @@ void Pouring::enter(Stage next, const Engine &engine)
 
 void Pouring::follow_pressure(const Engine &engine, double time_step)
 {
-  const double present = planes(engine)[plane].force.z() / room.section();
+  const Plane &tamper = planes(engine)[plane];
+  const double present =
+      tamper.force.z() == 0.
+          ? 0.
+          : tamper.force.z() /
+                room.section_at(tamper.point.z() - room.floor.z());
   now.pressure +=
       std::min(1., time_step / averaging_time) * (present - now.pressure);
   now.peak = std::max(now.peak, now.pressure);
@@ -190,7 +213,7 @@ double Pouring::goal() const
   const double looser = left == 0. ? 0.
                                    : parameters.undercompaction * left /
                                          static_cast<double>(bodies.size() - 1);
-  return now.mass / ((1. - looser) * parameters.density * room.section());
+  return room.height_of(now.mass, (1. - looser) * parameters.density);
 }
 
 /// Where the particles of a layer begin to fall. A cloud in which they find no
@@ -248,9 +271,14 @@ void Pouring::pour_cloud(Engine &engine) const
   WallClearance walls;
   for (const MeshWall &wall : mesh_walls(engine))
     walls.add(wall.surface);
-  if (!walls.is_empty())
-    box.is_clear = [&walls](const Vec3 &centre, double radius)
-    { return walls.is_clear(centre, radius); };
+  if (room.container || !walls.is_empty())
+    box.is_clear = [&](const Vec3 &centre, double radius)
+    {
+      return (!room.container ||
+              room.container->holds(centre - room.floor.z() * Vec3::UnitZ(),
+                                    radius)) &&
+             walls.is_clear(centre, radius);
+    };
   const std::vector<Placement> placements = cloud_above(floor, box);
   for (std::size_t i = 0; i < layer.size(); ++i)
     engine.add_particle(layer[i], placements[i].position,
@@ -319,7 +347,7 @@ void Pouring::tamp(Engine &engine)
   const double height = tamper.point.z() - room.floor.z();
   const bool is_deep =
       height <= now.depth &&
-      tamper.force.z() > parameters.level_pressure * room.section();
+      tamper.force.z() > parameters.level_pressure * room.section_at(height);
   if (!is_deep && now.pressure < parameters.tamper_pressure)
     return;
   tamper.velocity = -tamper.velocity;
@@ -331,7 +359,7 @@ void Pouring::lift(Engine &engine)
 {
   const Plane &tamper = planes(engine)[plane];
   const double height = tamper.point.z() - room.floor.z();
-  if (tamper.force.z() > parameters.level_pressure * room.section())
+  if (tamper.force.z() > parameters.level_pressure * room.section_at(height))
     now.level = height;
   if (tamper.force.z() != 0. || height < now.level + clearance * room.width_x)
     return;
@@ -373,7 +401,7 @@ void Pouring::close_layer(Engine &engine)
   if (parameters.density > 0.)
   {
     layer.height = now.level;
-    layer.density = now.mass / (now.level * room.section());
+    layer.density = now.mass / room.volume_below(now.level);
     layer.pressure = now.peak;
     layer.strokes = now.strokes;
   }

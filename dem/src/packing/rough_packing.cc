@@ -29,6 +29,13 @@ std::vector<Placement> shrunk_cloud(std::span<const ParticleShape> particles,
   cloud.lower = -half / shrink;
   cloud.upper = (half + height * Vec3::UnitZ()) / shrink;
   cloud.is_round = room.is_round;
+  if (room.container)
+    cloud.is_clear = [&](const Vec3 &centre, double radius)
+    {
+      Vec3 point = room.floor + shrink * centre;
+      point.z() -= room.floor.z();
+      return room.container->holds(point, shrink * radius);
+    };
   Random random(1);
   std::vector<Placement> placements =
       insert_particles(particles, cloud, random);
@@ -74,7 +81,7 @@ std::vector<Placement> dense_packing(std::span<const ParticleShape> particles,
   double volume = 0.;
   for (const ParticleShape &particle : particles)
     volume += particle.volume;
-  const double dense = volume / (room.section() * height);
+  const double dense = volume / room.volume_below(height);
   for (double fraction = solid_fraction;; fraction *= thinner)
     try
     {

@@ -40,6 +40,17 @@ struct Scene
       : engine(parameters(friction)), room(its_room),
         pouring(room, how, layers, 5)
   {
+    add_walls();
+    pouring.prepare(engine);
+  }
+  void add_walls()
+  {
+    if (room.container)
+    {
+      dem::add_mesh_wall(engine, "container", engine.parameters().wall,
+                         room.container->wall(), {});
+      return;
+    }
     dem::add_plane(engine, room.floor, dem::Vec3::UnitZ());
     if (room.is_round)
     {
@@ -57,7 +68,6 @@ struct Scene
         dem::add_plane(engine, 0.5 * side * room.width_x * x, -side * x);
         dem::add_plane(engine, 0.5 * side * room.width_y * y, -side * y);
       }
-    pouring.prepare(engine);
   }
   void advance()
   {
@@ -253,6 +263,62 @@ TEST(Pouring, StrokesWithLessFrictionReachTheDensity)
   resumed.engine.restore(in, {});
   resumed.run();
   EXPECT_EQ(state_of(resumed), state_of(scene));
+}
+
+/// A box about the origin, open at the top.
+std::shared_ptr<const dem::Container> mesh_box(double width, double height)
+{
+  dem::FacetSurface surface;
+  for (const double z : {0., height})
+    for (const auto &[x, y] :
+         {std::pair(-1., -1.), {1., -1.}, {1., 1.}, {-1., 1.}})
+      surface.position.emplace_back(0.5 * width * x, 0.5 * width * y, z);
+  surface.triangles = {{0, 2, 1}, {0, 3, 2}};
+  for (std::int32_t k = 0; k < 4; ++k)
+  {
+    const std::int32_t next = (k + 1) % 4;
+    surface.triangles.push_back({k, next, next + 4});
+    surface.triangles.push_back({k, next + 4, k + 4});
+  }
+  auto box = std::make_shared<dem::Container>(surface);
+  box->set_collar(4. * height);
+  return box;
+}
+
+// A box of triangles is filled as one of planes: the positions of the clouds
+// are the same, and a sphere meets both in the same point.
+TEST(Pouring, BoxOfTrianglesIsTheBoxOfPlanes)
+{
+  constexpr double width = 0.08;
+  const dem::Room box{dem::Vec3::Zero(), width, width, false},
+      mesh{dem::Vec3::Zero(), width, width, false, mesh_box(width, 0.1)};
+  Scene planes(box, to_density(), particles(), 0.4),
+      facets(mesh, to_density(), particles(), 0.4);
+  planes.run();
+  facets.run();
+  double weight = 0.;
+  for (const dem::ParticleState &one : facets.engine.particles().state)
+  {
+    weight += 9.81 * one.mass;
+    EXPECT_TRUE(mesh.container->holds(one.position, one.radius - 1e-4));
+  }
+  // Positions part after some collisions, by round-off; the densities are the
+  // one that was asked for, to what a stroke sees.
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const dem::Pouring::Layer &flat = planes.pouring.layers()[k],
+                              &cut = facets.pouring.layers()[k];
+    std::printf("%.6g and %.6g kg/m^3, %.4g and %.4g m\n", flat.density,
+                cut.density, flat.height, cut.height);
+    EXPECT_NEAR(cut.density, flat.density, 1e-2 * flat.density);
+    EXPECT_NEAR(cut.mass, flat.mass, 1e-12 * flat.mass);
+  }
+  EXPECT_NEAR(facets.pouring.layers()[2].density, to_density().density,
+              5e-3 * to_density().density);
+  // At rest to a thousandth of the weight, which the mesh carries alone.
+  const dem::MeshWall &wall = dem::mesh_walls(facets.engine)[0];
+  EXPECT_NEAR(-wall.load().force.z(), weight, 1e-3 * weight);
+  EXPECT_LT(wall.load().force.head<2>().norm(), 1e-3 * weight);
 }
 
 TEST(Pouring, GoesOnBitForBit)

@@ -1,24 +1,35 @@
 #pragma once
 
 #include <dem/engine.h>
+#include <dem/packing/container.h>
 #include <dem/packing/insertion.h>
 
 #include <iosfwd>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 namespace dem
 {
-/// An upright room with a flat floor, round (as wide as x) or a box. Its walls
-/// and its floor are whatever the engine has there.
+/// An upright room with a flat floor, round (as wide as x) or a box, or of any
+/// shape. Its walls and its floor are whatever the engine has there.
 struct Room
 {
-  Vec3 floor = Vec3::Zero();         ///< middle of the floor [m]
-  double width_x = 1., width_y = 1.; ///< [m]
+  Vec3 floor = Vec3::Zero();         ///< middle of the floor, lowest [m]
+  double width_x = 1., width_y = 1.; ///< of a box around it [m]
   bool is_round = false;
+  /// Whose lowest point is at the height of the floor; null: none.
+  std::shared_ptr<const Container> container = {};
 
-  double section() const; ///< [m^2]
+  /// Cross-section at its top [m^2].
+  double section() const;
+  /// At a height above the floor [m^2].
+  double section_at(double height) const;
+  /// Up to a height above the floor [m^3].
+  double volume_below(double height) const;
+  /// Up to which a mass has this density [kg, kg/m^3 to m].
+  double height_of(double mass, double density) const;
 };
 
 struct PouringParameters
