@@ -85,7 +85,7 @@ SUBGRADES = [
     ground({"Time/step": "error"}, "fixed or stable"),
     # Once particles and ground are known.
     ground({"Subgrade/mesh": "none.msh"}, "no such file or folder"),
-    ground({"Subgrade/mesh": "no.msh"}, "no gmsh file of hexahedra"),
+    ground({"Subgrade/mesh": "no.msh"}, "not a gmsh file of hexahedra"),
     ground({"Subgrade/mesh": "tetrahedron.msh"}, "must be hexahedra"),
     ground({"Subgrade/mesh": "millimetres.msh"}, "200 m deep",
            "in all, 0.2 m (files are in metres)"),

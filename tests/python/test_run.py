@@ -202,7 +202,7 @@ class Running(InFolder):
         case = two_particles(spall, self.folder)
         (self.folder / "full").mkdir()
         (self.folder / "full" / "a.txt").touch()
-        with self.assertRaisesRegex(spall.InputError, "that is no run"):
+        with self.assertRaisesRegex(spall.InputError, "files that are not a run"):
             case.run(self.folder / "full")
         with self.assertRaisesRegex(spall.InputError, "ranks = 0"):
             case.run(self.folder / "run", ranks=0)

@@ -93,7 +93,7 @@ TEST_F(ShapeFiles, AreInMetresWhateverTheUnit)
 TEST_F(ShapeFiles, SayWhatIsWrong)
 {
   expect_error("{", "valid JSON");
-  expect_error("[]", "no JSON object");
+  expect_error("[]", "not a JSON object");
   expect_error("{}", "\"order\" is missing");
   expect_error(R"({"order": 1})", "\"convention\" is missing");
   expect_error(shape_text("31", "[1]"), "0 .. 30");

@@ -125,7 +125,7 @@ TEST(SurfaceFile, RefusesWhatIsNoSurfaceOfQuads)
   EXPECT_NE(refusal("no/such/file.msh").find("cannot open"), std::string::npos);
   const File triangles("2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n");
   EXPECT_NE(refusal(triangles.path).find("recombine"), std::string::npos);
-  EXPECT_NE(refusal_of_text("no mesh\n").find("no gmsh file"),
+  EXPECT_NE(refusal_of_text("no mesh\n").find("not a gmsh file"),
             std::string::npos);
 }
 
@@ -166,7 +166,7 @@ TEST(SurfaceFile, EndsWithTheFileWhateverItsCountsSay)
         start_4 + "$Nodes\n900000000000000 1 1 1\n",
         start_4 + "$Nodes\n1 1 1 1\n2 1 0 900000000000000\n1\n0 0 0\n",
         start_4 + "$Elements\n1 1 1 1\n2 1 3 900000000000000\n"})
-    EXPECT_NE(refusal_of_text(text).find("no gmsh file"), std::string::npos);
+    EXPECT_NE(refusal_of_text(text).find("not a gmsh file"), std::string::npos);
   EXPECT_NE(refusal_of_text(start + "-1\n").find("from 0 on"),
             std::string::npos);
   EXPECT_NE(refusal_of_text("$MeshFormat\n4.1 1 8\n").find("Mesh.Binary = 0"),
