@@ -336,7 +336,8 @@ def faults(spall, root):
         spall, root / "periodic", "periodic")), "Boundary/lateral = periodic")
     scene = write_prm(root / "scene.prm", {
         "Case": {"kind": "scene"}, "Box": {"y": "periodic"},
-        "Fill": {"mass": 1}})
+        "Fill": {"mass": 1, "gradation":
+                 "gradations/los_angeles_20_45mm.csv"}})
     found += one_line("periodic box", launch(2, [
         spall, "run", scene, "--out", root / "box"]), "Box/y = periodic")
     found += [f"{name}: left a folder" for name in ("patch", "periodic", "box")
