@@ -36,9 +36,9 @@ struct Scene
 
   Scene(const dem::Room &its_room, const dem::PouringParameters &how,
         const std::vector<std::vector<dem::ParticleShape>> &layers,
-        double friction)
+        double friction, std::uint64_t seed = 5)
       : engine(parameters(friction)), room(its_room),
-        pouring(room, how, layers, 5)
+        pouring(room, how, layers, seed)
   {
     add_walls();
     pouring.prepare(engine);
@@ -285,6 +285,35 @@ std::shared_ptr<const dem::Container> mesh_box(double width, double height)
   return box;
 }
 
+// Until round-off has grown, floor and sides of triangles move the particles as
+// those of planes do.
+TEST(Pouring, FirstContactsAreThoseOfPlanes)
+{
+  constexpr double width = 0.08;
+  const dem::Room box{dem::Vec3::Zero(), width, width, false},
+      mesh{dem::Vec3::Zero(), width, width, false, mesh_box(width, 0.1)};
+  Scene planes(box, to_density(), particles(), 0.4),
+      facets(mesh, to_density(), particles(), 0.4);
+  dem::Vec3 impulse = dem::Vec3::Zero(); // of the sides, and of the floor
+  double apart = 0.;
+  int n_steps = 0;
+  for (; n_steps < 20000 && impulse.z() < 2e-2; ++n_steps)
+  {
+    planes.advance();
+    facets.advance();
+    const dem::MeshWall &wall = dem::mesh_walls(facets.engine)[0];
+    impulse -= step * wall.load().force;
+  }
+  const auto &a = planes.engine.particles().state,
+             &b = facets.engine.particles().state;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    apart = std::max(apart, (a[i].position - b[i].position).norm());
+  std::printf("%d steps, impulse %.3g %.3g %.3g Ns, %.3g m apart\n", n_steps,
+              impulse.x(), impulse.y(), impulse.z(), apart);
+  EXPECT_GE(impulse.z(), 2e-2);
+  EXPECT_LT(apart, 1e-8);
+}
+
 // A box of triangles is filled as one of planes: the positions of the clouds
 // are the same, and a sphere meets both in the same point.
 TEST(Pouring, BoxOfTrianglesIsTheBoxOfPlanes)
@@ -303,7 +332,7 @@ TEST(Pouring, BoxOfTrianglesIsTheBoxOfPlanes)
     EXPECT_TRUE(mesh.container->holds(one.position, one.radius - 1e-4));
   }
   // Positions part after some collisions, by round-off: the packings differ as
-  // those of two seeds.
+  // those of two seeds, of which planes give 1222 and 1192 kg/m^3 (5 and 6).
   for (std::size_t k = 0; k < 3; ++k)
   {
     const dem::Pouring::Layer &flat = planes.pouring.layers()[k],
