@@ -1,3 +1,5 @@
+#include "test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <case/file.h>
@@ -20,13 +22,7 @@ class InclineKind : public testing::Test
 {
 protected:
   static void SetUpTestSuite() { add_test_kind(incline_kind()); }
-  void SetUp() override
-  {
-    folder = fs::path(testing::TempDir()) /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
+  void SetUp() override { folder = support::test_folder(); }
 
   std::string write_case(const std::string &values)
   {

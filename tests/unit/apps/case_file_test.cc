@@ -1,6 +1,7 @@
 #include "case/fields.h"
 #include "case/file.h"
 #include "errors.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +22,10 @@ class CaseFile : public testing::Test
 protected:
   void SetUp() override
   {
-    folder = fs::path(testing::TempDir()) /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder = support::test_folder();
     fs::create_directories(folder / "shapes");
     write("g.csv", "diameter_m,passing_1\n0.008,0\n0.016,1\n");
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   std::string write(const std::string &name, const std::string &text)
   {

@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "specimen/csv_table.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,8 @@ namespace
 class CsvTableFile : public testing::Test
 {
 protected:
-  const std::string path = testing::TempDir() + "/csv_table_test.csv";
-
-  void TearDown() override { std::filesystem::remove(path); }
+  const std::string path =
+      (support::test_folder() / "csv_table_test.csv").string();
 
   spall::ColumnPair read(const std::string &text) const
   {

@@ -1,4 +1,5 @@
 #include "run/digested.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 // One bit anywhere, the digest included, or a byte less is seen.
 TEST(Digested, DamageIsSeen)
 {
-  const fs::path file = fs::path(testing::TempDir()) / "digested.bin";
+  const fs::path file = support::test_folder() / "digested.bin";
   std::ostringstream written;
   write_digested(written, [](std::ostream &out)
                  { out << "state of a run" << '.' << 17; });

@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "specimen/gradation.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -10,30 +11,29 @@ namespace
 {
 TEST(Gradation, ReadsRowsAndSkipsComments)
 {
-  const std::string path = testing::TempDir() + "/gradation_test.csv";
+  const std::string path =
+      (support::test_folder() / "gradation_test.csv").string();
   std::ofstream(path) << "# particles\n\ndiameter_m, passing_1\r\n"
                          "0.005, 0\n# middle\n0.01, 0.25\n0.02, 1\n";
   const spall::Gradation curve = spall::read_gradation(path);
   EXPECT_EQ(curve.diameter, (std::vector<double>{0.005, 0.01, 0.02}));
   EXPECT_EQ(curve.passing, (std::vector<double>{0., 0.25, 1.}));
-  std::filesystem::remove(path);
 }
 
 TEST(Gradation, ReadsWhatSpreadsheetsWrite)
 {
-  const std::string path = testing::TempDir() + "/gradation_test_mark.csv";
+  const std::string path =
+      (support::test_folder() / "gradation_test_mark.csv").string();
   std::ofstream(path) << "\xEF\xBB\xBF"
                          "diameter_m,passing_1\r\n0.005,0\r\n0.01,1\r\n";
   EXPECT_EQ(spall::read_gradation(path).passing, (std::vector<double>{0., 1.}));
-  std::filesystem::remove(path);
 }
 
 class GradationFile : public testing::Test
 {
 protected:
-  std::string path = testing::TempDir() + "/gradation_file_test.csv";
-
-  void TearDown() override { std::filesystem::remove(path); }
+  std::string path =
+      (support::test_folder() / "gradation_file_test.csv").string();
 
   /// Message of the refusal; empty: the file was read.
   std::string refusal(const std::string &text) const

@@ -2,6 +2,7 @@
 #include "gmsh_file.h"
 #include "subgrade/ground.h"
 #include "subgrade/ground_file.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ class GroundFile : public testing::Test
 protected:
   void SetUp() override
   {
-    base.file = (fs::path(testing::TempDir()) / "case.prm").string();
+    base.file = (support::test_folder() / "case.prm").string();
     LayerParameters &particles = base.subgrade.layer;
     particles.length = particles.width = 0.3;
     base.subgrade.plate.diameter = 0.2;
@@ -49,9 +50,8 @@ protected:
     file = base;
     file.subgrade.ground.mesh = "ground.msh";
   }
-  void TearDown() override { fs::remove(path()); }
 
-  fs::path path() const { return fs::path(testing::TempDir()) / "ground.msh"; }
+  fs::path path() const { return support::test_folder() / "ground.msh"; }
 
   /// Of the file that these words of a mesh make.
   std::string refusal(const fem::SolidMesh &mesh) const

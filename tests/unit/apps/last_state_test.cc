@@ -1,5 +1,6 @@
 #include "specimen/last_state.h"
 #include "specimen/placed_particles.h"
+#include "test_folder.h"
 
 #include <dem/engine_boundaries.h>
 #include <dem/parallel/ranks.h>
@@ -21,8 +22,7 @@ class LastState : public testing::Test
 protected:
   void SetUp() override
   {
-    folder = fs::path(testing::TempDir()) / "last_state";
-    fs::create_directories(folder);
+    folder = support::test_folder();
     c.file = (folder / "case.prm").string();
     settings.particle.friction = 0.;
     settings.wall.friction = 0.;
@@ -49,7 +49,6 @@ protected:
     dem::add_plane(*engine, {0., 0., -0.48 * step}, dem::Vec3::UnitZ());
     engine->set_breaking(false);
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   PlacedParticles read() const
   {

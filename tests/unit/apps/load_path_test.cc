@@ -1,5 +1,6 @@
 #include "case/case.h"
 #include "errors.h"
+#include "test_folder.h"
 #include "triaxial/load_path.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +21,7 @@ Case rigid_case()
 
 LoadPath path_of(const std::string &text)
 {
-  const auto file =
-      std::filesystem::temp_directory_path() / "spall_load_path_test.csv";
+  const auto file = support::test_folder() / "load_path_test.csv";
   std::ofstream(file) << text;
   return read_load_path(file.string(), rigid_case());
 }

@@ -3,6 +3,7 @@
 #include "specimen/obtained_gradation.h"
 #include "subgrade/scene.h"
 #include "test/test.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -35,11 +36,9 @@ class GradationOfKinds : public testing::Test
 protected:
   void SetUp() override
   {
-    folder = fs::path(testing::TempDir()) / "gradation_of_kinds";
-    fs::create_directories(folder);
+    folder = support::test_folder();
     shapes = SPALL_SHAPES_DIR "/limestone_blocky";
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   std::string file_of(const SieveTable &table) const
   {

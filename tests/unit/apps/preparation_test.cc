@@ -1,4 +1,5 @@
 #include "case/fields.h"
+#include "test_folder.h"
 #include "triaxial/preparation.h"
 #include "triaxial/triaxial.h"
 
@@ -53,9 +54,7 @@ class Preparation : public testing::Test
 protected:
   void SetUp() override
   {
-    folder = fs::path(testing::TempDir()) /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::create_directories(folder);
+    folder = support::test_folder();
     std::ofstream(folder / "g.csv")
         << "diameter_m,passing_1\n0.010,0\n0.012,1\n";
     base.file = (folder / "case.prm").string();
@@ -68,7 +67,6 @@ protected:
     base.time.step = StepRule::stable;
     base.wall.normal_stiffness = base.wall.shear_stiffness = 1e6;
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   std::string text_of(const Case &parameters) const
   {

@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "shape/file.h"
+#include "test_folder.h"
 
 #include <dem/shape/quadrature.h>
 
@@ -16,12 +17,7 @@ namespace
 class ShapeFiles : public testing::Test
 {
 protected:
-  void SetUp() override
-  {
-    folder = std::filesystem::path(testing::TempDir()) / "shape_files";
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  void SetUp() override { folder = support::test_folder(); }
 
   std::string write(const std::string &text) const
   {

@@ -1,6 +1,7 @@
 #include "errors.h"
 #include "gmsh_file.h"
 #include "specimen/specimen.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -39,13 +40,12 @@ class SheetFile : public testing::Test
 protected:
   void SetUp() override
   {
-    base.file = (fs::path(testing::TempDir()) / "case.prm").string();
+    base.file = (support::test_folder() / "case.prm").string();
     base.specimen.form = SpecimenForm::cylinder;
     base.boundary.elements_around = 20;
   }
-  void TearDown() override { fs::remove(path()); }
 
-  fs::path path() const { return fs::path(testing::TempDir()) / "sheet.msh"; }
+  fs::path path() const { return support::test_folder() / "sheet.msh"; }
   fem::SurfaceMesh read(const fem::SurfaceMesh &mesh)
   {
     write_gmsh(mesh, path());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "study/study.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -17,13 +18,10 @@ class StudyFile : public testing::Test
 protected:
   void SetUp() override
   {
-    folder = fs::path(testing::TempDir()) /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::create_directories(folder);
+    folder = support::test_folder();
     write("c.prm", "subsection Case\n  set kind = single_particle\nend\n"
                    "subsection Particle\n  set shape =\nend\n");
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   std::string write(const std::string &name, const std::string &text)
   {

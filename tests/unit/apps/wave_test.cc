@@ -1,4 +1,5 @@
 #include "errors.h"
+#include "test_folder.h"
 #include "triaxial/wave.h"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,7 @@ Wave wave_of(WaveForm form)
 
 std::string file_with(const std::string &text)
 {
-  const auto path =
-      std::filesystem::temp_directory_path() / "spall_wave_test.csv";
+  const auto path = support::test_folder() / "wave_test.csv";
   std::ofstream(path) << text;
   return path.string();
 }

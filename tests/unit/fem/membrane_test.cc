@@ -1,4 +1,5 @@
 #include "flat_mesh.h"
+#include "test_folder.h"
 
 #include <fem/membrane.h>
 
@@ -288,7 +289,8 @@ TEST(Membrane, WritesTheDeformedShape)
 {
   BusyMembrane busy;
   busy.advance(0, 10);
-  const std::string path = testing::TempDir() + "membrane_test.vtu";
+  const std::string path =
+      (support::test_folder() / "membrane_test.vtu").string();
   busy.membrane.write_vtu(path);
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -3,6 +3,7 @@
 #include "solid_element.h"
 #include "solid_operator.h"
 #include "solid_scene.h"
+#include "test_folder.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -128,7 +129,7 @@ TEST(SolidMesh, GivesLayersByHeight)
 // Two hexahedra of two physical volumes, the top of one marked as 7.
 TEST(SolidMesh, ReadsGmshFiles)
 {
-  const std::string path = testing::TempDir() + "two_cells.msh";
+  const std::string path = (support::test_folder() / "two_cells.msh").string();
   std::ofstream(path) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
                          "$Nodes\n12\n"
                          "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
@@ -161,7 +162,6 @@ TEST(SolidMesh, ReadsGmshFiles)
   std::ofstream(path) << "no mesh\n";
   EXPECT_THROW(fem::read_solid_mesh(path), std::invalid_argument);
   EXPECT_THROW(fem::read_solid_mesh(path + "none"), std::invalid_argument);
-  std::remove(path.c_str());
 }
 
 // What touches the top sees it move, and its loads arrive at the body.
@@ -198,7 +198,7 @@ TEST(SolidSurface, SendsMotionAndLoads)
 TEST(Solid, WritesItsFrames)
 {
   fem::Solid solid({}, support::box({1., 1., 1.}, {2, 1, 1}));
-  const std::string path = testing::TempDir() + "solid.vtu";
+  const std::string path = (support::test_folder() / "solid.vtu").string();
   solid.write_vtu(path);
   std::ifstream file(path);
   std::stringstream text;
@@ -207,7 +207,6 @@ TEST(Solid, WritesItsFrames)
   EXPECT_NE(text.str().find("NumberOfCells=\"2\""), std::string::npos);
   EXPECT_THROW(solid.write_vtu("/no/such/folder/solid.vtu"),
                std::runtime_error);
-  std::remove(path.c_str());
 }
 
 TEST(SolidMesh, RoundBlockFillsItsVolume)

@@ -1,3 +1,5 @@
+#include "test_folder.h"
+
 #include <fem/surface_file.h>
 
 #include <gtest/gtest.h>
@@ -13,7 +15,7 @@ using Vector = Eigen::Vector3d;
 struct File
 {
   explicit File(const std::string &elements)
-      : path(testing::TempDir() + "surface.msh")
+      : path((support::test_folder() / "surface.msh").string())
   {
     std::ofstream(path) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
                            "$Nodes\n8\n"

@@ -1,3 +1,5 @@
+#include "test_folder.h"
+
 #include <fem/triangle_file.h>
 
 #include <gtest/gtest.h>
@@ -24,10 +26,9 @@ const std::string format_4 =
 
 fem::Triangles read(const std::string &text)
 {
-  const std::string path = testing::TempDir() + "triangles.msh";
+  const std::string path = (support::test_folder() / "triangles.msh").string();
   std::ofstream(path) << text;
   const fem::Triangles mesh = fem::read_triangles(path);
-  std::remove(path.c_str());
   return mesh;
 }
 } // namespace

@@ -1,4 +1,5 @@
 #include "report/pictures.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace fs = std::filesystem;
 
 TEST(Pictures, MissingAndUnreadableFramesAreNamed)
 {
-  const fs::path folder = fs::path(testing::TempDir()) / "spall_pictures";
+  const fs::path folder = support::test_folder();
   fs::remove_all(folder);
   fs::create_directories(folder / "bare");
   fs::create_directories(folder / "broken" / "frames");

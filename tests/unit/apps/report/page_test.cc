@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 #include "errors.h"
 #include "report/section.h"
+#include "test_folder.h"
 
 #include <dem/io/vtk_output.h>
 
@@ -88,9 +89,7 @@ const char *const summary =
 class RunFolder : public testing::Test
 {
 protected:
-  RunFolder()
-      : folder(fs::path(testing::TempDir()) / "spall_report" /
-               testing::UnitTest::GetInstance()->current_test_info()->name())
+  RunFolder() : folder(support::test_folder())
   {
     fs::remove_all(folder);
     make(folder / "run");

@@ -4,6 +4,7 @@
 #include "report/figures.h"
 #include "report/run_data.h"
 #include "report/text.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ const double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 std::string write(const std::string &name, const std::string &content)
 {
-  const auto path = std::filesystem::path(testing::TempDir()) / name;
+  const auto path = support::test_folder() / name;
   std::ofstream(path) << content;
   return path.string();
 }

@@ -1,3 +1,5 @@
+#include "test_folder.h"
+
 #include <dem/io/mesh_reader.h>
 
 #include <gtest/gtest.h>
@@ -19,14 +21,7 @@ namespace
 class MeshReader : public testing::Test
 {
 protected:
-  void SetUp() override
-  {
-    // One folder a test: ctest runs them side by side.
-    folder = std::filesystem::path(testing::TempDir()) /
-             testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
+  void SetUp() override { folder = support::test_folder(); }
 
   std::string write(const std::string &name, const std::string &text) const
   {

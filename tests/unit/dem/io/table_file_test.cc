@@ -1,3 +1,5 @@
+#include "test_folder.h"
+
 #include <dem/io/table_file.h>
 
 #include <gtest/gtest.h>
@@ -17,9 +19,7 @@ namespace
 {
 std::string scratch(const std::string &name)
 {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "spall_hdf5";
-  std::filesystem::create_directories(folder);
-  return (folder / name).string();
+  return (support::test_folder() / name).string();
 }
 
 std::string bytes_of(const std::string &path)

@@ -1,3 +1,5 @@
+#include "test_folder.h"
+
 #include <dem/io/vtk_output.h>
 
 #include <gtest/gtest.h>
@@ -22,9 +24,7 @@ constexpr double rounding = 1e-6;
 
 std::string scratch(const std::string &name)
 {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "spall_vtk";
-  std::filesystem::create_directories(folder);
-  return (folder / name).string();
+  return (support::test_folder() / name).string();
 }
 
 vtkNew<vtkXMLUnstructuredGridReader> read(const std::string &path)
