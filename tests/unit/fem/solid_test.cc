@@ -8,7 +8,6 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 
 namespace
@@ -24,7 +23,6 @@ struct File
                            "$EndNodes\n$Elements\n"
                         << elements << "$EndElements\n";
   }
-  ~File() { std::remove(path.c_str()); }
   std::string path;
 };
 

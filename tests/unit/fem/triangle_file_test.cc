@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
@@ -28,8 +27,7 @@ fem::Triangles read(const std::string &text)
 {
   const std::string path = (support::test_folder() / "triangles.msh").string();
   std::ofstream(path) << text;
-  const fem::Triangles mesh = fem::read_triangles(path);
-  return mesh;
+  return fem::read_triangles(path);
 }
 } // namespace
 

@@ -13,7 +13,6 @@ namespace fs = std::filesystem;
 TEST(Pictures, MissingAndUnreadableFramesAreNamed)
 {
   const fs::path folder = support::test_folder();
-  fs::remove_all(folder);
   fs::create_directories(folder / "bare");
   fs::create_directories(folder / "broken" / "frames");
   std::ofstream(folder / "broken" / "frames" / "surfaces_00000.vtu")

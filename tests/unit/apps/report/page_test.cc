@@ -89,11 +89,7 @@ const char *const summary =
 class RunFolder : public testing::Test
 {
 protected:
-  RunFolder() : folder(support::test_folder())
-  {
-    fs::remove_all(folder);
-    make(folder / "run");
-  }
+  RunFolder() : folder(support::test_folder()) { make(folder / "run"); }
 
   static void make(const fs::path &run)
   {
