@@ -7,7 +7,7 @@ namespace spall
 namespace
 {
 /// One line for each section. A page that moves is corrected here.
-const std::vector<ManualPages> pages = {
+const std::vector<ManualPages> all_pages = {
     {"Case", "case"},
     {"Material", "case"},
     {"Output", "case"},
@@ -46,8 +46,8 @@ ManualPages manual_pages(const ListedSection &section)
 {
   // Walls/NAME is a section Walls.
   const std::string name = section.name.substr(0, section.name.find('/'));
-  const auto found = std::ranges::find(pages, name, &ManualPages::section);
-  ManualPages result = found == pages.end() ? ManualPages{name} : *found;
+  const auto found = std::ranges::find(all_pages, name, &ManualPages::section);
+  ManualPages result = found == all_pages.end() ? ManualPages{name} : *found;
   if (result.page.empty())
     result.page = section.kinds.empty() ? "case" : section.kinds.front();
   return result;

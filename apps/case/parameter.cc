@@ -1,5 +1,7 @@
 #include "case/parameter.h"
 
+#include "case/text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -15,22 +17,6 @@ namespace spall
 {
 namespace
 {
-template <class... Functions>
-struct Overloaded : Functions...
-{
-  using Functions::operator()...;
-};
-template <class... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
-
-std::string join(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string range_text(const std::string &what, const Range &range)
 {
   if (range.lower == range.upper)
@@ -158,7 +144,7 @@ std::string allowed(const Parameter &parameter)
           },
           [](const Choice &choice) {
             return (choice.names.size() > 1 ? "one of " : "") +
-                   join(choice.names);
+                   joined(choice.names);
           }},
       parameter.value);
   return parameter.reason.empty() ? text : text + " (" + parameter.reason + ")";

@@ -2,6 +2,7 @@
 
 #include "case/fields.h"
 #include "case/file.h"
+#include "case/text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,14 +14,6 @@ namespace spall
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-template <class... Functions>
-struct Overloaded : Functions...
-{
-  using Functions::operator()...;
-};
-template <class... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
 
 Json value_json(const Parameter &parameter)
 {

@@ -2,6 +2,7 @@
 
 #include "case/file.h"
 #include "case/manual_pages.h"
+#include "case/text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -11,14 +12,6 @@ namespace spall
 {
 namespace
 {
-std::string joined(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 /// Cell of a Markdown table.
 std::string cell(const std::string &text)
 {

@@ -1,5 +1,6 @@
 #include "case/fields.h"
 #include "case/file.h"
+#include "case/text.h"
 #include "errors.h"
 
 #include <algorithm>
@@ -85,14 +86,6 @@ void print_case(std::ostream &out, Case of)
     for (std::size_t k = names.size(); k-- > 0;)
       out << std::string(2 * k, ' ') << "end\n";
   }
-}
-
-std::string joined(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 } // namespace
 

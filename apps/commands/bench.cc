@@ -79,7 +79,7 @@ void check(const BenchOptions &options)
   require_folder("--save", options.save);
 }
 
-BenchOptions parse_options(Words words)
+BenchOptions bench_options(Words words)
 {
   BenchOptions options;
   const std::map<std::string, std::string *> texts = {
@@ -177,7 +177,7 @@ BenchParticles prepare(const BenchOptions &options, BenchResult &result)
 
 int bench_command(Words words)
 {
-  const BenchOptions options = parse_options(words);
+  const BenchOptions options = bench_options(words);
   omp_set_num_threads(options.threads);
   BenchResult result;
   const BenchParticles particles = prepare(options, result);

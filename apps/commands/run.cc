@@ -28,7 +28,7 @@ int positive(const std::string &option, const std::string &text,
   return value;
 }
 
-RunOptions parse_options(Words words)
+RunOptions run_options(Words words)
 {
   RunOptions options;
   for (std::size_t k = 0; k < words.size(); ++k)
@@ -93,7 +93,7 @@ void request_stop()
 
 int run_command(Words words)
 {
-  const RunOptions options = parse_options(words);
+  const RunOptions options = run_options(words);
   const Case parameters = read_case(options.case_file, options.overrides);
   if (dem::ranks_of_program()->rank() == 0)
     report_deprecated(parameters.deprecated);

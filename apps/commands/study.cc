@@ -50,7 +50,7 @@ std::vector<std::string> words_of(const std::string &text)
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-StudyOptions parse_options(Words words)
+StudyOptions study_options(Words words)
 {
   StudyOptions options;
   std::optional<int> jobs;
@@ -183,7 +183,7 @@ void check_names(const StudyData &data, const fs::path &folder)
 
 int study_command(Words words)
 {
-  const StudyOptions options = parse_options(words);
+  const StudyOptions options = study_options(words);
   const Study study = read_study(options.file, options.overrides);
   report_deprecated(study.deprecated);
   std::vector<StudyPoint> points = points_of(study);

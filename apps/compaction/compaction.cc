@@ -5,6 +5,7 @@
 #include "errors.h"
 #include "run/rest_hint.h"
 #include "test/checkpoint.h"
+#include "test/slices.h"
 
 #include <coupling/membrane_body.h>
 #include <dem/binary.h>
@@ -284,6 +285,24 @@ double Compaction::progress_at(double time) const
   return now.stage == Stage::vibration
              ? std::max(0., time - now.vibration_start)
              : 0.;
+}
+
+/// From the floor to the plate, of the vibration.
+std::optional<SliceSpace> Compaction::slice_space() const
+{
+  if (now.stage != Stage::vibration)
+    return {};
+  const dem::FacetSurface *around = nullptr;
+  if (tube)
+    around = &dem::surface(whole());
+  else if (scene.room.container)
+    around = &scene.room.container->wall();
+  return SliceSpace{0., height(),
+                    [around, radius = 0.5 * scene.room.width_x](double z)
+                    {
+                      return around ? tube_section(*around, z)
+                                    : dem::circle_polygon({0., 0.}, radius);
+                    }};
 }
 
 /// Under the plate, or as it was last taken; 0 before.

@@ -43,6 +43,8 @@ public:
   {
     return scene.all;
   }
+  bool has_slices() const override { return true; }
+  std::optional<SliceSpace> slice_space() const override;
   int steps_in_move() const override;
   double preparation_time() const override;
   FastPreparation fast_preparation() override;

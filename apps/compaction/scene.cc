@@ -101,14 +101,24 @@ void add_container(const Case &parameters, const dem::Room &room,
   add_mesh_walls(engine, parameters);
 }
 
+/// In the order in which they are poured.
+std::vector<dem::ParticleShape>
+joined_layers(std::span<const std::vector<dem::ParticleShape>> layers)
+{
+  std::vector<dem::ParticleShape> all;
+  for (const std::vector<dem::ParticleShape> &layer : layers)
+    all.insert(all.end(), layer.begin(), layer.end());
+  return all;
+}
+
 void draw_layers(const Case &parameters, CompactionScene &scene)
 {
   const FillingParameters &f = parameters.filling;
   scene.shapes = load_shapes(parameters, "Filling", f.shapes, f.order);
   const std::vector<dem::ParticleShape> particles =
       draw_filling(parameters, scene.shapes, scene.room);
-  scene.all = unplaced_particles(parameters, particles);
   scene.layers = dem::deal_layers(particles, f.layers);
+  scene.all = unplaced_particles(parameters, joined_layers(scene.layers));
 }
 
 void place_layer(const Case &parameters, CompactionScene &scene)

@@ -113,12 +113,12 @@ PlacedParticles drawn_charge(const Case &parameters)
 void add_boundaries(const Case &parameters, dem::Engine &engine)
 {
   const DrumParameters &d = parameters.drum;
-  dem::Drum drum;
-  drum.radius = d.radius;
-  drum.length = d.length;
-  drum.lifter_height = d.lifter_height;
-  drum.lifter_thickness = d.lifter_thickness;
-  dem::set_drum(engine, drum);
+  dem::Drum shell;
+  shell.radius = d.radius;
+  shell.length = d.length;
+  shell.lifter_height = d.lifter_height;
+  shell.lifter_thickness = d.lifter_thickness;
+  dem::set_drum(engine, shell);
   add_mesh_walls(engine, parameters);
 }
 

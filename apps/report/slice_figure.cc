@@ -115,9 +115,9 @@ std::string path_of(const SliceTable &slices, const SliceScale &scale,
   return path.empty() ? path : path + "Z";
 }
 
-std::string path_element(const std::string &path, const std::string &style)
+std::string path_element(const std::string &path, const std::string &look)
 {
-  return path.empty() ? "" : "<path d=\"" + path + "\" " + style + "/>\n";
+  return path.empty() ? "" : "<path d=\"" + path + "\" " + look + "/>\n";
 }
 
 std::string text_element(double x, double y, const std::string &text,

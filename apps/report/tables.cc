@@ -79,7 +79,7 @@ std::string cell(const std::string &text)
   return "<td>" + escape(text) + "</td>";
 }
 
-std::string head(std::span<const RunData> runs, const std::string &first)
+std::string head_row(std::span<const RunData> runs, const std::string &first)
 {
   std::string out = "<thead><tr><th scope=\"col\">" + first + "</th>";
   for (const RunData &run : runs)
@@ -87,7 +87,7 @@ std::string head(std::span<const RunData> runs, const std::string &first)
   return out + "</tr></thead>\n";
 }
 
-std::string row_head(const std::string &text)
+std::string first_cell(const std::string &text)
 {
   return "<tr><th scope=\"row\">" + escape(text) + "</th>";
 }
@@ -137,11 +137,11 @@ std::string headline(std::span<const RunData> runs)
              headline_value(line, runs[0]) + "</dd></div>\n";
     return out + "</dl>\n";
   }
-  out = "<div class=\"wide\"><table class=\"headline\">" + head(runs, "Run") +
-        "<tbody>\n";
+  out = "<div class=\"wide\"><table class=\"headline\">" +
+        head_row(runs, "Run") + "<tbody>\n";
   for (const Headline &line : report_of(runs).headlines)
   {
-    out += row_head(line.name);
+    out += first_cell(line.name);
     for (const RunData &run : runs)
       out += cell(headline_value(line, run));
     out += "</tr>\n";
@@ -166,12 +166,12 @@ std::string summary_table(std::span<const RunData> runs, ReportSection section)
       cells += cell(value);
     }
     if (has_value)
-      rows += row_head(row.name) + cells + "</tr>\n";
+      rows += first_cell(row.name) + cells + "</tr>\n";
   }
   if (rows.empty())
     return "";
   return "<div class=\"wide\"><table>" +
-         (runs.size() > 1 ? head(runs, "Run") : "") + "<tbody>\n" + rows +
+         (runs.size() > 1 ? head_row(runs, "Run") : "") + "<tbody>\n" + rows +
          "</tbody></table></div>\n";
 }
 
@@ -209,7 +209,7 @@ std::string wall_clock(std::span<const RunData> runs)
                     "the total.</figcaption>\n" +
                     csv_link("wall_clock.csv", wall_clock_csv(bar)) +
                     "</figure>\n<div class=\"wide\"><table>" +
-                    head(runs, "Phase") + "<tbody>\n";
+                    head_row(runs, "Phase") + "<tbody>\n";
   for (std::size_t k = 0; k < phases.size(); ++k)
   {
     out += "<tr><th scope=\"row\"><span class=\"key\" style=\"background:" +
@@ -218,7 +218,7 @@ std::string wall_clock(std::span<const RunData> runs)
       out += time_cell(run, phases[k]);
     out += "</tr>\n";
   }
-  out += "</tbody><tfoot>" + row_head("total");
+  out += "</tbody><tfoot>" + first_cell("total");
   for (const RunData &run : runs)
     out += time_cell(run, "total");
   return out + "</tr></tfoot></table></div>\n";

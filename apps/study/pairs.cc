@@ -7,9 +7,9 @@ namespace spall
 {
 namespace
 {
-using BySeed = std::map<std::string, std::vector<double>>;
+using SamplesBySeed = std::map<std::string, std::vector<double>>;
 
-std::vector<double> means_of(const BySeed &samples)
+std::vector<double> means_of(const SamplesBySeed &samples)
 {
   std::vector<double> means;
   for (const auto &[seed, values] : samples)
@@ -36,7 +36,7 @@ std::vector<std::string> all_but(const StudyPoint &point, std::size_t key)
 std::vector<double> seed_means(const StudyData &data, const Cut &cut,
                                std::size_t outcome)
 {
-  BySeed samples;
+  SamplesBySeed samples;
   for (std::size_t p = 0; p < data.points.size(); ++p)
     if (has_given(data, cut, p, outcome))
       samples[data.points[p].seed].push_back(data.results[p].outcomes[outcome]);
@@ -54,7 +54,7 @@ std::vector<double> paired_differences(const StudyData &data, const Cut &cut,
         data.points[p].values[cut.key] == from)
       before[all_but(data.points[p], cut.key)] =
           data.results[p].outcomes[outcome];
-  BySeed samples;
+  SamplesBySeed samples;
   for (std::size_t p = 0; p < data.points.size(); ++p)
     if (has_given(data, cut, p, outcome) &&
         data.points[p].values[cut.key] == to)

@@ -339,10 +339,11 @@ void Subgrade::note_due(double before)
 
 void Subgrade::describe() const
 {
-  if (const double step = dem::corner_step(engine().parameters(), scene.all);
-      std::isfinite(step))
+  if (const double cornered =
+          dem::corner_step(engine().parameters(), scene.all);
+      std::isfinite(cornered))
     std::printf("in a corner      %.4g s (the same particle on three walls)\n",
-                step);
+                cornered);
   std::printf("subgrade         %zu cells, %zu nodes, %s\n", mesh_size.first,
               mesh_size.second,
               solid ? "full" : "condensed on the nodes of its top");

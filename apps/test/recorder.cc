@@ -49,12 +49,6 @@ std::vector<TableHeader> headers_of(const Test &test)
   return all;
 }
 
-std::optional<SliceSpace> slice_space_of(const Test &test)
-{
-  const auto *sliced = dynamic_cast<const Sliced *>(&test);
-  return sliced ? sliced->slice_space() : std::nullopt;
-}
-
 void add_values(const std::vector<Quantity> &from, std::vector<double> &row)
 {
   for (const Quantity &one : from)
@@ -88,14 +82,14 @@ void Recorder::write_gradation(const Test &test)
 /// Before what has broken is restored.
 void Recorder::note_first_shapes(const Test &test)
 {
-  if (dynamic_cast<const Sliced *>(&test))
+  if (test.has_slices())
     first_shapes = dem::first_shapes(test.all_particles());
 }
 
 /// slices_WHEN.csv; false: the test has no slices now.
 bool Recorder::write_slices(const Test &test, const std::string &when)
 {
-  const std::optional<SliceSpace> space = slice_space_of(test);
+  const std::optional<SliceSpace> space = test.slice_space();
   if (!space)
     return false;
   const dem::ParticleSystem &all = test.whole().particles();
@@ -157,7 +151,7 @@ void Recorder::resume(Test &test)
   write_gradation(test); // before what has broken is restored
   note_first_shapes(test);
   spent_before = restore_state(test, "state.bin").spent;
-  has_first_slices = slice_space_of(test).has_value();
+  has_first_slices = test.slice_space().has_value();
   on_first_rank(
       test.ranks(),
       [&] { write_text(folder / "case.prm", resolved_case(parameters)); });

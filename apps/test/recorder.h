@@ -67,7 +67,7 @@ private:
   Case parameters;
   std::filesystem::path folder;
   std::optional<ObtainedGradation> drawn;
-  std::vector<dem::FirstShape> first_shapes; ///< by id, of a Sliced test
+  std::vector<dem::FirstShape> first_shapes; ///< by id, of a test with slices
   bool has_first_slices = false;             ///< slices_start.csv is written
   std::vector<SpecimenSlice> slices;         ///< the last, on the first rank
   std::map<std::string, CsvFile> tables;     ///< by file name

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "test/slice_space.h"
+
 #include <dem/boundary/facet_surface.h>
 #include <dem/measure/slice.h>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
-#include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,27 +16,6 @@ namespace spall
 {
 /// Heights of the slices of a specimen over its height [-].
 inline constexpr std::array slice_heights = {0.25, 0.5, 0.75};
-
-/// The space that particles fill, from the lower platen to the upper one.
-struct SliceSpace
-{
-  double low = 0., high = 0.; ///< z of the platens [m]
-  /// Its section at this z [m].
-  std::function<dem::Polygon(double z)> section;
-};
-
-/// A test whose specimen is cut into slices where its loading begins and where
-/// the run ends: a kind of test derives from it besides Test.
-class Sliced
-{
-public:
-  virtual ~Sliced() = default;
-  /// None before the loading begins. Collective where there are many ranks.
-  virtual std::optional<SliceSpace> slice_space() const = 0;
-
-protected:
-  Sliced() = default;
-};
 
 /// One slice with the section of the space that it lies in.
 struct SpecimenSlice

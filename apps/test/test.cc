@@ -73,9 +73,9 @@ const dem::Engine &Test::whole() const
     return *owned_engine;
   if (!copy)
   {
-    const Stopwatch watch;
+    const Stopwatch clock;
     copy = std::make_unique<dem::Engine>(owned_engine->gathered());
-    gathering += watch.seconds();
+    gathering += clock.seconds();
   }
   return *copy;
 }

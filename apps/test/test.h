@@ -8,6 +8,7 @@
 #include "specimen/specimen.h"
 #include "test/boundary_columns.h"
 #include "test/removed_mass.h"
+#include "test/slice_space.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -176,11 +177,17 @@ public:
   const dem::Engine &whole() const;
   /// All ranks that the test runs on.
   const dem::Ranks &ranks() const;
-  /// All particles that the test will have; only what does not move counts.
+  /// All particles that the test will have, with their ids; only what does not
+  /// move counts.
   virtual const dem::ParticleSystem &all_particles() const
   {
     return whole().particles();
   }
+  /// Whether the particles are cut into slices where their loading begins and
+  /// where the run ends.
+  virtual bool has_slices() const { return false; }
+  /// Of a test with slices: none before the loading begins. Collective.
+  virtual std::optional<SliceSpace> slice_space() const { return {}; }
   /// Shapes of the particles that have not broken.
   const ShapeLibrary &shape_library() const { return shapes; }
   /// Exchange of particles and bodies; null while there is none.

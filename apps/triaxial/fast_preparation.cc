@@ -58,7 +58,7 @@ FastPreparation Triaxial::fast_preparation()
   FastPreparation result;
   result.is_packed = run_roughly(
       engine(), time_step(),
-      [this](double step) { servo.update(engine(), step); },
+      [this](double length) { servo.update(engine(), length); },
       [&]
       {
         const double share = stress() / target;

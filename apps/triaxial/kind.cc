@@ -1,9 +1,6 @@
 #include "triaxial/kind.h"
 
-#include "test/slices.h"
 #include "triaxial/triaxial.h"
-
-#include <dem/engine_boundaries.h>
 
 namespace spall
 {
@@ -32,27 +29,9 @@ std::string one_rank_setting(const Case &parameters)
              : "";
 }
 
-/// Its specimen is cut into slices.
-class SlicedTriaxial final : public Triaxial, public Sliced
-{
-public:
-  using Triaxial::Triaxial;
-
-  std::optional<SliceSpace> slice_space() const override
-  {
-    if (stage() < Stage::loading)
-      return {};
-    const dem::Prism space = coupling::space_of(enclosed());
-    return SliceSpace{
-        space.low, space.high, [this, corners = space.corners](double z) {
-          return membrane() ? tube_section(dem::surface(whole()), z) : corners;
-        }};
-  }
-};
-
 std::unique_ptr<Test> make(const Case &parameters)
 {
-  return std::make_unique<SlicedTriaxial>(parameters);
+  return std::make_unique<Triaxial>(parameters);
 }
 } // namespace
 

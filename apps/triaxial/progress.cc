@@ -156,16 +156,16 @@ std::string Triaxial::consolidated_text() const
 
 void Triaxial::describe() const
 {
-  if (const double step =
+  if (const double cornered =
           dem::corner_step(engine().parameters(), engine().particles());
-      std::isfinite(step))
+      std::isfinite(cornered))
     std::printf("in a corner      %.4g s (the same particle on three walls)\n",
-                step);
+                cornered);
   if (parameters.time.density_scaling_diameter > 0.)
     std::printf("density scaling  %s\n", scaling_text().c_str());
 }
 
-void Triaxial::describe_time(const MeanStep &step) const
+void Triaxial::describe_time(const MeanStep &mean) const
 {
   if (!parameters.cycle_jump.is_on())
     return;
@@ -173,7 +173,7 @@ void Triaxial::describe_time(const MeanStep &step) const
             simulated = coupling::least_cycles(parameters.cycle_jump, all);
   std::printf("with jumps       %.3g s if none is refused, for %d of %d "
               "cycles\n",
-              step.cost / step.length *
+              mean.cost / mean.length *
                   (duration() - period() * (all - simulated)),
               simulated, all);
 }

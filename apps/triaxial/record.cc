@@ -1,4 +1,5 @@
 // What a triaxial test writes, and when.
+#include "test/slices.h"
 #include "triaxial/triaxial.h"
 
 #include <dem/engine_boundaries.h>
@@ -135,6 +136,17 @@ FrameParts Triaxial::frame_parts() const
   const SurfaceFrames asked = parameters.output.surfaces;
   return {membrane(), asked == SurfaceFrames::all ||
                           (asked == SurfaceFrames::ends && is_at_an_end)};
+}
+
+std::optional<SliceSpace> Triaxial::slice_space() const
+{
+  if (now < Stage::loading)
+    return {};
+  const dem::Prism space = coupling::space_of(enclosed());
+  return SliceSpace{
+      space.low, space.high, [this, corners = space.corners](double z) {
+        return membrane() ? tube_section(dem::surface(whole()), z) : corners;
+      }};
 }
 
 EnergyBalance Triaxial::energy_balance() const

@@ -131,7 +131,7 @@ void Triaxial::start_probe()
   std::stringstream state;
   timed(probing, [&] { save(state); });
   coupling::ProbeWindow coarse;
-  for (std::int64_t step = 0; step < probe.n_coarse; ++step)
+  for (std::int64_t k = 0; k < probe.n_coarse; ++k)
   {
     load();
     gather(coarse);

@@ -95,17 +95,19 @@ void Triaxial::enter(Stage next)
   now = next;
   in_stage = 0;
   watch.follow(step_rule());
-  const double step = longest_step();
+  const double longest = longest_step();
   if (next == Stage::preparation)
-    return schedule.begin(std::numeric_limits<double>::infinity(), step);
+    return schedule.begin(std::numeric_limits<double>::infinity(), longest);
   if (next == Stage::loading)
     return schedule.begin(period() / static_cast<double>(cycle_intervals),
-                          step);
+                          longest);
   // Consolidation: two halves, or as many steps as come near to its length.
   const double length = parameters.loading.consolidation_time;
   stage_intervals =
-      is_fixed() ? std::max<std::int64_t>(2, std::llround(length / step)) : 2;
-  schedule.begin(is_fixed() ? step : std::max(0.5 * length, step), step);
+      is_fixed() ? std::max<std::int64_t>(2, std::llround(length / longest))
+                 : 2;
+  schedule.begin(is_fixed() ? longest : std::max(0.5 * length, longest),
+                 longest);
 }
 
 bool Triaxial::refines_membrane() const

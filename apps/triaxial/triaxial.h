@@ -99,6 +99,8 @@ public:
   }
   std::vector<NamedText> take_files() override { return cycles.take_files(); }
   FrameParts frame_parts() const override;
+  bool has_slices() const override { return true; }
+  std::optional<SliceSpace> slice_space() const override;
   EnergyBalance energy_balance() const override;
   EnergyBalance reported_balance() const override; ///< of the loading
   void summarise(nlohmann::ordered_json &summary) const override;

@@ -109,7 +109,7 @@ FEM_INLINE void along_wrinkles(const TensionLine &line, const Simd &major,
   const Simd c = major > line.slack ? major : major * 0. + line.slack;
   if (line.is_neo_hookean)
   {
-    Simd ratio;
+    Simd ratio{};
     root(ratio, line.start / c);
     stress = line.modulus * (line.start - ratio / c);
     energy = 0.5 * line.modulus * ((line.start * c + 2. * ratio) - 3.);
@@ -129,7 +129,7 @@ FEM_INLINE void relax(const BatchLaw &law, const Simd &cxx, const Simd &cyy,
                       const Simd &cxy, Stress<Simd> &s)
 {
   const Simd half = 0.5 * (cxx - cyy), apart = 0.5 * (s.xx - s.yy);
-  Simd radius, spread, stress, energy;
+  Simd radius{}, spread{}, stress, energy;
   root(radius, half * half + cxy * cxy);
   root(spread, apart * apart + s.xy * s.xy);
   along_wrinkles(law.line, 0.5 * (cxx + cyy) + radius, stress, energy);

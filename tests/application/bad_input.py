@@ -1,23 +1,22 @@
 #!/usr/bin/env python3
 """Bad input: one clear line on stderr, exit status 1, nothing written.
 
-    bad_input.py SPALL [NAME ...]
+    bad_input.py FORKED_PROGRAM [NAME ...]
 
 Every case of bad_cases.py runs in a folder of its own with what it needs.
 A case is the words after `spall` and the words that its message must have, in
 which {case} stands for a sound case of spheres.
 """
-import os
 import pathlib
-import subprocess
+import signal
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 
 from bad_cases import CASES, GRADATION, merged, prm
 from bad_meshes import MESH_FILES
 from bad_paths import PATHS
 from bad_subgrades import SUBGRADES
+from forked import ForkedProgram
 
 
 def listing(folder):
@@ -25,7 +24,7 @@ def listing(folder):
             for path in folder.rglob("*")}
 
 
-def faults_of(spall, bad):
+def faults_of(program, bad):
     """What is wrong with the answer to this input."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -37,12 +36,8 @@ def faults_of(spall, bad):
                                         else text.encode())
         before = listing(folder)
         words = [word.replace("{case}", "case.prm") for word in bad.words]
-        try:
-            ended = subprocess.run(
-                [spall, *words], cwd=folder, capture_output=True, text=True,
-                errors="replace", timeout=100, check=False,
-                env={**os.environ, "OMP_NUM_THREADS": "1"})
-        except subprocess.TimeoutExpired:
+        ended = program.run(words, folder)
+        if ended.returncode == -signal.SIGALRM:
             return ["does not end"]
         after = listing(folder)
     return answer_faults(bad, ended) + (
@@ -71,11 +66,11 @@ def answer_faults(bad, ended):
 
 
 def main():
-    spall, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:]
+    names = sys.argv[2:]
     cases = [bad for bad in CASES + MESH_FILES + SUBGRADES + PATHS
              if not names or bad.name in names]
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = list(pool.map(lambda bad: faults_of(spall, bad), cases))
+    with ForkedProgram(sys.argv[1]) as program:
+        results = [faults_of(program, bad) for bad in cases]
     n_failed = 0
     for bad, faults in zip(cases, results):
         if faults:

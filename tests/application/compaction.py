@@ -14,6 +14,7 @@ import time
 from lab import near, resumed_faults, spall_run, write_prm
 from report_pages import SECTIONS, page_faults
 from run_views import view_faults
+from slices import slice_faults
 from triaxial_runs import (ENVIRONMENT, differing, report_faults, rows,
                            summary)
 
@@ -51,7 +52,8 @@ PLATES = {
     },
 }
 FILES = ["history.csv", "events.csv", "ledger.csv", "roundness_0s.csv",
-         "roundness_0.1s.csv", "roundness_0.2s.csv"]
+         "roundness_0.1s.csv", "roundness_0.2s.csv", "slices_start.csv",
+         "slices_end.csv"]
 
 
 def write_case(root, form):
@@ -152,7 +154,7 @@ def number_faults(folder, form):
         if len(table) != found["n_particles"] or \
                 abs(100. * (1. - total / mass) - report["laa_percent"]) > 1e-6:
             faults.append(f"{name}: {total} kg, {report}")
-    return faults
+    return faults + slice_faults(folder)
 
 
 def stopped(words, folder):
