@@ -52,6 +52,13 @@ enum class SurfaceFrames
   all   ///< with every frame
 };
 
+/// Tables besides the ParaView files, of every kind.
+enum class FrameTables
+{
+  none,
+  hdf5 ///< a file with every frame
+};
+
 enum class SpecimenForm
 {
   box,     ///< a cube
@@ -202,6 +209,7 @@ struct OutputParameters
   int frames_per_cycle = 2;   ///< vtu frames
   int checkpoint_every = 1;   ///< cycles; 0: only at the end
   SurfaceFrames surfaces = SurfaceFrames::ends;
+  FrameTables frame_tables = FrameTables::none;
 };
 
 /// The particle of the single-particle test.

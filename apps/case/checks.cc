@@ -4,7 +4,8 @@
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
-#include "run/frame_tables.h"
+
+#include <dem/io/table_file.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -205,8 +206,7 @@ void check_walls(const Case &c, const SourceLocation &location)
 
 void check_frame_tables(const Case &c, const SourceLocation &location)
 {
-  if (c.own<FrameTablesParameters>().form == FrameTablesForm::hdf5 &&
-      !dem::writes_hdf5())
+  if (c.output.frame_tables == FrameTables::hdf5 && !dem::writes_hdf5())
     refuse(location, {"Output", "frame_tables", "hdf5",
                       "must be none: this program is built without HDF5 "
                       "(CMake option SPALL_HDF5)"});

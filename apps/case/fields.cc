@@ -1,7 +1,6 @@
 #include "case/fields.h"
 
 #include "case/list.h"
-#include "run/frame_tables.h"
 
 #include <algorithm>
 
@@ -316,7 +315,7 @@ std::vector<Parameter> parameters_of(Case &of)
   list.add({"frame_tables", "-",
             "Tables of the particles and contacts of every frame in addition "
             "to the ParaView files: none, or an HDF5 file (hdf5)."},
-           of.own<FrameTablesParameters>().form, {"none", "hdf5"});
+           of.output.frame_tables, {"none", "hdf5"});
   list.in("Run", {.decides_preparation = false, .may_change = true});
   list.add({"threads", "-",
             "Largest number of OpenMP threads. The run uses the fastest number "

@@ -449,8 +449,8 @@ FrameParts Compaction::frame_parts() const
 {
   FrameParts parts{tube ? &tube->membrane() : nullptr, true};
   if (plate && plate->elastic())
-    parts.bodies.push_back({"plate", [this](const std::string &path)
-                            { plate->elastic()->solid().write_vtu(path); }});
+    parts.bodies.push_back({"plate", [this](std::ostream &out)
+                            { plate->elastic()->solid().write_vtu(out); }});
   return parts;
 }
 

@@ -310,8 +310,8 @@ std::string LosAngeles::phase() const
 FrameParts LosAngeles::frame_parts() const
 {
   FrameParts parts{nullptr, true};
-  parts.bodies.push_back({"drum", [this](const std::string &path)
-                          { dem::write_drum(path, dem::drum(engine())); }});
+  parts.bodies.push_back({"drum", [this](std::ostream &out)
+                          { dem::write_drum(out, dem::drum(engine())); }});
   return parts;
 }
 

@@ -23,8 +23,8 @@ void write_frame_tables(const std::filesystem::path &folder,
                         const dem::FrameDescription &frame)
 {
   const dem::TableFile tables = dem::frame_tables(engine, frame);
-  write_by_path(path_of(folder, frame.number), [&](const std::string &draft)
-                { dem::write_hdf5(draft, tables); });
+  write_whole(path_of(folder, frame.number),
+              [&](std::ostream &out) { dem::write_hdf5(out, tables); });
 }
 
 void remove_frame_tables(const std::filesystem::path &folder,

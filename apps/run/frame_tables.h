@@ -6,19 +6,6 @@
 
 namespace spall
 {
-enum class FrameTablesForm
-{
-  none,
-  hdf5 ///< a file with every frame
-};
-
-/// Tables besides the ParaView files, of every kind:
-/// Case::own<FrameTablesParameters>().
-struct FrameTablesParameters
-{
-  FrameTablesForm form = FrameTablesForm::none;
-};
-
 /// Writes frames/tables_NNNNN.h5 of a run folder: the tables of this frame.
 /// Throws RunFailure or std::runtime_error.
 void write_frame_tables(const std::filesystem::path &folder,

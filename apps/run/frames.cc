@@ -88,31 +88,31 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
   const dem::ParticleColumns columns{particles.id, position,    velocity,
                                      spin,         orientation, particles.shape,
                                      radius,       mass,        loss};
-  using Path = const std::string &;
+  using Out = std::ostream &;
   const auto add =
-      [&](int part, const char *label, const std::function<void(Path)> &write)
+      [&](int part, const char *label, const std::function<void(Out)> &write)
   {
     char name[64];
     std::snprintf(name, sizeof name, "frames/%s_%05d.vtu", label, number);
-    write_by_path(folder / name, write);
+    write_whole(folder / name, write);
     entries.push_back({engine.time(), part, name});
   };
-  add(0, "particles", [&](Path path) { dem::write_particles(path, columns); });
+  add(0, "particles", [&](Out out) { dem::write_particles(out, columns); });
   add(1, "contacts",
-      [&](Path path) { dem::write_contacts(path, contact_lines(engine)); });
+      [&](Out out) { dem::write_contacts(out, contact_lines(engine)); });
   if (parts.membrane)
-    add(2, "membrane", [&](Path path) { parts.membrane->write_vtu(path); });
+    add(2, "membrane", [&](Out out) { parts.membrane->write_vtu(out); });
   if (const auto walls = dem::mesh_walls(engine); !walls.empty())
     add(walls_part, "walls",
-        [&](Path path)
+        [&](Out out)
         {
           std::vector<const dem::FacetSurface *> surfaces;
           for (const dem::MeshWall &wall : walls)
             surfaces.push_back(&wall.surface);
-          dem::write_facets(path, surfaces);
+          dem::write_facets(out, surfaces);
         });
   if (parts.has_surfaces)
-    add(3, "surfaces", [&](Path path) { dem::write_surfaces(path, columns); });
+    add(3, "surfaces", [&](Out out) { dem::write_surfaces(out, columns); });
   int part = 4;
   for (const FrameBody &body : parts.bodies)
     add(part++, body.name, body.write);

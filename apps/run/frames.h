@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,7 @@ namespace spall
 struct FrameBody
 {
   const char *name;
-  /// Throws if it cannot write the file.
-  std::function<void(const std::string &path)> write;
+  std::function<void(std::ostream &)> write;
 };
 
 /// What a frame shows besides equivalent spheres and contacts.

@@ -184,14 +184,4 @@ void write_asked(const fs::path &path, const std::string &text)
     throw InputError(write_failure(path, outcome.error));
   require_written(path, outcome);
 }
-
-void write_by_path(const fs::path &path,
-                   const std::function<void(const std::string &)> &write)
-{
-  const fs::path target = target_of(path);
-  Draft draft(target.string() + usual_ending);
-  write(draft.path.string());
-  if (const int error = take_name(draft, target, Durability::usual); error != 0)
-    throw RunFailure(write_failure(path, error));
-}
 } // namespace spall

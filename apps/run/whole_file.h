@@ -37,9 +37,4 @@ void write_text(const std::filesystem::path &path, const std::string &text,
 /// The same to a path that the user gave: throws InputError if it cannot be
 /// opened, RunFailure if it cannot be written after that.
 void write_asked(const std::filesystem::path &path, const std::string &text);
-
-/// The same with a function that writes a file by its path and throws if it
-/// cannot: it is given the path of the draft.
-void write_by_path(const std::filesystem::path &path,
-                   const std::function<void(const std::string &)> &write);
 } // namespace spall

@@ -134,18 +134,18 @@ void Subgrade::restore(std::istream &in)
 
 FrameParts Subgrade::frame_parts() const
 {
-  std::vector<FrameBody> bodies = {{"subgrade", [this](const std::string &path)
+  std::vector<FrameBody> bodies = {{"subgrade", [this](std::ostream &out)
                                     {
                                       if (solid)
-                                        solid->solid().write_vtu(path);
+                                        solid->solid().write_vtu(out);
                                       else
-                                        write_quads(path, condensed->mesh(),
+                                        write_quads(out, condensed->mesh(),
                                                     ground->motion());
                                     }}};
   if (plate)
-    bodies.push_back({"plate", [this](const std::string &path)
+    bodies.push_back({"plate", [this](std::ostream &out)
                       {
-                        write_quads(path,
+                        write_quads(out,
                                     plate_surface(parameters.subgrade.plate,
                                                   now.plate_start),
                                     plate->motion());

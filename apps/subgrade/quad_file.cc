@@ -1,9 +1,5 @@
 #include "subgrade/quad_file.h"
 
-#include "run/whole_file.h"
-
-#include <sstream>
-
 namespace spall
 {
 namespace
@@ -30,10 +26,9 @@ void write_integers(std::ostream &out, const std::string &name,
 }
 } // namespace
 
-void write_quads(const std::string &path, const fem::SurfaceMesh &mesh,
+void write_quads(std::ostream &out, const fem::SurfaceMesh &mesh,
                  const coupling::NodeMotion &motion)
 {
-  std::ostringstream out;
   out.precision(9);
   coupling::Field displacement(motion.position.begin(), motion.position.end());
   for (std::size_t k = 0; k < displacement.size(); ++k)
@@ -54,6 +49,5 @@ void write_quads(const std::string &path, const fem::SurfaceMesh &mesh,
                  [](std::size_t k) { return 4 * (k + 1); });
   write_integers(out, "types", "UInt8", n, [](std::size_t) { return 9; });
   out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  write_text(path, out.str());
 }
 } // namespace spall

@@ -58,7 +58,6 @@ void add_values(const std::vector<Quantity> &from, std::vector<double> &row)
 
 Recorder::Recorder(const Case &c, std::filesystem::path run_folder)
     : parameters(c), folder(std::move(run_folder)),
-      tables_form(parameters.own<FrameTablesParameters>().form),
       started(std::chrono::steady_clock::now())
 {
 }
@@ -267,7 +266,7 @@ void Recorder::write_frame(const Test &test)
 /// The tables of the frame that is written next, if the case asks for them.
 void Recorder::write_tables(const Test &test, const dem::Engine &scene) const
 {
-  if (tables_form == FrameTablesForm::none)
+  if (parameters.output.frame_tables == FrameTables::none)
     return remove_frame_tables(folder, n_frames);
   dem::FrameDescription frame{.title = parameters.title,
                               .kind = parameters.kind,

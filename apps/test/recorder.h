@@ -1,7 +1,6 @@
 #pragma once
 
 #include "run/csv_file.h"
-#include "run/frame_tables.h"
 #include "specimen/obtained_gradation.h"
 #include "test/checkpoint.h"
 #include "test/slices.h"
@@ -74,7 +73,6 @@ private:
   std::vector<dem::FrameEntry> frames;
   int n_frames = 0;
   std::optional<double> framed_at; ///< time of the last frame [s]
-  FrameTablesForm tables_form;     ///< of the frames
   double output_seconds = 0.;
   /// Clocks when the preparation had ended.
   struct Spent

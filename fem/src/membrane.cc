@@ -388,10 +388,10 @@ double Membrane::enclosed_volume() const
   return fem::enclosed_volume(state->mesh, state->rims, state->now.position);
 }
 
-void Membrane::write_vtu(const std::string &path) const
+void Membrane::write_vtu(std::ostream &out) const
 {
   const MembraneMotion &now = state->now;
-  state->space.write_vtu(path, state->sheet,
+  state->space.write_vtu(out, state->sheet,
                          {now.position, now.velocity, now.load});
 }
 

@@ -1,7 +1,5 @@
 #include "membrane_space.h"
 
-#include "output_file.h"
-
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -222,7 +220,7 @@ std::vector<double> MembraneSpace::nodal_area() const
   return area;
 }
 
-void MembraneSpace::write_vtu(const std::string &path, const Sheet &sheet,
+void MembraneSpace::write_vtu(std::ostream &out, const Sheet &sheet,
                               const MembraneFields &fields) const
 {
   using Kind = dealii::DataComponentInterpretation::DataComponentInterpretation;
@@ -258,6 +256,6 @@ void MembraneSpace::write_vtu(const std::string &path, const Sheet &sheet,
   // deal.II answers a bad stream with a page of text, so it gets a good one.
   std::ostringstream text;
   output.write_vtu(text);
-  write_output(path, text.view());
+  out << text.view();
 }
 } // namespace fem

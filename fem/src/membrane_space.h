@@ -34,9 +34,8 @@ public:
   /// int N_v dA by Gauss-Lobatto points: the lumped mass over rho h [m^2].
   std::vector<double> nodal_area() const;
 
-  /// Deformed membrane as .vtu; throws std::runtime_error if the file cannot
-  /// be written.
-  void write_vtu(const std::string &path, const Sheet &sheet,
+  /// Deformed membrane as .vtu; the caller checks the stream.
+  void write_vtu(std::ostream &out, const Sheet &sheet,
                  const MembraneFields &fields) const;
 
 private:

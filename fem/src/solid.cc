@@ -451,12 +451,12 @@ double Solid::yielded_share() const
   return state->plastic.yielded_share(state->now.plastic);
 }
 
-void Solid::write_vtu(const std::string &path) const
+void Solid::write_vtu(std::ostream &out) const
 {
   const SolidMotion &now = state->now;
   SolidFields fields{now.displacement, now.velocity, now.load, {}};
   for (std::size_t k = 0; k < state->mesh.cells.size(); ++k)
     fields.stress.push_back(stress(k));
-  write_solid_vtu(path, state->mesh, fields);
+  write_solid_vtu(out, state->mesh, fields);
 }
 } // namespace fem

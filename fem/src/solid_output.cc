@@ -1,4 +1,3 @@
-#include "output_file.h"
 #include "solid_state.h"
 
 #include <deal.II/base/data_out_base.h>
@@ -47,7 +46,7 @@ Patch make_patch(const SolidMesh &mesh, const SolidFields &fields,
 }
 } // namespace
 
-void write_solid_vtu(const std::string &path, const SolidMesh &mesh,
+void write_solid_vtu(std::ostream &out, const SolidMesh &mesh,
                      const SolidFields &fields)
 {
   std::vector<Patch> patches;
@@ -63,6 +62,6 @@ void write_solid_vtu(const std::string &path, const SolidMesh &mesh,
                                   {3, 5, "velocity_m_per_s", vector},
                                   {6, 8, "load_N", vector}},
                                  flags, text);
-  write_output(path, text.view());
+  out << text.view();
 }
 } // namespace fem

@@ -127,7 +127,7 @@ struct SolidFields
   std::span<const Eigen::Vector3d> displacement, velocity, load;
   std::vector<std::array<double, 6>> stress; ///< of the cells [Pa]
 };
-/// Throws std::runtime_error if the file cannot be written.
-void write_solid_vtu(const std::string &path, const SolidMesh &mesh,
+/// As a file .vtu; the caller checks the stream.
+void write_solid_vtu(std::ostream &out, const SolidMesh &mesh,
                      const SolidFields &fields);
 } // namespace fem

@@ -7,10 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <fstream>
 #include <hdf5.h>
-#include <system_error>
+#include <ostream>
 #include <type_traits>
 #endif
 
@@ -273,25 +271,17 @@ bool writes_hdf5()
   return true;
 }
 
-void write_hdf5(const std::string &path, const TableFile &tables)
+void write_hdf5(std::ostream &out, const TableFile &tables)
 {
   const Quiet quiet;
-  std::string bytes;
   try
   {
-    bytes = bytes_of(tables);
+    out << bytes_of(tables);
   }
   catch (const Refused &)
   {
-    throw std::runtime_error(path + ": HDF5 cannot make its contents");
+    throw std::runtime_error("HDF5 cannot make the contents of a table");
   }
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file)
-    throw std::runtime_error(path + ": cannot be written: " +
-                             std::generic_category().message(errno));
 }
 #else
 bool writes_hdf5()
@@ -299,9 +289,9 @@ bool writes_hdf5()
   return false;
 }
 
-void write_hdf5(const std::string &path, const TableFile &)
+void write_hdf5(std::ostream &, const TableFile &)
 {
-  throw std::runtime_error(path + ": this program is built without HDF5");
+  throw std::runtime_error("this program is built without HDF5");
 }
 #endif
 } // namespace dem

@@ -14,17 +14,13 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
-#include <system_error>
 
 namespace dem
 {
@@ -63,19 +59,8 @@ void add_scalars(vtkDataSetAttributes *data, const char *name, std::size_t n,
   data->AddArray(array);
 }
 
-void write_file(const std::string &path, std::string_view bytes)
-{
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file)
-    throw std::runtime_error(path + ": cannot be written: " +
-                             std::generic_category().message(errno));
-}
-
 /// VTK makes the bytes only: its own writing prints a page about a full disk.
-void write_grid(const std::string &path, vtkUnstructuredGrid *grid)
+void write_grid(std::ostream &out, vtkUnstructuredGrid *grid)
 {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->WriteToOutputStringOn();
@@ -84,8 +69,8 @@ void write_grid(const std::string &path, vtkUnstructuredGrid *grid)
   writer->SetCompressorTypeToZLib();
   writer->SetIdTypeToInt32();
   if (writer->Write() != 1 || writer->GetErrorCode() != 0)
-    throw std::runtime_error(path + ": VTK cannot make its contents");
-  write_file(path, writer->GetOutputString());
+    throw std::runtime_error("VTK cannot make the contents of a frame");
+  out << writer->GetOutputString();
 }
 
 void add_particle_fields(vtkPointData *data, const ParticleColumns &in)
@@ -219,7 +204,7 @@ void add_contact_fields(vtkUnstructuredGrid *grid,
 }
 } // namespace
 
-void write_particles(const std::string &path, const ParticleColumns &particles)
+void write_particles(std::ostream &out, const ParticleColumns &particles)
 {
   const std::size_t n = particles.id.size();
   DEM_ASSERT(particles.position.size() == n && particles.shape.size() == n);
@@ -235,10 +220,10 @@ void write_particles(const std::string &path, const ParticleColumns &particles)
   grid->SetPoints(points);
   grid->SetCells(VTK_VERTEX, cells);
   add_particle_fields(grid->GetPointData(), particles);
-  write_grid(path, grid);
+  write_grid(out, grid);
 }
 
-void write_surfaces(const std::string &path, const ParticleColumns &particles)
+void write_surfaces(std::ostream &out, const ParticleColumns &particles)
 {
   const std::size_t n = particles.id.size();
   DEM_ASSERT(particles.orientation.size() == n && particles.loss.size() == n);
@@ -252,11 +237,10 @@ void write_surfaces(const std::string &path, const ParticleColumns &particles)
                                  { return particles.id[k / per_particle]; });
   add_scalars(grid->GetCellData(), "loss_1", n * per_particle,
               [&](std::size_t k) { return particles.loss[k / per_particle]; });
-  write_grid(path, grid);
+  write_grid(out, grid);
 }
 
-void write_contacts(const std::string &path,
-                    std::span<const ContactLine> contacts)
+void write_contacts(std::ostream &out, std::span<const ContactLine> contacts)
 {
   vtkNew<vtkPoints> points = make_points(2 * contacts.size());
   vtkNew<vtkCellArray> cells;
@@ -272,10 +256,10 @@ void write_contacts(const std::string &path,
   if (!contacts.empty()) // readers mistrust a list of no cells
     grid->SetCells(VTK_LINE, cells);
   add_contact_fields(grid, contacts);
-  write_grid(path, grid);
+  write_grid(out, grid);
 }
 
-void write_facets(const std::string &path,
+void write_facets(std::ostream &out,
                   std::span<const FacetSurface *const> surfaces)
 {
   vtkNew<vtkPoints> points;
@@ -304,10 +288,10 @@ void write_facets(const std::string &path,
               [&](std::size_t k) { return load[k]; });
   add_vectors(grid->GetPointData(), "velocity_m_per_s", velocity.size(), 3,
               [&](std::size_t k) { return velocity[k]; });
-  write_grid(path, grid);
+  write_grid(out, grid);
 }
 
-void write_drum(const std::string &path, const Drum &drum)
+void write_drum(std::ostream &stream, const Drum &drum)
 {
   constexpr int n_strips = 72;
   vtkNew<vtkPoints> points;
@@ -347,7 +331,7 @@ void write_drum(const std::string &path, const Drum &drum)
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
   grid->SetCells(VTK_QUAD, cells);
-  write_grid(path, grid);
+  write_grid(stream, grid);
 }
 
 std::string collection_text(std::span<const FrameEntry> entries)

@@ -171,7 +171,7 @@ public:
   double enclosed_volume() const;
 
   /// Deformed: displacement, velocity, load; area ratio, tension, energy.
-  void write_vtu(const std::string &path) const;
+  void write_vtu(std::ostream &out) const;
 
   void save(std::ostream &out) const; ///< full state, bit for bit
   void load(std::istream &in); ///< throws std::runtime_error if it does not fit

@@ -191,7 +191,7 @@ public:
   double yielded_share() const;
 
   /// Displacement, velocity and load of the nodes, stress of the cells.
-  void write_vtu(const std::string &path) const;
+  void write_vtu(std::ostream &out) const;
 
   void save(std::ostream &out) const; ///< full state, bit for bit
   void load(std::istream &in); ///< throws std::runtime_error if it does not fit

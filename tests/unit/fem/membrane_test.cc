@@ -1,12 +1,10 @@
 #include "flat_mesh.h"
-#include "test_folder.h"
 
 #include <fem/membrane.h>
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <fstream>
 #include <numeric>
 #include <sstream>
 
@@ -289,15 +287,12 @@ TEST(Membrane, WritesTheDeformedShape)
 {
   BusyMembrane busy;
   busy.advance(0, 10);
-  const std::string path =
-      (support::test_folder() / "membrane_test.vtu").string();
-  busy.membrane.write_vtu(path);
-  std::ifstream file(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream file;
+  busy.membrane.write_vtu(file);
+  const std::string text = file.str();
   EXPECT_NE(text.find("NumberOfCells=\"70\""), std::string::npos);
   for (const char *name : {"displacement_m", "velocity_m_per_s", "load_N",
                            "area_ratio_1", "tension_N_per_m"})
     EXPECT_NE(text.find(name), std::string::npos) << name;
-  EXPECT_THROW(busy.membrane.write_vtu("/nowhere/x.vtu"), std::runtime_error);
 }
 } // namespace

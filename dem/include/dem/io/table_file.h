@@ -3,6 +3,7 @@
 #include <dem/vector.h>
 
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 #include <utility>
 #include <variant>
@@ -46,6 +47,6 @@ bool writes_hdf5();
 /// Writes the tables as an HDF5 file: a group for each table, a dataset for
 /// each column with the attributes `unit` and `sentence`. Numbers keep all
 /// their bits, and equal tables make equal bytes. Throws std::runtime_error if
-/// the file cannot be written, and where writes_hdf5() is false.
-void write_hdf5(const std::string &path, const TableFile &tables);
+/// HDF5 fails, and where writes_hdf5() is false; the caller checks the stream.
+void write_hdf5(std::ostream &out, const TableFile &tables);
 } // namespace dem

@@ -5,6 +5,7 @@
 #include <dem/shape/particle_shape.h>
 
 #include <cstdint>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,25 +52,24 @@ struct FrameEntry
   std::string file; ///< relative to the .pvd
 };
 
-/// Particles as points with all fields (vtu). Throws std::runtime_error if the
-/// file cannot be written, as do the other writers.
-void write_particles(const std::string &path, const ParticleColumns &particles);
+/// Particles as points with all fields (vtu). Throws std::runtime_error if VTK
+/// fails, as do the other writers; the caller checks the stream.
+void write_particles(std::ostream &out, const ParticleColumns &particles);
 
 /// True surfaces of the particles (vtu): each the image of one triangulated
 /// sphere (about 1300 triangles a particle), with id and loss per cell.
-void write_surfaces(const std::string &path, const ParticleColumns &particles);
+void write_surfaces(std::ostream &out, const ParticleColumns &particles);
 
 /// Contacts as lines with their forces (vtu).
-void write_contacts(const std::string &path,
-                    std::span<const ContactLine> contacts);
+void write_contacts(std::ostream &out, std::span<const ContactLine> contacts);
 
 /// The triangles of surfaces with the number of the surface, `wall`, and at the
 /// vertices the force of the particles and the velocity (vtu).
-void write_facets(const std::string &path,
+void write_facets(std::ostream &out,
                   std::span<const FacetSurface *const> surfaces);
 
 /// Side and lifter of a drum as it stands, open at both ends (vtu).
-void write_drum(const std::string &path, const Drum &drum);
+void write_drum(std::ostream &stream, const Drum &drum);
 
 /// ParaView collection (pvd) over all frames so far.
 std::string collection_text(std::span<const FrameEntry> entries);

@@ -65,7 +65,8 @@ void write_particles(const std::string &path, double loss)
                                                   dem::Quaternion::Identity());
   const std::vector<dem::ParticleShape> bodies(2);
   const std::vector<double> radii(2, 0.01), losses{0., loss};
-  dem::write_surfaces(path, {.id = ids,
+  std::ofstream file(path, std::ios::binary);
+  dem::write_surfaces(file, {.id = ids,
                              .position = positions,
                              .velocity = {},
                              .spin = {},
