@@ -206,7 +206,7 @@ void check_walls(const Case &c, const SourceLocation &location)
 
 void check_frame_tables(const Case &c, const SourceLocation &location)
 {
-  if (c.output.frame_tables == FrameTables::hdf5 && !dem::writes_hdf5())
+  if (c.output.frame_tables == FrameTables::hdf5 && dem::hdf5_version().empty())
     refuse(location, {"Output", "frame_tables", "hdf5",
                       "must be none: this program is built without HDF5 "
                       "(CMake option SPALL_HDF5)"});

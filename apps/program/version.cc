@@ -1,5 +1,7 @@
 #include "program/version.h"
 
+#include <dem/io/table_file.h>
+
 #include <deal.II/base/config.h>
 #include <mpi.h>
 
@@ -30,6 +32,7 @@ std::string mpi_version()
 
 std::string version_text()
 {
+  const std::string hdf5 = dem::hdf5_version();
   return "spall " SPALL_VERSION "\n"
          "commit " +
          std::string(source_commit) +
@@ -38,7 +41,8 @@ std::string version_text()
          "Trilinos " +
          trilinos_version() +
          "\n"
-         "VTK " SPALL_VTK_VERSION "\n"
+         "VTK " SPALL_VTK_VERSION "\n" +
+         (hdf5.empty() ? "" : "HDF5 " + hdf5 + "\n") +
          "Eigen " SPALL_EIGEN_VERSION "\n"
          "MPI " +
          mpi_version() +

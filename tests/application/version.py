@@ -2,7 +2,9 @@
 """spall --version: version of the project, commit of the sources, libraries; the
 same version in CITATION.cff, and a section of it in the changelog.
 
-    version.py SPALL VERSION SOURCE
+    version.py SPALL VERSION SOURCE HDF5
+
+HDF5 is 1 where the program is built with it, else 0.
 """
 import pathlib
 import re
@@ -35,7 +37,7 @@ def written_faults(version, source):
         yield f"docs/CHANGELOG.md has no section {version}"
 
 
-def faults(spall, version, source):
+def faults(spall, version, source, has_hdf5):
     printed = subprocess.run([spall, "--version"], capture_output=True,
                              text=True, check=True).stdout
     lines = printed.splitlines()
@@ -45,12 +47,13 @@ def faults(spall, version, source):
                if line.startswith("commit ")]
     if len(commits) != 1 or commits[0] not in commits_of(source):
         yield f"commits {commits}"
-    for library in LIBRARIES:
+    for library in (*LIBRARIES, "HDF5"):
         found = [line for line in lines if line.startswith(library + " ")]
-        if len(found) != 1 or not NUMBER.search(found[0]):
+        expected = int(library != "HDF5" or has_hdf5 == "1")
+        if len(found) != expected or not all(map(NUMBER.search, found)):
             yield f"{library}: {found}"
     yield from written_faults(version, pathlib.Path(source))
 
 
 if __name__ == "__main__":
-    sys.exit(report_faults(list(faults(*sys.argv[1:4]))))
+    sys.exit(report_faults(list(faults(*sys.argv[1:5]))))

@@ -266,9 +266,12 @@ std::string bytes_of(const TableFile &tables)
 }
 } // namespace
 
-bool writes_hdf5()
+std::string hdf5_version()
 {
-  return true;
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return std::to_string(major) + "." + std::to_string(minor) + "." +
+         std::to_string(release);
 }
 
 void write_hdf5(std::ostream &out, const TableFile &tables)
@@ -284,9 +287,9 @@ void write_hdf5(std::ostream &out, const TableFile &tables)
   }
 }
 #else
-bool writes_hdf5()
+std::string hdf5_version()
 {
-  return false;
+  return {};
 }
 
 void write_hdf5(std::ostream &, const TableFile &)

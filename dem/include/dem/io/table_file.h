@@ -41,12 +41,13 @@ struct TableFile
   std::vector<TableGroup> groups;
 };
 
-/// Whether this build can write HDF5 (CMake option SPALL_HDF5).
-bool writes_hdf5();
+/// Version of the HDF5 library; empty if this build cannot write HDF5 (CMake
+/// option SPALL_HDF5).
+std::string hdf5_version();
 
 /// Writes the tables as an HDF5 file: a group for each table, a dataset for
 /// each column with the attributes `unit` and `sentence`. Numbers keep all
 /// their bits, and equal tables make equal bytes. Throws std::runtime_error if
-/// HDF5 fails, and where writes_hdf5() is false; the caller checks the stream.
+/// HDF5 fails, and where hdf5_version() is empty; the caller checks the stream.
 void write_hdf5(std::ostream &out, const TableFile &tables);
 } // namespace dem
