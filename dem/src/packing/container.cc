@@ -1,8 +1,10 @@
+#include <dem/measure/region_stress.h>
 #include <dem/packing/container.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -100,6 +102,20 @@ std::size_t count_loops(const std::vector<Edge> &edges)
   return n;
 }
 
+/// Of edges that are one closed line, along it; seen from above.
+Polygon polygon_of(const std::vector<Edge> &rim, const FacetSurface &surface)
+{
+  std::map<std::int32_t, std::int32_t> next;
+  for (const Edge &edge : rim)
+    next[edge[0]] = edge[1];
+  Polygon polygon;
+  for (std::int32_t at = rim.empty() ? 0 : rim[0][0];
+       polygon.size() < rim.size(); at = next.at(at))
+    polygon.emplace_back(
+        surface.position[static_cast<std::size_t>(at)].head<2>());
+  return polygon;
+}
+
 void turn_over(FacetSurface &surface)
 {
   for (auto &corners : surface.triangles)
@@ -157,7 +173,8 @@ double Container::Slope::depth_below(double z) const
   return whole + std::pow(high - z, 3) / (3. * (high - middle) * (high - low));
 }
 
-Container::Container(FacetSurface surface)
+Container::Container(FacetSurface surface, ContainerBottom its_bottom)
+    : bottom(its_bottom)
 {
   if (count_pieces(surface) != 1)
     refuse("mesh has " + std::to_string(count_pieces(surface)) +
@@ -172,15 +189,19 @@ Container::Container(FacetSurface surface)
     most = most.cwiseMax(point);
   }
   height = most.z();
-  if (height <= tolerance * (most - least).norm())
+  near_end = tolerance * (most - least).norm();
+  if (height <= near_end)
     refuse("mesh is flat");
-  if (open_edges(surface).empty())
-    take_lid_off(surface);
-  const std::vector<Edge> rim = rim_of(surface);
+  open_end(End::top, surface);
+  if (bottom == ContainerBottom::open)
+    open_end(End::bottom, surface);
+  const Rims rims = rims_of(surface);
+  lower_rim = polygon_of(rims.bottom, surface);
   add_slopes(surface);
   if (volume_below(height) < 0.) // an open mesh has its normals to the inside
   {
     turn_over(surface);
+    std::ranges::reverse(lower_rim);
     for (Slope &slope : slopes)
       slope.area = -slope.area;
   }
@@ -189,51 +210,69 @@ Container::Container(FacetSurface surface)
   set_collar(height);
 }
 
-void Container::take_lid_off(FacetSurface &surface) const
+bool Container::is_at(End end, const Vec3 &point) const
 {
-  const double near = tolerance * (most - least).norm();
-  const auto is_at_top = [&](const std::array<std::int32_t, 3> &corners)
-  {
-    return std::ranges::all_of(
-        corners,
-        [&](std::int32_t corner)
-        {
-          return surface.position[static_cast<std::size_t>(corner)].z() >
-                 height - near;
-        });
-  };
-  const std::size_t n_removed = std::erase_if(surface.triangles, is_at_top);
+  return end == End::top ? point.z() > height - near_end : point.z() < near_end;
+}
+
+/// Takes a flat lid or floor off, unless there is an opening.
+void Container::open_end(End end, FacetSurface &surface) const
+{
+  const auto is_corner_there = [&](std::int32_t corner)
+  { return is_at(end, surface.position[static_cast<std::size_t>(corner)]); };
+  if (std::ranges::any_of(open_edges(surface),
+                          [&](const Edge &edge) {
+                            return std::ranges::any_of(edge, is_corner_there);
+                          }))
+    return;
+  const std::size_t n_removed =
+      std::erase_if(surface.triangles, [&](const auto &corners)
+                    { return std::ranges::all_of(corners, is_corner_there); });
   if (n_removed == 0)
-    refuse("mesh is closed without a flat lid at its top: must be open there "
-           "or have one, which is taken off");
+    refuse(std::string("mesh is closed without a flat ") +
+           (end == End::top ? "lid at its top" : "floor at its bottom") +
+           ": must be open there or have one, which is taken off");
   drop_unused(surface);
   complete(surface);
 }
 
-std::vector<Edge> Container::rim_of(const FacetSurface &surface) const
+Container::Rims Container::rims_of(const FacetSurface &surface) const
 {
-  const double near = tolerance * (most - least).norm();
-  const std::vector<Edge> edges = open_edges(surface);
-  std::size_t n_below = 0;
-  double lowest = height;
-  for (const Edge &edge : edges)
-    for (const std::int32_t corner : edge)
-      if (const double z =
-              surface.position[static_cast<std::size_t>(corner)].z();
-          z < height - near)
-      {
-        ++n_below;
-        lowest = std::min(lowest, z);
-      }
-  if (n_below > 0)
+  const bool is_open = bottom == ContainerBottom::open;
+  Rims rims;
+  double lowest = height, highest = 0.;
+  for (const Edge &edge : open_edges(surface))
+  {
+    const Vec3 &a = surface.position[static_cast<std::size_t>(edge[0])],
+               &b = surface.position[static_cast<std::size_t>(edge[1])];
+    if (is_at(End::top, a) && is_at(End::top, b))
+      rims.top.push_back(edge);
+    else if (is_open && is_at(End::bottom, a) && is_at(End::bottom, b))
+      rims.bottom.push_back(edge);
+    else
+    {
+      lowest = std::min({lowest, a.z(), b.z()});
+      highest = std::max({highest, a.z(), b.z()});
+    }
+  }
+  if (lowest < height && is_open)
+    refuse("mesh leaks: it is open from " + metres(lowest) + " to " +
+           metres(highest) +
+           " above its lowest point: must be open at flat rims at its bottom "
+           "and its top alone");
+  if (lowest < height)
     refuse("mesh leaks: it is open below its flat rim at " + metres(height) +
            " above its lowest point, down to " + metres(lowest) +
            ": must be open at the rim alone");
-  if (const std::size_t n = count_loops(edges); n != 1)
+  if (const std::size_t n = count_loops(rims.top); n != 1)
     refuse("mesh has " + std::to_string(n) +
            " open rims at its top: must have one, that of the inner surface "
            "of the container");
-  return edges;
+  if (const std::size_t n = count_loops(rims.bottom); is_open && n != 1)
+    refuse("mesh has " + std::to_string(n) +
+           " open rims at its bottom: must have one, that of the inner "
+           "surface of the container");
+  return rims;
 }
 
 void Container::add_slopes(const FacetSurface &surface)
@@ -247,6 +286,7 @@ void Container::add_slopes(const FacetSurface &surface)
         0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).z();
     slopes.push_back({z[0], z[1], z[2], -shows_up});
   }
+  slopes.push_back({0., 0., 0., polygon_area(lower_rim)}); // what lies there
 }
 
 double Container::section(double z) const
@@ -310,44 +350,80 @@ void Container::require_wide_mouth() const
 
 void Container::set_collar(double its_height)
 {
-  const std::vector<Edge> rim = rim_of(shell);
-  FacetSurface &wall = with_collar = shell;
-  std::map<std::int32_t, std::int32_t> upper;
-  for (const Edge &edge : rim)
-  {
-    upper[edge[0]] = static_cast<std::int32_t>(wall.position.size());
-    wall.position.push_back(wall.position[static_cast<std::size_t>(edge[0])] +
-                            its_height * Vec3::UnitZ());
-  }
-  // A neighbour runs along their common edge the other way.
-  for (const Edge &edge : rim)
-  {
-    const std::int32_t a = edge[0], b = edge[1];
-    wall.triangles.push_back({b, a, upper[a]});
-    wall.triangles.push_back({b, upper[a], upper[b]});
-  }
-  complete(wall);
-  add_cover(rim, upper);
-}
-
-/// To a point above the collar, so that no triangle of it is flat.
-void Container::add_cover(const std::vector<Edge> &rim,
-                          const std::map<std::int32_t, std::int32_t> &upper)
-{
-  FacetSurface closed = with_collar;
-  const auto top = static_cast<std::int32_t>(closed.position.size());
-  Vec3 peak = 0.5 * (least + most);
-  peak.z() = 2. * closed.position.back().z();
-  closed.position.push_back(peak);
-  for (const Edge &edge : rim)
-    closed.triangles.push_back({upper.at(edge[1]), upper.at(edge[0]), top});
+  const Rims rims = rims_of(shell);
+  with_collar = shell;
+  FacetSurface closed = shell;
+  continue_wall(rims.top, its_height, closed);
+  if (!rims.bottom.empty())
+    continue_wall(rims.bottom, -height, closed);
+  complete(with_collar);
   complete(closed);
   inside = {};
   inside.add(closed);
 }
 
+/// Upright, to this height above a rim; `closed` gets a tip above or below it,
+/// so that no triangle there is flat.
+void Container::continue_wall(const std::vector<Edge> &rim, double by,
+                              FacetSurface &closed)
+{
+  const auto add = [&](FacetSurface &wall)
+  {
+    std::map<std::int32_t, std::int32_t> end;
+    for (const Edge &edge : rim)
+    {
+      end[edge[0]] = static_cast<std::int32_t>(wall.position.size());
+      wall.position.push_back(wall.position[static_cast<std::size_t>(edge[0])] +
+                              by * Vec3::UnitZ());
+    }
+    // A neighbour runs along their common edge the other way.
+    for (const auto &[a, b] : rim)
+    {
+      wall.triangles.push_back({b, a, end[a]});
+      wall.triangles.push_back({b, end[a], end[b]});
+    }
+    return end;
+  };
+  add(with_collar);
+  const auto end = add(closed);
+  const auto tip = static_cast<std::int32_t>(closed.position.size());
+  Vec3 middle = 0.5 * (least + most);
+  middle.z() = closed.position.back().z() + by;
+  closed.position.push_back(middle);
+  for (const auto &[a, b] : rim)
+    closed.triangles.push_back({end.at(b), end.at(a), tip});
+}
+
 bool Container::holds(const Vec3 &centre, double radius) const
 {
-  return inside.is_clear(centre, radius);
+  return (bottom == ContainerBottom::closed || centre.z() >= radius) &&
+         inside.is_clear(centre, radius);
+}
+
+/// An edge of a triangle runs through the column, or a triangle covers it.
+bool Container::holds_column(const Polygon &section) const
+{
+  const double far = 4. * (most - least).norm();
+  const Prism column = without_skin({section, -far, far}, near_end);
+  const Eigen::Vector2d axis = polygon_centroid(section);
+  for (std::size_t t = 0; t < with_collar.triangles.size(); ++t)
+  {
+    const auto corner = corners_of(with_collar, static_cast<std::int32_t>(t));
+    std::array<double, 3> side; // of the axis beside an edge [m^2]
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Vec3 &from = corner[k], &to = corner[(k + 1) % 3];
+      if (part_inside(column, from, to))
+        return false;
+      const Eigen::Vector2d along = (to - from).head<2>(),
+                            across = axis - from.head<2>();
+      side[k] = along.x() * across.y() - along.y() * across.x();
+    }
+    const auto [lowest, highest] = std::ranges::minmax(side);
+    const double round_off = near_end * near_end;
+    if (lowest > round_off || highest < -round_off)
+      return false;
+  }
+  return holds({axis.x(), axis.y(), 0.5 * height}, 0.);
 }
 } // namespace dem
