@@ -207,6 +207,23 @@ void add_wall(List &list, dem::WallMaterial &w, const Range &rolling,
 
 namespace
 {
+void add_container_mesh(List &list, ContainerParameters &c)
+{
+  list.in("Container");
+  list.add_path(
+      {"mesh", "-",
+       "Triangle mesh of the inner surface of a rigid container: STL, PLY, "
+       "OBJ or gmsh file. It is open at a flat rim, or closed there by a flat "
+       "lid, which is taken off. Its lowest point is moved to z = 0. In a "
+       "compaction it replaces the cylinder and its floor. In a subgrade test "
+       "it replaces the sides of the box: a second rim stands flat on the "
+       "subgrade, and a flat floor there is taken off. Empty stands for the "
+       "cylinder or the box."},
+      c.mesh);
+  list.add({"scale", "m", "Length of one unit of the mesh file."}, c.scale,
+           above(0., 1e3));
+}
+
 struct CommonSection
 {
   Section section;
@@ -214,6 +231,9 @@ struct CommonSection
 };
 
 const std::vector<CommonSection> common_sections = {
+    {{"Container",
+      "Container of the particles; in a subgrade test its sides alone."},
+     true},
     {{"Material",
       "Material file with values of Particle, Wall, MembraneContact and "
       "Breakage."}},
@@ -285,6 +305,7 @@ std::vector<Parameter> parameters_of(Case &of)
     kind.add_parameters(list, of);
   }
   list.only_of("");
+  add_container_mesh(list, of.container);
   // Its values are in their sections.
   list.in("Material", {.decides_preparation = false, .may_change = true});
   list.add({"file", "-",

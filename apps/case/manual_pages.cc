@@ -30,7 +30,7 @@ const std::vector<ManualPages> all_pages = {
     {"Press", "", {"theory/breakage.md"}},
     {"Charge", "", {"theory/shape.md"}},
     {"Drum", "", {"theory/walls.md"}},
-    {"Container", "", {"theory/membrane.md"}},
+    {"Container", "container", {"theory/pouring.md", "theory/membrane.md"}},
     {"Filling", "", {"theory/preparation.md"}},
     {"Plate", "", {"theory/plate.md"}},
     {"Layer", "", {"theory/preparation.md"}},

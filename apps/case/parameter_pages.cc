@@ -50,7 +50,7 @@ std::string default_text(const ListedSection &section,
 std::string meaning(const ListedSection &section, const Parameter &parameter)
 {
   std::string text = parameter.sentence;
-  if (section.kinds.empty() && !parameter.kind.empty())
+  if (!parameter.kind.empty() && section.kinds.size() != 1)
     text += " Only cases of kind " + parameter.kind + " have this key.";
   if (parameter.may_change)
     text += " A resumed run (`--resume`) may have another value.";

@@ -2,8 +2,8 @@
 
 #include "case/file.h"
 #include "case/parameter.h"
-#include "compaction/container_mesh.h"
 #include "compaction/kind.h"
+#include "compaction/scene.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -54,6 +54,30 @@ void check_size(const Case &c, const SourceLocation &location)
     refuse(location, {"Container", "diameter", number_text(box.diameter), why});
   if (box.height < 2. * largest)
     refuse(location, {"Container", "height", number_text(box.height), why});
+}
+
+void check_container_mesh(const Case &c, const SourceLocation &location)
+{
+  const ContainerParameters &box = c.container;
+  if (!box.has_mesh())
+    return;
+  if (box.is_flexible())
+    refuse(location, {"Container", "form", "flexible",
+                      "must be rigid with Container/mesh"});
+  if (c.plate.form != PlateKind::rigid)
+    refuse(location,
+           {"Plate", "form",
+            c.plate.form == PlateKind::tilting ? "tilting" : "elastic",
+            "must be rigid with Container/mesh: other plates are discs as "
+            "wide as the cylinder"});
+  const dem::Room room = room_in_mesh(c);
+  check_container(c, location, *room.container,
+                  {"Container", "height", box.height});
+  if (c.filling.particles.empty()) // else their sizes are those of the file
+    check_container_width(
+        c, location, *room.container,
+        check_gradation(c, location, "Filling", c.filling.gradation),
+        {2., "twice"});
 }
 
 void check_plate(const Case &c, const SourceLocation &location)

@@ -20,18 +20,6 @@ void add_container(List &list, ContainerParameters &c)
   list.add({"height", "m", "Height of the container that the particles fill."},
            c.height, above(0., 100.))
       .decides_preparation = true;
-  list.add_path(
-          {"mesh", "-",
-           "Triangle mesh of the inner surface of a rigid container: STL, PLY, "
-           "OBJ or gmsh file. It is open at a flat rim, or closed there by a "
-           "flat lid, which is taken off. It replaces the cylinder and its "
-           "floor, and its lowest point is moved to z = 0. Empty stands for "
-           "the cylinder."},
-          c.mesh)
-      .decides_preparation = true;
-  list.add({"scale", "m", "Length of one unit of the mesh file."}, c.scale,
-           above(0., 1e3))
-      .decides_preparation = true;
   list.add({"elements_around", "-",
             "Number of membrane quads around a flexible container. The quads "
             "are about as high as wide."},

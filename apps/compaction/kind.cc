@@ -29,14 +29,14 @@ TestKind compaction_kind()
 {
   return {
       .name = "vibratory_compaction",
-      .sections = {{"Container", "Container of the particles."},
-                   {"Filling",
+      .sections = {{"Filling",
                     "Particles of the layer and their filling to the requested "
                     "density."},
                    {"Plate",
                     "Plate on the particles: rigid, tilting or elastic."},
                    {"Vibration", "Exciter on the plate, duration and output."}},
-      .shared_sections = {"MembraneContact", "Membrane", "Coupling", "Walls"},
+      .shared_sections = {"Container", "MembraneContact", "Membrane",
+                          "Coupling", "Walls"},
       .add_parameters = add_compaction,
       .set_defaults = set_defaults,
       .check = check_compaction,

@@ -2,7 +2,6 @@
 
 #include "case/gravity.h"
 #include "case/parameter.h"
-#include "compaction/container_mesh.h"
 #include "compaction/plate.h"
 #include "errors.h"
 #include "specimen/mesh_walls.h"
@@ -25,15 +24,9 @@ namespace
 dem::Room room_of(const Case &parameters)
 {
   const ContainerParameters &c = parameters.container;
-  if (!c.has_mesh())
-    return {dem::Vec3::Zero(), c.diameter, c.diameter, true};
-  dem::Room room{.container = container_of_mesh(parameters)};
-  const dem::Vec3 width = room.container->upper() - room.container->lower();
-  room.floor = room.container->lower() + 0.5 * width;
-  room.floor.z() = 0.;
-  room.width_x = width.x();
-  room.width_y = width.y();
-  return room;
+  return c.has_mesh()
+             ? room_in_mesh(parameters)
+             : dem::Room{dem::Vec3::Zero(), c.diameter, c.diameter, true};
 }
 
 /// Share of the container, up to the height that the particles fill [m^3].
@@ -83,13 +76,12 @@ dem::EngineParameters engine_settings(const Case &parameters,
 }
 
 /// Floor and wall; the ends of the cylinder are out of reach. Or the mesh.
-void add_container(const Case &parameters, const dem::Room &room,
-                   dem::Engine &engine)
+void add_walls(const Case &parameters, const dem::Room &room,
+               dem::Engine &engine)
 {
   if (room.container)
   {
-    dem::add_mesh_wall(engine, container_name, parameters.wall,
-                       room.container->wall(), {});
+    add_container(parameters, room, engine);
     return add_mesh_walls(engine, parameters);
   }
   dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ());
@@ -130,11 +122,13 @@ void place_layer(const Case &parameters, CompactionScene &scene)
   scene.all = unplaced_particles(parameters, particles.body);
   scene.layers = {particles.body};
   scene.placed = placed_layer(particles);
+  if (scene.room.container)
+    check_inside(parameters, particles, *scene.room.container);
   check_as_placed(parameters, particles,
                   {"Filling", f.largest_overlap,
                    engine_settings(parameters, scene.all),
                    [&](dem::Engine &engine)
-                   { add_container(parameters, scene.room, engine); }});
+                   { add_walls(parameters, scene.room, engine); }});
 }
 
 /// What the elastic plate stands.
@@ -174,6 +168,15 @@ void choose_first_step(const Case &parameters, CompactionScene &scene)
 }
 } // namespace
 
+dem::Room room_in_mesh(const Case &parameters)
+{
+  const FillingParameters &f = parameters.filling;
+  return container_room(parameters, dem::ContainerBottom::closed,
+                        {parameters.container.height,
+                         f.density / parameters.particle.density, f.layers,
+                         f.solid_fraction});
+}
+
 CompactionScene make_compaction_scene(const Case &parameters)
 {
   CompactionScene scene;
@@ -184,7 +187,7 @@ CompactionScene make_compaction_scene(const Case &parameters)
     place_layer(parameters, scene);
   scene.engine = std::make_unique<dem::Engine>(
       engine_settings(parameters, scene.all), dem::ranks_of_program());
-  add_container(parameters, scene.room, *scene.engine);
+  add_walls(parameters, scene.room, *scene.engine);
   scene.engine->set_breaking(false);
   choose_first_step(parameters, scene);
   return scene;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "specimen/container_mesh.h"
 #include "specimen/specimen.h"
 
 #include <dem/packing/pouring.h>
@@ -9,8 +10,8 @@
 
 namespace spall
 {
-/// In history.csv, of the cylinder and of a mesh.
-constexpr const char *container_name = "container";
+/// The room in the mesh of Container/mesh, which is given. Throws InputError.
+dem::Room room_in_mesh(const Case &parameters);
 
 /// Container and particles of a vibratory compaction before anything is poured.
 struct CompactionScene

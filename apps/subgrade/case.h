@@ -11,7 +11,8 @@
 namespace spall
 {
 /// The particles of a layer on the subgrade and the box they are poured into,
-/// whose sides are rigid planes round the z axis.
+/// whose sides are rigid planes round the z axis, unless there is a
+/// Container/mesh.
 struct LayerParameters
 {
   double length = 0.6;    ///< of the box, along x [m]

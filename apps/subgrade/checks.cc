@@ -3,10 +3,14 @@
 #include "case/file.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "specimen/container_mesh.h"
 #include "subgrade/kind.h"
+#include "subgrade/layer_room.h"
 #include "subgrade/load.h"
+#include "subgrade/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace spall
@@ -32,11 +36,16 @@ void refuse_if_thrown(const SourceLocation &location, const Fault &fault,
   }
 }
 
-void check_layer(const Case &c, const SourceLocation &location)
+void check_layer(const Case &c, const SourceLocation &location,
+                 const dem::Room &room)
 {
   const LayerParameters &l = c.subgrade.layer;
   check_shapes(c, location, "Layer", l.shapes);
-  if (!l.particles.empty())
+  const bool is_drawn = l.particles.empty();
+  if (room.container)
+    check_container(c, location, *room.container,
+                    {"Layer", "thickness", is_drawn ? l.thickness : 0.});
+  if (!is_drawn)
     return; // their number and sizes are those of the file
   if (l.initial_solid_fraction >= l.solid_fraction)
     refuse(location, {"Layer", "initial_solid_fraction",
@@ -47,7 +56,10 @@ void check_layer(const Case &c, const SourceLocation &location)
   const double largest = curve.diameter.back();
   const std::string particle =
       "the largest particle of the gradation, " + largest_text(curve);
-  if (std::min(l.length, l.width) < 3. * largest)
+  if (room.container)
+    check_container_width(c, location, *room.container, curve,
+                          {3., "three times"});
+  else if (std::min(l.length, l.width) < 3. * largest)
     refuse(location, {"Layer", l.length < l.width ? "length" : "width",
                       number_text(std::min(l.length, l.width)),
                       "must be at least three times " + particle});
@@ -56,12 +68,23 @@ void check_layer(const Case &c, const SourceLocation &location)
                       "must be at least " + particle});
 }
 
-void check_plate(const Case &c, const SourceLocation &location)
+void check_plate(const Case &c, const SourceLocation &location,
+                 const dem::Room &room)
 {
   const LoadPlateParameters &p = c.subgrade.plate;
   const LayerParameters &l = c.subgrade.layer;
   const Footprint half = footprint(p);
   const bool is_disc = p.form == PlateForm::disc;
+  if (room.container)
+  {
+    if (!room.container->holds_column(column_below(p, 0., 1.).corners))
+      refuse(location,
+             {"LoadPlate", is_disc ? "diameter" : "length",
+              number_text(2. * half.half_x),
+              "the plate, with its middle on the z axis, must fit into "
+              "Container/mesh at every height"});
+    return;
+  }
   if (2. * half.half_x > l.length)
     refuse(location,
            {"LoadPlate", is_disc ? "diameter" : "length",
@@ -73,19 +96,35 @@ void check_plate(const Case &c, const SourceLocation &location)
                       "must be at most Layer/width = " + number_text(l.width)});
 }
 
-/// Of a ground without a mesh.
-void check_block(const Case &c, const SourceLocation &location)
+/// A ground without a mesh lies under all particles.
+void check_extent(const Case &c, const SourceLocation &location,
+                  const dem::Room &room)
 {
   const GroundParameters &g = c.subgrade.ground;
-  const LayerParameters &l = c.subgrade.layer;
-  if (g.length < l.length)
-    refuse(location,
-           {"Subgrade", "length", number_text(g.length),
-            "must be at least Layer/length = " + number_text(l.length)});
-  if (g.width < l.width)
-    refuse(location,
-           {"Subgrade", "width", number_text(g.width),
-            "must be at least Layer/width = " + number_text(l.width)});
+  const double length[] = {g.length, g.width};
+  const char *const keys[] = {"length", "width"};
+  for (int d = 0; d < 2; ++d)
+  {
+    double reach = 0.;
+    for (const Eigen::Vector2d &corner : foot_of(room))
+      reach = std::max(reach, std::abs(corner[d]));
+    if (length[d] >= (room.container ? 1. - 1e-9 : 1.) * 2. * reach)
+      continue;
+    const std::string what =
+        room.container
+            ? number_text(2. * reach) + ": Container/mesh stands up to " +
+                  number_text(reach) + " m from the z axis along " + "xy"[d]
+            : std::string("Layer/") + keys[d] + " = " + number_text(2. * reach);
+    refuse(location, {"Subgrade", keys[d], number_text(length[d]),
+                      "must be at least " + what});
+  }
+}
+
+void check_block(const Case &c, const SourceLocation &location,
+                 const dem::Room &room)
+{
+  check_extent(c, location, room);
+  const GroundParameters &g = c.subgrade.ground;
   const Footprint half = footprint(c.subgrade.plate);
   const double narrow = 2. * std::min(half.half_x, half.half_y);
   if (g.cell_size > std::min(narrow, depth_of(g)))
@@ -95,7 +134,8 @@ void check_block(const Case &c, const SourceLocation &location)
                           number_text(depth_of(g)) + " m"});
 }
 
-void check_ground(const Case &c, const SourceLocation &location)
+void check_ground(const Case &c, const SourceLocation &location,
+                  const dem::Room &room)
 {
   const GroundParameters &g = c.subgrade.ground;
   const RecordParameters &r = c.subgrade.record;
@@ -104,7 +144,7 @@ void check_ground(const Case &c, const SourceLocation &location)
   refuse_if_thrown(location, {"Record", "stress_depths", r.stress_depths, ""},
                    [&] { parse_depths(r.stress_depths); });
   if (g.mesh.empty())
-    check_block(c, location);
+    check_block(c, location, room);
   else
     find_path(c, "Subgrade", "mesh", g.mesh);
   const std::vector<double> depths = parse_depths(r.stress_depths);
@@ -203,9 +243,10 @@ void check_subgrade(const Case &parameters, const SourceLocation &location)
 {
   check_inertia(parameters, location);
   check_contact_tangent(parameters, location, false);
-  check_layer(parameters, location);
-  check_plate(parameters, location);
-  check_ground(parameters, location);
+  const dem::Room room = layer_room(parameters);
+  check_layer(parameters, location, room);
+  check_plate(parameters, location, room);
+  check_ground(parameters, location, room);
   check_solver(parameters, location);
   check_yielding(parameters, location);
   check_pulse(parameters, location);

@@ -34,7 +34,7 @@ void Subgrade::pack()
   const LoadPlateParameters &p = parameters.subgrade.plate;
   const std::vector<dem::ParticleShape> &bodies = scene.all.shape;
   const double height =
-      solid_volume(scene.all) / (scene.room.section() * l.solid_fraction);
+      scene.room.height_of(solid_volume(scene.all), l.solid_fraction);
   const auto placements =
       dense_packing(bodies, scene.room, height, l.initial_solid_fraction);
   for (std::size_t i = 0; i < bodies.size(); ++i)

@@ -8,16 +8,20 @@ namespace
 void add_layer(List &list, LayerParameters &l)
 {
   list.in("Layer");
-  list.add({"length", "m", "Length of the box of the particles along x."},
+  list.add({"length", "m",
+            "Length of the box of the particles along x, without "
+            "Container/mesh."},
            l.length, above(0., 100.));
-  list.add({"width", "m", "Width of the box of the particles along y."},
+  list.add({"width", "m",
+            "Width of the box of the particles along y, without "
+            "Container/mesh."},
            l.width, above(0., 100.));
   list.add({"thickness", "m",
             "Approximate thickness of the particle layer at rest."},
            l.thickness, above(0., 10.));
   list.add({"solid_fraction", "-",
-            "Solid fraction of the layer. Together with the box and the "
-            "thickness it gives the volume of the particles.",
+            "Solid fraction of the layer. Together with the box or container "
+            "and the thickness it gives the volume of the particles.",
             "random packings stay below 0.75"},
            l.solid_fraction, Range{0., 0.75, true, true});
   add_placed_particles(list, l,

@@ -184,15 +184,19 @@ void Subgrade::note_roundness(double time)
   files.push_back(
       {roundness_file(time), roundness_table(whole().particles(), roundness)});
 }
-/// The sides in the order in which they were added.
+
+/// The sides in the order in which they were added; a mesh is a mesh wall.
 std::vector<NamedBoundary> Subgrade::named_boundaries() const
 {
-  return {{"x_min", BoundaryKind::plane, 0},
-          {"x_max", BoundaryKind::plane, 1},
-          {"y_min", BoundaryKind::plane, 2},
-          {"y_max", BoundaryKind::plane, 3},
-          {"tamper", BoundaryKind::plane, pouring.tamper()},
-          {"plate", BoundaryKind::surface},
-          {"subgrade", BoundaryKind::surface}};
+  std::vector<NamedBoundary> all;
+  if (!scene.room.container)
+    all = {{"x_min", BoundaryKind::plane, 0},
+           {"x_max", BoundaryKind::plane, 1},
+           {"y_min", BoundaryKind::plane, 2},
+           {"y_max", BoundaryKind::plane, 3}};
+  all.push_back({"tamper", BoundaryKind::plane, pouring.tamper()});
+  all.push_back({"plate", BoundaryKind::surface});
+  all.push_back({"subgrade", BoundaryKind::surface});
+  return all;
 }
 } // namespace spall

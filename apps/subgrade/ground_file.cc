@@ -3,6 +3,7 @@
 #include "case/digits.h"
 #include "case/file.h"
 #include "errors.h"
+#include "subgrade/layer_room.h"
 
 #include <algorithm>
 #include <array>
@@ -142,40 +143,37 @@ void check_extent(const Case &c, const fem::SolidMesh &mesh)
               "plate");
 }
 
-/// Area of the part of a convex quad at z = 0 in |x| < half_x, |y| < half_y,
-/// cut side by side (Sutherland and Hodgman 1974) [m^2].
-double area_inside(const Side &quad, const Footprint &half)
+/// Area of the part of a polygon in a convex quad at z = 0, cut side by side
+/// (Sutherland and Hodgman 1974) [m^2].
+double area_inside(const Side &quad, dem::Polygon rim)
 {
-  std::vector<Eigen::Vector2d> rim;
+  dem::Polygon window;
   for (const Vector &corner : quad.corners)
-    rim.emplace_back(corner.head<2>());
-  const auto cut = [&rim](int axis, double sign, double limit)
+    window.emplace_back(corner.head<2>());
+  if (dem::polygon_area(window) < 0.)
+    std::ranges::reverse(window);
+  for (std::size_t side = 0; side < window.size(); ++side)
   {
-    std::vector<Eigen::Vector2d> kept;
+    const Eigen::Vector2d &start = window[side],
+                          along = window[(side + 1) % window.size()] - start;
+    const auto inside = [&](const Eigen::Vector2d &point)
+    {
+      const Eigen::Vector2d from = point - start;
+      return along.x() * from.y() - along.y() * from.x();
+    };
+    dem::Polygon kept;
     for (std::size_t k = 0; k < rim.size(); ++k)
     {
       const Eigen::Vector2d &from = rim[k], &to = rim[(k + 1) % rim.size()];
-      const double before = limit - sign * from[axis];
-      const double after = limit - sign * to[axis];
+      const double before = inside(from), after = inside(to);
       if (before >= 0.)
         kept.push_back(from);
       if (before * after < 0.)
         kept.push_back(from + before / (before - after) * (to - from));
     }
     rim = std::move(kept);
-  };
-  for (const double sign : {-1., 1.})
-  {
-    cut(0, sign, half.half_x);
-    cut(1, sign, half.half_y);
   }
-  double twice = 0.;
-  for (std::size_t k = 0; k < rim.size(); ++k)
-  {
-    const Eigen::Vector2d &a = rim[k], &b = rim[(k + 1) % rim.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * std::abs(twice);
+  return std::abs(dem::polygon_area(rim));
 }
 
 double longest_edge(const Side &quad)
@@ -190,8 +188,9 @@ double longest_edge(const Side &quad)
 /// It lies under all particles, and is fine enough under the plate.
 void check_top(const Case &c, const fem::SolidMesh &mesh)
 {
-  const LayerParameters &l = c.subgrade.layer;
+  const dem::Polygon foot = foot_of(layer_room(c));
   const Footprint plate = footprint(c.subgrade.plate);
+  const double x = plate.half_x, y = plate.half_y;
   const double narrow = 2. * std::min(plate.half_x, plate.half_y);
   double covered = 0., coarsest = 0.;
   for (const fem::SolidMesh::Face &face : mesh.faces)
@@ -199,16 +198,17 @@ void check_top(const Case &c, const fem::SolidMesh &mesh)
     if (face.boundary != fem::z_upper)
       continue;
     const Side quad(mesh, face);
-    covered += area_inside(quad, {0.5 * l.length, 0.5 * l.width});
-    if (area_inside(quad, plate) > 0.)
+    covered += area_inside(quad, foot);
+    if (area_inside(quad, {{-x, -y}, {x, -y}, {x, y}, {-x, y}}) > 1e-9 * x * y)
       coarsest = std::max(coarsest, longest_edge(quad));
   }
-  if (const double asked = l.length * l.width; covered < (1. - 1e-6) * asked)
-    refuse(c,
-           "its top lies under " + in_four_digits(covered) +
-               " m^2 of the box of the particles: must be all of Layer/length "
-               "times width, " +
-               in_four_digits(asked) + " m^2");
+  if (const double asked = dem::polygon_area(foot);
+      covered < (1. - 1e-6) * asked)
+    refuse(c, "its top lies under " + in_four_digits(covered) +
+                  " m^2 of the box of the particles: must be all of " +
+                  (c.container.has_mesh() ? "the foot of Container/mesh, "
+                                          : "Layer/length times width, ") +
+                  in_four_digits(asked) + " m^2");
   if (coarsest > narrow)
     refuse(c, "an edge of its top under the plate is " +
                   in_four_digits(coarsest) +

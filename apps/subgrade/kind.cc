@@ -34,7 +34,8 @@ TestKind subgrade_kind()
       .name = "subgrade",
       .sections =
           {{"Layer",
-            "Particle layer on the subgrade, in a box with rigid sides."},
+            "Particle layer on the subgrade, in a box with rigid sides or in "
+            "Container/mesh."},
            {"LoadPlate", "Rigid plate or sleeper that loads the particles."},
            {"Subgrade",
             "Subgrade with its top at z = 0: elastic, or with layers that "
@@ -43,7 +44,7 @@ TestKind subgrade_kind()
            {"Record", "Output files and their intervals."},
            {"GroundContact",
             "Contact of the particles with the subgrade by linear springs."}},
-      .shared_sections = {"Coupling", "Walls"},
+      .shared_sections = {"Container", "Coupling", "Walls"},
       .add_parameters = add_subgrade,
       .set_defaults = set_defaults,
       .set_template = set_template,

@@ -23,8 +23,11 @@ std::string poured_text(const Case &parameters, const ShapeLibrary &shapes,
                         const fem::SurfaceMesh &top,
                         std::span<const double> mass)
 {
-  return preparation_text(parameters, shapes,
-                          parameters.subgrade.layer.safety) +
+  std::vector<std::string> unused;
+  if (parameters.container.has_mesh())
+    unused = {"Layer/length", "Layer/width"};
+  return preparation_text(parameters, shapes, parameters.subgrade.layer.safety,
+                          unused) +
          "top of the ground = " + digest_of(top, mass) + "\n";
 }
 } // namespace spall

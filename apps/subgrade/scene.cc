@@ -4,9 +4,11 @@
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "specimen/container_mesh.h"
 #include "specimen/mesh_walls.h"
 #include "specimen/obtained_gradation.h"
 #include "specimen/placed_particles.h"
+#include "subgrade/layer_room.h"
 
 #include <dem/engine_boundaries.h>
 #include <dem/parallel/mpi_ranks.h>
@@ -53,11 +55,15 @@ dem::EngineParameters engine_settings(const Case &c,
 }
 
 std::vector<dem::ParticleShape>
-draw_layer(const Case &c, const ShapeLibrary &shapes, dem::Random &random)
+draw_layer(const Case &c, const ParticleBox &scene, dem::Random &random)
 {
   const LayerParameters &l = c.subgrade.layer;
-  std::vector<dem::ParticleShape> particles = draw_particles(
-      c, l.solid_fraction * l.length * l.width * l.thickness, shapes, random);
+  const double volume =
+      scene.room.container
+          ? l.solid_fraction * scene.room.volume_below(l.thickness)
+          : l.solid_fraction * l.length * l.width * l.thickness;
+  std::vector<dem::ParticleShape> particles =
+      draw_particles(c, volume, scene.shapes, random);
   if (particles.size() < static_cast<std::size_t>(l.layers))
     throw InputError(c.file + ": Layer/layers = " + std::to_string(l.layers) +
                      ": must be at most the number of particles, " +
@@ -71,22 +77,14 @@ void draw_layers(const Case &c, ParticleBox &scene)
   scene.shapes = load_shapes(c, "Layer", l.shapes, l.order);
   dem::Random random(static_cast<std::uint64_t>(l.seed));
   const std::vector<dem::ParticleShape> particles =
-      draw_layer(c, scene.shapes, random);
+      draw_layer(c, scene, random);
   scene.all = unplaced_particles(c, particles);
   scene.layers = dem::deal_layers(particles, l.layers);
 }
 
-void add_sides(const Case &c, dem::Engine &engine)
+void add_walls(const Case &c, const dem::Room &room, dem::Engine &engine)
 {
-  const LayerParameters &l = c.subgrade.layer;
-  const dem::Vec3 half(0.5 * l.length, 0.5 * l.width, 0.);
-  for (int d = 0; d < 2; ++d)
-    for (const double sign : {-1., 1.})
-    {
-      dem::Vec3 inward = dem::Vec3::Zero();
-      inward[d] = -sign;
-      dem::add_plane(engine, sign * half, inward);
-    }
+  add_sides(c, room, engine);
   add_mesh_walls(engine, c);
 }
 
@@ -99,10 +97,12 @@ void place_layer(const Case &c, ParticleBox &scene)
   scene.all = unplaced_particles(c, particles.body);
   scene.layers = {particles.body};
   scene.placed = placed_layer(particles);
+  if (scene.room.container)
+    check_inside(c, particles, *scene.room.container);
   const auto add_boundaries = [&](dem::Engine &engine)
   {
     dem::add_plane(engine, dem::Vec3::Zero(), dem::Vec3::UnitZ()); // the ground
-    add_sides(c, engine);
+    add_walls(c, scene.room, engine);
   };
   check_as_placed(c, particles,
                   {"Layer", l.largest_overlap, engine_settings(c, scene.all),
@@ -114,14 +114,14 @@ ParticleBox make_particle_box(const Case &c)
 {
   const LayerParameters &l = c.subgrade.layer;
   ParticleBox scene;
+  scene.room = layer_room(c);
   if (l.particles.empty())
     draw_layers(c, scene);
   else
     place_layer(c, scene);
-  scene.room = {dem::Vec3::Zero(), l.length, l.width, false};
   scene.engine = std::make_unique<dem::Engine>(engine_settings(c, scene.all),
                                                dem::ranks_of_program());
-  add_sides(c, *scene.engine);
+  add_walls(c, scene.room, *scene.engine);
   scene.engine->set_breaking(false);
   const dem::EngineParameters &engine = scene.engine->parameters();
   scene.limit = limit_on_walls(

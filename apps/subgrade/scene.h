@@ -16,7 +16,7 @@
 namespace spall
 {
 /// The particles and where they will be poured: above z = 0 between four rigid
-/// planes.
+/// planes or in a mesh.
 struct ParticleBox
 {
   ShapeLibrary shapes;
@@ -24,7 +24,7 @@ struct ParticleBox
   std::optional<dem::PlacedLayer> placed; ///< of the only layer, unless drawn
   dem::ParticleSystem all;                ///< the same, nowhere yet
   dem::Room room;
-  std::unique_ptr<dem::Engine> engine; ///< planes; no particles, no bodies
+  std::unique_ptr<dem::Engine> engine; ///< sides; no particles, no bodies
   dem::StepLimit limit;
 };
 

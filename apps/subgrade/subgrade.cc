@@ -222,14 +222,13 @@ void Subgrade::place(double time_step)
 
 void Subgrade::start_loading()
 {
-  const LayerParameters &layer = parameters.subgrade.layer;
   now.loaded_at = engine().time();
   now.plate_rest = plate->plate().centre().z();
   now.height =
       now.plate_start + now.plate_rest -
       plate_body(parameters.subgrade.plate, now.plate_start).centre.z();
   now.porosity = 1. - solid_volume(whole().particles()) /
-                          (layer.length * layer.width * now.height);
+                          scene.room.volume_below(now.height);
   if (now.porosity <= 0.)
     throw RunFailure("porosity of the layer " + number_text(now.porosity) +
                      ": the particles interpenetrate: stiffer contacts "
