@@ -81,6 +81,7 @@ Summit refine_damped(const ParticleShape &body, const Vec3 &start,
       move *= longest / length;
     // A ring of equal maxima is level along itself, but for round-off.
     const bool is_hill = smallest_eigenvalue(hill) > -level_hill * least;
+    const double rise = gradient.dot(move); // twice what the step promises
     if (move.norm() < level)
     {
       summit.is_found = is_hill;
@@ -102,10 +103,10 @@ Summit refine_damped(const ParticleShape &body, const Vec3 &start,
       }
       move *= 0.5;
     }
-    // The flattest hills are climbed by many steps: so near to the top no
-    // height is left.
+    // Flat hills, and rings that lean by a hair, are climbed by many steps: so
+    // near to the top no height is left.
     summit.is_found =
-        is_hill && gradient.norm() < 1e-6 * at.radius * now.gradient.norm();
+        is_hill && rise < 1e-9 * at.radius * now.gradient.norm();
     if (!is_higher) // round-off is all that is left
       return summit;
   }

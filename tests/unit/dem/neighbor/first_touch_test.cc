@@ -464,5 +464,5 @@ INSTANTIATE_TEST_SUITE_P(
     Forms, FirstTouch,
     testing::Values(Form{2., 20, false, 1}, Form{6., 30, false, 0},
                     Form{6., 20, false, 2}, Form{10., 12, true, 1},
-                    Form{20., 30, false, 1}, Form{20., 20, true, 0}));
+                    Form{20., 30, false, 1}, Form{20., 30, true, 0}));
 INSTANTIATE_TEST_SUITE_P(All, LongFirstTouch, testing::ValuesIn(all_forms()));
