@@ -101,8 +101,10 @@ void Triaxial::extrapolate()
   if (missing > 0.)
   {
     const double missing_cycles = missing / plan.strain_rate();
-    const int n_steps = static_cast<int>(std::ceil(steps_in_cycle * missing_cycles));
-    moved = coupling::move_along(mean_motion, {missing_cycles, n_steps, time_step()},
+    const int n_steps =
+        static_cast<int>(std::ceil(steps_in_cycle * missing_cycles));
+    moved = coupling::move_along(mean_motion,
+                                 {missing_cycles, n_steps, time_step()},
                                  *joined, *cell, engine());
     engine().set_local_damping(parameters.preparation.local_damping);
     hold_load(rest_after_way);

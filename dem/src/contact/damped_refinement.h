@@ -105,8 +105,7 @@ Summit refine_damped(const ParticleShape &body, const Vec3 &start,
     }
     // Flat hills, and rings that lean by a hair, are climbed by many steps: so
     // near to the top no height is left.
-    summit.is_found =
-        is_hill && rise < 1e-9 * at.radius * now.gradient.norm();
+    summit.is_found = is_hill && rise < 1e-9 * at.radius * now.gradient.norm();
     if (!is_higher) // round-off is all that is left
       return summit;
   }
