@@ -81,7 +81,7 @@ bool WallClearance::is_clear(const Vec3 &centre, double radius) const
         const Vec3 outside =
             (wall.lower - centre)
                 .cwiseMax((centre - wall.upper).cwiseMax(Vec3::Zero()));
-        if (outside.norm() >= radius)
+        if (const double away = outside.norm(); away > 0. && away >= radius)
           return !(wall.is_closed && wall.holds_particles);
         if (wall.is_closed && winding_number(wall.surface, centre) <
                                   (wall.holds_particles ? 0.5 : -0.5))

@@ -424,6 +424,6 @@ bool Container::holds_column(const Polygon &section) const
     if (lowest > round_off || highest < -round_off)
       return false;
   }
-  return holds({axis.x(), axis.y(), 0.5 * height}, near_end);
+  return holds({axis.x(), axis.y(), 0.5 * height}, 0.);
 }
 } // namespace dem

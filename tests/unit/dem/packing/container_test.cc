@@ -287,6 +287,8 @@ TEST(OpenContainer, AnyFootWillDo)
     EXPECT_NEAR(any.volume_below(z), 0.03 * z, exact);
   }
   EXPECT_TRUE(any.holds({0.16, 0.05, 0.1}, 0.03));
+  EXPECT_TRUE(any.holds({0.16, 0.05, 0.1}, 0.)); // a point
+  EXPECT_FALSE(any.holds({0.16, 0.15, 0.1}, 0.));
   EXPECT_FALSE(any.holds({0.16, 0.15, 0.1}, 0.03));  // in its notch
   EXPECT_FALSE(any.holds({0.16, 0.05, 0.02}, 0.03)); // the foot is at z = 0
 }
