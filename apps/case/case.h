@@ -210,6 +210,7 @@ struct OutputParameters
   int checkpoint_every = 1;   ///< cycles; 0: only at the end
   SurfaceFrames surfaces = SurfaceFrames::ends;
   FrameTables frame_tables = FrameTables::none;
+  int pieces_above = 100000; ///< particles; frames of many ranks
 };
 
 /// The particle of the single-particle test.

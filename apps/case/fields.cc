@@ -216,8 +216,8 @@ void add_container_mesh(List &list, ContainerParameters &c)
        "OBJ or gmsh file. It is open at a flat rim, or closed there by a flat "
        "lid, which is taken off. Its lowest point is moved to z = 0. In a "
        "compaction it replaces the cylinder and its floor. In a subgrade test "
-       "it replaces the sides of the box: a second rim stands flat on the "
-       "subgrade, and a flat floor there is taken off. Empty stands for the "
+       "it replaces the sides of the box. A second rim stands flat on the "
+       "subgrade; a flat floor there is taken off. Empty stands for the "
        "cylinder or the box."},
       c.mesh);
   list.add({"scale", "m", "Length of one unit of the mesh file."}, c.scale,
@@ -337,6 +337,11 @@ std::vector<Parameter> parameters_of(Case &of)
             "Tables of the particles and contacts of every frame in addition "
             "to the ParaView files: none, or an HDF5 file (hdf5)."},
            of.output.frame_tables, {"none", "hdf5"});
+  list.add({"pieces_above", "-",
+            "Number of particles above which a run on several ranks writes its "
+            "ParaView files in pieces. Each rank writes its particles and "
+            "contacts, and an index (pvtu) joins them."},
+           of.output.pieces_above, between(0, 2e9));
   list.in("Run", {.decides_preparation = false, .may_change = true});
   list.add({"threads", "-",
             "Largest number of OpenMP threads. The run uses the fastest number "

@@ -3,6 +3,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
@@ -45,9 +46,17 @@ std::map<int, std::string> frames_of(const std::string &folder,
     return files;
   for (const auto &entry : fs::directory_iterator(frames))
   {
-    const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() == ".vtu" && stem.starts_with(name + "_"))
-      files[std::atoi(stem.c_str() + name.size() + 1)] = entry.path().string();
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(name + "_"))
+      continue;
+    // A piece has its rank after the number: its index is the frame.
+    const std::string number = file.substr(name.size() + 1);
+    const std::size_t end = number.find_first_not_of("0123456789");
+    if (end == std::string::npos || end == 0)
+      continue;
+    const std::string ending = number.substr(end);
+    if (ending == ".vtu" || ending == ".pvtu")
+      files[std::atoi(number.c_str())] = entry.path().string();
   }
   return files;
 }
@@ -58,8 +67,7 @@ std::map<int, double> frame_times(const std::string &folder)
   std::ifstream list(fs::path(folder) / "run.pvd");
   for (std::string line; std::getline(list, line);)
   {
-    const std::size_t time = line.find("timestep=\""), end = line.rfind(".vtu");
-    const std::size_t number = line.rfind('_', end);
+    const std::size_t time = line.find("timestep=\""), number = line.rfind('_');
     if (time != std::string::npos && number != std::string::npos)
       times[std::atoi(line.c_str() + number + 1)] =
           std::atof(line.c_str() + time + std::strlen("timestep=\""));
@@ -71,12 +79,18 @@ void read_grid(const std::string &path, vtkUnstructuredGrid *grid)
 {
   const int shows_warnings = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
+  const auto read = [&](auto reader)
+  {
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    if (reader->GetOutput())
+      grid->ShallowCopy(reader->GetOutput());
+  };
+  if (path.ends_with(".pvtu"))
+    read(vtkNew<vtkXMLPUnstructuredGridReader>().Get());
+  else
+    read(vtkNew<vtkXMLUnstructuredGridReader>().Get());
   vtkObject::SetGlobalWarningDisplay(shows_warnings);
-  if (reader->GetOutput())
-    grid->ShallowCopy(reader->GetOutput());
 }
 
 vtkNew<vtkPolyData> read_faces(const std::string &path)

@@ -32,19 +32,31 @@ catch (const std::exception &error)
 {
   return of_run + std::string(error.what());
 }
+
+/// Throws what the first rank with a fault has caught.
+void throw_together(const dem::Ranks &ranks, const std::string &own)
+{
+  const std::string fault = dem::first_fault(ranks, own);
+  if (fault.empty())
+    return;
+  if (fault.front() == of_input)
+    throw InputError(fault.substr(1));
+  throw RunFailure(fault.substr(1));
+}
 } // namespace
 
 void on_first_rank(const dem::Ranks &ranks, const std::function<void()> &call)
 {
   if (ranks.size() == 1)
     return call();
-  const std::string fault = dem::first_fault(
-      ranks, ranks.rank() == 0 ? fault_of(call) : std::string());
-  if (fault.empty())
-    return;
-  if (fault.front() == of_input)
-    throw InputError(fault.substr(1));
-  throw RunFailure(fault.substr(1));
+  throw_together(ranks, ranks.rank() == 0 ? fault_of(call) : std::string());
+}
+
+void on_every_rank(const dem::Ranks &ranks, const std::function<void()> &call)
+{
+  if (ranks.size() == 1)
+    return call();
+  throw_together(ranks, fault_of(call));
 }
 
 std::string of_first_rank(const dem::Ranks &ranks, const std::string &text)

@@ -12,6 +12,10 @@ namespace spall
 /// Collective.
 void on_first_rank(const dem::Ranks &ranks, const std::function<void()> &call);
 
+/// Calls `call` on every rank. What the first of them throws all throw, as
+/// InputError or RunFailure. Collective.
+void on_every_rank(const dem::Ranks &ranks, const std::function<void()> &call);
+
 /// The text that the first rank has. Collective.
 std::string of_first_rank(const dem::Ranks &ranks, const std::string &text);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <regex>
 #include <system_error>
 #include <vector>
 
@@ -48,16 +49,14 @@ bool is_result(const std::string &name)
            name.starts_with("sections_") || name.starts_with("slices_")));
 }
 
-/// NAME_NNNNN.vtu or tables_NNNNN.h5
+/// NAME_NNNNN.vtu, the index NAME_NNNNN.pvtu of its pieces NAME_NNNNN_RRRR.vtu,
+/// or tables_NNNNN.h5
 bool is_frame(const std::string &name)
 {
-  const std::size_t end = name.find_first_of("0123456789");
-  if (end == std::string::npos || !name.substr(0, end).ends_with('_'))
-    return false;
-  const std::size_t dot = name.find_first_not_of("0123456789", end);
-  const std::string ending = dot == std::string::npos ? "" : name.substr(dot);
-  return ending == ".vtu" ||
-         (ending == ".h5" && name.substr(0, end) == "tables_");
+  static const std::regex pictures("[^0-9]+_[0-9]+(_[0-9]+)?\\.vtu|"
+                                   "[^0-9]+_[0-9]+\\.pvtu|"
+                                   "tables_[0-9]+\\.h5");
+  return std::regex_match(name, pictures);
 }
 
 /// Files and drafts in the folder whose name is one of those.

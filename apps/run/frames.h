@@ -34,6 +34,14 @@ void write_frame(const std::filesystem::path &folder, const dem::Engine &engine,
                  const FrameParts &parts, int number,
                  std::vector<dem::FrameEntry> &entries);
 
+/// The same of a scene over ranks, without a copy of the whole: each rank
+/// writes its particles and contacts, frames/*_NNNNN_RRRR.vtu, and the first
+/// one the indices of the pieces, *_NNNNN.pvtu, and all else. Collective; what
+/// a rank throws all throw.
+void write_frame_in_pieces(const std::filesystem::path &folder,
+                           const dem::Engine &engine, const FrameParts &parts,
+                           int number, std::vector<dem::FrameEntry> &entries);
+
 /// Those whose files are still there: frames may be deleted between two parts
 /// of a run.
 std::vector<dem::FrameEntry>

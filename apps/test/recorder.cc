@@ -12,7 +12,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <omp.h>
+#include <utility>
 
 namespace spall
 {
@@ -249,25 +251,45 @@ void Recorder::write_events(Test &test)
                 });
 }
 
-void Recorder::write_frame(const Test &test)
+/// Whether each rank writes the particles that it owns: of a scene too large to
+/// be copied for its pictures.
+bool Recorder::writes_pieces(const Test &test) const
 {
-  const dem::Engine &scene = test.whole();
-  const FrameParts parts = test.frame_parts();
-  on_first_rank(test.ranks(),
-                [&]
-                {
-                  write_tables(test, scene);
-                  spall::write_frame(folder, scene, parts, n_frames, frames);
-                });
+  if (test.ranks().size() == 1)
+    return false;
+  std::array n_particles{
+      static_cast<std::int64_t>(test.engine().particles().n_owned())};
+  test.ranks().sum(n_particles);
+  return n_particles[0] > parameters.output.pieces_above;
+}
+
+void Recorder::write_frame(Test &test)
+{
+  if (writes_pieces(test))
+  {
+    test.engine().admit_arrivals();
+    write_frame_in_pieces(folder, std::as_const(test).engine(),
+                          test.frame_parts(), n_frames, frames);
+  }
+  else
+  {
+    const dem::Engine &scene = test.whole();
+    const FrameParts parts = test.frame_parts();
+    on_first_rank(
+        test.ranks(),
+        [&] { spall::write_frame(folder, scene, parts, n_frames, frames); });
+  }
+  write_tables(test);
   ++n_frames;
   framed_at = test.engine().time();
 }
 
 /// The tables of the frame that is written next, if the case asks for them.
-void Recorder::write_tables(const Test &test, const dem::Engine &scene) const
+void Recorder::write_tables(const Test &test) const
 {
   if (parameters.output.frame_tables == FrameTables::none)
-    return remove_frame_tables(folder, n_frames);
+    return on_first_rank(test.ranks(),
+                         [&] { remove_frame_tables(folder, n_frames); });
   dem::FrameDescription frame{.title = parameters.title,
                               .kind = parameters.kind,
                               .program = SPALL_VERSION,
@@ -282,7 +304,9 @@ void Recorder::write_tables(const Test &test, const dem::Engine &scene) const
           std::max(frame.plane_names.size(), one.number + 1));
       frame.plane_names[one.number] = one.name;
     }
-  write_frame_tables(folder, scene, frame);
+  const dem::Engine &scene = test.whole();
+  on_first_rank(test.ranks(),
+                [&] { write_frame_tables(folder, scene, frame); });
 }
 
 /// By phase [s]; the phases of stepping are those after the preparation. Adds

@@ -53,8 +53,9 @@ private:
   void write_due(Test &test, const Due &due);
   void write_row(Test &test);
   void write_events(Test &test);
-  void write_frame(const Test &test);
-  void write_tables(const Test &test, const dem::Engine &scene) const;
+  bool writes_pieces(const Test &test) const;
+  void write_frame(Test &test);
+  void write_tables(const Test &test) const;
   void write_last_particles(const Test &test);
   void write_checkpoint(Test &test, const std::string &name = "state.bin");
   Progressed restore_state(Test &test, const std::string &name);

@@ -205,6 +205,11 @@ int Engine::n_refused_events() const
   return std::as_const(*state).n_refused_events();
 }
 
+void Engine::admit_arrivals()
+{
+  state->admit_arrivals();
+}
+
 Engine Engine::gathered() const
 {
   return Engine(state->gathered());

@@ -87,6 +87,7 @@ public:
        const std::vector<std::shared_ptr<const Coefficients>> &library) const;
   void restore(std::istream &in,
                const std::vector<std::shared_ptr<const Coefficients>> &library);
+  void admit_arrivals();
   std::unique_ptr<EngineState> gathered();
   void order_by_id();
 
@@ -97,7 +98,6 @@ private:
   void deal_out();
   void keep_partners();
   void append(const NewParticle &particle);
-  void admit_arrivals();
   Speeds move_particles(double time_step);
   /// Throws std::logic_error where a half kick is pending.
   void require_synchronized() const;

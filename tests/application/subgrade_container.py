@@ -62,9 +62,10 @@ def particles_of(folder):
                 for row in csv.DictReader(stream)]
 
 
-def weight_faults(folder):
-    """Ground and mesh carry the weight of plate and particles, and what the
-    pulse adds: momentum comes back to rest over the record."""
+def weight_faults(folder, least_share=1e-3):
+    """Ground and mesh carry the weight of plate and particles, what the pulse
+    adds, and what their momentum changes over the record: the particles move
+    with the plate."""
     found, loading = summary(folder), loading_rows(folder)
     times = [row["loading_time_s"] for row in loading]
     length = times[-1] - times[0]
@@ -76,15 +77,16 @@ def weight_faults(folder):
 
     weight = GRAVITY * (40. + 2750. * found["solid_volume_m3"])
     carried = mean("subgrade_force_N") - mean("container_force_z_N")
-    # Some steps of the exchange are lost at both ends.
-    faults = near("weight", carried, weight +
-                  found["pulse_impulse_Ns"] / length, 2e-3)
+    faster = (loading[-1]["plate_velocity_m_per_s"] -
+              loading[0]["plate_velocity_m_per_s"])  # downward
+    impulse = found["pulse_impulse_Ns"] - weight / GRAVITY * faster
+    faults = near("weight", carried, weight + impulse / length, 2e-3)
     # The mesh carries some of it by friction, and no net force across.
     share = -mean("container_force_z_N") / weight
     print(f"of {weight:.2f} N the mesh carries {100. * share:.2f} %; ground "
           f"and mesh {carried:.2f} N, pulse "
           f"{found['pulse_impulse_Ns'] / length:.2f} N")
-    if not 1e-3 < share < 0.2:
+    if not least_share < share < 0.2:
         faults.append(f"share of the mesh {share}")
     return faults
 
@@ -148,7 +150,7 @@ def box(spall, root):
     # Particles fall on and bounce alike until round-off has grown.
     begun = 0
     for one, other in zip(mesh, planes):
-        if one["time_s"] > 0.12:
+        if one["time_s"] > 0.1:
             break
         begun += 1
         for name in ("kinetic_energy_J", "subgrade_force_N"):
@@ -167,7 +169,8 @@ def box(spall, root):
                             ("initial_porosity", 0.05), ("dead_load_N", 0.02),
                             ("subgrade_settlement_peak_m", 0.2)):
         faults += near(name, found[0][name], found[1][name], tolerance)
-    return faults + weight_faults(root / "mesh")
+    # Its sides stand apart from what is under the disc.
+    return faults + weight_faults(root / "mesh", least_share=0.)
 
 
 def bad_input(spall, root):

@@ -50,6 +50,20 @@ class Grids(InFolder):
         np.testing.assert_array_equal(grid.cells(2), [[0, 1], [2, 3]])
         np.testing.assert_array_equal(grid.point_data["a_m"], [1, 2, 1, 2])
 
+    def test_pieces_of_an_index(self):
+        for name in ("a_0000.vtu", "a_0001.vtu"):
+            self.file(name, ASCII)
+        grid = spall.read_vtu(self.file("a.pvtu", (
+            '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>'
+            '<Piece Source="a_0000.vtu"/><Piece Source="a_0001.vtu"/>'
+            '</PUnstructuredGrid></VTKFile>')))
+        np.testing.assert_array_equal(grid.cells(2), [[0, 1], [2, 3]])
+        np.testing.assert_array_equal(grid.point_data["a_m"], [1, 2, 1, 2])
+        with self.assertRaisesRegex(spall.InputError, "no index"):
+            spall.read_vtu(self.file("b.pvtu", "nothing"))
+        with self.assertRaisesRegex(spall.InputError, "has no piece"):
+            spall.read_vtu(self.file("b.pvtu", "<VTKFile/>"))
+
     def test_other_files_are_refused(self):
         for text, what in (("nothing", "no VTK XML"),
                            (ASCII.replace("Unstructured", "Poly"), "PolyGrid"),

@@ -14,7 +14,7 @@ from .frame_tables import FrameTables, read_frame_tables
 from .table import Table
 from .vtu import Grid, read_vtu, read_with_vtk
 
-_NAME = re.compile(r"(?P<part>.+)_(?P<number>\d+)\.vtu$")
+_NAME = re.compile(r"(?P<part>.+)_(?P<number>\d+)\.p?vtu$")
 #: What a case must set for a part that is not always there.
 _SETTINGS = {"surfaces": ": set Output/surfaces = all or ends in the case",
              "tables": ": set Output/frame_tables = hdf5 in the case"}

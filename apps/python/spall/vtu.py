@@ -1,7 +1,8 @@
 """Reader of VTK XML unstructured grids (.vtu), without VTK.
 
-It reads what Spall and deal.II write: one file, data as text, in base64 within
-the elements or appended (base64 or raw), plain or compressed by zlib.
+It reads what Spall and deal.II write: one file, or the pieces of an index
+(.pvtu), data as text, in base64 within the elements or appended (base64 or
+raw), plain or compressed by zlib.
 """
 from __future__ import annotations
 
@@ -139,12 +140,29 @@ def _inflated(data: bytes, sizes: list[int]) -> bytes:
 
 
 def read_vtu(path: str | pathlib.Path) -> Grid:
-    """The grid of a .vtu file. Throws InputError on a file that is none."""
-    file = _File(pathlib.Path(path))
-    pieces = [_piece(file, piece) for piece in file.root.iter("Piece")]
+    """The grid of a .vtu file, or of the pieces that a .pvtu file names.
+    Throws InputError on a file that is none."""
+    path = pathlib.Path(path)
+    pieces = _named_pieces(path) if path.suffix == ".pvtu" else _pieces(path)
     if not pieces:
         raise InputError(f"{path}: has no piece")
     return pieces[0] if len(pieces) == 1 else _joined(pieces)
+
+
+def _pieces(path: pathlib.Path) -> list[Grid]:
+    file = _File(path)
+    return [_piece(file, piece) for piece in file.root.iter("Piece")]
+
+
+def _named_pieces(index: pathlib.Path) -> list[Grid]:
+    try:
+        root = ElementTree.parse(index).getroot()
+    except FileNotFoundError:
+        raise InputError(f"{index}: no such file") from None
+    except ElementTree.ParseError as error:
+        raise InputError(f"{index}: no index of pieces: {error}") from None
+    return [grid for piece in root.iter("Piece")
+            for grid in _pieces(index.parent / piece.get("Source", ""))]
 
 
 def _piece(file: _File, piece: Any) -> Grid:
@@ -185,7 +203,9 @@ def _joined(pieces: list[Grid]) -> Grid:
 def read_with_vtk(path: str | pathlib.Path) -> Any:
     """The same file as a vtkUnstructuredGrid, for the filters of VTK."""
     reading = need("vtkmodules.vtkIOXML", "reading a frame for VTK")
-    reader = reading.vtkXMLUnstructuredGridReader()
+    is_index = pathlib.Path(path).suffix == ".pvtu"
+    reader = (reading.vtkXMLPUnstructuredGridReader() if is_index
+              else reading.vtkXMLUnstructuredGridReader())
     reader.SetFileName(str(path))
     reader.Update()
     return reader.GetOutput()

@@ -123,6 +123,9 @@ public:
   std::int64_t n_events() const;
   int n_refused_events() const;
 
+  /// Particles that were added since the last step go to their owners now, as
+  /// the next step would do. Collective.
+  void admit_arrivals();
   /// A copy of the scene of all ranks on each of them, in the order of the ids:
   /// the same bits on any number of ranks. Throws std::logic_error while a half
   /// kick is pending.

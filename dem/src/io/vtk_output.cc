@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -202,12 +203,12 @@ void add_contact_fields(vtkUnstructuredGrid *grid,
   add_scalars(grid->GetPointData(), "normal_force_N", 2 * n,
               [&](std::size_t k) { return in[k / 2].normal_force; });
 }
-} // namespace
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-void write_particles(std::ostream &out, const ParticleColumns &particles)
+Grid particle_grid(const ParticleColumns &particles)
 {
   const std::size_t n = particles.id.size();
-  DEM_ASSERT(particles.position.size() == n && particles.shape.size() == n);
+  DEM_ASSERT(particles.position.size() == n && particles.body.size() == n);
   vtkNew<vtkPoints> points = make_points(n);
   vtkNew<vtkCellArray> cells;
   for (std::size_t k = 0; k < n; ++k)
@@ -216,20 +217,20 @@ void write_particles(std::ostream &out, const ParticleColumns &particles)
     points->SetPoint(point, particles.position[k].data());
     cells->InsertNextCell({point});
   }
-  vtkNew<vtkUnstructuredGrid> grid;
+  Grid grid = Grid::New();
   grid->SetPoints(points);
   grid->SetCells(VTK_VERTEX, cells);
   add_particle_fields(grid->GetPointData(), particles);
-  write_grid(out, grid);
+  return grid;
 }
 
-void write_surfaces(std::ostream &out, const ParticleColumns &particles)
+Grid surface_grid(const ParticleColumns &particles)
 {
   const std::size_t n = particles.id.size();
   DEM_ASSERT(particles.orientation.size() == n && particles.loss.size() == n);
   const Icosphere sphere = make_icosphere(n_surface_divisions);
   const std::size_t per_particle = sphere.triangles.size();
-  vtkNew<vtkUnstructuredGrid> grid;
+  Grid grid = Grid::New();
   grid->SetPoints(surface_points(particles, sphere));
   grid->SetCells(VTK_TRIANGLE, surface_cells(n, sphere));
   add_scalars<vtkTypeInt64Array>(grid->GetCellData(), "id", n * per_particle,
@@ -237,10 +238,10 @@ void write_surfaces(std::ostream &out, const ParticleColumns &particles)
                                  { return particles.id[k / per_particle]; });
   add_scalars(grid->GetCellData(), "loss_1", n * per_particle,
               [&](std::size_t k) { return particles.loss[k / per_particle]; });
-  write_grid(out, grid);
+  return grid;
 }
 
-void write_contacts(std::ostream &out, std::span<const ContactLine> contacts)
+Grid contact_grid(std::span<const ContactLine> contacts)
 {
   vtkNew<vtkPoints> points = make_points(2 * contacts.size());
   vtkNew<vtkCellArray> cells;
@@ -251,12 +252,84 @@ void write_contacts(std::ostream &out, std::span<const ContactLine> contacts)
     points->SetPoint(first + 1, contacts[k].to.data());
     cells->InsertNextCell({first, first + 1});
   }
-  vtkNew<vtkUnstructuredGrid> grid;
+  Grid grid = Grid::New();
   grid->SetPoints(points);
   if (!contacts.empty()) // readers mistrust a list of no cells
     grid->SetCells(VTK_LINE, cells);
   add_contact_fields(grid, contacts);
-  write_grid(out, grid);
+  return grid;
+}
+
+/// One of a part without content: its arrays are those of all pieces.
+Grid empty_grid(FramePart part)
+{
+  if (part == FramePart::contacts)
+    return contact_grid({});
+  return part == FramePart::particles ? particle_grid({}) : surface_grid({});
+}
+
+/// As it stands in the XML files.
+const char *type_of(vtkDataArray *array)
+{
+  switch (array->GetDataType())
+  {
+  case VTK_FLOAT:
+    return "Float32";
+  case VTK_INT:
+    return "Int32";
+  default:
+    return "Int64";
+  }
+}
+
+void declare_array(std::ostream &out, vtkDataArray *array)
+{
+  out << "<PDataArray type=\"" << type_of(array) << '"';
+  if (array->GetName())
+    out << " Name=\"" << array->GetName() << '"';
+  out << " NumberOfComponents=\"" << array->GetNumberOfComponents() << "\"/>\n";
+}
+
+void declare_arrays(std::ostream &out, const std::string &element,
+                    vtkDataSetAttributes *data)
+{
+  out << '<' << element << ">\n";
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+    declare_array(out, data->GetArray(k));
+  out << "</" << element << ">\n";
+}
+} // namespace
+
+void write_particles(std::ostream &out, const ParticleColumns &particles)
+{
+  write_grid(out, particle_grid(particles));
+}
+
+void write_surfaces(std::ostream &out, const ParticleColumns &particles)
+{
+  write_grid(out, surface_grid(particles));
+}
+
+void write_contacts(std::ostream &out, std::span<const ContactLine> contacts)
+{
+  write_grid(out, contact_grid(contacts));
+}
+
+void write_piece_index(std::ostream &out, FramePart part,
+                       std::span<const std::string> pieces)
+{
+  const Grid grid = empty_grid(part);
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\">\n"
+         "<PUnstructuredGrid GhostLevel=\"0\">\n";
+  declare_arrays(out, "PPointData", grid->GetPointData());
+  declare_arrays(out, "PCellData", grid->GetCellData());
+  out << "<PPoints>\n";
+  declare_array(out, grid->GetPoints()->GetData());
+  out << "</PPoints>\n";
+  for (const std::string &piece : pieces)
+    out << "<Piece Source=\"" << piece << "\"/>\n";
+  out << "</PUnstructuredGrid>\n</VTKFile>\n";
 }
 
 void write_facets(std::ostream &out,

@@ -63,6 +63,19 @@ void write_surfaces(std::ostream &out, const ParticleColumns &particles);
 /// Contacts as lines with their forces (vtu).
 void write_contacts(std::ostream &out, std::span<const ContactLine> contacts);
 
+/// What each rank may write of its own particles and contacts.
+enum class FramePart
+{
+  particles,
+  contacts,
+  surfaces
+};
+
+/// Index (pvtu) of a part that ranks have written in pieces, files of the
+/// writers above; their names are relative to that of the index.
+void write_piece_index(std::ostream &out, FramePart part,
+                       std::span<const std::string> pieces);
+
 /// The triangles of surfaces with the number of the surface, `wall`, and at the
 /// vertices the force of the particles and the velocity (vtu).
 void write_facets(std::ostream &out,

@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
@@ -210,6 +211,55 @@ TEST(VtkOutput, DrumTurnsWithItsLifter)
     EXPECT_TRUE(!is_of_lifter || arm.x() > 0.39) << arm.transpose();
   }
   EXPECT_EQ(n_tip, 4);
+}
+
+/// Cells and points of the index of two pieces.
+void expect_pieces(dem::FramePart part, const std::string &one,
+                   const std::string &other, vtkIdType n_cells,
+                   const std::vector<const char *> &point_data,
+                   const std::vector<const char *> &cell_data)
+{
+  const std::string index = scratch("index.pvtu");
+  std::ofstream file(index);
+  dem::write_piece_index(file, part, std::vector{one, other});
+  file.close();
+  vtkNew<vtkXMLPUnstructuredGridReader> reader;
+  reader->SetFileName(index.c_str());
+  reader->Update();
+  vtkUnstructuredGrid *grid = reader->GetOutput();
+  EXPECT_EQ(grid->GetNumberOfCells(), n_cells);
+  EXPECT_EQ(grid->GetPointData()->GetNumberOfArrays(),
+            static_cast<int>(point_data.size()));
+  for (const char *name : point_data)
+    EXPECT_EQ(grid->GetPointData()->GetArray(name)->GetNumberOfTuples(),
+              grid->GetNumberOfPoints())
+        << name;
+  for (const char *name : cell_data)
+    EXPECT_EQ(grid->GetCellData()->GetArray(name)->GetNumberOfTuples(), n_cells)
+        << name;
+}
+
+// One of the pieces is that of a rank that has no particles.
+TEST_F(TwoParticles, IndexIsReadAsOneGrid)
+{
+  const dem::ParticleColumns none;
+  write(scratch("some.vtu"), dem::write_particles, columns());
+  write(scratch("none.vtu"), dem::write_particles, none);
+  expect_pieces(dem::FramePart::particles, "some.vtu", "none.vtu", 2,
+                {"id", "radius_m", "mass_kg", "loss_1", "volume_m3",
+                 "inscribed_radius_m", "velocity_m_per_s", "spin_rad_per_s",
+                 "orientation_wxyz"},
+                {});
+  write(scratch("some.vtu"), dem::write_surfaces, columns());
+  write(scratch("none.vtu"), dem::write_surfaces, none);
+  expect_pieces(dem::FramePart::surfaces, "none.vtu", "some.vtu", 2 * 1280, {},
+                {"id", "loss_1"});
+  const std::vector<dem::ContactLine> line{
+      {.from = Vec3::Zero(), .to = Vec3::UnitX(), .normal_force = 5.}};
+  write(scratch("some.vtu"), dem::write_contacts, line);
+  expect_pieces(dem::FramePart::contacts, "some.vtu", "some.vtu", 2,
+                {"normal_force_N"},
+                {"normal_force_N", "shear_force_N", "overlap_m", "kind"});
 }
 
 TEST(VtkOutput, NoParticlesAndNoContactsAreFiles)
