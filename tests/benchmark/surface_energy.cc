@@ -9,6 +9,7 @@
 // change of C_H, the renewal of the expansions and the rest.
 #include "dem_scene.h"
 
+#include <dem/contact/laws/hertz.h>
 #include <dem/engine_boundaries.h>
 #include <dem/random.h>
 
