@@ -74,8 +74,7 @@ void run_interval(dem::Engine &engine, const dem::BoxPlanes &box,
   }
   reached.n_steps = engine.n_steps();
   reached.stress = dem::box_stress(engine, box);
-  reached.unbalanced_ratio =
-      dem::unbalanced_force_ratio(engine.particles(), engine.pairs());
+  reached.unbalanced_ratio = dem::unbalanced_force_ratio(engine);
 }
 
 /// Pressed together well beyond the shock of the first contacts.
@@ -83,7 +82,7 @@ bool is_compact(const dem::Engine &engine, const dem::BoxPlanes &box,
                 const ClosedBox &reached)
 {
   return reached.stress.minCoeff() > 3. * pressure &&
-         solid_volume(engine.particles()) >
+         dem::solid_volume(engine.particles(), *dem::one_rank()) >
              0.55 * dem::box_size(engine, box).prod();
 }
 

@@ -45,7 +45,8 @@ struct TestKind
                 const SourceLocation &location) = nullptr;
   /// Builds the scene. Throws InputError.
   std::unique_ptr<Test> (*make)(const Case &parameters) = nullptr;
-  /// Its particles can be spread over ranks: measures take Test::whole().
+  /// Its particles can be spread over ranks: rows and decisions are sums over
+  /// what each rank has (dem/measure/totals.h).
   bool runs_on_many_ranks = false;
   /// Section/key = value of a case of such a kind that keeps it on one rank,
   /// empty if there is none; may be null.

@@ -119,14 +119,9 @@ BenchOptions bench_options(Words words)
 /// State of the engine when the timed steps begin.
 void describe(const dem::Engine &engine, BenchResult &result)
 {
-  const dem::ParticleSystem &particles = engine.particles();
   result.n_breakable = count_breakable(engine);
-  if (engine.distribution().is_shared())
-    return; // of contacts here and on other ranks
-  result.coordination =
-      dem::contact_network(particles, engine.pairs()).coordination_number;
-  result.unbalanced_ratio =
-      dem::unbalanced_force_ratio(particles, engine.pairs());
+  result.coordination = dem::contact_network(engine).coordination_number;
+  result.unbalanced_ratio = dem::unbalanced_force_ratio(engine);
 }
 
 /// Builds the scene again and times it; every repeat does the same.

@@ -129,12 +129,14 @@ void Compaction::take_prepared(std::istream &in)
 /// above a particle that has sprung up since [m].
 double Compaction::height_above_layers() const
 {
-  const dem::ParticleSystem &all = whole().particles();
-  double top = pouring.layers().back().height;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    top = std::max(
-        top, all.position(i).z() +
-                 dem::wall_bound(all, i, parameters.contact.wall_geometry));
+  const dem::ParticleSystem &own = synchronized().particles();
+  const double top = dem::largest_of_particles(
+      engine(), pouring.layers().back().height,
+      [&](std::size_t i)
+      {
+        return own.position(i).z() +
+               dem::wall_bound(own, i, parameters.contact.wall_geometry);
+      });
   return top + 1e-3 * scene.room.width_x;
 }
 
@@ -294,7 +296,7 @@ std::optional<SliceSpace> Compaction::slice_space() const
     return {};
   const dem::FacetSurface *around = nullptr;
   if (tube)
-    around = &dem::surface(whole());
+    around = &dem::surface(engine());
   else if (scene.room.container)
     around = &scene.room.container->wall();
   return SliceSpace{0., height(),

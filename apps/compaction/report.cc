@@ -22,7 +22,8 @@ std::string Compaction::outcome() const
       "settlement %.4g mm, density %.5g kg/m^3, LAA %.5f %%, roundness %.4f, "
       "%lld events",
       now.stage == Stage::vibration ? 1e3 * (now.start_height - height()) : 0.,
-      density(), abrasion_percent(), roundness.mean(whole().particles()),
+      density(), abrasion_percent(),
+      roundness.mean(synchronized().particles(), ranks()),
       static_cast<long long>(engine().n_events()));
   return text;
 }
@@ -62,9 +63,8 @@ void Compaction::report(double due)
   report.density = density();
   report.abrasion = abrasion_percent();
   report.n_events = static_cast<double>(engine().n_events());
-  report.roundness = roundness.mean(whole().particles());
-  const dem::ContactNetwork network =
-      dem::contact_network(whole().particles(), whole().pairs());
+  report.roundness = roundness.mean(synchronized().particles(), ranks());
+  const dem::ContactNetwork network = dem::contact_network(synchronized());
   report.coordination = network.coordination_number;
   report.mean_force = network.mean_force;
   reports.push_back(report);
@@ -79,8 +79,7 @@ std::vector<NamedText> Compaction::take_files()
 
 std::vector<Quantity> Compaction::measured() const
 {
-  const dem::ContactNetwork network =
-      dem::contact_network(whole().particles(), whole().pairs());
+  const dem::ContactNetwork network = dem::contact_network(synchronized());
   const double dense = density();
   const bool is_vibrating = now.stage == Stage::vibration;
   std::vector<Quantity> row = {
@@ -97,7 +96,7 @@ std::vector<Quantity> Compaction::measured() const
       {"n_contacts_1", static_cast<double>(network.n_contacts)},
       {"coordination_number_1", network.coordination_number},
       {"mean_contact_force_N", network.mean_force},
-      {"roundness_1", roundness.mean(whole().particles())}};
+      {"roundness_1", roundness.mean(synchronized().particles(), ranks())}};
   if (parameters.plate.form != PlateKind::rigid)
     row.push_back({"plate_tilt_rad", plate ? plate->tilt() : 0.});
   if (parameters.plate.form == PlateKind::elastic)
@@ -157,13 +156,12 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   summary["settlement_m"] =
       now.stage == Stage::vibration ? now.start_height - height() : 0.;
   summary["density_kg_per_m3"] = density();
-  summary["roundness_1"] = roundness.mean(whole().particles());
+  summary["roundness_1"] = roundness.mean(synchronized().particles(), ranks());
   summary["mean_plate_load_N"] =
       vibrated() > 0. ? now.impulse / vibrated() : 0.;
   summary["peak_plate_load_N"] = now.peak_load;
   summary["lift_off_s"] = now.lift_off;
-  const dem::ContactNetwork network =
-      dem::contact_network(whole().particles(), whole().pairs());
+  const dem::ContactNetwork network = dem::contact_network(synchronized());
   summary["coordination_end_1"] = network.coordination_number;
   summary["mean_contact_force_end_N"] = network.mean_force;
   nlohmann::ordered_json said = nlohmann::ordered_json::array();

@@ -30,19 +30,18 @@ void Compaction::wait_for_rest()
 bool Compaction::is_seated() const
 {
   const PlateParameters &p = parameters.plate;
-  const double swing =
-      plate->energy().kinetic / std::max(whole().energy().elastic, 1e-300);
+  const double swing = plate->energy().kinetic /
+                       std::max(synchronized().energy().elastic, 1e-300);
   return std::abs(plate_load() / weight() - 1.) < p.seating_load_tolerance &&
          swing < p.seating_load_tolerance * p.seating_load_tolerance &&
-         dem::unbalanced_force_ratio(whole().particles(), whole().pairs()) <
+         dem::unbalanced_force_ratio(synchronized()) <
              p.seating_unbalanced_ratio;
 }
 
 std::string Compaction::unseated_text() const
 {
   const PlateParameters &p = parameters.plate;
-  const double unbalanced =
-      dem::unbalanced_force_ratio(whole().particles(), whole().pairs());
+  const double unbalanced = dem::unbalanced_force_ratio(synchronized());
   return "plate and particles are not at rest within Plate/seating_max_time "
          "= " +
          number_text(p.seating_max_time) +

@@ -193,7 +193,7 @@ bool LosAngeles::is_settled()
   const bool is_over = spent > d.settling_time + d.settling_max_time;
   if (!is_over && engine().n_steps() % rest_interval != 0)
     return false;
-  unrest = dem::unbalanced_weight_ratio(whole());
+  unrest = dem::unbalanced_weight_ratio(synchronized());
   return is_over || unrest <= d.settling_unbalanced_ratio;
 }
 
@@ -236,18 +236,14 @@ std::vector<std::string> LosAngeles::warnings() const
 
 std::string LosAngeles::outcome() const
 {
-  double lost = 0.;
-  const dem::ParticleSystem &all = whole().particles();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all.material[i] == 0)
-      lost += all.initial_mass[i] - all.solid_mass(i);
+  const auto [mass, initial] = particle_masses();
   char text[160];
   std::snprintf(text, sizeof text,
                 "LAA %.5f %%, mass lost %.4g g, roundness %.4f, drum work "
                 "%.4g J, %lld events",
-                abrasion_percent(), 1e3 * lost,
-                roundness.mean(whole().particles()),
-                whole().energy().work_of("drum"),
+                abrasion_percent(), 1e3 * (initial - mass),
+                roundness.mean(synchronized().particles(), ranks()),
+                synchronized().energy().work_of("drum"),
                 static_cast<long long>(engine().n_events()));
   return text;
 }
@@ -333,31 +329,23 @@ Due LosAngeles::due() const
 
 std::vector<Quantity> LosAngeles::measured() const
 {
-  const dem::ContactNetwork network =
-      dem::contact_network(whole().particles(), whole().pairs());
+  const dem::ContactNetwork network = dem::contact_network(synchronized());
   return {{"turn_1", turns()},
           {"torque_Nm", dem::drum(engine()).torque},
-          {"drum_work_J", whole().energy().work_of("drum")},
+          {"drum_work_J", synchronized().energy().work_of("drum")},
           {"n_contacts_1", static_cast<double>(network.n_contacts)},
           {"mean_contact_force_N", network.mean_force},
-          {"roundness_1", roundness.mean(whole().particles())}};
+          {"roundness_1", roundness.mean(synchronized().particles(), ranks())}};
 }
 
 void LosAngeles::summarise(nlohmann::ordered_json &summary) const
 {
   Test::summarise(summary);
-  const dem::ParticleSystem &all = whole().particles();
-  double lost = 0., now = 0.;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all.material[i] == 0)
-    {
-      now += all.solid_mass(i);
-      lost += all.initial_mass[i] - all.solid_mass(i);
-    }
+  const auto [mass, initial] = particle_masses();
   summary["turns_1"] = turns();
-  summary["initial_mass_kg"] = now + lost;
-  summary["lost_mass_kg"] = lost;
-  summary["roundness_1"] = roundness.mean(all);
+  summary["initial_mass_kg"] = initial;
+  summary["lost_mass_kg"] = initial - mass;
+  summary["roundness_1"] = roundness.mean(engine().particles(), ranks());
 }
 
 void LosAngeles::save(std::ostream &out) const

@@ -69,10 +69,12 @@ dem::SpringNetwork StepWatch::springs(const dem::Engine &engine,
                                       const Surroundings &around,
                                       double horizon)
 {
-  if (!around.has_membrane())
-    return dem::contact_springs(engine, horizon);
-  dem::SpringNetwork network = around.exchange->springs(engine, horizon);
-  if (around.exchange->rule() != coupling::ExchangeRule::every_step)
+  dem::SpringNetwork network = around.has_membrane()
+                                   ? around.exchange->springs(engine, horizon)
+                                   : dem::contact_springs(engine, horizon);
+  dem::share_springs(engine, network);
+  if (!around.has_membrane() ||
+      around.exchange->rule() != coupling::ExchangeRule::every_step)
     return network;
   if (record.membrane_step == 0. || record.n_checks % membrane_interval == 0)
     record.membrane_step = around.membrane->stable_time_step();
@@ -132,7 +134,7 @@ void StepWatch::report(const dem::Engine &engine, const Surroundings &around,
   const dem::NetworkStep bound = dem::guaranteed_step(network);
   say(line("%.0f contacts: stable up to %.3g s for sure, unstable above %.3g "
            "s: ",
-           static_cast<double>(network.n_contacts()), bound.step,
+           static_cast<double>(dem::total_contacts(network)), bound.step,
            dem::sharp_step(network), dem::describe_body(network, bound.body)));
   if (is_fixed())
     require_stable(network, bound, present_step);

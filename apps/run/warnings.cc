@@ -1,5 +1,7 @@
 #include "run/warnings.h"
 
+#include <dem/measure/totals.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -8,7 +10,7 @@ namespace spall
 void add_overlap_warning(const dem::Engine &engine,
                          std::vector<std::string> &warnings)
 {
-  const double largest = engine.overlaps().largest,
+  const double largest = dem::total_overlaps(engine).largest,
                limit = engine.parameters().geometry.overlap.warning;
   if (largest <= limit)
     return;

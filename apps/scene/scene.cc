@@ -18,24 +18,25 @@ namespace spall
 {
 namespace
 {
-dem::Vec3 centre_of_mass(const dem::ParticleSystem &all)
+dem::Vec3 centre_of_mass(const dem::Engine &engine)
 {
-  dem::Vec3 moment = dem::Vec3::Zero();
-  double mass = 0.;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    moment += all.mass(i) * all.position(i);
-    mass += all.mass(i);
-  }
-  return moment / mass;
+  const dem::ParticleSystem &own = engine.particles();
+  const auto [x, y, z, mass] = dem::sum_particles<4>(
+      engine,
+      [&own](std::size_t i)
+      {
+        const dem::Vec3 moment = own.mass(i) * own.position(i);
+        return std::array{moment.x(), moment.y(), moment.z(), own.mass(i)};
+      });
+  return dem::Vec3(x, y, z) / mass;
 }
 
-double largest_speed(const dem::ParticleSystem &all)
+double largest_speed(const dem::Engine &engine)
 {
-  double square = 0.;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    square = std::max(square, all.velocity(i).squaredNorm());
-  return std::sqrt(square);
+  const dem::ParticleSystem &own = engine.particles();
+  return std::sqrt(dem::largest_of_particles(
+      engine, 0.,
+      [&own](std::size_t i) { return own.velocity(i).squaredNorm(); }));
 }
 } // namespace
 
@@ -80,14 +81,14 @@ std::string Scene::phase() const
 
 std::string Scene::outcome() const
 {
-  const dem::ParticleSystem &all = whole().particles();
+  const dem::Engine &all = synchronized();
   const dem::Vec3 centre = centre_of_mass(all);
   char text[200];
   std::snprintf(text, sizeof text,
                 "centre of mass %.4g %.4g %.4g m, largest speed %.3g m/s, "
                 "kinetic energy %.3g J, %lld events",
                 centre.x(), centre.y(), centre.z(), largest_speed(all),
-                whole().energy().kinetic,
+                synchronized().energy().kinetic,
                 static_cast<long long>(engine().n_events()));
   return text;
 }
@@ -119,15 +120,14 @@ FrameParts Scene::frame_parts() const
 
 std::vector<Quantity> Scene::measured() const
 {
-  const dem::Engine &all = whole();
-  const dem::ContactNetwork network =
-      dem::contact_network(all.particles(), all.pairs());
-  const dem::Vec3 centre = centre_of_mass(all.particles());
+  const dem::Engine &all = synchronized();
+  const dem::ContactNetwork network = dem::contact_network(all);
+  const dem::Vec3 centre = centre_of_mass(all);
   std::vector<Quantity> row = {
       {"centre_of_mass_x_m", centre.x()},
       {"centre_of_mass_y_m", centre.y()},
       {"centre_of_mass_z_m", centre.z(), true},
-      {"largest_speed_m_per_s", largest_speed(all.particles()), true},
+      {"largest_speed_m_per_s", largest_speed(all), true},
       {"n_contacts_1", static_cast<double>(network.n_contacts)},
       {"mean_contact_force_N", network.mean_force}};
   return row;
@@ -145,7 +145,7 @@ void Scene::summarise(nlohmann::ordered_json &summary) const
 {
   Test::summarise(summary);
   summary["time_s"] = engine().time();
-  summary["kinetic_energy_J"] = whole().energy().kinetic;
+  summary["kinetic_energy_J"] = synchronized().energy().kinetic;
 }
 
 void Scene::save(std::ostream &out) const

@@ -7,6 +7,7 @@
 #include <dem/boundary/wall_clearance.h>
 #include <dem/engine_boundaries.h>
 #include <dem/io/mesh_reader.h>
+#include <dem/measure/totals.h>
 #include <fem/triangle_file.h>
 
 #include <filesystem>
@@ -177,7 +178,7 @@ wall_quantities(const dem::Engine &engine)
     add_vector("moment", "Nm", load.moment);
     add_vector("displacement", "m", wall.pose().shift);
     add("rotation_rad", wall.pose().angle);
-    add("friction_J", wall.friction.value() + 0.); // no -0
+    add("friction_J", dem::total_friction(engine, wall) + 0.); // no -0
   }
   return all;
 }

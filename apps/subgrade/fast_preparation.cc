@@ -2,6 +2,7 @@
 #include "subgrade/subgrade.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 #include <dem/packing/rough_packing.h>
 
 namespace spall
@@ -33,8 +34,8 @@ void Subgrade::pack()
   const LayerParameters &l = parameters.subgrade.layer;
   const LoadPlateParameters &p = parameters.subgrade.plate;
   const std::vector<dem::ParticleShape> &bodies = scene.all.shape;
-  const double height =
-      scene.room.height_of(solid_volume(scene.all), l.solid_fraction);
+  const double height = scene.room.height_of(
+      dem::solid_volume(scene.all, *dem::one_rank()), l.solid_fraction);
   const auto placements =
       dense_packing(bodies, scene.room, height, l.initial_solid_fraction);
   for (std::size_t i = 0; i < bodies.size(); ++i)

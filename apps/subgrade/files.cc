@@ -49,7 +49,7 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   summary["particle_velocity_peak_m_per_s"] = now.fastest;
   if (now.stage >= Stage::loading)
   {
-    const double mean = roundness.mean(whole().particles());
+    const double mean = roundness.mean(synchronized().particles(), ranks());
     summary["density_start_kg_per_m3"] = now.density;
     summary["density_kg_per_m3"] = density();
     summary["roundness_start_1"] = now.roundness;
@@ -68,8 +68,7 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   add_stresses(stress_names, dead_stress, peak_stress, summary);
   summary["coordination_start_1"] = now.coordination;
   summary["coordination_end_1"] =
-      dem::contact_network(whole().particles(), whole().pairs())
-          .coordination_number;
+      dem::contact_network(synchronized()).coordination_number;
   if (now.stage < Stage::loading)
     return;
   EnergyBalance loading = energy_balance();

@@ -57,7 +57,7 @@ void Subgrade::set_plate_down()
   engine().set_renewal(parameters.contact.refresh_tolerance,
                        parameters.contact.skin);
   now.placed_at = engine().time();
-  build_plate(height_above(whole().particles(), parameters.subgrade.plate));
+  build_plate(height_above(synchronized(), parameters.subgrade.plate));
   now.stage = Stage::placing;
 }
 } // namespace spall

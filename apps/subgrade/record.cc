@@ -3,6 +3,8 @@
 #include "run/csv_file.h"
 
 #include <dem/binary.h>
+#include <dem/parallel/distribution.h>
+#include <dem/parallel/rank_sums.h>
 #include <fem/transfer_function.h>
 
 #include <algorithm>
@@ -15,6 +17,13 @@ void Slice::add(double speed)
   ++n;
   sum_of_squares += speed * speed;
   peak = std::max(peak, speed);
+}
+
+void Slice::add(const SpeedSums &sums)
+{
+  n += sums.n;
+  sum_of_squares += sums.sum_of_squares;
+  peak = std::max(peak, sums.peak);
 }
 
 double Slice::rms() const
@@ -41,19 +50,32 @@ void SubgradeRecord::add(const SubgradeRow &row)
   ground.push_back(row.ground_velocity);
 }
 
-void SubgradeRecord::add_particles(const dem::ParticleSystem &particles,
+void SubgradeRecord::add_particles(const dem::Engine &engine,
                                    const Footprint &half)
 {
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  const dem::ParticleSystem &particles = engine.particles();
+  const std::size_t n_slices = particle_slices.size();
+  std::vector<dem::ExactSum> squares(n_slices);
+  std::vector<std::int64_t> counts(n_slices, 0);
+  std::vector<double> peaks(n_slices, 0.);
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
   {
     const dem::Vec3 &at = particles.position(i);
     if (std::abs(at.x()) > half.half_x || std::abs(at.y()) > half.half_y ||
         at.z() < 0.)
       continue;
     const auto k = static_cast<std::size_t>(at.z() / slice_height);
-    if (k < particle_slices.size())
-      particle_slices[k].add(particles.velocity(i).norm());
+    if (k >= n_slices)
+      continue;
+    squares[k].add(particles.velocity(i).squaredNorm());
+    ++counts[k];
+    peaks[k] = std::max(peaks[k], particles.velocity(i).norm());
   }
+  const dem::Ranks &ranks = engine.distribution().ranks();
+  dem::sum_over_ranks(ranks, squares, counts);
+  ranks.max(peaks);
+  for (std::size_t k = 0; k < n_slices; ++k)
+    particle_slices[k].add(SpeedSums{counts[k], squares[k].value(), peaks[k]});
 }
 
 void SubgradeRecord::add_ground(std::span<const double> speed)

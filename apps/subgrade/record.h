@@ -2,7 +2,7 @@
 
 #include "subgrade/case.h"
 
-#include <dem/particles/particle_system.h>
+#include <dem/engine.h>
 
 #include <iosfwd>
 #include <string>
@@ -18,7 +18,15 @@ struct SubgradeRow
   double plate_velocity = 0., ground_velocity = 0.;
 };
 
-/// Speeds of what lies in one slice of height, over the rows.
+/// Speeds of what lies in one slice of height, in one row.
+struct SpeedSums
+{
+  std::int64_t n = 0;         ///< speeds
+  double sum_of_squares = 0.; ///< [m^2/s^2]
+  double peak = 0.;           ///< [m/s]
+};
+
+/// The same over the rows.
 struct Slice
 {
   double height = 0.; ///< of its middle [m]
@@ -26,6 +34,7 @@ struct Slice
   double sum_of_squares = 0., peak = 0.;
 
   void add(double speed);
+  void add(const SpeedSums &sums);
   double rms() const; ///< [m/s]
 };
 
@@ -36,9 +45,9 @@ class SubgradeRecord
 public:
   void begin(int n_slices, double top, std::vector<double> ground_heights);
   void add(const SubgradeRow &row);
-  /// Particles whose centres lie below the footprint of the plate.
-  void add_particles(const dem::ParticleSystem &particles,
-                     const Footprint &plate);
+  /// Particles of all ranks whose centres lie below the footprint of the plate.
+  /// Collective.
+  void add_particles(const dem::Engine &engine, const Footprint &plate);
   /// Speeds of the ground at its heights, down its middle.
   void add_ground(std::span<const double> speed);
 

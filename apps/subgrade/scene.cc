@@ -11,6 +11,7 @@
 #include "subgrade/layer_room.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/measure/totals.h>
 #include <dem/parallel/mpi_ranks.h>
 
 #include <algorithm>
@@ -213,20 +214,20 @@ fem::PlateBodyParameters plate_body(const LoadPlateParameters &p, double height)
   return body;
 }
 
-double height_above(const dem::ParticleSystem &particles,
-                    const LoadPlateParameters &plate)
+double height_above(const dem::Engine &engine, const LoadPlateParameters &plate)
 {
   const Footprint half = footprint(plate);
-  double top = 0.;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    const dem::Vec3 &at = particles.position(i);
-    const double reach = particles.shape[i].circumscribed_radius;
-    if (std::abs(at.x()) < half.half_x + reach &&
-        std::abs(at.y()) < half.half_y + reach)
-      top = std::max(top, at.z() + reach);
-  }
-  return top;
+  const dem::ParticleSystem &own = engine.particles();
+  return dem::largest_of_particles(
+      engine, 0.,
+      [&](std::size_t i)
+      {
+        const dem::Vec3 &at = own.position(i);
+        const double reach = own.shape[i].circumscribed_radius;
+        const bool is_below = std::abs(at.x()) < half.half_x + reach &&
+                              std::abs(at.y()) < half.half_y + reach;
+        return is_below ? at.z() + reach : 0.;
+      });
 }
 
 /// A disc has as many corners as its mesh.

@@ -39,7 +39,7 @@ fem::PlateBodyParameters plate_body(const LoadPlateParameters &plate,
                                     double height);
 
 /// Height at which the plate touches no particle yet, right above them [m].
-double height_above(const dem::ParticleSystem &particles,
+double height_above(const dem::Engine &engine,
                     const LoadPlateParameters &plate);
 
 /// The space right below the plate: from `low`, the ground, up to `high`, the

@@ -201,7 +201,7 @@ bool Subgrade::is_at_rest() const
   const double on_plate = p.mass * gravity + p.static_load;
   return plate->plate().velocity().norm() < rest_speed &&
          std::abs(force_on_plate() - on_plate) < rest_share * on_plate &&
-         dem::unbalanced_weight_ratio(whole()) <
+         dem::unbalanced_weight_ratio(synchronized()) <
              parameters.subgrade.layer.unbalanced_ratio;
 }
 
@@ -227,15 +227,14 @@ void Subgrade::start_loading()
   now.height =
       now.plate_start + now.plate_rest -
       plate_body(parameters.subgrade.plate, now.plate_start).centre.z();
-  now.porosity = 1. - solid_volume(whole().particles()) /
+  now.porosity = 1. - dem::solid_volume(synchronized().particles(), ranks()) /
                           scene.room.volume_below(now.height);
   if (now.porosity <= 0.)
     throw RunFailure("porosity of the layer " + number_text(now.porosity) +
                      ": the particles interpenetrate: stiffer contacts "
                      "(Particle/shear_modulus, Wall and GroundContact"
                      "/normal_stiffness) or less load on the plate");
-  now.coordination = dem::contact_network(whole().particles(), whole().pairs())
-                         .coordination_number;
+  now.coordination = dem::contact_network(synchronized()).coordination_number;
   const coupling::FieldView loads = joined->load_on(*ground);
   rest_load.assign(loads.begin(), loads.end());
   now.dead_load = sum_down(rest_load);
@@ -245,7 +244,7 @@ void Subgrade::start_loading()
   now.stage = Stage::loading;
   report_step();
   now.density = density();
-  now.roundness = roundness.mean(whole().particles());
+  now.roundness = roundness.mean(synchronized().particles(), ranks());
   note_roundness(0.);
   record.begin(parameters.subgrade.record.slices, now.height,
                solid ? axis.heights(solid->solid()) : std::vector<double>());
@@ -399,17 +398,15 @@ std::vector<double> Subgrade::stresses() const
 
 void Subgrade::note_row()
 {
-  const dem::ParticleSystem &all = whole().particles();
   const double time = loading_time();
   const double plate_down = -plate->plate().velocity().z();
   const double ground_down =
       -ground->motion().velocity[static_cast<std::size_t>(middle)].z();
   record.add({time, pulses(time), plate_down, ground_down});
-  record.add_particles(all, footprint(parameters.subgrade.plate));
+  record.add_particles(synchronized(), footprint(parameters.subgrade.plate));
   if (solid)
     record.add_ground(axis.speeds(solid->solid()));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    now.fastest = std::max(now.fastest, all.velocity(i).norm());
+  now.fastest = std::max(now.fastest, fastest_particle());
   now.lowest = std::max(now.lowest, plate_settlement());
   if (ground_settlement() > now.deepest)
   {
@@ -418,25 +415,29 @@ void Subgrade::note_row()
       bowl[k] = settlement_at(cut[k]);
   }
   now.peak_force = std::max(now.peak_force, force_on_ground());
-  now.worst_gain =
-      std::max(now.worst_gain,
-               joined->gain(whole(), joined->particle_steps() * time_step()));
+  now.worst_gain = std::max(
+      now.worst_gain,
+      joined->gain(synchronized(), joined->particle_steps() * time_step()));
   const std::vector<double> stress = stresses();
   for (std::size_t k = 0; k < stress.size(); ++k)
     peak_stress[k] = std::max(peak_stress[k], stress[k]);
 }
 
+double Subgrade::fastest_particle() const
+{
+  const dem::ParticleSystem &own = synchronized().particles();
+  return dem::largest_of_particles(
+      engine(), 0., [&own](std::size_t i) { return own.velocity(i).norm(); });
+}
+
 std::vector<Quantity> Subgrade::measured() const
 {
-  const dem::ParticleSystem &all = whole().particles();
-  const dem::ContactNetwork network =
-      dem::contact_network(all, whole().pairs());
-  double sum = 0., peak = 0.;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    sum += all.velocity(i).squaredNorm();
-    peak = std::max(peak, all.velocity(i).norm());
-  }
+  const dem::ContactNetwork network = dem::contact_network(synchronized());
+  const dem::ParticleSystem &own = engine().particles();
+  const auto n = static_cast<double>(dem::total_particles(engine()));
+  const auto [sum] = dem::sum_particles<1>(
+      engine(), [&own](std::size_t i)
+      { return std::array{own.velocity(i).squaredNorm()}; });
   const double time = loading_time();
   const auto ground_speed =
       ground->motion().velocity[static_cast<std::size_t>(middle)];
@@ -454,9 +455,8 @@ std::vector<Quantity> Subgrade::measured() const
       {"subgrade_mean_settlement_m", mean_settlement()},
       {"plate_force_N", force_on_plate()},
       {"subgrade_force_N", force_on_ground()},
-      {"particle_velocity_rms_m_per_s",
-       std::sqrt(sum / std::max(1., static_cast<double>(all.size())))},
-      {"particle_velocity_peak_m_per_s", peak},
+      {"particle_velocity_rms_m_per_s", std::sqrt(sum / std::max(1., n))},
+      {"particle_velocity_peak_m_per_s", fastest_particle()},
       {"coordination_number_1", network.coordination_number},
       {"n_contacts_1", static_cast<double>(network.n_contacts)},
       {"mean_contact_force_N", network.mean_force}};

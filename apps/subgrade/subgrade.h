@@ -114,6 +114,7 @@ private:
   double loading_time() const;
   double plate_settlement() const;
   double ground_settlement() const;
+  double fastest_particle() const; ///< of all ranks [m/s]
   double force_on_ground() const;
   double force_on_plate() const;
   double settlement_at(std::int32_t node) const;

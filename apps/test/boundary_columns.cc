@@ -4,6 +4,7 @@
 
 #include <dem/engine_boundaries.h>
 #include <dem/measure/boundary_load.h>
+#include <dem/measure/totals.h>
 
 #include <algorithm>
 
@@ -30,9 +31,9 @@ void add_losses(const std::string &name, double friction, double mass,
 }
 
 /// Of a boundary that may not be there yet.
-double friction_on(const dem::Boundary *boundary)
+double friction_on(const dem::Engine &engine, const dem::Boundary *boundary)
 {
-  return boundary ? boundary->friction.value() : 0.;
+  return boundary ? dem::total_friction(engine, *boundary) : 0.;
 }
 
 const dem::FacetBoundary *surface_of(const dem::Engine &engine,
@@ -65,7 +66,7 @@ void add_surface(const dem::Engine &engine, const std::string &name,
   add_load(name,
            surface ? dem::load_on(surface->surface, about) : dem::WallLoad{},
            all);
-  add_losses(name, friction_on(surface),
+  add_losses(name, friction_on(engine, surface),
              surface ? removed.on(2, surface->event_other(0)) : 0., all);
 }
 } // namespace
@@ -84,9 +85,10 @@ Quantities boundary_quantities(const dem::Engine &engine,
       break;
     case BoundaryKind::drum:
       add_load(one.name, dem::load_on_drum(engine, about), all);
-      add_losses(one.name,
-                 friction_on(dem::find_boundary<dem::DrumBoundary>(engine)),
-                 removed.on(3, -1), all);
+      add_losses(
+          one.name,
+          friction_on(engine, dem::find_boundary<dem::DrumBoundary>(engine)),
+          removed.on(3, -1), all);
       break;
     case BoundaryKind::surface:
       add_surface(engine, one.name, about, removed, all);
@@ -94,7 +96,8 @@ Quantities boundary_quantities(const dem::Engine &engine,
   if (std::ranges::count(named, BoundaryKind::plane, &NamedBoundary::kind) > 0)
     all.emplace_back(
         "planes_friction_J",
-        friction_on(dem::find_boundary<dem::PlaneBoundary>(engine)) + 0.);
+        friction_on(engine, dem::find_boundary<dem::PlaneBoundary>(engine)) +
+            0.);
   for (const auto &[name, value] : wall_quantities(engine))
     all.emplace_back(name, value);
   for (const dem::MeshWall &wall : dem::mesh_walls(engine))

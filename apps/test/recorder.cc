@@ -12,9 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <omp.h>
-#include <utility>
 
 namespace spall
 {
@@ -255,22 +253,15 @@ void Recorder::write_events(Test &test)
 /// be copied for its pictures.
 bool Recorder::writes_pieces(const Test &test) const
 {
-  if (test.ranks().size() == 1)
-    return false;
-  std::array n_particles{
-      static_cast<std::int64_t>(test.engine().particles().n_owned())};
-  test.ranks().sum(n_particles);
-  return n_particles[0] > parameters.output.pieces_above;
+  return test.ranks().size() > 1 &&
+         dem::total_particles(test.engine()) > parameters.output.pieces_above;
 }
 
-void Recorder::write_frame(Test &test)
+void Recorder::write_frame(const Test &test)
 {
   if (writes_pieces(test))
-  {
-    test.engine().admit_arrivals();
-    write_frame_in_pieces(folder, std::as_const(test).engine(),
-                          test.frame_parts(), n_frames, frames);
-  }
+    write_frame_in_pieces(folder, test.synchronized(), test.frame_parts(),
+                          n_frames, frames);
   else
   {
     const dem::Engine &scene = test.whole();

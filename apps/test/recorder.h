@@ -54,7 +54,7 @@ private:
   void write_row(Test &test);
   void write_events(Test &test);
   bool writes_pieces(const Test &test) const;
-  void write_frame(Test &test);
+  void write_frame(const Test &test);
   void write_tables(const Test &test) const;
   void write_last_particles(const Test &test);
   void write_checkpoint(Test &test, const std::string &name = "state.bin");

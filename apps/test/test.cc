@@ -9,6 +9,7 @@
 
 #include <dem/binary.h>
 #include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 #include <dem/parallel/distribution.h>
 
 #include <nlohmann/json.hpp>
@@ -66,6 +67,12 @@ Test::Test(const Case &c, ShapeLibrary library,
 {
 }
 
+const dem::Engine &Test::synchronized() const
+{
+  owned_engine->synchronize();
+  return *owned_engine;
+}
+
 const dem::Engine &Test::whole() const
 {
   owned_engine->synchronize();
@@ -76,6 +83,7 @@ const dem::Engine &Test::whole() const
     const Stopwatch clock;
     copy = std::make_unique<dem::Engine>(owned_engine->gathered());
     gathering += clock.seconds();
+    ++n_copies;
   }
   return *copy;
 }
@@ -97,8 +105,7 @@ void Test::advance()
 
 void Test::check_contacts()
 {
-  engine().synchronize();
-  watch.update(whole(), surroundings(), step);
+  watch.update(synchronized(), surroundings(), step);
   if (!watch.is_fixed())
     step = watch.state().longest;
 }
@@ -148,22 +155,28 @@ std::vector<dem::BreakageEvent> Test::take_events()
   return events;
 }
 
+std::array<double, 2> Test::particle_masses() const
+{
+  const dem::ParticleSystem &own = synchronized().particles();
+  return dem::sum_particles<2>(engine(),
+                               [&own](std::size_t i)
+                               {
+                                 return own.material[i] == 0
+                                            ? std::array{own.solid_mass(i),
+                                                         own.initial_mass[i]}
+                                            : std::array{0., 0.};
+                               });
+}
+
 double Test::abrasion_percent() const
 {
-  const dem::ParticleSystem &all = whole().particles();
-  double now = 0., before = 0.;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all.material[i] == 0)
-    {
-      now += all.solid_mass(i);
-      before += all.initial_mass[i];
-    }
+  const auto [now, before] = particle_masses();
   return before > 0. ? 100. * (before - now) / before : 0.;
 }
 
 double Test::external_work() const
 {
-  const dem::EngineEnergy energy = whole().energy();
+  const dem::EngineEnergy energy = synchronized().energy();
   return energy.work_of("planes") + energy.work_of("drum") +
          energy.work_of("mesh walls") + energy.gravity_work +
          body_energy().external;
@@ -171,7 +184,7 @@ double Test::external_work() const
 
 EnergyBalance Test::energy_balance() const
 {
-  const dem::EngineEnergy e = whole().energy();
+  const dem::EngineEnergy e = synchronized().energy();
   const coupling::BodyEnergy bodies = body_energy();
   const double work = external_work();
   return {work,
@@ -185,7 +198,7 @@ std::vector<Quantity> Test::boundary_row() const
 {
   std::vector<Quantity> all;
   for (const auto &[name, value] : boundary_quantities(
-           whole(), named_boundaries(), moment_point(), removed))
+           synchronized(), named_boundaries(), moment_point(), removed))
     all.push_back({name, value});
   return all;
 }
@@ -197,13 +210,13 @@ std::vector<Quantity> Test::row() const
     all.push_back(one);
   for (const Quantity &one : boundary_row())
     all.push_back(one);
-  const dem::EngineEnergy e = whole().energy();
+  const dem::EngineEnergy e = synchronized().energy();
   const coupling::BodyEnergy bodies = body_energy();
   const EnergyBalance balance = energy_balance();
   const std::vector<Quantity> common = {
       {"laa_percent", abrasion_percent(), true},
       {"n_events_1", static_cast<double>(engine().n_events()), true},
-      {"overlap_over_radius_1", whole().overlaps().recent},
+      {"overlap_over_radius_1", dem::total_overlaps(engine()).recent},
       {"external_work_J", balance.external_work},
       {"kinetic_energy_J", e.kinetic + bodies.kinetic},
       {"elastic_energy_J", e.elastic + bodies.stored},
@@ -245,7 +258,7 @@ void Test::add_clocks(std::map<std::string, double> &seconds) const
 std::vector<std::string> Test::warnings() const
 {
   std::vector<std::string> all;
-  add_overlap_warning(whole(), all);
+  add_overlap_warning(engine(), all);
   add_step_warning(parameters.time, watch.state(), all);
   add_energy_warning(reported_balance(), all);
   return all;
@@ -253,11 +266,17 @@ std::vector<std::string> Test::warnings() const
 
 void Test::summarise(nlohmann::ordered_json &summary) const
 {
-  const dem::ParticleSystem &all = whole().particles();
-  summary["n_particles"] = std::ranges::count(all.material, std::uint8_t{0});
-  summary["n_breakable"] =
-      std::ranges::count(all.is_breakable, std::uint8_t{1});
-  summary["solid_volume_m3"] = solid_volume(all);
+  const dem::ParticleSystem &own = synchronized().particles();
+  const auto [n, n_breakable] = dem::sum_particles<2>(
+      engine(),
+      [&own](std::size_t i)
+      {
+        return std::array{own.material[i] == 0 ? 1. : 0.,
+                          own.is_breakable[i] == 1 ? 1. : 0.};
+      });
+  summary["n_particles"] = static_cast<std::int64_t>(n);
+  summary["n_breakable"] = static_cast<std::int64_t>(n_breakable);
+  summary["solid_volume_m3"] = dem::solid_volume(own, ranks());
   summary["time_step_s"] = time_step();
   const StepRecord &steps = watch.state();
   if (parameters.time.step == StepRule::fixed)
@@ -272,11 +291,11 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   summary["laa_percent"] = abrasion_percent();
   summary["n_events"] = engine().n_events();
   summary["n_refused_events"] = engine().n_refused_events();
-  summary["overlap_over_radius_1"] = whole().overlaps().largest;
+  summary["overlap_over_radius_1"] = dem::total_overlaps(engine()).largest;
   for (const Quantity &one : boundary_row())
     summary["walls"][one.name] = one.value;
-  removed.summarise(whole(), named_boundaries(), summary);
-  add_contact_point_events(whole(), summary);
+  removed.summarise(engine(), named_boundaries(), summary);
+  add_contact_point_events(engine(), summary);
   if (first_event.time >= 0.)
   {
     summary["first_event_force_N"] = first_event.force;

@@ -10,8 +10,11 @@
 #include "test/removed_mass.h"
 #include "test/slice_space.h"
 
+#include <dem/measure/totals.h>
+
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <functional>
 #include <iosfwd>
 #include <map>
@@ -116,7 +119,7 @@ public:
   /// What is to be written before the first step.
   virtual Due due_at_start() const
   {
-    return {true, whole().particles().size() > 0, false};
+    return {true, dem::total_particles(synchronized()) > 0, false};
   }
   /// What is to be written after the last step.
   virtual Due due() const = 0;
@@ -158,23 +161,32 @@ public:
   /// Adds wall-clock of phases that the engine and the exchange do not measure
   /// [s].
   virtual void add_clocks(std::map<std::string, double> &seconds) const;
+  /// Mass of the particles now and at first, those of other materials left out
+  /// [kg]. Collective.
+  std::array<double, 2> particle_masses() const;
   /// Mass that the particles have lost over their initial mass, those of other
-  /// materials left out [%].
+  /// materials left out [%]. Collective.
   double abrasion_percent() const;
 
   // Scene.
 
-  /// On many ranks its particles are those of this rank: whole() has all.
+  /// On many ranks its particles are those of this rank, and sums over all
+  /// ranks are collective: dem/measure/totals.h. whole() has all particles.
   const dem::Engine &engine() const { return *owned_engine; }
   dem::Engine &engine()
   {
     copy.reset();
     return *owned_engine;
   }
-  /// The scene as it is measured and stored: dem::Engine::gathered(), or the
-  /// engine itself, see is_gathered(). Finishes a half kick that is pending.
-  /// The first call after a change is collective.
+  /// The engine with no half kick pending: for sums over what each rank has.
+  const dem::Engine &synchronized() const;
+  /// A copy of the whole scene on every rank, for what needs all particles at
+  /// once: dem::Engine::gathered(), or the engine itself, see is_gathered().
+  /// Finishes a half kick that is pending. The first call after a change is
+  /// collective.
   const dem::Engine &whole() const;
+  /// Copies that whole() has made so far.
+  int n_scene_copies() const { return n_copies; }
   /// All ranks that the test runs on.
   const dem::Ranks &ranks() const;
   /// All particles that the test will have, with their ids; only what does not
@@ -273,11 +285,7 @@ protected:
   /// Sets the step to what the contacts allow now, where a scene has changed.
   void check_contacts();
   /// Reports the step where loading begins. Throws as StepWatch::report.
-  void report_step()
-  {
-    engine().synchronize();
-    watch.report(whole(), surroundings(), step);
-  }
+  void report_step() { watch.report(synchronized(), surroundings(), step); }
   /// Reports that the particles are prepared, see when_prepared().
   void say_prepared() const;
   /// The first event and the mass that was removed, for a checkpoint.
@@ -312,6 +320,7 @@ protected:
 private:
   std::unique_ptr<dem::Engine> owned_engine;
   bool is_shareable = false; ///< the case can be spread over ranks
+  mutable int n_copies = 0;
   mutable std::unique_ptr<dem::Engine> copy; ///< for whole(), since a change
   mutable double gathering = 0.;             ///< wall-clock of copying [s]
   dem::StepLimit limit;

@@ -62,10 +62,10 @@ bool Triaxial::is_consolidated()
   consolidation.time = engine().time() - preparation.time;
   consolidation.load_error =
       std::abs(plate.resultant()) / (l.confining_pressure * area);
-  consolidation.motion_error = std::sqrt(
-      plate.kinetic_energy() / std::max(whole().energy().elastic, 1e-300));
-  consolidation.unbalanced_ratio =
-      dem::unbalanced_force_ratio(whole().particles(), whole().pairs());
+  consolidation.motion_error =
+      std::sqrt(plate.kinetic_energy() /
+                std::max(synchronized().energy().elastic, 1e-300));
+  consolidation.unbalanced_ratio = dem::unbalanced_force_ratio(synchronized());
   if (!cell->has_membrane())
   {
     const dem::Vec3 stress = dem::box_stress(engine(), box);
@@ -115,7 +115,7 @@ void Triaxial::begin_loading()
   const auto walls_now = dem::mesh_walls(engine());
   for (std::size_t k = 0; k < walls_now.size(); ++k)
     walls_now[k].get().start_in(parameters.walls[k].start);
-  watch.report(whole(), surroundings(), time_step());
+  watch.report(synchronized(), surroundings(), time_step());
   say(consolidated_text());
   begin_stage();
   enter(Stage::loading);

@@ -64,11 +64,10 @@ FastPreparation Triaxial::fast_preparation()
         const double share = stress() / target;
         return share > 0.8 && share < 1.25 &&
                (!has_surfaces ||
-                dem::unbalanced_force_ratio(whole().particles(),
-                                            whole().pairs()) < unrest);
+                dem::unbalanced_force_ratio(synchronized()) < unrest);
       });
   is_rough = true;
-  watch.update(whole(), {}, time_step());
+  watch.update(synchronized(), {}, time_step());
   result.step = time_step();
   result.cost = time_particles(engine(), time_step());
   hand_over();

@@ -48,7 +48,7 @@ void Triaxial::shorten_jump(const coupling::JumpPlan &refused)
 coupling::SlowState Triaxial::slow_state() const
 {
   return {cycle(), 1. - (cell->plate().height() - lower.z()) / start_height,
-          100. * dem::abrasion(whole().particles())};
+          100. * dem::abrasion(synchronized().particles(), ranks())};
 }
 
 /// The cycle to come stands for those that are skipped and for itself.

@@ -189,11 +189,10 @@ void Triaxial::end_interval()
                             : is_interval_due(checks_per_cycle)))
   {
     engine().synchronize();
-    follower.end_interval(
-        load_measures(false), cycles_of_stage(),
-        stage_now.until_unbalanced
-            ? dem::unbalanced_force_ratio(whole().particles(), whole().pairs())
-            : 1.);
+    follower.end_interval(load_measures(false), cycles_of_stage(),
+                          stage_now.until_unbalanced
+                              ? dem::unbalanced_force_ratio(synchronized())
+                              : 1.);
   }
   else
     follower.update_end(cycles_of_stage());

@@ -75,7 +75,8 @@ double Triaxial::porosity() const
   double bodies = 0.;
   for (const dem::MeshWall &wall : dem::mesh_walls(engine()))
     bodies += wall.body_volume();
-  return 1. - solid_volume(whole().particles()) / (volume() - bodies);
+  return 1. - dem::solid_volume(synchronized().particles(), ranks()) /
+                  (volume() - bodies);
 }
 
 void Triaxial::finish_preparation()
@@ -126,15 +127,13 @@ std::string Triaxial::unprepared_text() const
 bool Triaxial::is_at_rest()
 {
   preparation.stress = dem::box_stress(engine(), box);
-  preparation.unbalanced_ratio =
-      dem::unbalanced_force_ratio(whole().particles(), whole().pairs());
+  preparation.unbalanced_ratio = dem::unbalanced_force_ratio(synchronized());
   const PreparationParameters &limits = parameters.preparation;
   const double worst =
       (preparation.stress.array() / limits.pressure - 1.).abs().maxCoeff();
   return worst < limits.stress_tolerance &&
          preparation.unbalanced_ratio < limits.unbalanced_ratio &&
-         dem::contact_network(whole().particles(), whole().pairs()).n_contacts >
-             0;
+         dem::contact_network(synchronized()).n_contacts > 0;
 }
 
 void Triaxial::save_prepared(std::ostream &out) const

@@ -95,7 +95,8 @@ std::vector<Quantity> Triaxial::take_row()
   if (recorded.roundness == 0. ||
       (is_loading &&
        (schedule.intervals() % cycle_intervals == 0 || follower.is_over())))
-    recorded.roundness = known_roundness.mean(whole().particles());
+    recorded.roundness =
+        known_roundness.mean(synchronized().particles(), ranks());
   recorded.last = sample(recorded.roundness);
   if (membrane())
     recorded.worst_gain = std::max(recorded.worst_gain, exchange_gain());
@@ -124,7 +125,7 @@ void Triaxial::begin_record()
 std::vector<Quantity> Triaxial::own_ledger() const
 {
   const double plate_work = cell ? cell->plate().drive_work() : 0.;
-  return {{"membrane_work_J", whole().energy().work_of("facets")},
+  return {{"membrane_work_J", synchronized().energy().work_of("facets")},
           {"plate_work_J", plate_work},
           {"energy_residual_J", recorded.last.energy_residual}};
 }
@@ -145,7 +146,7 @@ std::optional<SliceSpace> Triaxial::slice_space() const
   const dem::Prism space = coupling::space_of(enclosed());
   return SliceSpace{
       space.low, space.high, [this, corners = space.corners](double z) {
-        return membrane() ? tube_section(dem::surface(whole()), z) : corners;
+        return membrane() ? tube_section(dem::surface(engine()), z) : corners;
       }};
 }
 

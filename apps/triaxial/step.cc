@@ -64,7 +64,7 @@ Surroundings Triaxial::surroundings() const
 
 double Triaxial::exchange_gain() const
 {
-  return joined ? joined->gain(whole(), schedule.step()) : 0.;
+  return joined ? joined->gain(synchronized(), schedule.step()) : 0.;
 }
 
 /// Of the schedule: of particles in the preparation, of windows from then on.
@@ -82,8 +82,7 @@ void Triaxial::settle_step()
 {
   if (watch.is_due(engine().n_steps() / steps_in_move()))
   {
-    engine().synchronize();
-    watch.update(whole(), surroundings(), time_step());
+    watch.update(synchronized(), surroundings(), time_step());
     // The steps of a probe stay as they are: they are to meet.
     if (!watch.is_fixed() && probe.fine_left == 0)
       schedule.replan(longest_step());
@@ -109,7 +108,7 @@ void Triaxial::resume_schedule(const TimeParameters &then,
         "(rules stable and error) Output/samples_per_cycle must be as before");
   probe = {};
   watch.set_state(StepWatch(parameters.time, setup.cap).state());
-  watch.update(whole(), surroundings(), setup.step);
+  watch.update(synchronized(), surroundings(), setup.step);
   schedule.begin(period() / static_cast<double>(cycle_intervals),
                  longest_step(),
                  schedule.intervals() / intervals_then * cycle_intervals);

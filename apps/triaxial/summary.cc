@@ -52,7 +52,7 @@ void Triaxial::summarise(nlohmann::ordered_json &out) const
 {
   Test::summarise(out);
   const Sample &start = recorded.loading_start, &end = recorded.last;
-  out["n_particles"] = whole().particles().size();
+  out["n_particles"] = dem::total_particles(synchronized());
   out["lateral"] = name_of(parameters.boundary.lateral);
   out["initial_porosity"] = preparation.porosity;
   if (parameters.time.density_scaling_diameter > 0.)

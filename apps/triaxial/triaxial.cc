@@ -231,9 +231,7 @@ coupling::StressBalance Triaxial::stress_balance() const
 
 Sample Triaxial::sample(double roundness) const
 {
-  const dem::ParticleSystem &particles = whole().particles();
-  const dem::ContactNetwork network =
-      dem::contact_network(particles, whole().pairs());
+  const dem::ContactNetwork network = dem::contact_network(synchronized());
   Sample s;
   s.time = engine().time();
   s.stage = std::min(2., static_cast<double>(now));
@@ -242,7 +240,8 @@ Sample Triaxial::sample(double roundness) const
                        ? dem::box_stress(engine(), box).z()
                        : top_plane().force.z() / section();
   s.lateral_stress = lateral_stress();
-  const dem::Mat3 in_membrane = coupling::membrane_stress(enclosed());
+  const dem::Mat3 in_membrane =
+      coupling::membrane_stress({engine(), walls(), membrane()});
   s.membrane_axial_stress = coupling::axial(in_membrane);
   s.membrane_lateral_stress = coupling::lateral(in_membrane);
   if (now >= Stage::loading)
@@ -251,15 +250,14 @@ Sample Triaxial::sample(double roundness) const
     s.volumetric_strain = 1. - volume() / start_volume;
   }
   s.porosity = porosity();
-  s.laa = 100. * dem::abrasion(particles);
+  s.laa = 100. * dem::abrasion(engine().particles(), ranks());
   s.coordination_number = network.coordination_number;
   s.mean_contact_force = network.mean_force;
   s.roundness = roundness;
   s.n_contacts = static_cast<double>(network.n_contacts);
   s.n_events = static_cast<double>(engine().n_events());
-  s.unbalanced_force_ratio =
-      dem::unbalanced_force_ratio(particles, whole().pairs());
-  s.overlap_over_radius = whole().overlaps().recent;
+  s.unbalanced_force_ratio = dem::unbalanced_force_ratio(engine());
+  s.overlap_over_radius = dem::total_overlaps(engine()).recent;
   const dem::Vec3 on_planes = dem::box_stress(engine(), box);
   s.x_stress = on_planes.x() + (membrane() ? pressure : 0.);
   s.y_stress = on_planes.y() + (membrane() ? pressure : 0.);
@@ -273,7 +271,7 @@ Sample Triaxial::sample(double roundness) const
 
 void Triaxial::add_energies(Sample &s) const
 {
-  const dem::EngineEnergy energy = whole().energy();
+  const dem::EngineEnergy energy = synchronized().energy();
   s.external_work = energy.work_of("planes") + energy.work_of("drum") +
                     energy.work_of("mesh walls") + energy.cell_work +
                     energy.gravity_work;

@@ -230,8 +230,8 @@ std::vector<Row> energy_balance()
       jump = std::max(jump, event.force_after / event.force_before);
     }
   const dem::EngineEnergy e = engine.energy();
-  return {{"abrasion", "-", removed / volume, dem::abrasion(engine.particles()),
-           1e-13, 1.},
+  return {{"abrasion", "-", removed / volume,
+           dem::abrasion(engine.particles(), *dem::one_rank()), 1e-13, 1.},
           {"mass", "kg", (volume - removed) * 2750., engine.particles().mass(0),
            1e-12},
           {"energy of the new surfaces", "J", fractured, e.fracture, 1e-12},

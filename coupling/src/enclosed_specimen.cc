@@ -36,7 +36,8 @@ std::vector<Eigen::Vector2d> rim_of(const fem::Membrane &membrane)
 /// Thickness of a layer of a profile, about [m].
 double layer_of(const dem::ParticleSystem &particles)
 {
-  return std::cbrt(6. / std::numbers::pi * dem::solid_volume(particles) /
+  return std::cbrt(6. / std::numbers::pi *
+                   dem::solid_volume(particles, *dem::one_rank()) /
                    static_cast<double>(particles.size())) /
          layers_per_particle;
 }

@@ -10,8 +10,7 @@ NetworkState network_state(const EnclosedSpecimen &specimen,
 {
   const dem::ParticleSystem &particles = specimen.engine.particles();
   const dem::Network network = dem::contact_network_of(specimen.engine);
-  const dem::ContactNetwork contacts =
-      dem::contact_network(particles, specimen.engine.pairs());
+  const dem::ContactNetwork contacts = dem::contact_network(specimen.engine);
   const dem::Mat3 inside =
       dem::mean_stress(dem::without_skin(space_of(specimen), skin_of(specimen)),
                        particles, network);

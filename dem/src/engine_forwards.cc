@@ -68,6 +68,7 @@ void Engine::advance_deferred(double time_step)
 void Engine::synchronize()
 {
   state->synchronize();
+  state->admit_arrivals();
 }
 
 void Engine::evaluate(double time_step)
@@ -203,11 +204,6 @@ std::int64_t Engine::n_events() const
 int Engine::n_refused_events() const
 {
   return std::as_const(*state).n_refused_events();
-}
-
-void Engine::admit_arrivals()
-{
-  state->admit_arrivals();
 }
 
 Engine Engine::gathered() const

@@ -37,22 +37,6 @@ LostEnergy sum_over_ranks(const Ranks &ranks, const LostEnergy &own)
   dem::sum_over_ranks(ranks, sums);
   return {sums[0], sums[1], sums[2], sums[3]};
 }
-
-ContactPointEvents sum_over_ranks(const Ranks &ranks,
-                                  const ContactPointEvents &own)
-{
-  std::array sums{own.n_scans,  own.n_late,     own.n_jumps, own.n_ended,
-                  own.n_merged, own.n_unlisted, own.n_lost};
-  ranks.sum(sums);
-  return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6]};
-}
-
-OverlapRecord largest_of(const Ranks &ranks, const OverlapRecord &own)
-{
-  std::array largest{own.recent, own.largest};
-  ranks.max(largest);
-  return {largest[0], largest[1]};
-}
 } // namespace
 
 std::unique_ptr<EngineState> EngineState::gathered()
@@ -97,8 +81,9 @@ void EngineState::gather_into(EngineState &whole)
     dem::sum_over_ranks(ranks, friction);
     whole.walls[k]->friction = friction[0];
   }
-  whole.overlap = largest_of(ranks, overlap);
-  whole.contact_points.events = sum_over_ranks(ranks, contact_points.events);
+  whole.overlap = largest_over_ranks(ranks, overlap);
+  whole.contact_points.events =
+      dem::sum_over_ranks(ranks, contact_points.events);
   std::array largest{recent_force, schedule.displaced() ? 1. : 0.,
                      schedule.displaced_on_deforming() ? 1. : 0.};
   ranks.max(largest);

@@ -380,10 +380,7 @@ void bind_steps(py::class_<PyEngine> &engine)
       .def(
           "unbalanced_force_ratio",
           [](const PyEngine &self)
-          {
-            return dem::unbalanced_force_ratio(self.engine.particles(),
-                                               self.engine.pairs());
-          },
+          { return dem::unbalanced_force_ratio(self.engine); },
           "Mean resultant force on a particle over the mean contact force [-].")
       .def(
           "set_breaking",

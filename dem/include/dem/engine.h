@@ -64,7 +64,9 @@ public:
   /// show them throw. All bits are those of advance().
   void advance_deferred(double time_step);
   /// Finishes the half kick that advance_deferred() has left pending, if any.
-  /// Non-const functions that need it do this themselves.
+  /// Non-const functions that need it do this themselves. On many ranks
+  /// particles that were added since the last step go to their owners, which is
+  /// collective.
   void synchronize();
 
   /// Loads of all contacts as the scene was placed, before its first step:
@@ -123,9 +125,6 @@ public:
   std::int64_t n_events() const;
   int n_refused_events() const;
 
-  /// Particles that were added since the last step go to their owners now, as
-  /// the next step would do. Collective.
-  void admit_arrivals();
   /// A copy of the scene of all ranks on each of them, in the order of the ids:
   /// the same bits on any number of ranks. Throws std::logic_error while a half
   /// kick is pending.

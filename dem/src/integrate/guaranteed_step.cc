@@ -3,6 +3,7 @@
 #include <dem/integrate/stable_step.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace dem
@@ -49,6 +50,24 @@ struct Side
   double strength = 0.; ///< trace over the body at some step [-]
 };
 
+double least_of_ranks(const SpringNetwork &network, double own)
+{
+  std::array largest{-own};
+  network.sharing->largest(largest);
+  return -largest[0];
+}
+
+/// Least root over the bodies of all ranks.
+double least_root(const SpringNetwork &network,
+                  const std::vector<Quadratic> &bodies)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (network.sharing->is_owned(i))
+      least = std::min(least, bodies[i].root());
+  return least_of_ranks(network, least);
+}
+
 /// Amplitudes y of all bodies that share out the contacts: of contact k body i
 /// has alpha = |w_i| y_i / sum_j |w_j| y_j. Any y > 0 gives a bound; these are
 /// some steps towards the largest mode of the matrix of sizes.
@@ -63,9 +82,7 @@ std::vector<double> amplitudes(const SpringNetwork &network)
                   alone[body].spring += weight * own.spring;
                   alone[body].dashpot += weight * own.dashpot;
                 });
-  double step = std::numeric_limits<double>::infinity();
-  for (const Quadratic &body : alone)
-    step = std::min(step, body.root());
+  const double step = least_root(network, alone);
   std::vector<double> y(network.n_bodies(), 1.), next(y.size());
   if (std::isinf(step))
     return y;
@@ -97,6 +114,7 @@ std::vector<double> amplitudes(const SpringNetwork &network)
     // A body that nothing holds keeps some amplitude: it divides.
     for (std::size_t i = 0; i < y.size(); ++i)
       y[i] = std::max(next[i], 1e-30);
+    network.sharing->fill(y);
   }
   return y;
 }
@@ -278,40 +296,87 @@ std::vector<Block> blocks_of(const SpringNetwork &network,
 
 namespace
 {
+/// The shortest step of all ranks; of equal ones that of the lowest name.
+NetworkStep shortest_of_ranks(const SpringNetwork &network,
+                              const NetworkStep &own)
+{
+  const double step = least_of_ranks(network, own.step);
+  const double name = own.step == step
+                          ? static_cast<double>(own.body)
+                          : std::numeric_limits<double>::infinity();
+  return {step, static_cast<std::int64_t>(least_of_ranks(network, name))};
+}
+
+bool is_shorter(const NetworkStep &one, const NetworkStep &other)
+{
+  return one.step < other.step ||
+         (one.step == other.step && one.body < other.body);
+}
+
+/// The body with the least root of its trace, and this root, of all ranks.
+NetworkStep first_by_trace(const SpringNetwork &network,
+                           const std::vector<Quadratic> &trace)
+{
+  NetworkStep first;
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    if (network.sharing->is_owned(i))
+      if (const NetworkStep body{trace[i].root(), network.name_of(i)};
+          first.body < 0 || is_shorter(body, first))
+        first = body;
+  return shortest_of_ranks(network, first);
+}
+
+/// The bodies of this rank whose blocks are looked at.
+struct Candidates
+{
+  std::vector<std::size_t> bodies;
+  double start = 0.; ///< step that the search comes down from [s]
+};
+
+/// The shortest step of their blocks, of all ranks. Every search begins at the
+/// same step: its result depends on the body alone.
+NetworkStep step_of_blocks(const SpringNetwork &network,
+                           const std::vector<double> &y,
+                           const Candidates &candidates,
+                           const NetworkStep &known)
+{
+  NetworkStep limit = known;
+  const std::vector<Block> block = blocks_of(network, y, candidates.bodies);
+  for (std::size_t r = 0; r < block.size(); ++r)
+    if (const NetworkStep body{step_of(block[r], candidates.start),
+                               network.name_of(candidates.bodies[r])};
+        is_shorter(body, limit))
+      limit = body;
+  return shortest_of_ranks(network, limit);
+}
+
 /// The bound of these amplitudes.
 NetworkStep step_with(const SpringNetwork &network,
                       const std::vector<double> &y)
 {
   const std::vector<Quadratic> trace = traces(network, y);
   // The body with the largest trace first: it sets the limit, or nearly so.
-  std::size_t first = 0;
-  double rough = std::numeric_limits<double>::infinity();
+  const NetworkStep first = first_by_trace(network, trace);
+  if (std::isinf(first.step))
+    return {};
+  Candidates one, others;
   for (std::size_t i = 0; i < trace.size(); ++i)
-    if (const double step = trace[i].root(); step < rough)
+    if (network.sharing->is_owned(i) && network.name_of(i) == first.body)
     {
-      rough = step;
-      first = i;
+      one.bodies.push_back(i);
+      // A sixth of a trace is no more than its largest eigenvalue, and the sums
+      // are at most twice the traces: root(trace / 12) is not below the limit.
+      one.start =
+          Quadratic{trace[i].spring / 12., trace[i].dashpot / 12.}.root();
     }
-  NetworkStep limit;
-  if (std::isinf(rough))
-    return limit;
-  // A sixth of a trace is no more than its largest eigenvalue, and the sums
-  // are at most twice the traces: root(trace / 12) is not below the limit.
-  limit = {
-      step_of(blocks_of(network, y, {first}).front(),
-              Quadratic{trace[first].spring / 12., trace[first].dashpot / 12.}
-                  .root()),
-      static_cast<std::int32_t>(first)};
+  NetworkStep limit = step_of_blocks(network, y, one, {});
   // Then those that may lower it, by their trace.
-  std::vector<std::size_t> others;
+  others.start = limit.step;
   for (std::size_t i = 0; i < trace.size(); ++i)
-    if (i != first && trace[i].at(limit.step) > 4.)
-      others.push_back(i);
-  const std::vector<Block> block = blocks_of(network, y, others);
-  for (std::size_t r = 0; r < others.size(); ++r)
-    if (trace[others[r]].at(limit.step) > 4.)
-      if (const double step = step_of(block[r], limit.step); step < limit.step)
-        limit = {step, static_cast<std::int32_t>(others[r])};
+    if (network.sharing->is_owned(i) && network.name_of(i) != first.body &&
+        trace[i].at(limit.step) > 4.)
+      others.bodies.push_back(i);
+  limit = step_of_blocks(network, y, others, limit);
   limit.step *= 1. - 1e-9; // what the iteration may have left above
   return limit;
 }
@@ -329,32 +394,79 @@ NetworkStep guaranteed_step(const SpringNetwork &network)
   return by_mass.step > by_mode.step ? by_mass : by_mode;
 }
 
-std::string describe_body(const SpringNetwork &network, std::int32_t body)
+std::int64_t SpringNetwork::name_of(std::size_t body) const
 {
-  if (body < 0)
-    return "no contacts";
+  if (body >= n_particles())
+    return first_point_name() + static_cast<std::int64_t>(body - n_particles());
+  return id.empty() ? static_cast<std::int64_t>(body) : id[body];
+}
+
+std::int64_t total_contacts(const SpringNetwork &network)
+{
+  std::array<ExactSum, 1> n;
+  for (const std::int32_t a : network.a)
+    n[0].add(network.sharing->is_owned(static_cast<std::size_t>(a)) ? 1. : 0.);
+  network.sharing->sum(n);
+  return static_cast<std::int64_t>(n[0].value());
+}
+
+namespace
+{
+/// What a body touches.
+struct Neighbours
+{
+  double mass = 0.; ///< of the body [kg]
   int n_walls = 0, n_particles = 0, n_surface = 0;
-  const auto n = static_cast<std::int32_t>(network.n_particles());
-  for (std::size_t k = 0; k < network.n_contacts(); ++k)
+};
+
+/// Of a body that some rank owns.
+Neighbours neighbours_of(const SpringNetwork &network, std::int64_t name)
+{
+  Neighbours found;
+  for (std::size_t body = 0; body < network.n_bodies(); ++body)
   {
-    const std::int32_t other = network.b[k][0].body;
-    bool is_here = false;
-    visit_sides(network, k,
-                [&](std::size_t i, double, const Vec3 &)
-                { is_here |= i == static_cast<std::size_t>(body); });
-    if (is_here)
-      ++(other < 0 ? n_walls : other < n ? n_particles : n_surface);
+    if (!network.sharing->is_owned(body) || network.name_of(body) != name)
+      continue;
+    found.mass = network.mass[body];
+    for (std::size_t k = 0; k < network.n_contacts(); ++k)
+    {
+      const std::int32_t other = network.b[k][0].body;
+      bool is_here = false;
+      visit_sides(network, k,
+                  [&](std::size_t i, double, const Vec3 &)
+                  { is_here |= i == body; });
+      if (is_here)
+        ++(other < 0 ? found.n_walls
+           : static_cast<std::size_t>(other) < network.n_particles()
+               ? found.n_particles
+               : found.n_surface);
+    }
   }
+  std::array numbers{found.mass, static_cast<double>(found.n_walls),
+                     static_cast<double>(found.n_particles),
+                     static_cast<double>(found.n_surface)};
+  network.sharing->largest(numbers);
+  return {numbers[0], static_cast<int>(numbers[1]),
+          static_cast<int>(numbers[2]), static_cast<int>(numbers[3])};
+}
+} // namespace
+
+std::string describe_body(const SpringNetwork &network, std::int64_t name)
+{
+  if (name < 0)
+    return "no contacts";
+  const Neighbours at = neighbours_of(network, name);
+  const std::int64_t first = network.first_point_name();
   std::ostringstream text;
   text.precision(3);
-  text << (body < n ? "particle " : "membrane node ")
-       << (body < n ? body : body - n) << " of "
-       << 1e3 * network.mass[static_cast<std::size_t>(body)] << " g on ";
-  if (body >= n)
-    text << n_surface << " particles";
+  text << (name < first ? "particle " : "membrane node ")
+       << (name < first ? name : name - first) << " of " << 1e3 * at.mass
+       << " g on ";
+  if (name >= first)
+    text << at.n_surface << " particles";
   else
-    text << n_walls << " walls, " << n_particles << " particles, " << n_surface
-         << " membrane contacts";
+    text << at.n_walls << " walls, " << at.n_particles << " particles, "
+         << at.n_surface << " membrane contacts";
   return text.str();
 }
 } // namespace dem

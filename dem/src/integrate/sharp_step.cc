@@ -1,6 +1,7 @@
 #include <dem/integrate/stable_step.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -11,8 +12,9 @@ namespace
 {
 using Field = Eigen::VectorXd;
 
-/// M^(-1/2) (dt^2 K + 2 dt C) M^(-1/2); six unknowns per particle, three per
-/// point.
+/// M^(-1/2) (dt^2 K + 2 dt C) M^(-1/2); six unknowns per body: motion and
+/// turning, which is zero of points. Rows of bodies of other ranks are not
+/// known, but for what is needed here.
 class ScaledOperator
 {
 public:
@@ -26,29 +28,74 @@ public:
 
   Eigen::Index size() const
   {
-    return static_cast<Eigen::Index>(
-        3 * (network.n_bodies() + network.n_particles()));
+    return static_cast<Eigen::Index>(6 * network.n_bodies());
   }
 
-  void apply(double dt, const Field &x, Field &y) const
+  /// x gets the rows of bodies of other ranks. Collective.
+  void apply(double dt, Field &x, Field &y) const
   {
-    const auto n = static_cast<Eigen::Index>(3 * network.n_particles());
+    network.sharing->fill({x.data(), static_cast<std::size_t>(x.size())});
+    const auto n = static_cast<Eigen::Index>(6 * network.n_particles());
     y.setZero();
     const double own = std::pow(dt * network.point_frequency, 2);
-    y.tail(size() - 2 * n) = own * x.tail(size() - 2 * n);
+    y.tail(size() - n) = own * x.tail(size() - n);
     for (std::size_t k = 0; k < network.n_contacts(); ++k)
       apply_contact(k, dt, x, y);
   }
 
-private:
-  Eigen::Index moving(std::size_t body) const
+  /// Of all ranks, the same bits on any number of them. Collective.
+  double product(const Field &x, const Field &y) const
   {
-    const std::size_t n = network.n_particles();
-    return static_cast<Eigen::Index>(3 * (body < n ? body : body + n));
+    std::array<ExactSum, 1> sum;
+    for (std::size_t body = 0; body < network.n_bodies(); ++body)
+      if (network.sharing->is_owned(body))
+        sum[0].add(x.segment<6>(moving(body)).dot(y.segment<6>(moving(body))));
+    network.sharing->sum(sum);
+    return sum[0].value();
   }
-  Eigen::Index turning(std::size_t particle) const
+  /// However short it is: the sum is exact to a share of its largest term.
+  double length(const Field &x) const
   {
-    return static_cast<Eigen::Index>(3 * (particle + network.n_particles()));
+    std::array largest{0.};
+    for (std::size_t body = 0; body < network.n_bodies(); ++body)
+      if (network.sharing->is_owned(body))
+        largest[0] = std::max(largest[0],
+                              x.segment<6>(moving(body)).cwiseAbs().maxCoeff());
+    network.sharing->largest(largest);
+    if (largest[0] == 0.)
+      return 0.;
+    const int exponent = std::ilogb(largest[0]);
+    const Field near_one = std::ldexp(1., -exponent) * x;
+    return std::ldexp(std::sqrt(product(near_one, near_one)), exponent);
+  }
+
+  /// Some of every mode, the same in every run: a multiplicative congruential
+  /// generator, to no further purpose.
+  Field start_vector() const
+  {
+    Field x = Field::Zero(size());
+    for (std::size_t body = 0; body < network.n_bodies(); ++body)
+    {
+      auto state = 2 * static_cast<std::uint64_t>(network.name_of(body)) + 1;
+      for (Eigen::Index d = 0; d < (turns(body) ? 6 : 3); ++d)
+      {
+        for (int again = 0; again < 4; ++again)
+          state = state * 6364136223846793005u + 1442695040888963407u;
+        x[moving(body) + d] =
+            static_cast<double>(state >> 11) / 9007199254740992. - 0.5;
+      }
+    }
+    return x;
+  }
+
+private:
+  static Eigen::Index moving(std::size_t body)
+  {
+    return static_cast<Eigen::Index>(6 * body);
+  }
+  static Eigen::Index turning(std::size_t particle)
+  {
+    return static_cast<Eigen::Index>(6 * particle + 3);
   }
   bool turns(std::size_t body) const { return body < network.n_particles(); }
 
@@ -96,20 +143,6 @@ private:
   std::vector<double> over_mass, over_inertia;
 };
 
-/// Some of every mode, the same in every run: a multiplicative congruential
-/// generator, to no further purpose.
-Field start_vector(Eigen::Index n)
-{
-  Field x(n);
-  std::uint64_t state = 1;
-  for (Eigen::Index i = 0; i < n; ++i)
-  {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    x[i] = static_cast<double>(state >> 11) / 9007199254740992. - 0.5;
-  }
-  return x;
-}
-
 double largest_of(const std::vector<double> &diagonal,
                   const std::vector<double> &beside)
 {
@@ -128,9 +161,9 @@ double largest_eigenvalue(const ScaledOperator &matrix, double dt)
 {
   constexpr int interval = 10;
   std::vector<double> diagonal, beside;
-  Field x = start_vector(matrix.size()), before = Field::Zero(x.size()),
+  Field x = matrix.start_vector(), before = Field::Zero(x.size()),
         image(x.size());
-  double length = x.norm(), eigenvalue = 0.;
+  double length = matrix.length(x), eigenvalue = 0.;
   int n_still = 0;
   for (int step = 0; step < 500; ++step)
   {
@@ -139,11 +172,11 @@ double largest_eigenvalue(const ScaledOperator &matrix, double dt)
       beside.push_back(coupling);
     x /= length;
     matrix.apply(dt, x, image);
-    diagonal.push_back(x.dot(image));
+    diagonal.push_back(matrix.product(x, image));
     image -= diagonal.back() * x + coupling * before;
     before.swap(x);
     x.swap(image);
-    length = x.norm();
+    length = matrix.length(x);
     const bool is_exhausted = length <= 1e-14 * diagonal.front();
     if ((step + 1) % interval != 0 && !is_exhausted)
       continue;

@@ -1,26 +1,36 @@
 #include <dem/engine_boundaries.h>
 #include <dem/measure/boundary_load.h>
 #include <dem/measure/network.h>
+#include <dem/measure/totals.h>
+
+#include <array>
 
 namespace dem
 {
 namespace
 {
-/// Of the contacts k of a batch for which is_on(k).
+/// Of the contacts k of a batch for which is_on(k), of all ranks.
 template <class IsOn>
 WallLoad sum_of(const Engine &engine, const ContactBatch &batch,
                 const Vec3 &about, const IsOn &is_on)
 {
-  WallLoad sum;
+  std::array<ExactSum, 6> sums; // force [N] and moment [N m]
   for (std::size_t k = 0; k < batch.size(); ++k)
   {
     const Vec3 &force = batch.load[k].force;
     if (!is_on(k) || force.isZero(0.))
       continue;
-    sum.force -= force;
-    sum.moment -= (wall_contact_point(engine, batch, k) - about).cross(force);
+    const Vec3 moment =
+        (wall_contact_point(engine, batch, k) - about).cross(force);
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+      sums[d].add(-force[static_cast<Eigen::Index>(d)]);
+      sums[3 + d].add(-moment[static_cast<Eigen::Index>(d)]);
+    }
   }
-  return sum;
+  sum_over_ranks(engine, sums);
+  return {{sums[0].value(), sums[1].value(), sums[2].value()},
+          {sums[3].value(), sums[4].value(), sums[5].value()}};
 }
 } // namespace
 

@@ -5,6 +5,7 @@
 #include <dem/contact/law_table.h>
 #include <dem/engine_boundaries.h>
 #include <dem/measure/contact_springs.h>
+#include <dem/parallel/distribution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -131,9 +132,19 @@ void set_springs(const LawChoice &law, const HertzPrefactors &prefactors,
   c.stored = entry.energy(law.values, now.force + now.attraction, depth);
 }
 
+/// Velocities of all rows, those of ghosts as their owners have them now.
+std::vector<Vec3> velocities_of(const Engine &engine)
+{
+  std::vector<Vec3> velocities =
+      engine.particles().column(&ParticleState::velocity);
+  engine.distribution().exchange().fill(velocities);
+  return velocities;
+}
+
 void add_pairs(const Engine &engine, const Foresight &ahead,
                SpringNetwork &network)
 {
+  const std::vector<Vec3> velocities = velocities_of(engine);
   const ParticleSystem &particles = engine.particles();
   const ContactBatch &batch = engine.pairs();
   const ParticleMaterial &particle = engine.parameters().particle;
@@ -149,7 +160,9 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
                             ? true_stand(particles, batch, k)
                             : branch_stand(particles, batch, k, is_radial);
     const double r_a = stand.lever_a.norm(), r_b = stand.lever_b.norm();
-    const Vec3 velocity = particles.relative_velocity(i, j);
+    const Vec3 velocity = particles.cell.is_there()
+                              ? particles.relative_velocity(i, j)
+                              : Vec3(velocities[j] - velocities[i]);
     const double half = 0.5 * std::max(0., stand.overlap);
     const double overlap = stand.overlap + ahead.horizon * velocity.norm();
     if (overlap <= -range || r_a + r_b <= 0.)
@@ -376,13 +389,21 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
 {
   SpringNetwork network;
   const Foresight ahead = foresight_of(engine, horizon);
+  const auto end_kind = [&network]
+  { network.kind_ends.push_back(network.n_contacts()); };
   network.mass = engine.particles().column(&ParticleState::mass);
   for (std::size_t i = 0; i < engine.particles().size(); ++i)
     network.inertia.push_back(engine.particles().smallest_moment(i));
+  network.id = engine.particles().id;
+  for (const std::int64_t id : network.id)
+    network.n_ids = std::max(network.n_ids, id + 1);
   add_pairs(engine, ahead, network);
+  end_kind();
   add_planes(engine, ahead, network);
+  end_kind();
   if (drum(engine).is_there())
     add_drum(engine, ahead, network);
+  end_kind();
   const auto add_surface = [&](const FacetBoundary &facets)
   {
     const auto first_point = static_cast<std::int32_t>(network.mass.size());
@@ -390,6 +411,7 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
     for (const double mass : facets.surface.mass)
       network.mass.push_back(std::isinf(mass) ? 1. : mass);
     add_facets(engine, facets, first_point, ahead, network);
+    end_kind();
   };
   // First those whose vertices may refer to other bodies, as the mesh of a
   // membrane does (coupling::refer_to_nodes): no wall may lie between them.
@@ -399,6 +421,7 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
     add_surface(wall);
   if (horizon > 0.)
     add_impacts(engine, ahead, network);
+  end_kind();
   return network;
 }
 

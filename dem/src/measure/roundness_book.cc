@@ -1,6 +1,8 @@
 #include <dem/measure/roundness_book.h>
+#include <dem/parallel/rank_sums.h>
 #include <dem/shape/measures.h>
 
+#include <array>
 #include <utility>
 
 namespace dem
@@ -15,19 +17,21 @@ double RoundnessBook::of(const ParticleShape &body)
   return entry->second;
 }
 
-double RoundnessBook::mean(const ParticleSystem &particles)
+double RoundnessBook::mean(const ParticleSystem &particles, const Ranks &ranks)
 {
-  double sum = 0., weight = 0.;
+  std::array<ExactSum, 2> sums; // roundness by volume, and volume
   decltype(known) present; // shapes that no particle has any more are forgotten
-  for (const ParticleShape &body : particles.shape)
-    if (body.series)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
+    if (const ParticleShape &body = particles.shape[i]; body.series)
     {
       const double value = of(body);
       present.emplace(body.series, value);
-      sum += body.volume * value;
-      weight += body.volume;
+      sums[0].add(body.volume * value);
+      sums[1].add(body.volume);
     }
   known = std::move(present);
-  return weight > 0. ? sum / weight : 1.;
+  sum_over_ranks(ranks, sums);
+  const double weight = sums[1].value();
+  return weight > 0. ? sums[0].value() / weight : 1.;
 }
 } // namespace dem

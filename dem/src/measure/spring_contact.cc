@@ -1,5 +1,8 @@
 #include "spring_contact.h"
 
+#include <dem/measure/totals.h>
+#include <dem/parallel/distribution.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -66,20 +69,21 @@ void add_impacts(const Engine &engine, const Foresight &ahead,
 {
   const ParticleSystem &particles = engine.particles();
   const EngineParameters &parameters = engine.parameters();
-  double fastest = 0.;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    fastest = std::max(fastest, particles.velocity(i).norm());
+  const double fastest = largest_of_particles(
+      engine, 0.,
+      [&particles](std::size_t i) { return particles.velocity(i).norm(); });
   const double speed = 2. * (fastest + ahead.gained_speed);
   if (speed * ahead.horizon <= engine.listed_gap())
     return;
-  std::vector<char> is_near(particles.size());
+  std::vector<std::int64_t> n_near(particles.size(), 0);
   for (std::size_t k = 0; k < network.n_contacts(); ++k)
   {
-    is_near[static_cast<std::size_t>(network.a[k])] = 1;
+    ++n_near[static_cast<std::size_t>(network.a[k])];
     if (const FarShare &far = network.b[k].front();
         far.body >= 0 && static_cast<std::size_t>(far.body) < particles.size())
-      is_near[static_cast<std::size_t>(far.body)] = 1;
+      ++n_near[static_cast<std::size_t>(far.body)];
   }
+  engine.distribution().exchange().collect(n_near);
   const LawChoice of_walls = law_of(parameters.wall),
                   of_pairs = law_of(parameters.particle);
   const bool on_plate = of_walls.entry().scales_with_curvature;
@@ -90,9 +94,9 @@ void add_impacts(const Engine &engine, const Foresight &ahead,
       on_plate ? coefficients_of(parameters.wall)
                : coefficients_of(parameters.particle);
   const ElasticityTable elasticity(parameters);
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.n_owned(); ++i)
   {
-    if (is_near[i])
+    if (n_near[i] > 0)
       continue;
     const double curvature = 1. / particles.radius(i),
                  other = on_plate ? 0. : curvature;

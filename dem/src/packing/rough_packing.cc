@@ -44,14 +44,6 @@ std::vector<Placement> shrunk_cloud(std::span<const ParticleShape> particles,
   return placements;
 }
 
-/// Of the contacts of all ranks.
-SpringNetwork springs_of(const Engine &engine)
-{
-  return engine.distribution().is_shared()
-             ? contact_springs(engine.gathered(), 0.)
-             : contact_springs(engine, 0.);
-}
-
 /// Clocks of ranks differ: when the first of them is at its end, all are.
 bool has_patience(const Engine &engine, const Stopwatch &spent)
 {
@@ -63,7 +55,8 @@ void run_a_little(Engine &engine, double longest_step,
                   const std::function<void(double)> &steer)
 {
   engine.synchronize();
-  const SpringNetwork network = springs_of(engine);
+  SpringNetwork network = contact_springs(engine, 0.);
+  share_springs(engine, network);
   const double step =
       std::min(longest_step, 0.5 * guaranteed_step(network).step);
   for (int k = 0; k < n_between; ++k)

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 namespace dem
 {
@@ -123,6 +124,30 @@ void Halo::collect_loads(ParticleSystem &particles)
     load.force += Vec3::Map(from);
     load.moment += Vec3::Map(from + 3);
   }
+}
+
+void Halo::collect(std::span<std::int64_t> by_row) const
+{
+  if (!states) // no ghosts on any rank so far
+    return;
+  std::vector<std::int64_t> of_ghosts, returned(sent_row.size());
+  for (const std::int32_t ghost : ghost_row)
+    of_ghosts.push_back(std::exchange(by_row[row(ghost)], 0));
+  states->reverse(of_ghosts.data(), sizeof(std::int64_t), returned.data());
+  for (std::size_t k = 0; k < sent_row.size(); ++k)
+    by_row[row(sent_row[k])] += returned[k];
+}
+
+void Halo::fill(std::span<Vec3> by_row) const
+{
+  if (!states)
+    return;
+  std::vector<Vec3> of_owned, arrived(ghost_row.size());
+  for (const std::int32_t owned : sent_row)
+    of_owned.push_back(by_row[row(owned)]);
+  states->forward(of_owned.data(), sizeof(Vec3), arrived.data());
+  for (std::size_t k = 0; k < ghost_row.size(); ++k)
+    by_row[row(ghost_row[k])] = arrived[k];
 }
 
 std::size_t Halo::bytes_per_step() const

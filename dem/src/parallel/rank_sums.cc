@@ -26,6 +26,22 @@ void sum_over_ranks(const Ranks &ranks, std::span<ExactSum> sums,
   }
 }
 
+ContactPointEvents sum_over_ranks(const Ranks &ranks,
+                                  const ContactPointEvents &own)
+{
+  std::array sums{own.n_scans,  own.n_late,     own.n_jumps, own.n_ended,
+                  own.n_merged, own.n_unlisted, own.n_lost};
+  ranks.sum(sums);
+  return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6]};
+}
+
+OverlapRecord largest_over_ranks(const Ranks &ranks, const OverlapRecord &own)
+{
+  std::array largest{own.recent, own.largest};
+  ranks.max(largest);
+  return {largest[0], largest[1]};
+}
+
 bool any_of_ranks(const Ranks &ranks, bool own)
 {
   std::array any{own ? 1. : 0.};

@@ -112,7 +112,8 @@ TEST(EngineBreakage, IrregularParticleKeepsItsBooks)
       removed += event.removed_volume;
     }
   EXPECT_GE(engine.n_events(), 200);
-  EXPECT_NEAR(dem::abrasion(engine.particles()), removed / volume, 1e-13);
+  EXPECT_NEAR(dem::abrasion(engine.particles(), *dem::one_rank()),
+              removed / volume, 1e-13);
   EXPECT_NEAR(support::energy_residual(engine), 0.,
               0.01 * engine.energy().work_of("planes"));
 }
@@ -128,7 +129,7 @@ TEST(EngineBreakage, PerfectSphereNeverBreaks)
   {
     Press press(press_parameters(), body, dem::Vec3::UnitX(), 10. * slow);
     EXPECT_TRUE(press.load_to(10. * limit).empty());
-    EXPECT_EQ(dem::abrasion(press.engine.particles()), 0.);
+    EXPECT_EQ(dem::abrasion(press.engine.particles(), *dem::one_rank()), 0.);
   }
 }
 
@@ -146,7 +147,7 @@ TEST(EngineBreakage, NothingBreaksThatMayNot)
     Press press(p, particle(ellipsoid()), dem::Vec3::UnitX(), 10. * slow);
     EXPECT_TRUE(press.load_to(limit).empty());
     EXPECT_EQ(press.engine.n_events(), 0);
-    EXPECT_EQ(dem::abrasion(press.engine.particles()), 0.);
+    EXPECT_EQ(dem::abrasion(press.engine.particles(), *dem::one_rank()), 0.);
   }
 }
 

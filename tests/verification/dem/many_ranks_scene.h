@@ -2,6 +2,12 @@
 
 #include "dem_scene.h"
 
+#include <dem/measure/assembly.h>
+#include <dem/measure/boundary_load.h>
+#include <dem/measure/contact_springs.h>
+#include <dem/measure/roundness_book.h>
+#include <dem/measure/totals.h>
+#include <dem/parallel/distribution.h>
 #include <dem/parallel/mpi_ranks.h>
 #include <dem/random.h>
 
@@ -210,6 +216,57 @@ contacts(const dem::Engine &engine)
   return all;
 }
 
+/// Steps that the contacts allow as they are, and before 1e-4 s have passed,
+/// with the bodies that set them.
+inline std::pair<std::vector<double>, std::vector<std::string>>
+steps(const dem::Engine &engine)
+{
+  std::pair<std::vector<double>, std::vector<std::string>> all;
+  for (const double horizon : {0., 1e-4})
+  {
+    dem::SpringNetwork network = dem::contact_springs(engine, horizon);
+    dem::share_springs(engine, network);
+    const dem::NetworkStep bound = dem::guaranteed_step(network);
+    all.first.insert(all.first.end(),
+                     {bound.step, dem::sharp_step(network),
+                      static_cast<double>(dem::total_contacts(network)),
+                      network.impact.duration, network.impact.speed});
+    all.second.push_back(dem::describe_body(network, bound.body));
+  }
+  return all;
+}
+
+/// Numbers of a row of the history.
+inline std::vector<double> measures(const dem::Engine &engine)
+{
+  const dem::ParticleSystem &own = engine.particles();
+  const dem::Ranks &ranks = engine.distribution().ranks();
+  const dem::ContactNetwork network = dem::contact_network(engine);
+  const dem::OverlapRecord overlaps = dem::total_overlaps(engine);
+  std::vector<double> all = {
+      static_cast<double>(network.n_contacts),
+      network.coordination_number,
+      network.mean_force,
+      dem::unbalanced_force_ratio(engine),
+      dem::solid_volume(own, ranks),
+      dem::abrasion(own, ranks),
+      dem::RoundnessBook().mean(own, ranks),
+      overlaps.recent,
+      overlaps.largest,
+      static_cast<double>(dem::total_particles(engine)),
+      static_cast<double>(dem::total_contact_point_events(engine).n_scans)};
+  const dem::Vec3 about(0.01, 0.02, 0.03);
+  std::vector<dem::WallLoad> loads = {dem::load_on_drum(engine, about)};
+  for (std::size_t p = 0; p < planes(engine).size(); ++p)
+    loads.push_back(dem::load_on_plane(engine, p, about));
+  for (const dem::WallLoad &load : loads)
+    for (const dem::Vec3 &part : {load.force, load.moment})
+      all.insert(all.end(), part.begin(), part.end());
+  for (const auto &boundary : engine.boundaries())
+    all.push_back(dem::total_friction(engine, *boundary));
+  return all;
+}
+
 /// All that a checkpoint stores.
 inline std::string stored(const dem::Engine &engine)
 {
@@ -330,6 +387,8 @@ struct Twins
     EXPECT_EQ(one.gravity_work, other.gravity_work);
     EXPECT_GT(one.friction, 0.);
     EXPECT_EQ(shared.n_rebuilds(), alone.n_rebuilds());
+    EXPECT_EQ(measures(some), measures(all_here));
+    EXPECT_EQ(steps(some), steps(all_here));
   }
 
   std::shared_ptr<dem::Ranks> all;

@@ -134,21 +134,21 @@ Row cascade()
   double start = 0., worst = 0., moved = 0., lost = 0., largest = 0.;
   std::int64_t n_events = 0, most = 0;
   Row row;
-  row.restart =
-      run(make, {step,
-                 12000,
-                 {},
-                 [&](Scene &scene, int k)
-                 {
-                   if (k == 0)
-                     start = scene.residual();
-                   worst = std::max(worst, std::abs(scene.residual() - start));
-                   moved = scene.exchange.ledger().moved;
-                   most = std::max(most, scene.engine.n_events() - n_events);
-                   n_events = scene.engine.n_events();
-                   lost = dem::abrasion(scene.engine.particles());
-                   largest = scene.exchange.ledger().work_residual();
-                 }});
+  row.restart = run(
+      make, {step,
+             12000,
+             {},
+             [&](Scene &scene, int k)
+             {
+               if (k == 0)
+                 start = scene.residual();
+               worst = std::max(worst, std::abs(scene.residual() - start));
+               moved = scene.exchange.ledger().moved;
+               most = std::max(most, scene.engine.n_events() - n_events);
+               n_events = scene.engine.n_events();
+               lost = dem::abrasion(scene.engine.particles(), *dem::one_rank());
+               largest = scene.exchange.ledger().work_residual();
+             }});
   row.happens =
       text("%lld events, up to %lld in one step, %.2f %% of the mass; "
            "energy off by %.1e of the work that crossed, work "

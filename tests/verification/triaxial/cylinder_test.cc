@@ -4,6 +4,7 @@
 #include "triaxial/triaxial.h"
 
 #include <dem/engine_boundaries.h>
+#include <dem/measure/assembly.h>
 #include <dem/measure/network.h>
 
 #include <gtest/gtest.h>
@@ -144,7 +145,8 @@ TEST(Cylinder, VolumeOfTheMembraneIsThatOfThePrism)
               1e-9 * section * height);
   // Solid volume over that of the round cylinder.
   const double round = 0.25 * std::numbers::pi * diameter * diameter * height;
-  EXPECT_NEAR(1. - solid_volume(test.engine().particles()) / round,
+  EXPECT_NEAR(1. - dem::solid_volume(test.engine().particles(), test.ranks()) /
+                       round,
               test.prepared().porosity, 1e-9);
 }
 

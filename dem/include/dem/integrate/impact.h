@@ -49,10 +49,11 @@ struct ForeseenImpact
   double speed = 0.;                                         ///< closing [m/s]
   std::int32_t body = -1;                                    ///< of the network
 
-  /// Takes the shorter one.
+  /// Takes the shorter one, of equal ones the faster.
   void meet(const ForeseenImpact &other)
   {
-    if (other.duration < duration)
+    if (other.duration < duration ||
+        (other.duration == duration && other.speed > speed))
       *this = other;
   }
 };

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <dem/integrate/impact.h>
+#include <dem/integrate/shared_bodies.h>
 #include <dem/vector.h>
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct FarShare
 /// particles, then points without rotation (nodes of a surface). A contact
 /// joins particle `a` at `lever_a` with a particle at `lever_b` (weight 1),
 /// with the weighted mean of points, or, without a share, with a wall at rest.
+/// Where the contacts are spread over ranks, the functions below are collective
+/// and see those of all ranks, once share_springs() has been called.
 struct SpringNetwork
 {
   std::vector<double> mass;    ///< of all bodies, finite [kg]
@@ -40,16 +44,33 @@ struct SpringNetwork
   std::vector<double> shear_dashpot;     ///< [N s/m]
   ForeseenImpact impact;                 ///< the shortest one
 
+  std::vector<std::int64_t> id; ///< of the particles; empty: their rows
+  std::int64_t n_ids = 0;       ///< above all of them
+  /// Contacts of one kind end here, one kind after the other; empty: one kind.
+  std::vector<std::size_t> kind_ends;
+  std::shared_ptr<const SharedBodies> sharing =
+      std::make_shared<SharedBodies>();
+
   std::size_t n_particles() const { return inertia.size(); }
   std::size_t n_bodies() const { return mass.size(); }
-  std::size_t n_contacts() const { return a.size(); }
+  std::size_t n_contacts() const { return a.size(); } ///< on this rank
+  /// The same on all ranks: the id of a particle, and what is above all ids of
+  /// a point.
+  std::int64_t name_of(std::size_t body) const;
+  std::int64_t first_point_name() const
+  {
+    return id.empty() ? static_cast<std::int64_t>(n_particles()) : n_ids;
+  }
 };
+
+/// Contacts of all ranks, each once.
+std::int64_t total_contacts(const SpringNetwork &network);
 
 /// A step and the body that sets it.
 struct NetworkStep
 {
   double step = std::numeric_limits<double>::infinity(); ///< [s]
-  std::int32_t body = -1;
+  std::int64_t body = -1; ///< SpringNetwork::name_of()
 };
 
 /// Velocity Verlet with dashpots that lag half a step is stable on springs K
@@ -67,6 +88,6 @@ NetworkStep guaranteed_step(const SpringNetwork &network);
 /// iteration has converged. Infinite without contacts.
 double sharp_step(const SpringNetwork &network);
 
-/// The body in words: mass, and what it touches.
-std::string describe_body(const SpringNetwork &network, std::int32_t body);
+/// The body of this name in words: mass, and what it touches.
+std::string describe_body(const SpringNetwork &network, std::int64_t name);
 } // namespace dem

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <dem/contact/batch.h>
-#include <dem/parallel/ranks.h>
-#include <dem/particles/particle_system.h>
+#include <dem/engine.h>
 
 namespace dem
 {
@@ -15,24 +13,24 @@ struct ContactNetwork
   double mean_force = 0.; ///< sum |F| / C, Eq. 32 [N]
 };
 
-ContactNetwork contact_network(const ParticleSystem &particles,
-                               const ContactBatch &pairs);
+/// Of the contacts of all ranks. Collective.
+ContactNetwork contact_network(const Engine &engine);
 
 /// Force of contact k on particle A, the opposite on B, after a step; dashpots
 /// to seven digits [N].
 Vec3 pair_force(const ParticleSystem &particles, const ContactBatch &pairs,
                 std::size_t k);
 
-/// Total volume of the particles [m^3].
-double solid_volume(const ParticleSystem &particles);
+/// Total volume of the particles of all ranks [m^3]. Collective.
+double solid_volume(const ParticleSystem &particles, const Ranks &ranks);
 
-/// LAA = mass lost / initial mass, Eq. 29 [-].
-double abrasion(const ParticleSystem &particles);
+/// LAA = mass lost / initial mass of the particles of all ranks, Eq. 29 [-].
+/// Collective.
+double abrasion(const ParticleSystem &particles, const Ranks &ranks);
 
-/// Mean |resultant force| on a particle / mean |contact force| [-]; 0 without
-/// contacts.
-double unbalanced_force_ratio(const ParticleSystem &particles,
-                              const ContactBatch &pairs);
+/// Mean |resultant force| on a particle / mean |contact force|, of all ranks
+/// [-]; 0 without contacts. Collective.
+double unbalanced_force_ratio(const Engine &engine);
 
 /// Stiffness of the packing along x, y, z times its volume, if all particles
 /// moved with the mean strain: sum over contacts of (k_n n_i^2 + k_s (1 -

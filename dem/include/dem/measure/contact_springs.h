@@ -17,7 +17,15 @@ namespace dem
 /// surface count while they touch.
 ///
 /// The only reader of the contact columns here: what follows works on springs.
+/// On many ranks of the contacts that this rank owns, until share_springs().
+/// Collective.
 SpringNetwork contact_springs(const Engine &engine, double horizon);
+
+/// Gives each rank the contacts of all bodies that it owns, in an order that
+/// does not depend on the ranks: steps of the network have the same bits on any
+/// number of them. Particles belong to their owners, points to one rank each.
+/// After this no body may be added or renumbered. Collective.
+void share_springs(const Engine &engine, SpringNetwork &network);
 
 /// Stable step of the lightest particle where three walls meet, for what the
 /// scene may come to; infinite for a law whose stiffness grows with the overlap

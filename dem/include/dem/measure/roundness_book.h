@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/parallel/ranks.h>
 #include <dem/particles/particle_system.h>
 
 #include <map>
@@ -16,8 +17,9 @@ public:
   /// 1 of a sphere [-].
   double of(const ParticleShape &body);
 
-  /// Mean of the particles with shapes, weighed by volume; 1 without any [-].
-  double mean(const ParticleSystem &particles);
+  /// Mean of the particles of all ranks with shapes, weighed by volume; 1
+  /// without any [-]. Collective.
+  double mean(const ParticleSystem &particles, const Ranks &ranks);
 
 private:
   /// Unbroken particles of one shape have one roundness, whatever their scale.

@@ -4,6 +4,7 @@
 #include <dem/particles/particle_system.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace dem
@@ -20,6 +21,11 @@ public:
 
   void send_states(ParticleSystem &particles);
   void collect_loads(ParticleSystem &particles);
+  /// Of one entry for each row: those of ghosts are added to those of their
+  /// owners, and become zero.
+  void collect(std::span<std::int64_t> by_row) const;
+  /// Of one entry for each row: those of ghosts become those of their owners.
+  void fill(std::span<Vec3> by_row) const;
 
   std::size_t n_ghosts() const { return ghost_row.size(); }
   /// Bytes that this rank sends and receives in a step.

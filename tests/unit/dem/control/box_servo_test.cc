@@ -85,8 +85,7 @@ TEST(BoxServo, CompactsSpheresToTheirStress)
   const auto is_settled = [&](double error, double ratio)
   {
     return stress_error(engine, box, target) < error &&
-           dem::unbalanced_force_ratio(engine.particles(), engine.pairs()) <
-               ratio;
+           dem::unbalanced_force_ratio(engine) < ratio;
   };
   const auto advance = [&](int n_steps)
   {
@@ -102,7 +101,7 @@ TEST(BoxServo, CompactsSpheresToTheirStress)
   while (!is_settled(2e-3, 1e-4) && engine.time() < 0.5);
   EXPECT_TRUE(is_settled(2e-3, 1e-4))
       << stress_error(engine, box, target) << ", "
-      << dem::unbalanced_force_ratio(engine.particles(), engine.pairs());
+      << dem::unbalanced_force_ratio(engine);
   advance(3000);
   EXPECT_TRUE(is_settled(0.02, 1e-3));
   const dem::Vec3 size = dem::box_size(engine, box);
@@ -265,7 +264,7 @@ TEST(BoxServo, CompactsSpheresIntoACylinder)
       servo.update(engine, dt);
       engine.advance(dt);
     }
-    ratio = dem::unbalanced_force_ratio(engine.particles(), engine.pairs());
+    ratio = dem::unbalanced_force_ratio(engine);
   } while ((error() > 2e-3 || ratio > 1e-4) && engine.time() < 0.5);
   EXPECT_LT(error(), 2e-3);
   EXPECT_LT(ratio, 1e-4);
@@ -304,9 +303,7 @@ struct Packing
     dt = 0.5 * dem::critical_step(engine.parameters(), engine.particles()).step;
     do
       advance(0.004);
-    while (dem::unbalanced_force_ratio(engine.particles(), engine.pairs()) >
-               1e-3 &&
-           engine.time() < 0.5);
+    while (dem::unbalanced_force_ratio(engine) > 1e-3 && engine.time() < 0.5);
     engine.set_friction(0.5);
   }
 

@@ -60,8 +60,7 @@ void compact(Packing &packing)
     const dem::Vec3 stress = dem::box_stress(engine, packing.box);
     return (stress - target).cwiseQuotient(target).cwiseAbs().maxCoeff() <
                1e-2 &&
-           dem::unbalanced_force_ratio(engine.particles(), engine.pairs()) <
-               3e-4;
+           dem::unbalanced_force_ratio(engine) < 3e-4;
   };
   do
     for (int step = 0; step < 200; ++step)

@@ -48,21 +48,21 @@ TEST(RoundnessBook, FollowsParticlesThatBreak)
     return sum / weight;
   };
   dem::RoundnessBook book;
-  const double before = book.mean(particles);
-  EXPECT_EQ(before, expected());
+  const double before = book.mean(particles, *dem::one_rank());
+  EXPECT_DOUBLE_EQ(before, expected());
   EXPECT_EQ(book.of(particles.shape[3]), 1.);
   Coefficients worn = dem::scaled_coefficients(particles.shape[1]);
   worn[30] *= 0.9;
   particles.shape[1] = dem::shape_of(worn);
-  EXPECT_EQ(book.mean(particles), expected());
-  EXPECT_GT(book.mean(particles), before);
+  EXPECT_DOUBLE_EQ(book.mean(particles, *dem::one_rank()), expected());
+  EXPECT_GT(book.mean(particles, *dem::one_rank()), before);
   EXPECT_EQ(shape.use_count(), 3); // here, one particle, the book
   particles.shape[0] = dem::make_sphere(0.01);
-  EXPECT_EQ(book.mean(particles), expected());
+  EXPECT_DOUBLE_EQ(book.mean(particles, *dem::one_rank()), expected());
   EXPECT_EQ(shape.use_count(), 1); // forgotten: no particle has it
 }
 
 TEST(RoundnessBook, SpheresAreRound)
 {
-  EXPECT_EQ(dem::RoundnessBook().mean({}), 1.);
+  EXPECT_EQ(dem::RoundnessBook().mean({}, *dem::one_rank()), 1.);
 }

@@ -36,8 +36,8 @@ TEST(SolidFraction, IsThatOfTheSpaceWithOverlapsOnce)
 TEST(SolidVolume, IsTheSumOfAllParticles)
 {
   const dem::Vec3 origin = dem::Vec3::Zero();
-  EXPECT_EQ(dem::solid_volume(balls({})), 0.);
-  EXPECT_NEAR(dem::solid_volume(balls({origin, origin})), 2. * volume,
-              1e-12 * volume);
+  EXPECT_EQ(dem::solid_volume(balls({}), *dem::one_rank()), 0.);
+  EXPECT_NEAR(dem::solid_volume(balls({origin, origin}), *dem::one_rank()),
+              2. * volume, 1e-12 * volume);
 }
 } // namespace

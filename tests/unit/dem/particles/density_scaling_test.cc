@@ -100,13 +100,14 @@ TEST(DensityScaling, SolidMassStaysThatOfTheVolume)
               solid * 4e-6 * round_off);
   EXPECT_NEAR(particles.solid_mass(0), solid, solid * round_off);
   EXPECT_NEAR(particles.initial_mass[0], solid, solid * round_off);
-  EXPECT_EQ(dem::abrasion(particles), 0.);
+  EXPECT_EQ(dem::abrasion(particles, *dem::one_rank()), 0.);
 
   particles.shape[0] = dem::make_sphere(0.5 * 3.9e-3);
   particles.update_mass(0, 2750.);
   const double left = 2750. * sphere_volume(3.9e-3);
   EXPECT_NEAR(particles.mass(0), 8. * left, 8. * left * round_off);
-  EXPECT_NEAR(dem::abrasion(particles), 1. - left / solid, round_off);
+  EXPECT_NEAR(dem::abrasion(particles, *dem::one_rank()), 1. - left / solid,
+              round_off);
 }
 
 // A sphere that leaves a linear wall after half a period pi sqrt(m / k) has
