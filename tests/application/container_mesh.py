@@ -10,7 +10,8 @@ import sys
 import tempfile
 
 from compaction import SMALL
-from lab import near, resumed_faults, spall_run, write_prm
+from lab import (near, refusal_faults, resumed_faults, spall_run,
+                 write_prm)
 from triaxial_runs import report_faults, rows, summary
 
 CORNERS = 48
@@ -152,15 +153,7 @@ def bad_input(spall, root):
          "Container/form = flexible: must be rigid with Container/mesh"),
         (("Wall/law=dmt",), "Wall/law = dmt: must be a law without attraction"),
     ]
-    faults = []
-    for settings, text in cases:
-        words = [spall, "check", case]
-        for setting in settings:
-            words += ["--set", setting]
-        line = spall_run(words, status=1).stderr.strip()
-        if text not in line or "\n" in line:
-            faults.append(f"{settings}: {line}: must have '{text}'")
-    return faults
+    return refusal_faults(spall, case, cases)
 
 
 if __name__ == "__main__":

@@ -60,6 +60,20 @@ def spall_run(words, status=0, timeout=200):
     return ended
 
 
+def refusal_faults(spall, case, refused):
+    """Of `check` with settings that are refused in one line: pairs of the
+    settings and what the line must have."""
+    faults = []
+    for settings, text in refused:
+        words = [spall, "check", case]
+        for setting in settings:
+            words += ["--set", setting]
+        line = spall_run(words, status=1).stderr.strip()
+        if text not in line or "\n" in line:
+            faults.append(f"{settings}: {line}: must have '{text}'")
+    return faults
+
+
 def near(name, found, expected, tolerance):
     return [] if abs(found / expected - 1.) <= tolerance else [
         f"{name} = {found}: must be {expected} within {tolerance} of it"]

@@ -9,7 +9,8 @@ import pathlib
 import sys
 import tempfile
 
-from lab import near, resumed_faults, spall_run, write_prm
+from lab import (near, refusal_faults, resumed_faults, spall_run,
+                 write_prm)
 from subgrade import TABLES, changed, loading_rows, stop_faults
 from triaxial_runs import report_faults, rows, summary
 
@@ -213,15 +214,7 @@ def bad_input(spall, root):
         (("Container/diameter=0.2",), "a case of kind subgrade has no key "
                                       "diameter in section Container"),
     ]
-    faults = []
-    for settings, text in cases:
-        words = [spall, "check", case]
-        for setting in settings:
-            words += ["--set", setting]
-        line = spall_run(words, status=1).stderr.strip()
-        if text not in line or "\n" in line:
-            faults.append(f"{settings}: {line}: must have '{text}'")
-    return faults
+    return refusal_faults(spall, case, cases)
 
 
 if __name__ == "__main__":

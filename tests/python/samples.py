@@ -1,11 +1,14 @@
 """Small cases, and a folder for each test."""
 import importlib.util
 import pathlib
+import shutil
+import subprocess
 import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "tests" / "application" / "data"
+MPIRUN = shutil.which("mpirun")
 
 # Two spheres that fly at each other, without gravity.
 TWO = "x,y,z,radius,vx,vy,vz\n0,0,0,0.01,0.5,0,0\n0.03,0,0,0.01,-0.3,0,0\n"
@@ -32,6 +35,20 @@ class InFolder(unittest.TestCase):
         path = self.folder / name
         path.write_text(text, encoding="utf-8")
         return path
+
+
+def run_membrane(spall, folder, settings, *options, ranks=1):
+    """A run of the case of a hundred particles in a membrane."""
+    words = [str(spall.find_program()), "run",
+             str(DATA / "small_membrane.prm"), "--out", str(folder),
+             "--threads", "1"]
+    for setting in settings:
+        words += ["--set", setting]
+    if ranks > 1:
+        words = [MPIRUN, "--allow-run-as-root", "--oversubscribe",
+                 "--bind-to", "none", "-n", str(ranks)] + words
+    subprocess.run([*words, *options], check=True, capture_output=True)
+    return spall.Run(folder)
 
 
 def two_particles(spall, folder):

@@ -2,7 +2,6 @@
 other numbers of ranks, and a run that was stopped and resumed."""
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -11,25 +10,18 @@ from unittest import mock
 import numpy as np
 
 import spall
-from samples import DATA, InFolder, needs, two_particles
+from samples import MPIRUN, InFolder, needs, run_membrane, two_particles
 
-MPIRUN = shutil.which("mpirun")
 HDF5 = "Output/frame_tables=hdf5"
 
 
 def run_case(folder, *options, ranks=1):
-    """A hundred particles between rigid sides, two short cycles: a second."""
-    words = [str(spall.find_program()), "run",
-             str(DATA / "small_membrane.prm"), "--out", str(folder),
-             "--threads", "1", "--set", HDF5]
-    for setting in ("Boundary/lateral=rigid", "Loading/frequency=200",
-                    "Output/frames_per_cycle=2", "Output/surfaces=none"):
-        words += ["--set", setting]
-    if ranks > 1:
-        words = [MPIRUN, "--allow-run-as-root", "--oversubscribe",
-                 "--bind-to", "none", "-n", str(ranks)] + words
-    subprocess.run([*words, *options], check=True, capture_output=True)
-    return spall.Run(folder)
+    """Between rigid sides, two short cycles: a second."""
+    return run_membrane(
+        spall, folder,
+        (HDF5, "Boundary/lateral=rigid", "Loading/frequency=200",
+         "Output/frames_per_cycle=2", "Output/surfaces=none"), *options,
+        ranks=ranks)
 
 
 class Written(InFolder):

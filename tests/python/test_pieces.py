@@ -1,6 +1,5 @@
 """Frames that each rank writes a piece of, against those of one rank."""
 import pathlib
-import shutil
 import subprocess
 import tempfile
 import unittest
@@ -8,25 +7,16 @@ import unittest
 import numpy as np
 
 import spall
-from samples import DATA
-
-MPIRUN = shutil.which("mpirun")
+from samples import MPIRUN, run_membrane
 
 
 def run_case(folder, *options, ranks=1):
-    """A hundred particles in a membrane, one short cycle: a second."""
-    words = [str(spall.find_program()), "run",
-             str(DATA / "small_membrane.prm"), "--out", str(folder),
-             "--threads", "1"]
-    for setting in ("Loading/frequency=200", "Loading/cycles=1",
-                    "Output/frames_per_cycle=2", "Output/surfaces=all",
-                    "Output/pieces_above=20"):
-        words += ["--set", setting]
-    if ranks > 1:
-        words = [MPIRUN, "--allow-run-as-root", "--oversubscribe",
-                 "--bind-to", "none", "-n", str(ranks)] + words
-    subprocess.run([*words, *options], check=True, capture_output=True)
-    return spall.Run(folder)
+    """One short cycle: a second."""
+    return run_membrane(
+        spall, folder,
+        ("Loading/frequency=200", "Loading/cycles=1",
+         "Output/frames_per_cycle=2", "Output/surfaces=all",
+         "Output/pieces_above=20"), *options, ranks=ranks)
 
 
 def names_in(run):

@@ -103,7 +103,8 @@ TEST(Paraboloid, HasThePointTowardsADirection)
   EXPECT_NEAR(there.position.cross(u).norm(), 0., 1e-13);
   EXPECT_NEAR(there.normal.norm(), 1., 1e-15);
   const double step = 1e-5;
-  for (const dem::Vec3 &t : {dem::Vec3::UnitX(), dem::Vec3::UnitY()})
+  for (const dem::Vec3 &t :
+       {dem::Vec3(dem::Vec3::UnitX()), dem::Vec3(dem::Vec3::UnitY())})
   {
     const dem::Vec3 chord = towards((u + step * t).normalized()).position -
                             towards((u - step * t).normalized()).position;
