@@ -52,6 +52,7 @@ def slice_faults(folder):
         if not abs(lost) < 0.02 * now or lost > 1.5 * total(last, 1) + 1e-3 * now:
             faults.append(f"slice {height}: spalled regions have "
                           f"{total(last, 1)} m^2 of {lost} m^2")
-        if (one["n_spalled"] > 0) != (total(last, 1) > 0.):
+        # Losses thinner than the outlines are none in the table.
+        if total(last, 1) > 0. and one["n_spalled"] == 0:
             faults.append(f"slice {height}: {one['n_spalled']} spalled")
     return faults
