@@ -45,7 +45,7 @@ def slice_faults(folder):
                 not abs(last[height, -1, 0] / space - 1.) < 1e-4:
             faults.append(f"slice {height}: outlines have {total(last, 0)} "
                           f"m^2, {last[height, -1, 0]} m^2 of {one}")
-        if not 0.4 < now / space < 0.85:
+        if not 0.35 < now / space < 0.85:
             faults.append(f"slice {height}: {now} of {space} m^2 are solid")
         # What the series gains beside an event is no region.
         lost = one["spalled_area_m2"]
