@@ -1,5 +1,6 @@
 #include "case/parameter.h"
 
+#include "case/overloaded.h"
 #include "case/text.h"
 
 #include <nlohmann/json.hpp>

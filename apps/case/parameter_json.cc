@@ -2,7 +2,7 @@
 
 #include "case/fields.h"
 #include "case/file.h"
-#include "case/text.h"
+#include "case/overloaded.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,15 +2,22 @@
 """Hours for the whole programme of the article, from `spall check`.
 
     programme.py SPALL [--page PAGE]
+    programme.py --measured RUN ...
 
 The article: Xiao et al., Infrastructures 2026, 11(8), 264: single-particle
 sweeps, 2000 turns of the drum, 350 s of vibratory compaction, 18 triaxial runs
 of 1000 cycles at full size. Every run is timed by `spall check` (steps on this
 machine, now: let it be idle) and has one core; on several cores, runs are given
 out one by one, the longest first. PAGE has the table between two marks.
+
+--measured: processor time per simulated second of consolidation and loading of
+folders of triaxial runs, over that of the first one, and the hours of the 18
+runs on one core if the time grows with the number of particles.
 """
 import argparse
+import csv
 import heapq
+import json
 import pathlib
 import re
 import subprocess
@@ -22,6 +29,7 @@ CORES = (1, 2, 16)
 FREQUENCIES = (10, 15, 20, 25, 30)  # Hz, at 120 kPa
 AMPLITUDES = (80, 100, 140, 160)  # kPa, at 20 Hz
 PRESETS = ("reference", "standard", "fast")  # of the triaxial case
+FULL_SIZE = 34000  # particles
 SWEEP_CASES = 105  # of data/studies/single_particle_sensitivity.prm
 
 
@@ -92,11 +100,40 @@ def line(name, runs):
     return f"| {name} | {len(runs)} | " + " | ".join(hours) + " |"
 
 
+def measured_lines(folders):
+    """A line for each run; costs are over that of the first."""
+    yield ("| run | particles | step [µs] | processor time for a second [s] | "
+           "over the first | 18 runs, 1 core [h] |")
+    yield "|---|---|---|---|---|---|"
+    # In lengths of the run at 20 Hz: the others have the same cycles.
+    n_runs = 2 * (sum(20. / f for f in FREQUENCIES) + len(AMPLITUDES))
+    seconds = n_runs * 1000 / 20.
+    first = None
+    for folder in folders:
+        found = json.loads((folder / "summary.json").read_text())
+        with open(folder / "history.csv", newline="") as stream:
+            times = [float(row["time_s"]) for row in csv.DictReader(stream)
+                     if float(row["stage_1"]) >= 1.]
+        cost = found["loading_processor_s"] / (times[-1] - times[0])
+        first = first or cost
+        hours = cost * FULL_SIZE / found["n_particles"] * seconds / 3600.
+        yield (f"| {folder.name} | {found['n_particles']} | "
+               f"{1e6 * found['shortest_step_s']:.1f} to "
+               f"{1e6 * found['longest_step_s']:.1f} | {cost:.0f} | "
+               f"{cost / first:.2f} | {hours:.0f} |")
+
+
 def main():
     words = argparse.ArgumentParser()
-    words.add_argument("spall")
+    words.add_argument("spall", nargs="?")
     words.add_argument("--page", type=pathlib.Path)
+    words.add_argument("--measured", type=pathlib.Path, nargs="+")
     options = words.parse_args()
+    if options.measured:
+        print("\n".join(measured_lines(options.measured)))
+        return
+    if not options.spall:
+        words.error("SPALL or --measured")
     rows = list(parts(options.spall))
     others = [seconds for _, runs in rows[:-1] for seconds in runs]
     text = table(rows) + preset_lines(options.spall, others)

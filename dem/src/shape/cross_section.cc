@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 namespace dem
@@ -245,10 +246,11 @@ Vec3 direction_to(const SectionPlane &plane, const Vec2 &point)
          Vec3(point.x(), point.y(), plane.height).normalized();
 }
 
-/// First point of the body on the way from a point outside to `inner`; that
-/// one if there is none.
-Vec2 first_inside(const SectionedBody &body, const SectionPlane &plane,
-                  const Vec2 &from, const Vec2 &inner)
+/// First point of the body on the way from a point outside to `inner`; none if
+/// there is none.
+std::optional<Vec2> first_inside(const SectionedBody &body,
+                                 const SectionPlane &plane, const Vec2 &from,
+                                 const Vec2 &inner)
 {
   const auto excess = [&](double share)
   {
@@ -267,7 +269,7 @@ Vec2 first_inside(const SectionedBody &body, const SectionPlane &plane,
   {
     inside = 1.;
     if (excess(1.) > 0.)
-      return inner;
+      return {};
   }
   for (int k = 0; k < 40 && inside - outside > 1e-12; ++k)
   {
@@ -316,15 +318,18 @@ public:
   }
 
 private:
-  /// The first point inside from a corner towards the centroid, of a hole away
-  /// from it.
+  /// The first point inside from a corner along the inward normal, which lies
+  /// to the left of the outline, also of a hole: where the outline is concave
+  /// the centroid may lie on the other side. What has vanished shrinks to it.
   Vec2 inner_end(std::size_t k) const
   {
-    if (area >= 0.)
-      return first_inside(body, plane, outline[k], centroid);
-    const Vec2 outward = (outline[k] - centroid).normalized();
-    return first_inside(body, plane, outline[k],
-                        outline[k] + std::sqrt(-area) * outward);
+    const std::size_t n = outline.size();
+    const Vec2 along = outline[(k + 1) % n] - outline[(k + n - 1) % n];
+    const Vec2 end = outline[k] + std::sqrt(std::abs(area)) *
+                                      Vec2(-along.y(), along.x()).normalized();
+    const std::optional<Vec2> inside =
+        first_inside(body, plane, outline[k], end);
+    return inside ? *inside : area > 0. ? centroid : end;
   }
 
   /// From corner `from`, over so many that have lost, to the next one.

@@ -70,7 +70,8 @@ struct LostRegions
 /// The regions between the section of a body before and after it has lost
 /// material, where its radius has dropped by more than `least_depth` [m].
 /// Outer corners lie on the surface before, inner ones on the surface after:
-/// the first point towards the centroid of the section before.
+/// the first point along the inward normal of the outline. Where nothing of a
+/// part is left, they are its centroid.
 LostRegions lost_regions(const SectionedBody &before,
                          const SectionedBody &after, const SectionPlane &plane,
                          double least_depth);
