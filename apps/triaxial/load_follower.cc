@@ -178,12 +178,14 @@ double LoadFollower::plate_acceleration(const LoadMeasures &now,
   const double period = begun.back().period, start = start_share * period;
   if (state.strain_to == state.strain_from)
     return now.plate_speed / std::max(start, least_steps * end.step);
-  if (end.cycles_before >= start_share)
+  const double left = (start_share - end.cycles_before) * period; // [s]
+  if (left <= 0.)
     return 0.;
   const double way = (state.strain_to - state.strain_from) * first_height;
   const double speed = (way - 0.5 * start * state.speed_from) /
                        (period * (1. - 0.5 * start_share));
-  return -(speed - state.speed_from) / start;
+  // A step beyond the start has the rest alone: the speed is met exactly.
+  return -(speed - state.speed_from) / start * std::min(1., left / end.step);
 }
 
 double LoadFollower::side_rate(int axis, const LoadMeasures &now,

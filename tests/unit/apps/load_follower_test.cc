@@ -117,6 +117,32 @@ TEST(LoadFollower, TargetAndRateGiveTheLength)
   EXPECT_EQ(follower.plate_acceleration(now, at(0.5), 0.1), 0.);
 }
 
+// Its first hundredth, 1 ms, is no whole number of steps: the plate has its
+// speed to round-off all the same.
+TEST(LoadFollower, DrivenPlateMeetsItsSpeedInAnySteps)
+{
+  LoadStage stage;
+  stage.axial = {LoadControl::strain, 0.03, 0.2};
+  LoadFollower follower({{stage}}, confining);
+  LoadMeasures now = measures();
+  now.axial_strain = 0.01;
+  follower.begin(now, 0.);
+  const double expected = 0.02 * 0.1 / (0.1 * 0.995);
+  for (const double step : {1e-5, 3e-5, 0.7e-3, 4e-3})
+  {
+    double speed = 0.;
+    for (int k = 0; k * step < 0.02; ++k)
+    {
+      const StagePosition end{.cycles = (k + 1) * step / 0.1,
+                              .phase = 0.,
+                              .cycles_before = k * step / 0.1,
+                              .step = step};
+      speed -= step * follower.plate_acceleration(now, end, 0.1);
+    }
+    EXPECT_NEAR(speed, expected, 1e-9 * expected) << step;
+  }
+}
+
 TEST(LoadFollower, MeanStressStaysOnAPathOfConstantP)
 {
   LoadStage stage = ramp(110e3, 1.);
