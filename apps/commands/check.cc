@@ -163,8 +163,12 @@ void check_test(const Case &parameters, const std::string &preparations)
 {
   require_shareable(*dem::ranks_of_program(), parameters);
   const std::unique_ptr<Test> test = make_test(parameters);
-  print_particles(test->all_particles());
-  print_gradation(parameters, test->all_particles());
+  test->with_all_particles(
+      [&](const dem::ParticleSystem &particles)
+      {
+        print_particles(particles);
+        print_gradation(parameters, particles);
+      });
   print_step(*test);
   if (const SetupStep *setup = test->setup_step(); setup && setup->gain)
     print_exchange(*setup, parameters.coupling.rules.particle_steps);

@@ -251,7 +251,7 @@ std::string LosAngeles::outcome() const
 void LosAngeles::store_roundness()
 {
   files.push_back({roundness_file(engine().time() - start_time),
-                   roundness_table(whole().particles(), roundness)});
+                   roundness_table(*this, roundness)});
 }
 
 std::vector<NamedText> LosAngeles::take_files()

@@ -59,11 +59,6 @@ void on_every_rank(const dem::Ranks &ranks, const std::function<void()> &call)
   throw_together(ranks, fault_of(call));
 }
 
-std::string of_first_rank(const dem::Ranks &ranks, const std::string &text)
-{
-  return dem::first_fault(ranks, ranks.rank() == 0 ? text : std::string());
-}
-
 bool on_any_rank(const dem::Ranks &ranks, bool is_so)
 {
   std::array any{is_so ? 1. : 0.};

@@ -16,9 +16,6 @@ void on_first_rank(const dem::Ranks &ranks, const std::function<void()> &call);
 /// InputError or RunFailure. Collective.
 void on_every_rank(const dem::Ranks &ranks, const std::function<void()> &call);
 
-/// The text that the first rank has. Collective.
-std::string of_first_rank(const dem::Ranks &ranks, const std::string &text);
-
 /// Whether it is so on some rank. Collective.
 bool on_any_rank(const dem::Ranks &ranks, bool is_so);
 } // namespace spall

@@ -1,12 +1,14 @@
 #include "run/overlap_news.h"
 
+#include <dem/measure/totals.h>
+
 #include <cstdio>
 
 namespace spall
 {
 OverlapNews::OverlapNews(const dem::Engine &engine)
 {
-  const double largest = engine.overlaps().largest;
+  const double largest = dem::total_overlaps(engine).largest;
   if (largest > engine.parameters().geometry.overlap.warning)
     reported = largest;
 }
@@ -15,7 +17,7 @@ std::string OverlapNews::news(const dem::Engine &engine)
 {
   constexpr double noticeable = 1.5; // [-]
   const dem::OverlapLimits &limits = engine.parameters().geometry.overlap;
-  const double largest = engine.overlaps().largest;
+  const double largest = dem::total_overlaps(engine).largest;
   if (largest <= limits.warning || largest <= noticeable * reported)
     return "";
   reported = largest;

@@ -6,15 +6,15 @@
 
 namespace spall
 {
-/// Reports contacts that are deeper than OverlapLimits::warning.
+/// Reports contacts of any rank that are deeper than OverlapLimits::warning.
 class OverlapNews
 {
 public:
-  /// Overlaps of the engine until now have been reported.
+  /// Overlaps of the engine until now have been reported. Collective.
   explicit OverlapNews(const dem::Engine &engine);
 
   /// A line the first time, and whenever the largest overlap over radius has
-  /// grown by half since; else empty.
+  /// grown by half since; else empty. Collective.
   std::string news(const dem::Engine &engine);
 
 private:

@@ -402,15 +402,13 @@ fem::SurfaceMesh finest_mesh(const Case &parameters)
 }
 } // namespace
 
-SetupStep choose_step(const Case &parameters, const dem::Engine &engine)
+SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
+                      double lightest)
 {
   std::optional<fem::Membrane> membrane;
   if (parameters.boundary.lateral == Lateral::membrane)
     membrane.emplace(parameters.membrane, finest_mesh(parameters));
-  const dem::StepLimit limit = limit_on_walls(
-      parameters, engine.parameters(), engine.particles(),
-      dem::critical_step(engine.parameters(), engine.particles()));
-  return choose_step(parameters, limit, engine.particles().smallest_mass(),
+  return choose_step(parameters, limit, lightest,
                      membrane ? &*membrane : nullptr);
 }
 } // namespace spall

@@ -71,5 +71,6 @@ SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
                       double lightest, const fem::Membrane *membrane);
 
 /// Of a triaxial test: its membrane on a specimen of the nominal size.
-SetupStep choose_step(const Case &parameters, const dem::Engine &engine);
+SetupStep choose_step(const Case &parameters, const dem::StepLimit &limit,
+                      double lightest);
 } // namespace spall

@@ -1,4 +1,5 @@
 #include "case/parameter.h"
+#include "run/first_rank.h"
 #include "subgrade/poured.h"
 #include "subgrade/quad_file.h"
 #include "subgrade/subgrade.h"
@@ -131,6 +132,17 @@ void Subgrade::restore(std::istream &in)
   joined->restore(in);
 }
 
+void Subgrade::with_all_particles(
+    const std::function<void(const dem::ParticleSystem &)> &use) const
+{
+  on_first_rank(ranks(), [&] { use(scene.all); });
+}
+
+std::int64_t Subgrade::n_particles() const
+{
+  return static_cast<std::int64_t>(scene.all.size());
+}
+
 FrameParts Subgrade::frame_parts() const
 {
   std::vector<FrameBody> bodies = {{"subgrade", [this](std::ostream &out)
@@ -173,15 +185,15 @@ double Subgrade::density() const
   const LoadPlateParameters &p = parameters.subgrade.plate;
   const double lower_face = now.plate_start + plate->plate().centre().z() -
                             plate_body(p, now.plate_start).centre.z();
+  const dem::Prism column = column_below(p, -ground_settlement(), lower_face);
   return parameters.particle.density *
-         dem::solid_fraction(column_below(p, -ground_settlement(), lower_face),
-                             whole().particles());
+         of_whole([&](const dem::Engine &all)
+                  { return dem::solid_fraction(column, all.particles()); });
 }
 
 void Subgrade::note_roundness(double time)
 {
-  files.push_back(
-      {roundness_file(time), roundness_table(whole().particles(), roundness)});
+  files.push_back({roundness_file(time), roundness_table(*this, roundness)});
 }
 
 /// The sides in the order in which they were added; a mesh is a mesh wall.

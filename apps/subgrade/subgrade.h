@@ -41,10 +41,9 @@ public:
   const SetupStep *setup_step() const override { return &setup; }
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
-  const dem::ParticleSystem &all_particles() const override
-  {
-    return scene.all;
-  }
+  void with_all_particles(const std::function<void(const dem::ParticleSystem &)>
+                              &use) const override;
+  std::int64_t n_particles() const override;
   void describe() const override;
   double preparation_time() const override;
   FastPreparation fast_preparation() override;

@@ -71,18 +71,21 @@ double Recorder::elapsed() const
 
 void Recorder::write_gradation(const Test &test)
 {
-  drawn = obtained_gradation(parameters, test.all_particles());
-  if (drawn)
-    on_first_rank(
-        test.ranks(),
-        [&] { write_text(folder / gradation_file, gradation_table(*drawn)); });
+  test.with_all_particles(
+      [&](const dem::ParticleSystem &particles)
+      {
+        drawn = obtained_gradation(parameters, particles);
+        if (drawn)
+          write_text(folder / gradation_file, gradation_table(*drawn));
+      });
 }
 
 /// Before what has broken is restored.
 void Recorder::note_first_shapes(const Test &test)
 {
   if (test.has_slices())
-    first_shapes = dem::first_shapes(test.all_particles());
+    test.with_all_particles([this](const dem::ParticleSystem &particles)
+                            { first_shapes = dem::first_shapes(particles); });
 }
 
 /// slices_WHEN.csv; false: the test has no slices now.
@@ -91,14 +94,12 @@ bool Recorder::write_slices(const Test &test, const std::string &when)
   const std::optional<SliceSpace> space = test.slice_space();
   if (!space)
     return false;
-  const dem::ParticleSystem &all = test.whole().particles();
-  on_first_rank(test.ranks(),
-                [&]
-                {
-                  slices = cut_specimen(all, first_shapes, *space);
-                  write_text(folder / ("slices_" + when + ".csv"),
-                             slices_table(slices));
-                });
+  test.with_whole(
+      [&](const dem::Engine &scene)
+      {
+        slices = cut_specimen(scene.particles(), first_shapes, *space);
+        write_text(folder / ("slices_" + when + ".csv"), slices_table(slices));
+      });
   return true;
 }
 
@@ -264,11 +265,10 @@ void Recorder::write_frame(const Test &test)
                           n_frames, frames);
   else
   {
-    const dem::Engine &scene = test.whole();
     const FrameParts parts = test.frame_parts();
-    on_first_rank(
-        test.ranks(),
-        [&] { spall::write_frame(folder, scene, parts, n_frames, frames); });
+    test.with_whole(
+        [&](const dem::Engine &scene)
+        { spall::write_frame(folder, scene, parts, n_frames, frames); });
   }
   write_tables(test);
   ++n_frames;
@@ -295,9 +295,8 @@ void Recorder::write_tables(const Test &test) const
           std::max(frame.plane_names.size(), one.number + 1));
       frame.plane_names[one.number] = one.name;
     }
-  const dem::Engine &scene = test.whole();
-  on_first_rank(test.ranks(),
-                [&] { write_frame_tables(folder, scene, frame); });
+  test.with_whole([&](const dem::Engine &scene)
+                  { write_frame_tables(folder, scene, frame); });
 }
 
 /// By phase [s]; the phases of stepping are those after the preparation. Adds
@@ -347,7 +346,7 @@ void Recorder::write_checkpoint(Test &test, const std::string &name)
 {
   test.engine().synchronize();
   write_events(test);
-  test.whole(); // of all ranks
+  test.gather_scene();
   on_first_rank(test.ranks(),
                 [&]
                 {
@@ -396,9 +395,9 @@ void Recorder::finish(Test &test)
 
 void Recorder::write_last_particles(const Test &test)
 {
-  const dem::ParticleSystem &all = test.whole().particles();
-  on_first_rank(test.ranks(),
-                [&] { write_last_state(folder, all, test.shape_library()); });
+  test.with_whole(
+      [&](const dem::Engine &scene)
+      { write_last_state(folder, scene.particles(), test.shape_library()); });
 }
 
 std::string Recorder::save_stopped(Test &test)

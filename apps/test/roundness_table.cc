@@ -7,8 +7,10 @@
 
 namespace spall
 {
-std::string roundness_table(const dem::ParticleSystem &particles,
-                            dem::RoundnessBook &roundness)
+namespace
+{
+std::string table_of(const dem::ParticleSystem &particles,
+                     dem::RoundnessBook &roundness)
 {
   std::vector<std::string> rows(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i)
@@ -26,6 +28,15 @@ std::string roundness_table(const dem::ParticleSystem &particles,
   std::string text = "id_1,diameter_m,mass_kg,mass_loss_1,roundness_1\n";
   for (const std::string &row : rows)
     text += row.empty() ? "" : row + "\n";
+  return text;
+}
+} // namespace
+
+std::string roundness_table(const Test &test, dem::RoundnessBook &roundness)
+{
+  std::string text;
+  test.with_whole([&](const dem::Engine &scene)
+                  { text = table_of(scene.particles(), roundness); });
   return text;
 }
 

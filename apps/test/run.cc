@@ -27,10 +27,9 @@ void describe(Progress &progress, const Test &test)
 {
   char line[200];
   const dem::StepLimit &limit = test.step_limit();
-  std::snprintf(line, sizeof line,
-                "%zu particles, time step %.3g s, at most %.3g s (%s)",
-                test.all_particles().size(), test.time_step(), limit.step,
-                limit.reason.c_str());
+  std::snprintf(
+      line, sizeof line, "%zu particles, time step %.3g s, at most %.3g s (%s)",
+      test.n_particles(), test.time_step(), limit.step, limit.reason.c_str());
   progress.say(line);
   const SetupStep *setup = test.setup_step();
   if (!setup || !setup->gain)
@@ -64,7 +63,7 @@ void use_store(const std::optional<PreparationStore> &store, Test &test,
   test.when_prepared(
       [&]
       {
-        test.whole(); // of all ranks
+        test.gather_scene();
         on_first_rank(test.ranks(),
                       [&]
                       {
@@ -86,7 +85,8 @@ void use_store(const std::optional<PreparationStore> &store, Test &test,
     progress.say(said);
 }
 
-/// What is worth a line of the log besides the notes of the test.
+/// What is worth a line of the log besides the notes of the test. Its functions
+/// are collective.
 class News
 {
 public:
@@ -145,10 +145,12 @@ bool is_stopped(const dem::Ranks &ranks, std::int64_t n_steps)
   return true;
 }
 
-/// Steps until the test is done or a stop is requested.
+/// Steps until the test is done or a stop is requested. Decides on what all
+/// ranks know.
 void run_loop(Test &test, Recorder &recorder, Progress &progress,
               ThreadChoice &threads)
 {
+  constexpr std::int64_t interval_of_news = 64;
   News news(test.engine());
   StepRate rate(test.engine().n_steps());
   for (std::int64_t n = 1;
@@ -161,13 +163,16 @@ void run_loop(Test &test, Recorder &recorder, Progress &progress,
       progress.say(note);
     recorder.after_step(test);
     say_notes(test, progress);
+    if (n % interval_of_news != 0)
+      continue;
     news.say(test.engine(), progress);
-    if (n % 64 != 0 || !on_any_rank(test.ranks(), progress.is_due()))
+    if (!on_any_rank(test.ranks(), progress.is_due()))
       continue;
     test.engine().synchronize();
     progress.show(test.phase(), test.share_done(),
                   rate.take(test.engine().n_steps()), test.live_numbers());
   }
+  news.say(test.engine(), progress);
 }
 /// What is to be known of the folder before any file is made; a note for the
 /// log.
@@ -177,7 +182,7 @@ std::string look_at_folder(const dem::Ranks &ranks, RunOptions &options)
   on_first_rank(ranks, [&] { note = start_over_if_interrupted(options); });
   options.is_resumed =
       on_any_rank(ranks, ranks.rank() == 0 && options.is_resumed);
-  return of_first_rank(ranks, note);
+  return dem::of_first_rank(ranks, note);
 }
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "case/parameter.h"
 #include "errors.h"
 #include "run/contact_point_events.h"
+#include "run/first_rank.h"
 #include "run/quantity_name.h"
 #include "run/warnings.h"
 #include "specimen/mesh_walls.h"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace spall
@@ -32,20 +35,10 @@ double first_step(const Case &parameters, const dem::StepLimit &limit)
   return parameters.time.fixed_step;
 }
 
-namespace
-{
-dem::StepLimit limit_of(const Case &c, const dem::Engine &scene)
-{
-  return limit_on_walls(
-      c, scene.parameters(), scene.particles(),
-      dem::critical_step(scene.parameters(), scene.particles()));
-}
-} // namespace
-
 Test::Test(const Case &c, ShapeLibrary library,
            std::unique_ptr<dem::Engine> scene)
     : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
-      is_shareable(needs_one_rank(c).empty()), limit(limit_of(c, whole())),
+      is_shareable(needs_one_rank(c).empty()), limit(limit_at_setup()),
       watch(c.time, limit.step), step(first_step(c, limit))
 {
 }
@@ -53,7 +46,7 @@ Test::Test(const Case &c, ShapeLibrary library,
 Test::Test(const Case &c, ShapeLibrary library,
            std::unique_ptr<dem::Engine> scene, double its_step)
     : parameters(c), shapes(std::move(library)), owned_engine(std::move(scene)),
-      is_shareable(needs_one_rank(c).empty()), limit(limit_of(c, whole())),
+      is_shareable(needs_one_rank(c).empty()), limit(limit_at_setup()),
       watch(c.time, limit.step), step(its_step)
 {
 }
@@ -73,19 +66,55 @@ const dem::Engine &Test::synchronized() const
   return *owned_engine;
 }
 
-const dem::Engine &Test::whole() const
+dem::StepLimit Test::limit_at_setup() const
+{
+  dem::StepLimit longest;
+  with_whole(
+      [&](const dem::Engine &scene)
+      {
+        longest = limit_on_walls(
+            parameters, scene.parameters(), scene.particles(),
+            dem::critical_step(scene.parameters(), scene.particles()));
+      });
+  return {dem::of_first_rank(ranks(), longest.step),
+          dem::of_first_rank(ranks(), longest.reason)};
+}
+
+void Test::gather_scene() const
 {
   owned_engine->synchronize();
-  if (!is_gathered())
-    return *owned_engine;
-  if (!copy)
-  {
-    const Stopwatch clock;
-    copy = std::make_unique<dem::Engine>(owned_engine->gathered());
-    gathering += clock.seconds();
-    ++n_copies;
-  }
-  return *copy;
+  if (!is_gathered() || copy)
+    return;
+  const Stopwatch clock;
+  copy = std::make_unique<dem::Engine>(owned_engine->gathered());
+  gathering += clock.seconds();
+  ++n_copies;
+}
+
+const dem::Engine &Test::whole() const
+{
+  if (ranks().size() == 1)
+    gather_scene();
+  else if (ranks().rank() != 0 || (is_gathered() && !copy))
+    throw std::logic_error("test: the scene is not gathered here");
+  return is_gathered() ? *copy : *owned_engine;
+}
+
+void Test::with_whole(const std::function<void(const dem::Engine &)> &use) const
+{
+  gather_scene();
+  on_first_rank(ranks(), [&] { use(whole()); });
+}
+
+void Test::with_all_particles(
+    const std::function<void(const dem::ParticleSystem &)> &use) const
+{
+  with_whole([&](const dem::Engine &scene) { use(scene.particles()); });
+}
+
+std::int64_t Test::n_particles() const
+{
+  return dem::total_particles(synchronized());
 }
 
 const dem::Ranks &Test::ranks() const
@@ -310,6 +339,14 @@ void Test::save(std::ostream &out) const
   dem::write_value(out, watch.state());
   save_breakage(out);
   whole().save(out, shapes.series());
+}
+
+std::string Test::saved_on_all_ranks() const
+{
+  gather_scene();
+  std::ostringstream out(std::ios::binary);
+  on_first_rank(ranks(), [&] { save(out); });
+  return dem::of_first_rank(ranks(), std::move(out).str());
 }
 
 void Test::restore(std::istream &in)

@@ -11,16 +11,19 @@
 #include "test/slice_space.h"
 
 #include <dem/measure/totals.h>
+#include <dem/parallel/first_rank.h>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace spall
@@ -171,7 +174,8 @@ public:
   // Scene.
 
   /// On many ranks its particles are those of this rank, and sums over all
-  /// ranks are collective: dem/measure/totals.h. whole() has all particles.
+  /// ranks are collective: dem/measure/totals.h. gather_scene() copies those of
+  /// all.
   const dem::Engine &engine() const { return *owned_engine; }
   dem::Engine &engine()
   {
@@ -180,21 +184,37 @@ public:
   }
   /// The engine with no half kick pending: for sums over what each rank has.
   const dem::Engine &synchronized() const;
-  /// A copy of the whole scene on every rank, for what needs all particles at
-  /// once: dem::Engine::gathered(), or the engine itself, see is_gathered().
-  /// Finishes a half kick that is pending. The first call after a change is
-  /// collective.
+  /// Copies the scene of all ranks to the first one, for what needs all
+  /// particles at once: dem::Engine::gathered(). Nothing is done where nothing
+  /// has changed since, and where whole() is the engine itself, see
+  /// is_gathered(). Finishes a half kick that is pending. Collective.
+  void gather_scene() const;
+  /// The scene of all ranks as gather_scene() has copied it, which one rank
+  /// alone need not call before. Throws std::logic_error on other ranks than
+  /// the first, and where the scene has changed since.
   const dem::Engine &whole() const;
-  /// Copies that whole() has made so far.
+  /// Calls `use` with whole() on the first rank. What it throws there all ranks
+  /// throw, see on_first_rank(). Collective.
+  void with_whole(const std::function<void(const dem::Engine &)> &use) const;
+  /// What `measure` returns for whole() on the first rank: a text, entries or
+  /// plain data, see dem::of_first_rank(). Collective.
+  template <class Measure>
+  auto of_whole(const Measure &measure) const
+  {
+    std::invoke_result_t<Measure, const dem::Engine &> value{};
+    with_whole([&](const dem::Engine &scene) { value = measure(scene); });
+    return dem::of_first_rank(ranks(), value);
+  }
+  /// Copies that gather_scene() has made so far.
   int n_scene_copies() const { return n_copies; }
   /// All ranks that the test runs on.
   const dem::Ranks &ranks() const;
-  /// All particles that the test will have, with their ids; only what does not
-  /// move counts.
-  virtual const dem::ParticleSystem &all_particles() const
-  {
-    return whole().particles();
-  }
+  /// Calls `use` on the first rank with all particles that the test will have;
+  /// only ids, sizes and shapes count. Collective.
+  virtual void with_all_particles(
+      const std::function<void(const dem::ParticleSystem &)> &use) const;
+  /// Their number. Collective.
+  virtual std::int64_t n_particles() const;
   /// Whether the particles are cut into slices where their loading begins and
   /// where the run ends.
   virtual bool has_slices() const { return false; }
@@ -247,8 +267,11 @@ public:
 
   // State.
 
-  /// Saves the full state, bit for bit.
+  /// Saves the full state, bit for bit: on the first rank, after
+  /// gather_scene().
   virtual void save(std::ostream &out) const;
+  /// What save() writes. Collective.
+  std::string saved_on_all_ranks() const;
   /// Restores a saved test of the same case. Throws std::runtime_error.
   virtual void restore(std::istream &in);
   /// What the recorder is to do with the state after the last step.
@@ -272,8 +295,8 @@ protected:
        std::unique_ptr<dem::Engine> scene, const dem::StepLimit &limit,
        double first_step);
 
-  /// Whether whole() is a copy in the order of the ids: where the case can be
-  /// spread over ranks.
+  /// Whether gather_scene() makes a copy in the order of the ids: where the
+  /// case can be spread over ranks.
   virtual bool is_gathered() const { return is_shareable; }
   /// Advances particles and bodies by a window [s]. Where a guard stops it,
   /// advance() throws after move().
@@ -318,11 +341,15 @@ protected:
   ShapeLibrary shapes;
 
 private:
+  /// Of the particles that are there.
+  dem::StepLimit limit_at_setup() const;
+
   std::unique_ptr<dem::Engine> owned_engine;
   bool is_shareable = false; ///< the case can be spread over ranks
   mutable int n_copies = 0;
-  mutable std::unique_ptr<dem::Engine> copy; ///< for whole(), since a change
-  mutable double gathering = 0.;             ///< wall-clock of copying [s]
+  mutable std::unique_ptr<dem::Engine>
+      copy;                      ///< by gather_scene(), since a change
+  mutable double gathering = 0.; ///< wall-clock of copying [s]
   dem::StepLimit limit;
 
 protected:

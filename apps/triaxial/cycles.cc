@@ -117,7 +117,9 @@ void CycleRecorder::take(const Triaxial &test, const Sample &row)
   if (test.is_at_start())
   {
     state.start = network_state(test);
-    state.skin = coupling::skin_of(test.enclosed());
+    state.skin =
+        test.of_whole([&](const dem::Engine &scene)
+                      { return coupling::skin_of(test.enclosed(scene)); });
     state.packed_start = note_profiles(test, "start");
     return begin_cycle(row);
   }
@@ -208,15 +210,23 @@ void CycleRecorder::end_stage(const Triaxial &test, const Sample &row)
 CycleRecorder::Packed CycleRecorder::note_profiles(const Triaxial &test,
                                                    const std::string &when)
 {
-  const dem::BoundaryProfile profile =
-      coupling::boundary_profile(test.enclosed());
-  files.push_back(
-      {"boundary_profile_" + when + ".csv", profile_table(profile)});
-  const std::vector<double> areas = coupling::section_areas(test.enclosed());
-  files.push_back({"sections_" + when + ".csv", sections_table(areas)});
-  return {profile.porosity_skin, profile.porosity_inside,
-          profile.coordination_skin, profile.coordination_inside,
-          test.membrane() ? dem::bulge_of(areas) : 0.};
+  std::string layers, sections;
+  const Packed packed = test.of_whole(
+      [&](const dem::Engine &scene) -> Packed
+      {
+        const dem::BoundaryProfile profile =
+            coupling::boundary_profile(test.enclosed(scene));
+        const std::vector<double> areas =
+            coupling::section_areas(test.enclosed(scene));
+        layers = profile_table(profile);
+        sections = sections_table(areas);
+        return {profile.porosity_skin, profile.porosity_inside,
+                profile.coordination_skin, profile.coordination_inside,
+                test.membrane() ? dem::bulge_of(areas) : 0.};
+      });
+  files.push_back({"boundary_profile_" + when + ".csv", layers});
+  files.push_back({"sections_" + when + ".csv", sections});
+  return packed;
 }
 
 void CycleRecorder::add_to(nlohmann::ordered_json &summary) const

@@ -1,9 +1,11 @@
 #include "triaxial/triaxial.h"
 
 #include <dem/measure/assembly.h>
+#include <dem/parallel/first_rank.h>
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace spall
 {
@@ -12,6 +14,19 @@ namespace
 /// Of the way along one cycle of the mean cyclic motion.
 constexpr double steps_in_cycle = 100.;
 constexpr double rest_after_way = 1e-3; // [s]
+
+/// What the first rank has found.
+void take_from_first(const dem::Ranks &ranks,
+                     coupling::MeanCyclicMotion &mean_motion)
+{
+  if (ranks.size() == 1)
+    return;
+  std::ostringstream own(std::ios::binary);
+  coupling::save(own, mean_motion);
+  std::istringstream first(dem::of_first_rank(ranks, std::move(own).str()),
+                           std::ios::binary);
+  coupling::restore(first, mean_motion);
+}
 } // namespace
 
 Rewind Triaxial::rewind() const
@@ -34,11 +49,18 @@ void Triaxial::go_back(const std::function<void()> &restore_kept)
   shorten_jump(refused);
 }
 
+/// The mean cyclic motion is that from here on.
+void Triaxial::observe()
+{
+  with_whole([this](const dem::Engine &scene)
+             { observed_from = coupling::pose_of(scene, *cell); });
+}
+
 void Triaxial::shorten_jump(const coupling::JumpPlan &refused)
 {
   plan.shorten(refused);
   if (plan.observed() == 0)
-    observed_from = coupling::pose_of(whole(), *cell);
+    observe();
   std::ostringstream text;
   text << "cycle " << cycle() << ": a jump over " << refused.length()
        << " cycles was too far";
@@ -57,10 +79,15 @@ void Triaxial::begin_damage_cycles()
   engine().synchronize();
   if (plan.due() == coupling::JumpStep::save_state)
   {
-    mean_motion = coupling::mean_motion_between(
-        observed_from, coupling::pose_of(whole(), *cell),
-        static_cast<double>(parameters.cycle_jump.observed));
-    coupling::calm_rattlers(whole(), mean_motion);
+    with_whole(
+        [this](const dem::Engine &scene)
+        {
+          mean_motion = coupling::mean_motion_between(
+              observed_from, coupling::pose_of(scene, *cell),
+              static_cast<double>(parameters.cycle_jump.observed));
+          coupling::calm_rattlers(scene, mean_motion);
+        });
+    take_from_first(ranks(), mean_motion);
   }
   plan.begin();
   schedule.skip(plan.skipping() * cycle_intervals);
@@ -83,7 +110,7 @@ void Triaxial::end_cycle()
   engine().set_repetitions(1.);
   plan.take(slow_state());
   if (plan.observed() == 0)
-    observed_from = coupling::pose_of(whole(), *cell);
+    observe();
 }
 
 /// At the peak of the load, adds the strain of the skipped cycles by displacing

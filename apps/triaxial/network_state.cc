@@ -10,8 +10,13 @@ namespace spall
 NetworkState network_state(const Triaxial &test)
 {
   const Sample sample = test.sample(0.);
-  return coupling::network_state(test.enclosed(), test.stress_balance(),
-                                 {sample.axial_stress, sample.lateral_stress});
+  return test.of_whole(
+      [&](const dem::Engine &scene)
+      {
+        return coupling::network_state(
+            test.enclosed(scene), test.stress_balance(scene),
+            {sample.axial_stress, sample.lateral_stress});
+      });
 }
 
 std::string profile_table(const dem::BoundaryProfile &profile)

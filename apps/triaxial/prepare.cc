@@ -186,8 +186,12 @@ void Triaxial::place_boundaries()
         !what.empty())
       throw RunFailure("preparation: " + what);
   if (refines_membrane())
-    pressed = coupling::pressed_quads(lateral_mesh(parameters, lower, upper),
-                                      dem::contact_network_of(whole()));
+    pressed = of_whole(
+        [&](const dem::Engine &scene)
+        {
+          return coupling::pressed_quads(lateral_mesh(parameters, lower, upper),
+                                         dem::contact_network_of(scene));
+        });
   servo.release(engine(), 2);
   // Particles that carry nothing would fly on for ever.
   engine().come_to_rest();

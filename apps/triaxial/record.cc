@@ -143,7 +143,7 @@ std::optional<SliceSpace> Triaxial::slice_space() const
 {
   if (now < Stage::loading)
     return {};
-  const dem::Prism space = coupling::space_of(enclosed());
+  const dem::Prism space = coupling::space_of(enclosed(engine()));
   return SliceSpace{
       space.low, space.high, [this, corners = space.corners](double z) {
         return membrane() ? tube_section(dem::surface(engine()), z) : corners;

@@ -7,9 +7,11 @@
 #include <dem/binary.h>
 #include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
+#include <dem/measure/totals.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -24,6 +26,14 @@ dem::ServoParameters servo_parameters(const Case &c)
           size / size.maxCoeff(), c.boundary.servo_yielding,
           c.boundary.servo_dead_band};
 }
+
+/// Collective [kg].
+double lightest_particle(const dem::Engine &engine)
+{
+  return -dem::largest_of_particles(
+      engine, -std::numeric_limits<double>::infinity(),
+      [&engine](std::size_t i) { return -engine.particles().mass(i); });
+}
 } // namespace
 
 Triaxial::Triaxial(const Case &c) : Triaxial(c, make_specimen(c)) {}
@@ -31,8 +41,9 @@ Triaxial::Triaxial(const Case &c) : Triaxial(c, make_specimen(c)) {}
 Triaxial::Triaxial(const Case &c, Specimen specimen)
     : Test(c, std::move(specimen.shapes), std::move(specimen.engine), 0.),
       box(specimen.walls), servo(box, servo_parameters(c)),
-      setup(choose_step(c, whole())),
-      scaling(dem::density_scaling_of(whole().particles())),
+      setup(choose_step(c, step_limit(), lightest_particle(synchronized()))),
+      scaling(of_whole([](const dem::Engine &scene)
+                       { return dem::density_scaling_of(scene.particles()); })),
       follower(load_path_of(c), c.loading.confining_pressure),
       cycle_intervals(intervals_in(follower.period())),
       n_cycles(follower.path().n_cycles()), plan(c.cycle_jump, n_cycles),
@@ -218,15 +229,15 @@ double Triaxial::section() const
 /// Of walls and membrane alone, which every rank has.
 double Triaxial::volume() const
 {
-  return coupling::enclosed_volume({engine(), walls(), membrane()});
+  return coupling::enclosed_volume(enclosed(engine()));
 }
 
-coupling::StressBalance Triaxial::stress_balance() const
+coupling::StressBalance Triaxial::stress_balance(const dem::Engine &scene) const
 {
   const dem::Vec3 base(upper.x(), upper.y(), lower.z());
   return coupling::stress_balance(
-      enclosed(), {pressure, area, cell->plate().height() - lower.z(),
-                   0.5 * (lower + base)});
+      enclosed(scene), {pressure, area, cell->plate().height() - lower.z(),
+                        0.5 * (lower + base)});
 }
 
 Sample Triaxial::sample(double roundness) const

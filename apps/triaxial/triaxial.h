@@ -107,7 +107,7 @@ public:
   void add_clocks(std::map<std::string, double> &seconds) const override;
 
   /// Once the preparation is over: what bears the boundary's load.
-  coupling::StressBalance stress_balance() const;
+  coupling::StressBalance stress_balance(const dem::Engine &scene) const;
 
   const dem::SpecimenWalls &walls() const { return box; }
   /// Null without one, and in the preparation.
@@ -115,9 +115,10 @@ public:
   {
     return cell && cell->has_membrane() ? &cell->membrane() : nullptr;
   }
-  coupling::EnclosedSpecimen enclosed() const
+  /// The specimen as a scene of it has its particles.
+  coupling::EnclosedSpecimen enclosed(const dem::Engine &scene) const
   {
-    return {whole(), walls(), membrane()};
+    return {scene, walls(), membrane()};
   }
   /// Only with a membrane.
   bool has_ledger() const override
@@ -193,6 +194,7 @@ private:
   std::string preparation_numbers();
   std::string consolidated_text() const;
   void shorten_jump(const coupling::JumpPlan &refused);
+  void observe();
   void prepare();
   void consolidate();
   bool is_consolidated();
@@ -281,7 +283,8 @@ private:
   dem::Vec3 start_size = dem::Vec3::Zero(); ///< of the walls then [m]
 
   coupling::JumpPlan plan;
-  coupling::Pose observed_from; ///< where the observation of the motion began
+  /// Where the observation of the motion began; on the first rank.
+  coupling::Pose observed_from;
   /// Of the observation before the jump.
   coupling::MeanCyclicMotion mean_motion;
   double jump_work = 0.; ///< that takes the energies over the jumps [J]

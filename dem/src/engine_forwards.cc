@@ -1,6 +1,9 @@
 // What Engine does is done by EngineState.
 #include "engine_state.h"
 
+#include <dem/parallel/first_rank.h>
+
+#include <sstream>
 #include <utility>
 
 namespace dem
@@ -221,9 +224,13 @@ void Engine::save(
     std::ostream &out,
     const std::vector<std::shared_ptr<const Coefficients>> &library) const
 {
-  if (distribution().is_shared())
-    return state->gathered()->save(out, library);
-  std::as_const(*state).save(out, library);
+  if (!distribution().is_shared())
+    return std::as_const(*state).save(out, library);
+  const std::unique_ptr<EngineState> whole = state->gathered();
+  std::ostringstream text(std::ios::binary);
+  if (distribution().ranks().rank() == 0)
+    whole->save(text, library);
+  out << of_first_rank(distribution().ranks(), std::move(text).str());
 }
 
 void Engine::restore(

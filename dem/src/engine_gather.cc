@@ -1,4 +1,4 @@
-// The scene of all ranks on each of them, and back.
+// The scene of all ranks on the first of them, and back.
 #include "engine_state.h"
 
 #include <dem/parallel/rank_sums.h>

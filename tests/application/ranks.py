@@ -55,6 +55,11 @@ def go(spall, n_ranks, folder, *options, lateral="rigid", settings=()):
                          f"{ended.stdout}\n{ended.stderr}")
 
 
+def logged_warnings(folder):
+    return [line for line in (folder / "log.txt").read_text().splitlines()
+            if line.startswith("warning: ")]
+
+
 def differences(name, folder, whole):
     """Where a run differs from that of one rank, costs left out."""
     frames = sorted({str(path.relative_to(of)) for of in (folder, whole)
@@ -68,7 +73,8 @@ def differences(name, folder, whole):
 def same(spall, root):
     faults = []
     for name, ranks, settings in (
-            ("fixed", (2, 3), ("Time/step=fixed",)),
+            ("fixed", (2, 3), ("Time/step=fixed",
+                               "Contact/overlap_warning=1e-4")),
             ("stable", (2,), ("Time/step=stable",)),
             ("error", (2,), ("Time/step=error",)),
             ("scaled", (2,), ("Time/step=stable",
@@ -87,10 +93,14 @@ def same(spall, root):
             folder = root / f"{name}_{n_ranks}"
             go(spall, n_ranks, folder, settings=settings)
             faults += differences(f"{name}, {n_ranks} ranks", folder, whole)
+            if logged_warnings(folder) != logged_warnings(whole):
+                faults.append(f"{name}: other warnings in log.txt")
             if summary(folder)["ranks"] != n_ranks:
                 faults.append(f"{n_ranks} ranks: not in summary.json")
     if summary(root / "fixed")["n_events"] == 0:
         faults.append("no event: the test shows nothing of breakage")
+    if len(logged_warnings(root / "fixed")) < 2:
+        faults.append("no overlap is deep: the test shows nothing of warnings")
     return faults
 
 

@@ -125,9 +125,10 @@ public:
   std::int64_t n_events() const;
   int n_refused_events() const;
 
-  /// A copy of the scene of all ranks on each of them, in the order of the ids:
-  /// the same bits on any number of ranks. Throws std::logic_error while a half
-  /// kick is pending.
+  /// A copy of the scene of all ranks on the first of them, in the order of the
+  /// ids: the same bits on any number of ranks. The copies of other ranks have
+  /// no particles. Throws std::logic_error while a half kick is pending.
+  /// Collective.
   Engine gathered() const;
   /// Puts the scene of one rank in that order. Throws std::logic_error on many
   /// ranks.
@@ -135,8 +136,8 @@ public:
 
   /// Full state, bit for bit, into a stream; restore() on an engine with the
   /// same parameters and shared shapes (`library`, in order), on any number of
-  /// ranks. On many ranks the state is that of gathered(), and save() is
-  /// collective.
+  /// ranks. On many ranks the state is that of gathered() on the first one, all
+  /// write it, and save() is collective.
   void
   save(std::ostream &out,
        const std::vector<std::shared_ptr<const Coefficients>> &library) const;

@@ -361,16 +361,16 @@ void Distribution::gather(const DistributedParts &from,
   Leaving own;
   for (std::size_t i = 0; i < from.particles.n_owned(); ++i)
     own.add(static_cast<std::int32_t>(i));
-  const Parcel parcel = pack(named, among->rank(), own, pool);
+  constexpr int first_rank = 0;
+  std::vector<Parcel> parcels;
+  parcels.push_back(pack(named, first_rank, own, pool));
   std::vector<std::pair<int, SeriesKey>> wanted;
-  int rank = 0;
-  for (std::vector<std::byte> &content : among->gather(parcel.content))
+  for (const Parcel &parcel : among->deliver(std::move(parcels)))
   {
     std::vector<SeriesKey> series;
-    unpack({rank, std::move(content)}, into, series);
+    unpack(parcel, into, series);
     for (const SeriesKey &key : series)
-      wanted.emplace_back(rank, key);
-    ++rank;
+      wanted.emplace_back(parcel.rank, key);
   }
   fetch_series(into.particles, 0, wanted);
   into.particles.renew_frames();

@@ -81,7 +81,10 @@ dem::ParticleSystem drawn(const Case &c)
     return make_compaction_scene(c).all;
   if (c.kind == "subgrade")
     return make_particle_box(c).all;
-  return make_test(c)->all_particles();
+  dem::ParticleSystem copy;
+  make_test(c)->with_all_particles([&copy](const dem::ParticleSystem &particles)
+                                   { copy = particles; });
+  return copy;
 }
 
 /// Share of the mass in particles of at most this diameter [-].

@@ -46,7 +46,7 @@ void expect_no_copy(spall::Test &test)
   test.warnings();
   test.outcome();
   EXPECT_EQ(test.n_scene_copies(), at_setup);
-  test.whole();
+  test.gather_scene();
   EXPECT_EQ(test.n_scene_copies(), at_setup + 1);
 }
 
@@ -62,6 +62,7 @@ std::map<std::string, double> row_of(const spall::Test &test)
 /// The same quantities by plain loops over a copy of the whole scene.
 std::map<std::string, double> directly(const spall::Test &test)
 {
+  test.gather_scene();
   const dem::ParticleSystem &all = test.whole().particles();
   const dem::ContactBatch &pairs = test.whole().pairs();
   std::map<std::pair<std::int32_t, std::int32_t>, dem::Vec3> forces;

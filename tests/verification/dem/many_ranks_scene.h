@@ -8,6 +8,7 @@
 #include <dem/measure/roundness_book.h>
 #include <dem/measure/totals.h>
 #include <dem/parallel/distribution.h>
+#include <dem/parallel/first_rank.h>
 #include <dem/parallel/mpi_ranks.h>
 #include <dem/random.h>
 
@@ -270,9 +271,14 @@ inline std::vector<double> measures(const dem::Engine &engine)
 /// All that a checkpoint stores.
 inline std::string stored(const dem::Engine &engine)
 {
+  const dem::Engine whole = engine.gathered();
+  const dem::Ranks &ranks = engine.distribution().ranks();
   std::ostringstream out(std::ios::binary);
-  engine.gathered().save(out, {});
-  return out.str();
+  if (ranks.rank() == 0)
+    whole.save(out, {});
+  else
+    EXPECT_EQ(whole.particles().size(), 0u);
+  return of_first_rank(ranks, out.str());
 }
 
 /// Where two texts differ; -1: nowhere.

@@ -41,7 +41,7 @@ TEST(PeriodicSides, ParticlesBearWhatGoesThroughTheFaces)
   for (int step = 0; step < 200; ++step)
     test.advance();
   test.engine().synchronize();
-  const coupling::StressBalance b = test.stress_balance();
+  const coupling::StressBalance b = test.stress_balance(test.synchronized());
   const dem::Mat3 rest = b.particles - b.boundary - b.unrest;
   EXPECT_LT(rest.diagonal().cwiseAbs().maxCoeff(), 1e-9 * pressure);
   EXPECT_GT(b.boundary(0, 0), 0.5 * pressure);
@@ -54,7 +54,7 @@ TEST(PeriodicSides, HaveNoLooseSkin)
   Triaxial test(periodic_case());
   run_to(test, Stage::consolidation);
   const dem::BoundaryProfile profile =
-      coupling::boundary_profile(test.enclosed());
+      coupling::boundary_profile(test.enclosed(test.synchronized()));
   // The points of the profile count overlaps once, and are some 1e5.
   EXPECT_NEAR(profile.porosity, test.prepared().porosity, 0.02);
   EXPECT_NEAR(profile.porosity_skin, profile.porosity_inside, 0.05);
@@ -78,7 +78,8 @@ TEST(PeriodicSides, FollowTheLoad)
     work = std::max(work, std::abs(now.external_work));
     worst = std::max(worst, std::abs(now.energy_residual));
     const dem::Vec3 size = dem::box_size(test.engine(), test.walls());
-    EXPECT_NEAR(size.prod(), coupling::enclosed_volume(test.enclosed()),
+    EXPECT_NEAR(size.prod(),
+                coupling::enclosed_volume(test.enclosed(test.synchronized())),
                 1e-12 * size.prod());
   }
   EXPECT_LT(lateral, 0.1);

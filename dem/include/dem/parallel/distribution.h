@@ -45,8 +45,9 @@ public:
   /// Of a scene that every rank has as a whole, each keeps its own part: as
   /// after migrate(). Collective.
   void deal_out(const DistributedParts &parts);
-  /// Appends copies of the particles and contacts of all ranks to `into`, which
-  /// has none; partners are named by row there. Collective.
+  /// On the first rank, appends copies of the particles and contacts of all
+  /// ranks to `into`, which has none; partners are named by row there. On
+  /// others `into` stays empty. Collective.
   void gather(const DistributedParts &from, const DistributedParts &into);
   /// Appends ghosts: all particles that may be the senior of an owned one
   /// within a `range` between their bounding spheres [m], of circumscribed or
