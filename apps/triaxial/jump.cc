@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 namespace spall
 {
@@ -14,19 +13,6 @@ namespace
 /// Of the way along one cycle of the mean cyclic motion.
 constexpr double steps_in_cycle = 100.;
 constexpr double rest_after_way = 1e-3; // [s]
-
-/// What the first rank has found.
-void take_from_first(const dem::Ranks &ranks,
-                     coupling::MeanCyclicMotion &mean_motion)
-{
-  if (ranks.size() == 1)
-    return;
-  std::ostringstream own(std::ios::binary);
-  coupling::save(own, mean_motion);
-  std::istringstream first(dem::of_first_rank(ranks, std::move(own).str()),
-                           std::ios::binary);
-  coupling::restore(first, mean_motion);
-}
 } // namespace
 
 Rewind Triaxial::rewind() const
@@ -87,7 +73,10 @@ void Triaxial::begin_damage_cycles()
               static_cast<double>(parameters.cycle_jump.observed));
           coupling::calm_rattlers(scene, mean_motion);
         });
-    take_from_first(ranks(), mean_motion);
+    dem::take_from_first_rank(
+        ranks(),
+        [this](std::ostream &out) { coupling::save(out, mean_motion); },
+        [this](std::istream &in) { coupling::restore(in, mean_motion); });
   }
   plan.begin();
   schedule.skip(plan.skipping() * cycle_intervals);
