@@ -8,10 +8,12 @@
 Looked at are blocks of console, bash and sh: in console the lines after `$ `
 if there are any. A command `spall` must have a known subcommand and options,
 files that exist or that the page names before, and keys of docs/parameters with
-an allowed value. Scripts must exist. Words in capitals and <words> stand for
+an allowed value. Scripts must exist, and be executable where they are called by
+their path. Words in capitals and <words> stand for
 something. A line `<!-- not run -->` before a block excepts it; one with a
 reason, `<!-- not run: takes an hour -->`, does not.
 """
+import os
 import pathlib
 import re
 import shlex
@@ -79,6 +81,10 @@ class Page:
             if (re.match(r"(scripts|tests)/", word)
                     and not (self.root / word).exists()):
                 yield f"{word}: no such file"
+        if (words and re.match(r"(scripts|tests)/", words[0])
+                and (self.root / words[0]).exists()
+                and not os.access(self.root / words[0], os.X_OK)):
+            yield f"{words[0]}: is not executable"
         at = 0
         if words and PREFIX.match(words[0]):
             at = next((i for i, word in enumerate(words)
@@ -183,10 +189,13 @@ def faults(root, paths=()):
 def self_check():
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
-        for folder in ("apps/program", "docs/parameters", "data/presets/scene"):
+        for folder in ("apps/program", "docs/parameters", "data/presets/scene",
+                       "scripts"):
             (root / folder).mkdir(parents=True)
         (root / "data/presets/scene/fast.prm").touch()
         (root / "data/a.prm").touch()
+        (root / "scripts/text.sh").touch(0o644)
+        (root / "scripts/program.sh").touch(0o755)
         (root / "apps/program/program.cc").write_text(
             '> commands = {\n {{"template", "KIND", "print"},\n'
             '{"run",\n "CASE [--out DIR] [--set S/key=value ...]", "run"}}};\n'
@@ -204,7 +213,9 @@ def self_check():
             "spall template dream\nspall run CASE.prm --set Time/no=1\n"
             "scripts/gone.sh --set preset=none\n"
             "python3 a.py build/apps/spall --any\n"
-            "spall run ~/share/data/a.prm\nspall run /opt/data/b.prm\n```\n\n"
+            "spall run ~/share/data/a.prm\nspall run /opt/data/b.prm\n"
+            "bash scripts/text.sh\nscripts/program.sh\n"
+            "scripts/text.sh\n```\n\n"
             "<!-- not run -->\n```bash\nspall dance\n```\n")
         found = list(faults(root))
     expected = ["docs/a.md:12: gone.prm: no such file",
@@ -214,7 +225,8 @@ def self_check():
                 "docs/a.md:14: spall template dream: no such kind",
                 "docs/a.md:15: Time/no: no such key",
                 "docs/a.md:16: scripts/gone.sh: no such file",
-                "docs/a.md:19: /opt/data/b.prm: no such file"]
+                "docs/a.md:19: /opt/data/b.prm: no such file",
+                "docs/a.md:22: scripts/text.sh: is not executable"]
     return [] if found == expected else [f"found {found}"]
 
 
