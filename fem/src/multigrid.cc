@@ -191,13 +191,16 @@ struct MultigridSolver::Hierarchy
         sum.valuePtr() + sum.outerIndexPtr()[unknown], columns.data());
   }
 
-  /// No entry is dropped: where inertia rules, all would be.
+  /// No entry is dropped: where inertia rules, all would be. Aggregates end at
+  /// the borders of the ranks on all levels: where they do not, ML wants all
+  /// three columns of a node of another rank, and a fixed component has none.
   void coarsen()
   {
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
     list.set("ML output", 0);
     list.set("PDE equations", 3);
+    list.set("aggregation: type", "Uncoupled");
     list.set("aggregation: threshold", 0.);
     list.set("eigen-analysis: type", "Anorm"); // no random start
     list.set("smoother: type", "Chebyshev");
