@@ -39,9 +39,10 @@ public:
   const SetupStep *setup_step() const override { return &scene.setup; }
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
-  void with_all_particles(const std::function<void(const dem::ParticleSystem &)>
-                              &use) const override;
-  std::int64_t n_particles() const override;
+  const dem::ParticleSystem *poured_particles() const override
+  {
+    return &scene.all;
+  }
   bool has_slices() const override { return true; }
   std::optional<SliceSpace> slice_space() const override;
   int steps_in_move() const override;

@@ -1,7 +1,6 @@
 // Messages of a vibratory compaction.
 #include "case/parameter.h"
 #include "compaction/compaction.h"
-#include "run/first_rank.h"
 #include "test/roundness_table.h"
 
 #include <dem/measure/assembly.h>
@@ -70,17 +69,6 @@ void Compaction::report(double due)
   report.mean_force = network.mean_force;
   reports.push_back(report);
   files.push_back({roundness_file(due), roundness_table(*this, roundness)});
-}
-
-void Compaction::with_all_particles(
-    const std::function<void(const dem::ParticleSystem &)> &use) const
-{
-  on_first_rank(ranks(), [&] { use(scene.all); });
-}
-
-std::int64_t Compaction::n_particles() const
-{
-  return static_cast<std::int64_t>(scene.all.size());
 }
 
 std::vector<NamedText> Compaction::take_files()

@@ -1,5 +1,4 @@
 #include "case/parameter.h"
-#include "run/first_rank.h"
 #include "subgrade/poured.h"
 #include "subgrade/quad_file.h"
 #include "subgrade/subgrade.h"
@@ -130,17 +129,6 @@ void Subgrade::restore(std::istream &in)
     balance_ground();
   Test::restore(in);
   joined->restore(in);
-}
-
-void Subgrade::with_all_particles(
-    const std::function<void(const dem::ParticleSystem &)> &use) const
-{
-  on_first_rank(ranks(), [&] { use(scene.all); });
-}
-
-std::int64_t Subgrade::n_particles() const
-{
-  return static_cast<std::int64_t>(scene.all.size());
 }
 
 FrameParts Subgrade::frame_parts() const

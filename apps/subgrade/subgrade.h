@@ -41,9 +41,10 @@ public:
   const SetupStep *setup_step() const override { return &setup; }
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
-  void with_all_particles(const std::function<void(const dem::ParticleSystem &)>
-                              &use) const override;
-  std::int64_t n_particles() const override;
+  const dem::ParticleSystem *poured_particles() const override
+  {
+    return &scene.all;
+  }
   void describe() const override;
   double preparation_time() const override;
   FastPreparation fast_preparation() override;

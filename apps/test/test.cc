@@ -109,12 +109,16 @@ void Test::with_whole(const std::function<void(const dem::Engine &)> &use) const
 void Test::with_all_particles(
     const std::function<void(const dem::ParticleSystem &)> &use) const
 {
+  if (const dem::ParticleSystem *all = poured_particles())
+    return on_first_rank(ranks(), [&] { use(*all); });
   with_whole([&](const dem::Engine &scene) { use(scene.particles()); });
 }
 
 std::int64_t Test::n_particles() const
 {
-  return dem::total_particles(synchronized());
+  const dem::ParticleSystem *all = poured_particles();
+  return all ? static_cast<std::int64_t>(all->size())
+             : dem::total_particles(synchronized());
 }
 
 const dem::Ranks &Test::ranks() const

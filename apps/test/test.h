@@ -211,10 +211,10 @@ public:
   const dem::Ranks &ranks() const;
   /// Calls `use` on the first rank with all particles that the test will have;
   /// only ids, sizes and shapes count. Collective.
-  virtual void with_all_particles(
+  void with_all_particles(
       const std::function<void(const dem::ParticleSystem &)> &use) const;
   /// Their number. Collective.
-  virtual std::int64_t n_particles() const;
+  std::int64_t n_particles() const;
   /// Whether the particles are cut into slices where their loading begins and
   /// where the run ends.
   virtual bool has_slices() const { return false; }
@@ -283,6 +283,12 @@ public:
   }
 
 protected:
+  /// All particles that the test will have, where they are added later; null:
+  /// the engine has them.
+  virtual const dem::ParticleSystem *poured_particles() const
+  {
+    return nullptr;
+  }
   /// Takes the scene; the engine has all its particles.
   Test(const Case &parameters, ShapeLibrary shapes,
        std::unique_ptr<dem::Engine> scene);
@@ -347,9 +353,8 @@ private:
   std::unique_ptr<dem::Engine> owned_engine;
   bool is_shareable = false; ///< the case can be spread over ranks
   mutable int n_copies = 0;
-  mutable std::unique_ptr<dem::Engine>
-      copy;                      ///< by gather_scene(), since a change
-  mutable double gathering = 0.; ///< wall-clock of copying [s]
+  mutable std::unique_ptr<dem::Engine> copy; ///< gathered; null after changes
+  mutable double gathering = 0.;             ///< wall-clock of copying [s]
   dem::StepLimit limit;
 
 protected:

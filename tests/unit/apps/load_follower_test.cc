@@ -99,14 +99,27 @@ TEST(LoadFollower, SidesSwingInPhaseAndApart)
   EXPECT_DOUBLE_EQ(follower.side_target(1), confining);
 }
 
-TEST(LoadFollower, TargetAndRateGiveTheLength)
+LoadMeasures at_strain(double strain)
+{
+  LoadMeasures now = measures();
+  now.axial_strain = strain;
+  return now;
+}
+
+/// At 0.2 per second from now on.
+LoadFollower driven_to(double strain, const LoadMeasures &now)
 {
   LoadStage stage;
-  stage.axial = {LoadControl::strain, 0.03, 0.2};
+  stage.axial = {LoadControl::strain, strain, 0.2};
   LoadFollower follower({{stage}}, confining);
-  LoadMeasures now = measures();
-  now.axial_strain = 0.01;
   follower.begin(now, 0.);
+  return follower;
+}
+
+TEST(LoadFollower, TargetAndRateGiveTheLength)
+{
+  const LoadMeasures now = at_strain(0.01);
+  LoadFollower follower = driven_to(0.03, now);
   EXPECT_DOUBLE_EQ(follower.period(), 0.1);
   EXPECT_TRUE(std::isnan(follower.axial_target()));
   // The speed is reached in the first hundredth: 0.02 of 0.1 m in 0.1 s less
@@ -121,12 +134,8 @@ TEST(LoadFollower, TargetAndRateGiveTheLength)
 // speed to round-off all the same.
 TEST(LoadFollower, DrivenPlateMeetsItsSpeedInAnySteps)
 {
-  LoadStage stage;
-  stage.axial = {LoadControl::strain, 0.03, 0.2};
-  LoadFollower follower({{stage}}, confining);
-  LoadMeasures now = measures();
-  now.axial_strain = 0.01;
-  follower.begin(now, 0.);
+  const LoadMeasures now = at_strain(0.01);
+  LoadFollower follower = driven_to(0.03, now);
   const double expected = 0.02 * 0.1 / (0.1 * 0.995);
   for (const double step : {1e-5, 3e-5, 0.7e-3, 4e-3})
   {
