@@ -75,7 +75,9 @@ void take_kept(const std::optional<PreparationStore> &store, Test &test)
   if (!store)
     return;
   std::string said;
-  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
+  if (store->take(
+          test.ranks(), [&test](std::istream &in) { test.take_prepared(in); },
+          said))
     said = store->path();
   std::printf("preparation      %s\n",
               said.empty() ? "none of this kept" : said.c_str());

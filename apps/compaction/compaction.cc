@@ -456,12 +456,12 @@ FrameParts Compaction::frame_parts() const
   return parts;
 }
 
-void Compaction::save(std::ostream &out) const
+void Compaction::save(std::ostream &out, dem::StateExtent extent) const
 {
   dem::write_value(out, now);
   dem::write_column(out, reports);
   pouring.save(out);
-  Test::save(out);
+  Test::save(out, extent);
   if (joined)
     joined->save(out);
 }

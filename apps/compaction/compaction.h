@@ -57,7 +57,7 @@ public:
   std::string preparation_text() const override;
   bool is_preparing() const override { return now.stage == Stage::filling; }
   void take_prepared(std::istream &in) override;
-  void save(std::ostream &out) const override;
+  void save(std::ostream &out, dem::StateExtent extent) const override;
   void restore(std::istream &in) override;
   std::vector<NamedBoundary> named_boundaries() const override;
 

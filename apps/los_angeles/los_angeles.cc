@@ -348,9 +348,9 @@ void LosAngeles::summarise(nlohmann::ordered_json &summary) const
   summary["roundness_1"] = roundness.mean(engine().particles(), ranks());
 }
 
-void LosAngeles::save(std::ostream &out) const
+void LosAngeles::save(std::ostream &out, dem::StateExtent extent) const
 {
-  Test::save(out);
+  Test::save(out, extent);
   dem::write_value(out, start_time);
   dem::write_value(out, turns_before);
   dem::write_value(out, is_turning);

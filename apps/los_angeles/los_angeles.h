@@ -29,7 +29,7 @@ public:
   void summarise(nlohmann::ordered_json &summary) const override;
   void stop_after(int turns) override;
   bool ends_early() const override { return last_turn < parameters.drum.turns; }
-  void save(std::ostream &out) const override;
+  void save(std::ostream &out, dem::StateExtent extent) const override;
   void restore(std::istream &in) override;
   std::vector<NamedBoundary> named_boundaries() const override
   {

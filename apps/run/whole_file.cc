@@ -53,30 +53,6 @@ private:
   std::array<char, 1 << 15> bytes;
 };
 
-/// Takes a draft away that has not become the file.
-class Draft
-{
-public:
-  explicit Draft(fs::path draft) : path(std::move(draft)) {}
-  ~Draft()
-  {
-    std::error_code status;
-    if (!is_kept)
-      fs::remove(path, status);
-  }
-  Draft(const Draft &) = delete;
-  Draft &operator=(const Draft &) = delete;
-
-  const fs::path path;
-  bool is_kept = false;
-};
-
-struct Outcome
-{
-  int error = 0; ///< errno, 0: written
-  bool is_opened = false;
-};
-
 /// Of a link the file behind it.
 fs::path target_of(const fs::path &path)
 {
@@ -85,67 +61,121 @@ fs::path target_of(const fs::path &path)
   return status ? path : target;
 }
 
-/// The file that is open has been given to the stream.
-int finish(FileHandle &file, std::ostream &out, Durability durability)
-{
-  out.flush();
-  if (durability == Durability::on_disk)
-    file.synchronise();
-  file.close();
-  return file.error() == 0 && !out ? EIO : file.error();
-}
-
-/// Moves a complete draft to its name; errno.
-int take_name(Draft &draft, const fs::path &target, Durability durability)
+bool is_stream(const fs::path &path)
 {
   std::error_code status;
-  fs::rename(draft.path, target, status);
-  if (status)
-    return status.value();
-  draft.is_kept = true;
-  if (durability == Durability::usual)
-    return 0;
-  const fs::path folder = target.parent_path();
+  return fs::exists(path, status) && !fs::is_regular_file(path, status);
+}
+
+std::string draft_ending(Writers writers)
+{
+  const std::string ending = ".part";
+  return writers == Writers::one ? ending
+                                 : "." + std::to_string(::getpid()) + ending;
+}
+
+/// Synchronises the names in a folder; errno.
+int synchronise(const fs::path &folder)
+{
   FileHandle names;
   names.open_folder(folder.empty() ? "." : folder);
   names.synchronise();
   return names.error();
 }
-
-Outcome written(const fs::path &path,
-                const std::function<void(std::ostream &)> &write,
-                Durability durability, const std::string &draft_ending)
-{
-  std::error_code status;
-  const bool is_stream =
-      fs::exists(path, status) && !fs::is_regular_file(path, status);
-  const fs::path target = target_of(path);
-  Draft draft(is_stream ? path : fs::path(target.string() + draft_ending));
-  draft.is_kept = is_stream;
-  FileHandle file;
-  file.open_empty(draft.path);
-  if (file.error() != 0)
-  {
-    draft.is_kept = true; // there is none
-    return {file.error(), false};
-  }
-  FileBuffer buffer(file);
-  std::ostream out(&buffer);
-  write(out);
-  int error = finish(file, out, durability);
-  if (error == 0 && !is_stream)
-    error = take_name(draft, target, durability);
-  return {error, true};
-}
-
-constexpr const char *usual_ending = ".part";
-
-void require_written(const fs::path &path, const Outcome &outcome)
-{
-  if (outcome.error != 0)
-    throw RunFailure(write_failure(path, outcome.error));
-}
 } // namespace
+
+class WholeFile::Draft
+{
+public:
+  Draft(fs::path of, Durability its_durability, Writers writers)
+      : path(std::move(of)), durability(its_durability),
+        writes_directly(is_stream(path)), target(target_of(path)),
+        draft(writes_directly
+                  ? path
+                  : fs::path(target.string() + draft_ending(writers)))
+  {
+    file.open_empty(draft);
+    fault = file.error();
+    is_open = fault == 0;
+  }
+  ~Draft()
+  {
+    std::error_code status;
+    if (is_open && !writes_directly && !is_named)
+      fs::remove(draft, status);
+  }
+  Draft(const Draft &) = delete;
+  Draft &operator=(const Draft &) = delete;
+
+  void finish()
+  {
+    out.flush();
+    if (durability == Durability::on_disk)
+      file.synchronise();
+    file.close();
+    fault = file.error() == 0 && !out ? EIO : file.error();
+    if (fault == 0 && !writes_directly)
+      take_name();
+  }
+
+  const fs::path path;
+  int fault = 0; ///< errno
+  bool is_open = false;
+
+private:
+  void take_name()
+  {
+    std::error_code status;
+    fs::rename(draft, target, status);
+    fault = status.value();
+    is_named = fault == 0;
+    if (is_named && durability == Durability::on_disk)
+      fault = synchronise(target.parent_path());
+  }
+
+  const Durability durability;
+  const bool writes_directly;
+  const fs::path target, draft;
+  bool is_named = false; ///< the draft has become the file
+  FileHandle file;
+  FileBuffer buffer{file};
+
+public:
+  std::ostream out{&buffer};
+};
+
+WholeFile::WholeFile(fs::path path, Durability durability, Writers writers)
+    : draft(std::make_unique<Draft>(std::move(path), durability, writers))
+{
+}
+
+WholeFile::~WholeFile() = default;
+
+std::ostream &WholeFile::out()
+{
+  return draft->out;
+}
+
+void WholeFile::finish()
+{
+  draft->finish();
+}
+
+bool WholeFile::is_opened() const
+{
+  return draft->is_open;
+}
+
+int WholeFile::error() const
+{
+  return draft->fault;
+}
+
+void WholeFile::require_sound() const
+{
+  if (error() != 0)
+    throw RunFailure(write_failure(draft->path, error()));
+}
 
 std::string write_failure(const fs::path &path, int error)
 {
@@ -157,15 +187,11 @@ void write_whole(const fs::path &path,
                  const std::function<void(std::ostream &)> &write,
                  Durability durability)
 {
-  require_written(path, written(path, write, durability, usual_ending));
-}
-
-void write_shared(const fs::path &path,
-                  const std::function<void(std::ostream &)> &write)
-{
-  require_written(path,
-                  written(path, write, Durability::on_disk,
-                          "." + std::to_string(::getpid()) + usual_ending));
+  WholeFile file(path, durability, Writers::one);
+  file.require_sound();
+  write(file.out());
+  file.finish();
+  file.require_sound();
 }
 
 void write_text(const fs::path &path, const std::string &text,
@@ -177,11 +203,11 @@ void write_text(const fs::path &path, const std::string &text,
 
 void write_asked(const fs::path &path, const std::string &text)
 {
-  const Outcome outcome = written(
-      path, [&text](std::ostream &out) { out << text; }, Durability::usual,
-      usual_ending);
-  if (outcome.error != 0 && !outcome.is_opened)
-    throw InputError(write_failure(path, outcome.error));
-  require_written(path, outcome);
+  WholeFile file(path, Durability::usual, Writers::one);
+  if (!file.is_opened())
+    throw InputError(write_failure(path, file.error()));
+  file.out() << text;
+  file.finish();
+  file.require_sound();
 }
 } // namespace spall

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <ostream>
 #include <string>
 
@@ -18,17 +19,42 @@ enum class Durability
 /// space left on device".
 std::string write_failure(const std::filesystem::path &path, int error);
 
-/// Writes a file whole or not at all: what `write` puts out becomes the draft
-/// PATH.part, which takes the name PATH once it is written, closed and checked.
-/// A pipe or a device is written directly. Throws RunFailure.
+/// How many programs may write a file at one time.
+enum class Writers
+{
+  one,
+  several ///< each of them has a draft of its own
+};
+
+/// A file that is written whole or not at all: what goes to `out` becomes the
+/// draft PATH.part, which takes the name PATH by finish(), and goes without it.
+/// A pipe or a device is written directly.
+class WholeFile
+{
+public:
+  /// Opens the draft; see error().
+  WholeFile(std::filesystem::path path, Durability durability, Writers writers);
+  ~WholeFile();
+  WholeFile(const WholeFile &) = delete;
+  WholeFile &operator=(const WholeFile &) = delete;
+
+  std::ostream &out();
+  /// Closes and checks the draft, which becomes the file.
+  void finish();
+  bool is_opened() const;
+  int error() const; ///< errno; 0: none so far
+  /// Throws RunFailure if there is one.
+  void require_sound() const;
+
+private:
+  class Draft;
+  std::unique_ptr<Draft> draft;
+};
+
+/// What `write` puts out as a WholeFile. Throws RunFailure.
 void write_whole(const std::filesystem::path &path,
                  const std::function<void(std::ostream &)> &write,
                  Durability durability = Durability::usual);
-
-/// The same of a file that several programs may write at one time: each of them
-/// has a draft of its own.
-void write_shared(const std::filesystem::path &path,
-                  const std::function<void(std::ostream &)> &write);
 
 /// The same of a text.
 void write_text(const std::filesystem::path &path, const std::string &text,

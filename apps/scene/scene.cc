@@ -148,9 +148,9 @@ void Scene::summarise(nlohmann::ordered_json &summary) const
   summary["kinetic_energy_J"] = synchronized().energy().kinetic;
 }
 
-void Scene::save(std::ostream &out) const
+void Scene::save(std::ostream &out, dem::StateExtent extent) const
 {
-  Test::save(out);
+  Test::save(out, extent);
   dem::write_value(out, time_before);
   dem::write_value(out, is_breaking);
 }

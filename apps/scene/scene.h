@@ -23,7 +23,7 @@ public:
   double progress_at(double time) const override { return time; }
   const char *progress_column() const override { return "time_s"; }
   void summarise(nlohmann::ordered_json &summary) const override;
-  void save(std::ostream &out) const override;
+  void save(std::ostream &out, dem::StateExtent extent) const override;
   void restore(std::istream &in) override;
   std::vector<NamedBoundary> named_boundaries() const override;
 

@@ -298,9 +298,9 @@ void SingleParticle::summarise(nlohmann::ordered_json &summary) const
   summary["displacement_m"] = progress_at(engine().time());
 }
 
-void SingleParticle::save(std::ostream &out) const
+void SingleParticle::save(std::ostream &out, dem::StateExtent extent) const
 {
-  Test::save(out);
+  Test::save(out, extent);
   dem::write_value(out, peak_force);
   dem::write_value(out, displacement_before);
   dem::write_value(out, events_before);

@@ -87,7 +87,7 @@ std::string Subgrade::preparation_text() const
 void Subgrade::save_prepared(std::ostream &out) const
 {
   pouring.save(out);
-  Test::save(out);
+  Test::save(out, dem::StateExtent::scene);
 }
 
 void Subgrade::take_prepared(std::istream &in)
@@ -97,7 +97,7 @@ void Subgrade::take_prepared(std::istream &in)
   set_plate_down();
 }
 
-void Subgrade::save(std::ostream &out) const
+void Subgrade::save(std::ostream &out, dem::StateExtent extent) const
 {
   dem::write_value(out, now);
   dem::write_value(out, due_now);
@@ -107,7 +107,7 @@ void Subgrade::save(std::ostream &out) const
   dem::write_column(out, bowl);
   record.save(out);
   pouring.save(out);
-  Test::save(out);
+  Test::save(out, extent);
   joined->save(out);
 }
 

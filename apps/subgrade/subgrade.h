@@ -33,7 +33,7 @@ public:
   bool is_preparing() const override { return now.stage == Stage::pouring; }
   void save_prepared(std::ostream &out) const override;
   void take_prepared(std::istream &in) override;
-  void save(std::ostream &out) const override;
+  void save(std::ostream &out, dem::StateExtent extent) const override;
   void restore(std::istream &in) override;
 
   bool has_ledger() const override { return true; }

@@ -6,9 +6,11 @@
 #include "run/binary_text.h"
 #include "run/digest.h"
 #include "run/digested.h"
-#include "run/whole_file.h"
+#include "run/file_of_all_ranks.h"
+#include "run/first_rank.h"
 
 #include <dem/binary.h>
+#include <dem/parallel/shared_input.h>
 
 #include <algorithm>
 #include <fstream>
@@ -82,6 +84,19 @@ void read_progress(std::istream &in, Progressed &done)
   }
 }
 
+/// Up to what follows the mark; throws std::runtime_error.
+std::ifstream open_checkpoint(const std::filesystem::path &path)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::uint64_t mark = 0;
+  read_value(in, mark);
+  if (mark != magic)
+    throw std::runtime_error("not a checkpoint of this version");
+  if (!is_as_digested(path))
+    throw std::runtime_error("checkpoint is damaged");
+  return in;
+}
+
 void write_progress(std::ostream &out, const Progressed &done)
 {
   write_value(out, static_cast<std::uint64_t>(done.table_sizes.size()));
@@ -107,7 +122,8 @@ void write_progress(std::ostream &out, const Progressed &done)
 }
 } // namespace
 
-void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
+void write_checkpoint(const dem::Ranks &ranks,
+                      const std::filesystem::path &path, const Case &parameters,
                       const std::function<void(std::ostream &)> &save,
                       const Progressed &done)
 {
@@ -118,9 +134,9 @@ void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
     write_progress(out, done);
     save(out);
   };
-  write_whole(
-      path, [&write](std::ostream &file) { write_digested(file, write); },
-      Durability::on_disk);
+  write_of_all_ranks(ranks, path, Writers::one,
+                     [&write](std::ostream &file)
+                     { write_digested(file, write); });
 }
 
 bool is_of_this_version(const std::filesystem::path &path)
@@ -146,20 +162,31 @@ void refuse_shorter(const char *key, double done, double asked)
                              ": must not be less");
 }
 
-void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
+void read_checkpoint(const dem::Ranks &ranks, const std::filesystem::path &path,
+                     const Case &parameters,
                      const std::function<void(std::istream &)> &restore,
                      Progressed &done)
 {
-  require_checkpoint(path);
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream file;
+  const auto refuse = [&path](const std::runtime_error &error)
+  { throw InputError("--resume: " + path.string() + ": " + error.what()); };
+  on_first_rank(ranks,
+                [&]
+                {
+                  require_checkpoint(path);
+                  try
+                  {
+                    file = open_checkpoint(path);
+                  }
+                  catch (const std::runtime_error &error)
+                  {
+                    refuse(error);
+                  }
+                });
+  dem::SharedInput shared(ranks, file.is_open() ? &file : nullptr);
+  std::istream &in = shared.stream();
   try
   {
-    std::uint64_t mark = 0;
-    read_value(in, mark);
-    if (mark != magic)
-      throw std::runtime_error("not a checkpoint of this version");
-    if (!is_as_digested(path))
-      throw std::runtime_error("checkpoint is damaged");
     if (const std::string then = read_text(in), now = identity_of(parameters);
         then != now)
       throw std::runtime_error("is of another case: " +
@@ -169,7 +196,7 @@ void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
   }
   catch (const std::runtime_error &error)
   {
-    throw InputError("--resume: " + path.string() + ": " + error.what());
+    refuse(error);
   }
 }
 } // namespace spall

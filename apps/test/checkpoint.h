@@ -4,6 +4,7 @@
 
 #include <dem/contact/narrow.h>
 #include <dem/io/vtk_output.h>
+#include <dem/parallel/ranks.h>
 
 #include <filesystem>
 #include <functional>
@@ -15,7 +16,7 @@ namespace spall
 {
 /// Names the layout of states in files: another one, another number.
 inline constexpr std::uint64_t state_layout =
-    0x314c4c4150530a20 + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
+    0x314c4c4150530a21 + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
 
 /// The files of a run at a checkpoint.
 struct Progressed
@@ -26,9 +27,11 @@ struct Progressed
   std::map<std::string, double> spent; ///< wall-clock by phase [s]
 };
 
-/// Writes the whole state (`save` that of the test), or leaves the last
-/// checkpoint as it was. Throws RunFailure.
-void write_checkpoint(const std::filesystem::path &path, const Case &parameters,
+/// Writes the whole state (`save`, called on all ranks, that of the test), or
+/// leaves the last checkpoint as it was. `done` counts on the first rank.
+/// Throws RunFailure. Collective.
+void write_checkpoint(const dem::Ranks &ranks,
+                      const std::filesystem::path &path, const Case &parameters,
                       const std::function<void(std::ostream &)> &save,
                       const Progressed &done);
 
@@ -42,11 +45,13 @@ void require_checkpoint(const std::filesystem::path &path);
 /// than the end of the present case.
 void refuse_shorter(const char *key, double done, double asked);
 
-/// Restores test and files. Throws InputError if there is no checkpoint, it
+/// Restores test and files: the first rank reads, and `restore` is called on
+/// all with the same bytes. Throws InputError if there is no checkpoint, it
 /// is damaged, or it belongs to a case with other parameters or other contents
 /// of the files that it names. Parameters with the flag may_change may differ,
-/// and those of TestKind::may_change.
-void read_checkpoint(const std::filesystem::path &path, const Case &parameters,
+/// and those of TestKind::may_change. Collective.
+void read_checkpoint(const dem::Ranks &ranks, const std::filesystem::path &path,
+                     const Case &parameters,
                      const std::function<void(std::istream &)> &restore,
                      Progressed &done);
 } // namespace spall

@@ -4,10 +4,12 @@
 #include "run/binary_text.h"
 #include "run/digest.h"
 #include "run/digested.h"
-#include "run/whole_file.h"
+#include "run/file_of_all_ranks.h"
 #include "test/checkpoint.h"
 
 #include <dem/binary.h>
+#include <dem/parallel/first_rank.h>
+#include <dem/parallel/shared_input.h>
 
 #include <utility>
 
@@ -50,26 +52,44 @@ std::ifstream PreparationStore::open_state() const
   return in;
 }
 
-bool PreparationStore::take(const std::function<void(std::istream &)> &restore,
+std::string PreparationStore::unsound(const std::runtime_error &fault) const
+{
+  return file.string() + ": " + fault.what() + ": is made again";
+}
+
+bool PreparationStore::take(const dem::Ranks &ranks,
+                            const std::function<void(std::istream &)> &restore,
                             std::string &said) const
 {
-  if (!fs::exists(file))
+  std::ifstream state;
+  if (ranks.rank() == 0 && fs::exists(file))
+    try
+    {
+      state = open_state();
+    }
+    catch (const std::runtime_error &fault)
+    {
+      said = unsound(fault);
+    }
+  said = dem::of_first_rank(ranks, said);
+  if (!dem::of_first_rank(ranks, state.is_open()))
     return false;
+  dem::SharedInput shared(ranks, state.is_open() ? &state : nullptr);
   try
   {
-    std::ifstream state = open_state();
-    restore(state);
+    restore(shared.stream());
     return true;
   }
   catch (const std::runtime_error &fault)
   {
-    said = file.string() + ": " + fault.what() + ": is made again";
+    said = unsound(fault);
     return false;
   }
 }
 
 std::string
-PreparationStore::store(const std::function<void(std::ostream &)> &save) const
+PreparationStore::store(const dem::Ranks &ranks,
+                        const std::function<void(std::ostream &)> &save) const
 {
   const auto write = [&](std::ostream &out)
   {
@@ -79,8 +99,9 @@ PreparationStore::store(const std::function<void(std::ostream &)> &save) const
   };
   try
   {
-    write_shared(file,
-                 [&write](std::ostream &out) { write_digested(out, write); });
+    write_of_all_ranks(ranks, file, Writers::several,
+                       [&write](std::ostream &out)
+                       { write_digested(out, write); });
     return "preparation kept as " + file.string();
   }
   catch (const RunFailure &fault)

@@ -128,7 +128,7 @@ Progressed Recorder::restore_state(Test &test, const std::string &name)
 {
   Progressed done;
   read_checkpoint(
-      checkpoint(name), parameters,
+      test.ranks(), checkpoint(name), parameters,
       [&test](std::istream &in) { test.restore(in); }, done);
   const std::vector<TableHeader> headers = headers_of(test);
   on_first_rank(test.ranks(),
@@ -346,20 +346,20 @@ void Recorder::write_checkpoint(Test &test, const std::string &name)
 {
   test.engine().synchronize();
   write_events(test);
-  test.gather_scene();
+  Progressed done;
   on_first_rank(test.ranks(),
                 [&]
                 {
-                  Progressed done;
                   for (auto &[file, table] : tables)
                     done.table_sizes[file] = table.flushed_size();
-                  done.frames = frames;
-                  done.n_frames = n_frames;
-                  done.spent = wall_clock(test);
-                  spall::write_checkpoint(
-                      checkpoint(name), parameters,
-                      [&test](std::ostream &out) { test.save(out); }, done);
                 });
+  done.frames = frames;
+  done.n_frames = n_frames;
+  done.spent = wall_clock(test);
+  spall::write_checkpoint(
+      test.ranks(), checkpoint(name), parameters,
+      [&test](std::ostream &out) { test.save(out, dem::StateExtent::scene); },
+      done);
 }
 
 void Recorder::finish(Test &test)

@@ -63,19 +63,15 @@ void use_store(const std::optional<PreparationStore> &store, Test &test,
   test.when_prepared(
       [&]
       {
-        test.gather_scene();
-        on_first_rank(test.ranks(),
-                      [&]
-                      {
-                        progress.say(
-                            store->store([&test](std::ostream &out)
-                                         { test.save_prepared(out); }));
-                      });
+        progress.say(store->store(test.ranks(), [&test](std::ostream &out)
+                                  { test.save_prepared(out); }));
       });
   std::string said;
   if (!new_run)
     return;
-  if (store->take([&test](std::istream &in) { test.take_prepared(in); }, said))
+  if (store->take(
+          test.ranks(), [&test](std::istream &in) { test.take_prepared(in); },
+          said))
   {
     progress.say("preparation taken from " + store->path().string());
     say_notes(test, progress);

@@ -337,20 +337,19 @@ void Test::summarise(nlohmann::ordered_json &summary) const
   }
 }
 
-void Test::save(std::ostream &out) const
+void Test::save(std::ostream &out, dem::StateExtent extent) const
 {
   dem::write_value(out, step);
   dem::write_value(out, watch.state());
   save_breakage(out);
-  whole().save(out, shapes.series());
+  save_particles(out, extent);
 }
 
-std::string Test::saved_on_all_ranks() const
+void Test::save_particles(std::ostream &out, dem::StateExtent extent) const
 {
-  gather_scene();
-  std::ostringstream out(std::ios::binary);
-  on_first_rank(ranks(), [&] { save(out); });
-  return dem::of_first_rank(ranks(), std::move(out).str());
+  const bool has_order = is_gathered() && synchronized().is_shareable();
+  synchronized().save(out, shapes.series(),
+                      has_order ? extent : dem::StateExtent::rank);
 }
 
 void Test::restore(std::istream &in)

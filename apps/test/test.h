@@ -247,8 +247,11 @@ public:
   {
     call_prepared = std::move(call);
   }
-  /// Saves the prepared particles at that moment.
-  virtual void save_prepared(std::ostream &out) const { save(out); }
+  /// Saves the prepared particles at that moment, as save(). Collective.
+  virtual void save_prepared(std::ostream &out) const
+  {
+    save(out, dem::StateExtent::scene);
+  }
   /// Restores them into any test of the same preparation_text(), which
   /// continues as if it had prepared them itself. Throws std::runtime_error.
   virtual void take_prepared(std::istream &in) { restore(in); }
@@ -267,12 +270,11 @@ public:
 
   // State.
 
-  /// Saves the full state, bit for bit: on the first rank, after
-  /// gather_scene().
-  virtual void save(std::ostream &out) const;
-  /// What save() writes. Collective.
-  std::string saved_on_all_ranks() const;
+  /// Saves the full state, bit for bit: of all ranks on the first one, to a
+  /// file, or what each of them has, to come back to it. Collective.
+  virtual void save(std::ostream &out, dem::StateExtent extent) const;
   /// Restores a saved test of the same case. Throws std::runtime_error.
+  /// Collective.
   virtual void restore(std::istream &in);
   /// What the recorder is to do with the state after the last step.
   virtual Rewind rewind() const { return Rewind::none; }
@@ -317,6 +319,8 @@ protected:
   void report_step() { watch.report(synchronized(), surroundings(), step); }
   /// Reports that the particles are prepared, see when_prepared().
   void say_prepared() const;
+  /// The particles of save(), their contacts and what they meet. Collective.
+  void save_particles(std::ostream &out, dem::StateExtent extent) const;
   /// The first event and the mass that was removed, for a checkpoint.
   void save_breakage(std::ostream &out) const;
   void restore_breakage(std::istream &in);

@@ -140,7 +140,7 @@ void Triaxial::save_prepared(std::ostream &out) const
 {
   dem::write_value(out, watch.state());
   dem::write_value(out, preparation);
-  whole().save(out, shapes.series());
+  save_particles(out, dem::StateExtent::scene);
   servo.save(out);
 }
 

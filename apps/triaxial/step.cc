@@ -127,8 +127,8 @@ void Triaxial::start_probe()
   probe.work_start = energies.external_work;
   // Restoring drops the events that are not taken yet.
   held_events = fresh_events();
-  std::istringstream state(std::ios::binary);
-  timed(probing, [&] { state.str(saved_on_all_ranks()); });
+  std::stringstream state(std::ios::in | std::ios::out | std::ios::binary);
+  timed(probing, [&] { save(state, dem::StateExtent::rank); });
   coupling::ProbeWindow coarse;
   for (std::int64_t k = 0; k < probe.n_coarse; ++k)
   {

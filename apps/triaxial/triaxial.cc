@@ -309,7 +309,7 @@ void Triaxial::add_energies(Sample &s) const
                          s.non_conservative_work + s.membrane_strain_energy);
 }
 
-void Triaxial::save(std::ostream &out) const
+void Triaxial::save(std::ostream &out, dem::StateExtent extent) const
 {
   dem::write_value(out, now);
   follower.save(out);
@@ -334,7 +334,7 @@ void Triaxial::save(std::ostream &out) const
   dem::write_value(out, plan);
   coupling::save(out, observed_from);
   coupling::save(out, mean_motion);
-  whole().save(out, shapes.series());
+  save_particles(out, extent);
   servo.save(out);
   if (joined)
     joined->save(out);

@@ -161,7 +161,7 @@ public:
   void save_prepared(std::ostream &out) const override;
   void take_prepared(std::istream &in) override;
 
-  void save(std::ostream &out) const override;
+  void save(std::ostream &out, dem::StateExtent extent) const override;
   void restore(std::istream &in) override;
   std::vector<NamedBoundary> named_boundaries() const override;
 

@@ -1,8 +1,6 @@
 // What Engine does is done by EngineState.
 #include "engine_state.h"
 
-#include <dem/parallel/first_rank.h>
-
 #include <sstream>
 #include <utility>
 
@@ -220,17 +218,17 @@ void Engine::order_by_id()
   state->order_by_id();
 }
 
+bool Engine::is_shareable() const
+{
+  return state->is_shareable();
+}
+
 void Engine::save(
     std::ostream &out,
-    const std::vector<std::shared_ptr<const Coefficients>> &library) const
+    const std::vector<std::shared_ptr<const Coefficients>> &library,
+    StateExtent extent) const
 {
-  if (!distribution().is_shared())
-    return std::as_const(*state).save(out, library);
-  const std::unique_ptr<EngineState> whole = state->gathered();
-  std::ostringstream text(std::ios::binary);
-  if (distribution().ranks().rank() == 0)
-    whole->save(text, library);
-  out << of_first_rank(distribution().ranks(), std::move(text).str());
+  state->save(out, library, extent);
 }
 
 void Engine::restore(

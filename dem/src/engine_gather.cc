@@ -1,5 +1,6 @@
 // The scene of all ranks on the first of them, and back.
 #include "engine_state.h"
+#include "parallel/scene_blocks.h"
 
 #include <dem/parallel/rank_sums.h>
 
@@ -39,22 +40,67 @@ LostEnergy sum_over_ranks(const Ranks &ranks, const LostEnergy &own)
 }
 } // namespace
 
+/// All but the particles, their contacts and what else belongs to them; the
+/// boundaries with all that they have.
+std::unique_ptr<EngineState> EngineState::copy_of_values() const
+{
+  auto copy = std::make_unique<EngineState>(settings, one_rank());
+  copy_values_to(*copy);
+  copy->keeps_inside = keeps_inside;
+  copy->spent = spent;
+  copy->system.follows_surfaces = system.follows_surfaces;
+  for (const auto &boundary : walls)
+    copy->walls.push_back(boundary->copy());
+  copy->contact_points = contact_points;
+  copy->patches = patches;
+  return copy;
+}
+
+/// Values of all ranks, and boundaries without contacts.
+std::unique_ptr<EngineState> EngineState::scene_without_particles()
+{
+  std::unique_ptr<EngineState> scene = copy_of_values();
+  scene->path_at_sort = 0.; // in the order of the ids
+  scene->pair_batch = pair_batch.select({});
+  scene->contact_points.candidates().clear();
+  std::ranges::for_each(scene->walls, [this](const auto &boundary)
+                        { forget_particles(*boundary, system.size()); });
+  const Ranks &ranks = distribution.ranks();
+  scene->lost = sum_over_ranks(ranks, lost);
+  for (std::size_t k = 0; k < walls.size(); ++k)
+  {
+    std::array friction{walls[k]->friction};
+    dem::sum_over_ranks(ranks, friction);
+    scene->walls[k]->friction = friction[0];
+  }
+  scene->overlap = largest_over_ranks(ranks, overlap);
+  scene->contact_points.events =
+      dem::sum_over_ranks(ranks, contact_points.events);
+  std::array largest{recent_force, schedule.displaced() ? 1. : 0.,
+                     schedule.displaced_on_deforming() ? 1. : 0.};
+  ranks.max(largest);
+  scene->recent_force = largest[0];
+  if (largest[1] > 0.)
+    scene->schedule.note_displaced();
+  if (largest[2] > 0.)
+    scene->schedule.note_displaced_on_deforming();
+  return scene;
+}
+
 std::unique_ptr<EngineState> EngineState::gathered()
 {
   require_synchronized();
   admit_arrivals();
-  auto whole = std::make_unique<EngineState>(settings, one_rank());
-  copy_values_to(*whole);
-  whole->keeps_inside = keeps_inside;
-  whole->spent = spent;
-  for (const auto &boundary : walls)
-    whole->walls.push_back(boundary->copy());
-  whole->contact_points = contact_points;
-  whole->patches = patches;
+  std::unique_ptr<EngineState> whole;
   if (distribution.is_shared())
-    gather_into(*whole);
+  {
+    whole = scene_without_particles();
+    SceneBlocks(distribution, parts()).take(0, added_count, whole->parts());
+    name_partners_by_row(whole->parts());
+  }
   else
   {
+    whole = copy_of_values();
     whole->system = system;
     whole->work = work;
     whole->pair_batch = pair_batch;
@@ -63,35 +109,16 @@ std::unique_ptr<EngineState> EngineState::gathered()
   return whole;
 }
 
-void EngineState::gather_into(EngineState &whole)
+/// As it stands on this rank, without ghosts and with partners named by id.
+std::unique_ptr<EngineState> EngineState::own_part() const
 {
-  const Ranks &ranks = distribution.ranks();
-  whole.system.has_shapes = system.has_shapes;
-  whole.system.has_materials = system.has_materials;
-  whole.system.follows_surfaces = system.follows_surfaces;
-  whole.pair_batch = pair_batch.select({});
-  whole.contact_points.candidates().clear();
-  std::ranges::for_each(whole.walls, [this](const auto &boundary)
-                        { forget_particles(*boundary, system.size()); });
-  distribution.gather(parts(), whole.parts());
-  whole.lost = sum_over_ranks(ranks, lost);
-  for (std::size_t k = 0; k < walls.size(); ++k)
-  {
-    std::array friction{walls[k]->friction};
-    dem::sum_over_ranks(ranks, friction);
-    whole.walls[k]->friction = friction[0];
-  }
-  whole.overlap = largest_over_ranks(ranks, overlap);
-  whole.contact_points.events =
-      dem::sum_over_ranks(ranks, contact_points.events);
-  std::array largest{recent_force, schedule.displaced() ? 1. : 0.,
-                     schedule.displaced_on_deforming() ? 1. : 0.};
-  ranks.max(largest);
-  whole.recent_force = largest[0];
-  if (largest[1] > 0.)
-    whole.schedule.note_displaced();
-  if (largest[2] > 0.)
-    whole.schedule.note_displaced_on_deforming();
+  std::unique_ptr<EngineState> part = copy_of_values();
+  part->system = system;
+  part->work = work;
+  part->pair_batch = pair_batch;
+  name_partners_by_id(part->parts());
+  drop_ghosts(part->system);
+  return part;
 }
 
 /// The order of rows and contacts is that of the ids, whatever it was: sums
@@ -110,24 +137,19 @@ void EngineState::order_by_id()
   pair_loads.prepare(pair_batch);
 }
 
-/// Each rank keeps its part of a scene that all of them have as a whole.
+/// Particles that have been read go to their owners. What is summed over the
+/// ranks, the first one alone has.
 void EngineState::deal_out()
 {
-  if (!distribution.is_shared())
-    return;
   require_shareable();
-  if (distribution.ranks().rank() != 0) // those of all
+  if (distribution.ranks().rank() != 0)
   {
     lost = {};
     contact_points.events = {};
     for (const auto &boundary : walls)
       boundary->friction = {};
   }
-  arrivals.clear();
-  n_admitted = added_count;
   distribution.deal_out(parts());
-  if (schedule.n_made > 0)
-    keep_partners();
 }
 
 /// Ghosts are the partners of the pairs and candidates that are listed, which

@@ -13,23 +13,26 @@
 
 namespace dem
 {
+std::string EngineState::obstacle_to_sharing() const
+{
+  if (settings.breakage.is_active &&
+      settings.breakage.memory == FactorMemory::patch)
+    return "breakage with factors that patches keep";
+  if (system.cell.is_there())
+    return "a periodic cell";
+  for (const auto &boundary : walls)
+    if (!boundary->can_be_shared())
+      return "boundaries of kind " + boundary->kind();
+  return {};
+}
+
 /// Throws std::invalid_argument where the scene needs what is not spread over
 /// ranks.
 void EngineState::require_shareable() const
 {
-  const auto refuse = [](bool is_there, const std::string &what)
-  {
-    if (is_there)
-      throw std::invalid_argument(what +
-                                  " cannot be spread over ranks: use one rank");
-  };
-  refuse(settings.breakage.is_active &&
-             settings.breakage.memory == FactorMemory::patch,
-         "breakage with factors that patches keep");
-  refuse(system.cell.is_there(), "a periodic cell");
-  for (const auto &boundary : walls)
-    refuse(!boundary->can_be_shared(),
-           "boundaries of kind " + boundary->kind());
+  if (const std::string what = obstacle_to_sharing(); !what.empty())
+    throw std::invalid_argument(what +
+                                " cannot be spread over ranks: use one rank");
 }
 
 /// Fastest particles of all ranks.

@@ -82,11 +82,10 @@ public:
   std::vector<BreakageEvent> take_events();
   std::int64_t n_events() const { return event_count; }
   int n_refused_events() const { return refused_count; }
-  void
-  save(std::ostream &out,
-       const std::vector<std::shared_ptr<const Coefficients>> &library) const;
-  void restore(std::istream &in,
-               const std::vector<std::shared_ptr<const Coefficients>> &library);
+  using Library = std::vector<std::shared_ptr<const Coefficients>>;
+  bool is_shareable() const { return obstacle_to_sharing().empty(); }
+  void save(std::ostream &out, const Library &library, StateExtent extent);
+  void restore(std::istream &in, const Library &library);
   void admit_arrivals();
   std::unique_ptr<EngineState> gathered();
   void order_by_id();
@@ -94,7 +93,16 @@ public:
 private:
   /// Every plain value that a checkpoint stores.
   void copy_values_to(EngineState &copy) const;
-  void gather_into(EngineState &whole);
+  std::unique_ptr<EngineState> copy_of_values() const;
+  std::unique_ptr<EngineState> scene_without_particles();
+  std::unique_ptr<EngineState> own_part() const;
+  void save_rows(std::ostream &out, const Library &library) const;
+  void restore_rows(std::istream &in, const Library &library);
+  void save_scene(std::ostream &out, const Library &library);
+  void save_block(std::ostream &out, const Library &library);
+  void restore_block(std::istream &in, const Library &library);
+  void restore_blocks(std::istream &in, const Library &library,
+                      std::int64_t n_blocks);
   void deal_out();
   void keep_partners();
   void append(const NewParticle &particle);
@@ -106,6 +114,8 @@ private:
   void book_cell(double time_step);
   double cell_speed() const;
   Speeds over_ranks(const Speeds &own);
+  /// What cannot be spread over ranks; empty: nothing.
+  std::string obstacle_to_sharing() const;
   void require_shareable() const;
   void redistribute();
   void search_pairs();

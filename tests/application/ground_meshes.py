@@ -2,7 +2,7 @@
 """Ground from a file of gmsh: a block is the block that Spall makes, and one
 that is no box runs with closed books.
 
-    ground_meshes.py SPALL
+    ground_meshes.py SPALL block|cone
 """
 import math
 import pathlib
@@ -116,8 +116,8 @@ def main():
     spall = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
-        return report_faults(block_faults(spall, root) +
-                             cone_faults(spall, root))
+        faults = {"block": block_faults, "cone": cone_faults}[sys.argv[2]]
+        return report_faults(faults(spall, root))
 
 
 if __name__ == "__main__":

@@ -8,13 +8,16 @@ import subprocess
 import tempfile
 
 
-def bench(spall, packing, *words, threads=1):
+def bench(spall, packing, *words, threads=1, ranks=1):
     """What `spall bench --json` says, as a dictionary."""
+    several = ["mpirun", "--allow-run-as-root", "--bind-to", "none", "-np",
+               str(ranks)] if ranks > 1 else []
     with tempfile.TemporaryDirectory() as folder:
         result = pathlib.Path(folder) / "bench.json"
         subprocess.run(
-            [str(spall), "bench", "--packing", str(packing), "--threads",
-             str(threads), "--json", str(result), *map(str, words)],
+            [*several, str(spall), "bench", "--packing", str(packing),
+             "--threads", str(threads), "--json", str(result),
+             *map(str, words)],
             check=True, stdout=subprocess.DEVNULL,
             env={**os.environ, "OMP_NUM_THREADS": str(threads)})
         return json.loads(result.read_text())

@@ -3,10 +3,12 @@
 
     peers.py SPALL [--peers FOLDER] [--sizes 5k,30k] [--threads 1,2]
              [--scenes rest,jolt,collapse] [--codes liggghts,spall]
-             [--repeat N] [--scale F] [--json FILE]
+             [--ranks] [--repeat N] [--scale F] [--json FILE]
 
 FOLDER (../shared/peers) has the packings and the inputs of the peers. A code
 that is not installed is left out with a line. Needs numpy and scipy.
+LIGGGHTS and LAMMPS have as many MPI ranks as --threads says, Spall threads;
+with --ranks it has ranks, too.
 
 The rate of a run is its contact updates (touching pairs and walls, counted by
 one tool from the positions at both ends of the timed steps; Spall: its own
@@ -45,6 +47,8 @@ def arguments():
                           ("scenes", "rest,jolt,collapse"),
                           ("codes", "liggghts,lammps,yade,spall")):
         parser.add_argument("--" + name, default=default)
+    parser.add_argument("--ranks", action="store_true",
+                        help="Spall runs on ranks, not threads")
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--scale", type=float, default=1.,
                         help="more or fewer steps than usual")
@@ -118,9 +122,10 @@ def run_peer(peers, code, size, scene, threads, steps):
             "rebuilds": rebuilds(code, log), "peak_MB": spent["peak"]}
 
 
-def run_spall(spall, peers, size, scene, threads, steps):
-    found = bench(spall, packing_file(peers, size), "--scene", scene,
-                  "--steps", steps, threads=threads)
+def run_spall(options, size, scene, threads, steps):
+    cores = {"ranks": threads} if options.ranks else {"threads": threads}
+    found = bench(options.spall, packing_file(options.peers, size), "--scene",
+                  scene, "--steps", steps, **cores)
     sample = found["median"]
     return {"cpu_s": sample["cpu_s"], "wall_s": sample["wall_s"],
             "contacts": sample["updates"] / sample["steps"],
@@ -140,7 +145,7 @@ def run_all(options):
             for code in codes:
                 steps = max(1, round(options.scale * STEPS[code, size]))
                 case = (size, scene, threads, steps)
-                found = (run_spall(options.spall, options.peers, *case)
+                found = (run_spall(options, *case)
                          if code == "spall"
                          else run_peer(options.peers, code, *case))
                 rows.append({"code": code, "size": size, "scene": scene,
@@ -165,6 +170,7 @@ def summary(rows):
             run["contacts"] * run["steps"] / run["wall_s"] for run in runs)
         reference[key] = middle
         base = reference.get((*key[:3], "liggghts"))
+        alone = reference.get((*key[:2], 1, key[3]))
         lines.append([
             *key[:2], key[2], key[3], f"{middle['contacts']:.0f}",
             f"{1e-6 * middle['rate']:.2f} ± "
@@ -172,11 +178,12 @@ def summary(rows):
             f"{middle['rate'] / base['rate']:.2f}" if base else "",
             f"{middle['steps'] / base['steps']:.2f}" if base else "",
             f"{1e-6 * middle['wall']:.2f}",
+            f"{middle['wall'] / alone['wall']:.2f}" if alone else "",
             f"{1e3 * runs[0]['rebuilds'] / runs[0]['steps']:.1f}",
             f"{middle['peak_MB']:.0f}"])
     return table(["packing", "scene", "threads", "code", "contacts",
                   "million updates per CPU second", "to LIGGGHTS",
-                  "steps to LIGGGHTS", "per wall second",
+                  "steps to LIGGGHTS", "per wall second", "to one",
                   "rebuilds per 1000 steps", "peak MB"], lines)
 
 

@@ -195,7 +195,9 @@ void save(const PyEngine &self, const std::string &file)
 {
   const std::string part = file + ".part"; // an earlier file stays whole
   std::ofstream out(part, std::ios::binary);
-  self.engine.save(out, self.shapes);
+  self.engine.save(out, self.shapes,
+                   self.engine.is_shareable() ? dem::StateExtent::scene
+                                              : dem::StateExtent::rank);
   out.close();
   if (!out)
     throw std::runtime_error(part + ": cannot be written");

@@ -71,9 +71,9 @@ public:
     Test::summarise(summary);
     summary["path_m"] = path();
   }
-  void save(std::ostream &out) const override
+  void save(std::ostream &out, dem::StateExtent extent) const override
   {
-    Test::save(out);
+    Test::save(out, extent);
     dem::write_value(out, time_before);
   }
   void restore(std::istream &in) override

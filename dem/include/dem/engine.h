@@ -6,6 +6,7 @@
 #include <dem/integrate/time_step.h>
 #include <dem/parallel/ranks.h>
 
+#include <cstdint>
 #include <iosfwd>
 #include <memory>
 #include <span>
@@ -15,6 +16,17 @@ namespace dem
 {
 class Distribution;
 class EngineState;
+
+/// Whose state Engine::save() writes.
+enum class StateExtent : std::int32_t
+{
+  /// What this rank has, as it stands: to come back to it on the same ranks.
+  rank,
+  /// Of all ranks, in the order of the ids: the same bytes on any number of
+  /// ranks, and any number continues. The first rank alone writes; all of them
+  /// must read the same bytes (dem/parallel/shared_input.h).
+  scene
+};
 
 /// The particles, their contacts and boundaries, and how they move: the one
 /// class of dem with state.
@@ -134,14 +146,18 @@ public:
   /// ranks.
   void order_by_id();
 
-  /// Full state, bit for bit, into a stream; restore() on an engine with the
-  /// same parameters and shared shapes (`library`, in order), on any number of
-  /// ranks. On many ranks the state is that of gathered() on the first one, all
-  /// write it, and save() is collective.
-  void
-  save(std::ostream &out,
-       const std::vector<std::shared_ptr<const Coefficients>> &library) const;
-  /// Throws std::runtime_error if the stream does not fit.
+  /// Whether the scene can be spread over ranks: no periodic cell, no boundary
+  /// or model that one rank alone can have.
+  bool is_shareable() const;
+  /// Full state, bit for bit, into a stream, see StateExtent; restore() on an
+  /// engine with the same parameters and shared shapes (`library`, in order).
+  /// Throws std::logic_error while a half kick is pending,
+  /// std::invalid_argument where StateExtent::scene is asked of a scene that is
+  /// not is_shareable(). Collective.
+  void save(std::ostream &out,
+            const std::vector<std::shared_ptr<const Coefficients>> &library,
+            StateExtent extent = StateExtent::rank) const;
+  /// Throws std::runtime_error if the stream does not fit. Collective.
   void restore(std::istream &in,
                const std::vector<std::shared_ptr<const Coefficients>> &library);
 

@@ -167,7 +167,8 @@ ParticleSystem copied_particles(Distribution &distribution,
     if (ids.contains(particles.id[i]))
       rows.push_back(static_cast<std::int32_t>(i));
   std::ostringstream out;
-  write_particles(out, particles, rows, distribution.series());
+  write_particles(out, particles, rows);
+  write_column(out, series_keys(particles, rows, distribution.series()));
   ParticleSystem copies;
   copies.has_shapes = particles.has_shapes;
   copies.has_materials = particles.has_materials;
@@ -176,8 +177,9 @@ ParticleSystem copied_particles(Distribution &distribution,
   for (const Parcel &parcel : gather(distribution.ranks(), out))
   {
     ParcelReader in(parcel);
+    read_particles(in.stream, copies);
     std::vector<SeriesKey> keys;
-    read_particles(in.stream, copies, keys);
+    read_column(in.stream, keys);
     for (const SeriesKey &key : keys)
       wanted.emplace_back(parcel.rank, key);
   }

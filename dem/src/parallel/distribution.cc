@@ -1,6 +1,8 @@
 #include "balance.h"
 #include "parcel_stream.h"
 #include "particle_stream.h"
+#include "parts.h"
+#include "parts_stream.h"
 
 #include <dem/binary.h>
 #include <dem/neighbor/space_order.h>
@@ -10,257 +12,15 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
 namespace dem
 {
 namespace
 {
-using Rows = std::vector<std::int32_t>;
-
-std::size_t row_of(std::int32_t particle)
-{
-  return static_cast<std::size_t>(particle);
-}
-
-template <class Call>
-void visit_batches(const DistributedParts &parts, const Call &call)
-{
-  call(parts.pairs);
-  for (const auto &boundary : parts.boundaries)
-    call(boundary->batch);
-}
-
-/// Numbers of the contacts whose particle A keeps a row.
-Rows kept_contacts(const ContactBatch &batch, const Rows &new_row)
-{
-  Rows kept;
-  for (std::size_t k = 0; k < batch.size(); ++k)
-    if (new_row[row_of(batch.a[k])] >= 0)
-      kept.push_back(static_cast<std::int32_t>(k));
-  return kept;
-}
-
-/// Calls call(candidates) for those of pairs and of each boundary that has
-/// some.
-template <class Call>
-void visit_candidates(const DistributedParts &parts, const Call &call)
-{
-  call(parts.pair_candidates);
-  for (const auto &boundary : parts.boundaries)
-    if (std::vector<CandidatePair> *candidates = boundary->candidates())
-      call(*candidates);
-}
-
-/// Calls call(partner) for the partners of all pairs.
-template <class Call>
-void visit_partners(const DistributedParts &parts, const Call &call)
-{
-  for (std::size_t k = 0; k < parts.pairs.size(); ++k)
-    call(parts.pairs.b[k]);
-  for (CandidatePair &pair : parts.pair_candidates)
-    call(pair.key.second);
-}
-
-void sort_pairs(const DistributedParts &parts)
-{
-  parts.pairs.rearrange(parts.pairs.layout, parts.pairs.by_pair());
-  std::ranges::sort(parts.pair_candidates, {}, &CandidatePair::key);
-}
-
-/// The partner of every pair by its id: rows are about to change.
-void name_partners_by_id(const DistributedParts &parts)
-{
-  visit_partners(parts,
-                 [&parts](std::int32_t &partner) {
-                   partner = static_cast<std::int32_t>(
-                       parts.particles.id[row_of(partner)]);
-                 });
-}
-
-/// And by its row again; partners that are not here have rows past the last.
-void name_partners_by_row(const DistributedParts &parts)
-{
-  std::unordered_map<std::int64_t, std::int32_t> row_of_id;
-  for (std::size_t i = 0; i < parts.particles.size(); ++i)
-    row_of_id[parts.particles.id[i]] = static_cast<std::int32_t>(i);
-  auto next = static_cast<std::int32_t>(parts.particles.size());
-  visit_partners(parts,
-                 [&](std::int32_t &partner)
-                 {
-                   const auto found = row_of_id.find(partner);
-                   partner = found == row_of_id.end() ? next++ : found->second;
-                 });
-  sort_pairs(parts);
-}
-
-/// Ghosts have got other rows, or are gone (-1).
-void renumber_partners(const Rows &new_row, const DistributedParts &parts)
-{
-  auto next = static_cast<std::int32_t>(parts.particles.size());
-  visit_partners(parts,
-                 [&](std::int32_t &partner)
-                 {
-                   const std::size_t b = row_of(partner);
-                   partner = b < new_row.size() && new_row[b] >= 0 ? new_row[b]
-                                                                   : next++;
-                 });
-  sort_pairs(parts);
-}
-
-void drop_ghosts(ParticleSystem &particles)
-{
-  Rows owned(particles.n_owned());
-  std::iota(owned.begin(), owned.end(), 0);
-  particles.n_ghosts = 0;
-  particles.reorder(owned);
-}
-
-/// The owned particles are these, in this order; contacts of others go.
-void keep_particles(const DistributedParts &parts, const Rows &order)
-{
-  Rows new_row(parts.particles.size(), -1);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    new_row[row_of(order[k])] = static_cast<std::int32_t>(k);
-  parts.particles.reorder(order);
-  reorder_column(parts.work.damped, order);
-  reorder_column(parts.work.lifted, order);
-  parts.pairs = parts.pairs.select(kept_contacts(parts.pairs, new_row));
-  for (const auto &boundary : parts.boundaries)
-  {
-    boundary->keep_contacts(kept_contacts(boundary->batch, new_row));
-    boundary->keep_particles(new_row);
-  }
-  visit_batches(parts,
-                [&new_row](ContactBatch &batch)
-                {
-                  for (std::size_t k = 0; k < batch.size(); ++k)
-                    batch.a[k] = new_row[row_of(batch.a[k])];
-                });
-  visit_candidates(parts,
-                   [&new_row](std::vector<CandidatePair> &candidates)
-                   {
-                     for (CandidatePair &pair : candidates)
-                       pair.key.first = new_row[row_of(pair.key.first)];
-                     std::erase_if(candidates, [](const CandidatePair &pair)
-                                   { return pair.key.first < 0; });
-                   });
-}
-
 void sort_in_space(const DistributedParts &parts)
 {
   keep_particles(parts,
                  space_order(parts.particles.column(&ParticleState::position)));
-}
-
-/// Particles that leave for one rank, and where each of them stands in the
-/// parcel.
-struct Leaving
-{
-  Rows rows;
-  std::unordered_map<std::int32_t, std::int32_t> number;
-
-  void add(std::int32_t row)
-  {
-    number[row] = static_cast<std::int32_t>(rows.size());
-    rows.push_back(row);
-  }
-};
-
-/// Returns their numbers.
-Rows write_contacts(std::ostream &out, const ContactBatch &batch,
-                    const Leaving &leaving)
-{
-  Rows rows, particles;
-  for (std::size_t k = 0; k < batch.size(); ++k)
-    if (const auto found = leaving.number.find(batch.a[k]);
-        found != leaving.number.end())
-    {
-      rows.push_back(static_cast<std::int32_t>(k));
-      particles.push_back(found->second);
-    }
-  ContactBatch some = batch.select(rows);
-  std::copy(particles.begin(), particles.end(), some.a.begin());
-  write_batch(out, some);
-  return rows;
-}
-
-void read_contacts(std::istream &in, std::size_t first_row, ContactBatch &batch)
-{
-  ContactBatch more;
-  read_batch(in, more);
-  for (std::size_t k = 0; k < more.size(); ++k)
-    more.a[k] += static_cast<std::int32_t>(first_row);
-  batch.append(more);
-}
-
-void write_candidates(std::ostream &out,
-                      const std::vector<CandidatePair> &candidates,
-                      const Leaving &leaving)
-{
-  std::vector<CandidatePair> some;
-  for (const CandidatePair &pair : candidates)
-    if (const auto found = leaving.number.find(pair.key.first);
-        found != leaving.number.end())
-      some.emplace_back(pair).key.first = found->second;
-  write_column(out, some);
-}
-
-void read_candidates(std::istream &in, std::size_t first_row,
-                     std::vector<CandidatePair> &candidates)
-{
-  std::vector<CandidatePair> more;
-  read_column(in, more);
-  for (CandidatePair &pair : more)
-    pair.key.first += static_cast<std::int32_t>(first_row);
-  candidates.insert(candidates.end(), more.begin(), more.end());
-}
-
-Parcel pack(const DistributedParts &parts, int rank, const Leaving &leaving,
-            SeriesPool &pool)
-{
-  std::ostringstream out;
-  write_particles(out, parts.particles, leaving.rows, pool);
-  write_column(out, selected(parts.work.damped, leaving.rows));
-  write_column(out, selected(parts.work.lifted, leaving.rows));
-  write_contacts(out, parts.pairs, leaving);
-  for (const auto &boundary : parts.boundaries)
-  {
-    boundary->pack_contacts(out, write_contacts(out, boundary->batch, leaving));
-    boundary->pack_particles(out, leaving.rows);
-  }
-  visit_candidates(parts, [&](const std::vector<CandidatePair> &candidates)
-                   { write_candidates(out, candidates, leaving); });
-  return parcel_for(rank, out);
-}
-
-template <class Entry>
-void append_column(std::istream &in, std::vector<Entry> &column)
-{
-  std::vector<Entry> more;
-  read_column(in, more);
-  column.insert(column.end(), more.begin(), more.end());
-}
-
-/// Returns how many particles have come.
-std::size_t unpack(const Parcel &parcel, const DistributedParts &parts,
-                   std::vector<SeriesKey> &series)
-{
-  ParcelReader in(parcel);
-  const std::size_t first = parts.particles.size();
-  const std::size_t n = read_particles(in.stream, parts.particles, series);
-  append_column(in.stream, parts.work.damped);
-  append_column(in.stream, parts.work.lifted);
-  read_contacts(in.stream, first, parts.pairs);
-  for (const auto &boundary : parts.boundaries)
-  {
-    read_contacts(in.stream, first, boundary->batch);
-    boundary->unpack_contacts(in.stream);
-    boundary->unpack_particles(in.stream, first);
-  }
-  visit_candidates(parts, [&](std::vector<CandidatePair> &candidates)
-                   { read_candidates(in.stream, first, candidates); });
-  return n;
 }
 
 double reach_of(const ParticleSystem &particles, std::size_t i,
@@ -341,40 +101,7 @@ void Distribution::migrate(const DistributedParts &parts, bool repartitions,
 
 void Distribution::deal_out(const DistributedParts &parts)
 {
-  name_partners_by_id(parts);
-  Rows own;
-  for (std::size_t i = 0; i < parts.particles.size(); ++i)
-    if (parts.particles.id[i] % among->size() == among->rank())
-      own.push_back(static_cast<std::int32_t>(i));
-  keep_particles(parts, own);
   send_home(parts, true);
-}
-
-void Distribution::gather(const DistributedParts &from,
-                          const DistributedParts &into)
-{
-  ContactBatch pairs = from.pairs;
-  std::vector<CandidatePair> candidates = from.pair_candidates;
-  const DistributedParts named{from.particles, from.work, pairs, candidates,
-                               from.boundaries};
-  name_partners_by_id(named);
-  Leaving own;
-  for (std::size_t i = 0; i < from.particles.n_owned(); ++i)
-    own.add(static_cast<std::int32_t>(i));
-  constexpr int first_rank = 0;
-  std::vector<Parcel> parcels;
-  parcels.push_back(pack(named, first_rank, own, pool));
-  std::vector<std::pair<int, SeriesKey>> wanted;
-  for (const Parcel &parcel : among->deliver(std::move(parcels)))
-  {
-    std::vector<SeriesKey> series;
-    unpack(parcel, into, series);
-    for (const SeriesKey &key : series)
-      wanted.emplace_back(parcel.rank, key);
-  }
-  fetch_series(into.particles, 0, wanted);
-  into.particles.renew_frames();
-  name_partners_by_row(into);
 }
 
 /// Partners are named by id.
@@ -398,23 +125,12 @@ void Distribution::send_home(const DistributedParts &parts, bool repartitions)
   for (int rank = 0; rank < among->size(); ++rank)
     if (const Leaving &some = leaving[static_cast<std::size_t>(rank)];
         !some.rows.empty())
-      parcels.push_back(pack(parts, rank, some, pool));
+      parcels.push_back(parcel_of(parts, rank, some, pool));
   keep_particles(parts, staying);
-  std::vector<std::pair<int, SeriesKey>> wanted;
-  for (const Parcel &parcel : among->deliver(std::move(parcels)))
-  {
-    std::vector<SeriesKey> series;
-    unpack(parcel, parts, series);
-    for (const SeriesKey &key : series)
-      wanted.emplace_back(parcel.rank, key);
-  }
-  fetch_series(particles, staying.size(), wanted);
+  take_parcels(among->deliver(std::move(parcels)), *among, parts, pool);
   particles.renew_frames();
   sort_in_space(parts);
-  for (const auto &boundary : parts.boundaries)
-    boundary->sort_contacts();
-  visit_candidates(parts, [](std::vector<CandidatePair> &candidates)
-                   { std::ranges::sort(candidates, {}, &CandidatePair::key); });
+  sort_contacts(parts);
 }
 
 void Distribution::add_ghosts(const DistributedParts &parts, double range,
@@ -441,7 +157,8 @@ void Distribution::add_ghosts(const DistributedParts &parts, double range,
         !rows.empty())
     {
       std::ostringstream out;
-      write_particles(out, particles, rows, pool);
+      write_particles(out, particles, rows);
+      write_column(out, series_keys(particles, rows, pool));
       parcels.push_back(parcel_for(rank, out));
     }
   ghost_rank.clear();
@@ -449,7 +166,10 @@ void Distribution::add_ghosts(const DistributedParts &parts, double range,
   for (const Parcel &parcel : among->deliver(std::move(parcels)))
   {
     ParcelReader in(parcel);
-    const std::size_t n = read_particles(in.stream, particles, ghost_series);
+    const std::size_t n = read_particles(in.stream, particles);
+    std::vector<SeriesKey> keys;
+    read_column(in.stream, keys);
+    ghost_series.insert(ghost_series.end(), keys.begin(), keys.end());
     ghost_rank.insert(ghost_rank.end(), n, parcel.rank);
   }
   particles.n_ghosts = ghost_rank.size();

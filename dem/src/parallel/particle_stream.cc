@@ -6,21 +6,15 @@
 namespace dem
 {
 void write_particles(std::ostream &out, const ParticleSystem &particles,
-                     const std::vector<std::int32_t> &rows, SeriesPool &pool)
+                     const std::vector<std::int32_t> &rows)
 {
   ParticleSystem::visit(particles, [&](const auto &column)
                         { write_column(out, selected(column, rows)); });
-  std::vector<SeriesKey> keys;
-  for (const std::int32_t row : rows)
-    keys.push_back(
-        pool.add(particles.shape[static_cast<std::size_t>(row)].series));
-  write_column(out, keys);
   for (const std::int32_t row : rows)
     write_measures(out, particles.shape[static_cast<std::size_t>(row)]);
 }
 
-std::size_t read_particles(std::istream &in, ParticleSystem &particles,
-                           std::vector<SeriesKey> &series)
+std::size_t read_particles(std::istream &in, ParticleSystem &particles)
 {
   const std::size_t before = particles.size();
   ParticleSystem::visit(particles,
@@ -30,12 +24,20 @@ std::size_t read_particles(std::istream &in, ParticleSystem &particles,
                           read_column(in, more);
                           column.insert(column.end(), more.begin(), more.end());
                         });
-  std::vector<SeriesKey> keys;
-  read_column(in, keys);
-  series.insert(series.end(), keys.begin(), keys.end());
   particles.shape.resize(particles.size());
   for (std::size_t i = before; i < particles.size(); ++i)
     read_measures(in, particles.shape[i]);
   return particles.size() - before;
+}
+
+std::vector<SeriesKey> series_keys(const ParticleSystem &particles,
+                                   const std::vector<std::int32_t> &rows,
+                                   SeriesPool &pool)
+{
+  std::vector<SeriesKey> keys;
+  for (const std::int32_t row : rows)
+    keys.push_back(
+        pool.add(particles.shape[static_cast<std::size_t>(row)].series));
+  return keys;
 }
 } // namespace dem

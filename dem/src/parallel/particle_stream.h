@@ -11,14 +11,16 @@
 /// Rows of the columns of particles to and from parcels.
 namespace dem
 {
-/// These rows of all columns; series by key alone.
+/// These rows of all columns, without the series of the particles.
 void write_particles(std::ostream &out, const ParticleSystem &particles,
-                     const std::vector<std::int32_t> &rows, SeriesPool &pool);
+                     const std::vector<std::int32_t> &rows);
+/// Appends the rows; their series are null. Returns how many there were.
+std::size_t read_particles(std::istream &in, ParticleSystem &particles);
 
-/// Appends the rows; their series are null and their keys are appended to
-/// `series`. Returns how many there were.
-std::size_t read_particles(std::istream &in, ParticleSystem &particles,
-                           std::vector<SeriesKey> &series);
+/// Keys of the series of these rows, in their order.
+std::vector<SeriesKey> series_keys(const ParticleSystem &particles,
+                                   const std::vector<std::int32_t> &rows,
+                                   SeriesPool &pool);
 
 /// Entries of a column.
 template <class Entry>

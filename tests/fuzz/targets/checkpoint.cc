@@ -19,7 +19,7 @@ std::string sound_file(const spall::Case &of)
   done.spent = {{"contacts", 1.}};
   const std::filesystem::path path = fuzz::scratch().path() / "sound.bin";
   spall::write_checkpoint(
-      path, of,
+      *dem::one_rank(), path, of,
       [](std::ostream &out)
       {
         dem::write_column(out, std::vector<double>(10, 1.));
@@ -42,7 +42,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
       {
         spall::Progressed done;
         spall::read_checkpoint(
-            path, of,
+            *dem::one_rank(), path, of,
             [](std::istream &in)
             {
               std::vector<double> column;

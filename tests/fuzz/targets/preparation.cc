@@ -11,12 +11,12 @@ namespace
 {
 std::string sound_file(const spall::PreparationStore &store)
 {
-  store.store(
-      [](std::ostream &out)
-      {
-        dem::write_column(out, std::vector<double>(10, 1.));
-        spall::write_text(out, "state");
-      });
+  store.store(*dem::one_rank(),
+              [](std::ostream &out)
+              {
+                dem::write_column(out, std::vector<double>(10, 1.));
+                spall::write_text(out, "state");
+              });
   std::ifstream in(store.path(), std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
@@ -36,7 +36,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
     dem::read_column(in, column);
     spall::read_text(in);
   };
-  if (!store.take(restore, said))
+  if (!store.take(*dem::one_rank(), restore, said))
     fuzz::check_message(said);
   return 0;
 }

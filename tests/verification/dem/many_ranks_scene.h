@@ -10,6 +10,7 @@
 #include <dem/parallel/distribution.h>
 #include <dem/parallel/first_rank.h>
 #include <dem/parallel/mpi_ranks.h>
+#include <dem/parallel/shared_input.h>
 #include <dem/random.h>
 
 #include <gtest/gtest.h>
@@ -271,13 +272,10 @@ inline std::vector<double> measures(const dem::Engine &engine)
 /// All that a checkpoint stores.
 inline std::string stored(const dem::Engine &engine)
 {
-  const dem::Engine whole = engine.gathered();
-  const dem::Ranks &ranks = engine.distribution().ranks();
   std::ostringstream out(std::ios::binary);
-  if (ranks.rank() == 0)
-    whole.save(out, {});
-  else
-    EXPECT_EQ(whole.particles().size(), 0u);
+  engine.save(out, {}, dem::StateExtent::scene);
+  const dem::Ranks &ranks = engine.distribution().ranks();
+  EXPECT_EQ(out.str().empty(), ranks.rank() != 0);
   return of_first_rank(ranks, out.str());
 }
 
@@ -293,8 +291,10 @@ inline std::int64_t first_difference(const std::string &one,
 
 inline void restore(const std::string &from, dem::Engine &engine)
 {
-  std::istringstream in(from, std::ios::binary);
-  engine.restore(in, {});
+  const dem::Ranks &ranks = engine.distribution().ranks();
+  std::istringstream source(from, std::ios::binary);
+  dem::SharedInput in(ranks, ranks.rank() == 0 ? &source : nullptr);
+  engine.restore(in.stream(), {});
 }
 
 /// The same scene on all ranks together and on this one alone.

@@ -182,7 +182,7 @@ Row beside_the_limit()
   const auto state = [](const spall::Triaxial &test)
   {
     std::ostringstream out(std::ios::binary);
-    test.save(out);
+    test.save(out, dem::StateExtent::scene);
     return out.str();
   };
   spall::Triaxial test(parameters);

@@ -42,13 +42,9 @@ public:
   /// this rank, wherever they are. Collective.
   void migrate(const DistributedParts &parts, bool repartitions,
                const std::function<void()> &arrive = {});
-  /// Of a scene that every rank has as a whole, each keeps its own part: as
-  /// after migrate(). Collective.
+  /// Gives all particles, whoever has them, to their owners, as migrate(), with
+  /// new boxes. There are no ghosts, and partners are named by id. Collective.
   void deal_out(const DistributedParts &parts);
-  /// On the first rank, appends copies of the particles and contacts of all
-  /// ranks to `into`, which has none; partners are named by row there. On
-  /// others `into` stays empty. Collective.
-  void gather(const DistributedParts &from, const DistributedParts &into);
   /// Appends ghosts: all particles that may be the senior of an owned one
   /// within a `range` between their bounding spheres [m], of circumscribed or
   /// equivalent spheres. Partners are named by row again; those that are
