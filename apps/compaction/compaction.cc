@@ -31,7 +31,8 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
     : Test(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
            its_scene.setup.step),
       scene(std::move(its_scene)),
-      pouring(scene.room, pouring_parameters(c.filling), scene.layers,
+      pouring(scene.room, pouring_parameters(c.filling),
+              std::move(scene.layers),
               static_cast<std::uint64_t>(c.filling.seed)),
       report_dues(report_times(c.vibration.reports)),
       last_time(c.vibration.duration)

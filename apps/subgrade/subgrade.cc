@@ -50,7 +50,7 @@ Subgrade::Subgrade(const Case &c, ParticleBox its_scene)
     : Test(c, its_scene.shapes, std::move(its_scene.engine), its_scene.limit,
            first_step(c, its_scene.limit)),
       scene(std::move(its_scene)),
-      pouring(scene.room, pouring_parameters(c), scene.layers,
+      pouring(scene.room, pouring_parameters(c), std::move(scene.layers),
               static_cast<std::uint64_t>(c.subgrade.layer.seed)),
       pulses(c),
       joined(std::make_unique<coupling::Exchange>(c.coupling.exchange_rules()))

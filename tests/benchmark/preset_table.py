@@ -80,8 +80,7 @@ KINDS = {
         {"seating_settlement_m": "settlement under the plate (m)",
          "settlement_m": "settlement by vibration (m)",
          "coordination_end_1": "coordination number",
-         "mean_contact_force_end_N": "mean contact force (N)"},
-        ("reference", "standard", "fast")),
+         "mean_contact_force_end_N": "mean contact force (N)"}),
     "subgrade": Kind(
         "subgrade_quick", "Layer/seed",
         "a layer of 0.16 by 0.16 by 0.08 m under a plate of 0.1 m on a "
