@@ -39,13 +39,15 @@ Compaction::Compaction(const Case &c, CompactionScene its_scene)
 {
   for (std::size_t i = 0; i < scene.all.size(); ++i)
     filled_mass += scene.all.solid_mass(i);
+  const double longest =
+      dem::critical_step(engine().parameters(), scene.all).step;
+  scene.all = {}; // `pouring` has them
   if (scene.placed)
     pouring.set_first_layer(*scene.placed);
   pouring.prepare(engine());
   if (!fills_by_own_steps())
     return;
-  begin_steps(c.time.preparing(c.filling.safety),
-              dem::critical_step(engine().parameters(), scene.all).step);
+  begin_steps(c.time.preparing(c.filling.safety), longest);
 }
 
 const dem::Plane &Compaction::plate_plane() const

@@ -39,10 +39,7 @@ public:
   const SetupStep *setup_step() const override { return &scene.setup; }
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
-  const dem::ParticleSystem *poured_particles() const override
-  {
-    return &scene.all;
-  }
+  const dem::Pouring *poured_by() const override { return &pouring; }
   bool has_slices() const override { return true; }
   std::optional<SliceSpace> slice_space() const override;
   int steps_in_move() const override;

@@ -36,7 +36,7 @@ FastPreparation Compaction::fast_preparation()
 /// What the filling would come to, about.
 void Compaction::pack()
 {
-  const std::vector<dem::ParticleShape> &bodies = scene.all.shape;
+  const std::vector<dem::ParticleShape> bodies = pouring.particles();
   const auto placements =
       dense_packing(bodies, scene.room, parameters.container.height,
                     parameters.filling.solid_fraction);

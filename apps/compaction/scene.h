@@ -20,7 +20,8 @@ struct CompactionScene
   dem::Room room;
   std::vector<std::vector<dem::ParticleShape>> layers;
   std::optional<dem::PlacedLayer> placed; ///< of the only layer, unless drawn
-  /// The particles as they will be, with their ids, nowhere in particular.
+  /// The particles as they will be, with their ids, nowhere in particular: for
+  /// setup.
   dem::ParticleSystem all;
   /// A floor, which is plane 0, and an upright cylinder, or the mesh wall
   /// container_name alone; no particles.

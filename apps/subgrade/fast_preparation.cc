@@ -33,9 +33,11 @@ void Subgrade::pack()
 {
   const LayerParameters &l = parameters.subgrade.layer;
   const LoadPlateParameters &p = parameters.subgrade.plate;
-  const std::vector<dem::ParticleShape> &bodies = scene.all.shape;
-  const double height = scene.room.height_of(
-      dem::solid_volume(scene.all, *dem::one_rank()), l.solid_fraction);
+  const std::vector<dem::ParticleShape> bodies = pouring.particles();
+  double volume = 0.;
+  for (const dem::ParticleShape &body : bodies)
+    volume += body.volume;
+  const double height = scene.room.height_of(volume, l.solid_fraction);
   const auto placements =
       dense_packing(bodies, scene.room, height, l.initial_solid_fraction);
   for (std::size_t i = 0; i < bodies.size(); ++i)

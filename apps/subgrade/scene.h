@@ -22,7 +22,7 @@ struct ParticleBox
   ShapeLibrary shapes;
   std::vector<std::vector<dem::ParticleShape>> layers; ///< to be poured
   std::optional<dem::PlacedLayer> placed; ///< of the only layer, unless drawn
-  dem::ParticleSystem all;                ///< the same, nowhere yet
+  dem::ParticleSystem all;                ///< the same, nowhere yet: for setup
   dem::Room room;
   std::unique_ptr<dem::Engine> engine; ///< sides; no particles, no bodies
   dem::StepLimit limit;

@@ -60,6 +60,7 @@ Subgrade::Subgrade(const Case &c, ParticleBox its_scene)
   const int n = stable_particle_steps(c, *ground, smallest, time_step());
   setup = ground_setup(c, *ground, smallest, time_step(), n);
   check_ground_setup(c, setup, n);
+  scene.all = {}; // `pouring` has them
   joined->limit_windows(n, setup.window.one_pass_limit);
   for (const double depth : parse_depths(c.subgrade.record.stress_depths))
   {
@@ -338,7 +339,8 @@ void Subgrade::note_due(double before)
 void Subgrade::describe() const
 {
   if (const double cornered =
-          dem::corner_step(engine().parameters(), scene.all);
+          dem::corner_step(engine().parameters(),
+                           unplaced_particles(parameters, pouring.particles()));
       std::isfinite(cornered))
     std::printf("in a corner      %.4g s (the same particle on three walls)\n",
                 cornered);

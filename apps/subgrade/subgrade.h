@@ -41,10 +41,7 @@ public:
   const SetupStep *setup_step() const override { return &setup; }
   FrameParts frame_parts() const override;
   std::vector<NamedText> take_files() override;
-  const dem::ParticleSystem *poured_particles() const override
-  {
-    return &scene.all;
-  }
+  const dem::Pouring *poured_by() const override { return &pouring; }
   void describe() const override;
   double preparation_time() const override;
   FastPreparation fast_preparation() override;

@@ -11,6 +11,7 @@
 #include <dem/binary.h>
 #include <dem/engine_boundaries.h>
 #include <dem/measure/assembly.h>
+#include <dem/packing/pouring.h>
 #include <dem/parallel/distribution.h>
 
 #include <nlohmann/json.hpp>
@@ -109,16 +110,18 @@ void Test::with_whole(const std::function<void(const dem::Engine &)> &use) const
 void Test::with_all_particles(
     const std::function<void(const dem::ParticleSystem &)> &use) const
 {
-  if (const dem::ParticleSystem *all = poured_particles())
-    return on_first_rank(ranks(), [&] { use(*all); });
+  if (const dem::Pouring *pouring = poured_by())
+    return on_first_rank(
+        ranks(),
+        [&] { use(unplaced_particles(parameters, pouring->particles())); });
   with_whole([&](const dem::Engine &scene) { use(scene.particles()); });
 }
 
 std::int64_t Test::n_particles() const
 {
-  const dem::ParticleSystem *all = poured_particles();
-  return all ? static_cast<std::int64_t>(all->size())
-             : dem::total_particles(synchronized());
+  const dem::Pouring *pouring = poured_by();
+  return pouring ? static_cast<std::int64_t>(pouring->n_particles())
+                 : dem::total_particles(synchronized());
 }
 
 const dem::Ranks &Test::ranks() const

@@ -26,6 +26,11 @@
 #include <type_traits>
 #include <vector>
 
+namespace dem
+{
+class Pouring;
+}
+
 namespace spall
 {
 /// What is due after a step.
@@ -285,12 +290,8 @@ public:
   }
 
 protected:
-  /// All particles that the test will have, where they are added later; null:
-  /// the engine has them.
-  virtual const dem::ParticleSystem *poured_particles() const
-  {
-    return nullptr;
-  }
+  /// Adds the particles to the engine; null: it has had them from the start.
+  virtual const dem::Pouring *poured_by() const { return nullptr; }
   /// Takes the scene; the engine has all its particles.
   Test(const Case &parameters, ShapeLibrary shapes,
        std::unique_ptr<dem::Engine> scene);

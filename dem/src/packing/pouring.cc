@@ -121,6 +121,23 @@ void Pouring::set_first_layer(PlacedLayer placed)
   first = std::move(placed);
 }
 
+std::vector<ParticleShape> Pouring::particles() const
+{
+  std::vector<ParticleShape> all;
+  all.reserve(n_particles());
+  for (const std::vector<ParticleShape> &layer : bodies)
+    all.insert(all.end(), layer.begin(), layer.end());
+  return all;
+}
+
+std::size_t Pouring::n_particles() const
+{
+  std::size_t n = 0;
+  for (const std::vector<ParticleShape> &layer : bodies)
+    n += layer.size();
+  return n;
+}
+
 /// Of the cloud of a layer, or up to the top of the one that is placed [m].
 double Pouring::fall_height(std::size_t layer) const
 {

@@ -134,6 +134,10 @@ public:
   /// Of the layers that are done.
   std::span<const Layer> layers() const { return finished; }
   std::size_t n_layers() const { return bodies.size(); }
+  /// All particles in the order in which they come, that of their ids, and
+  /// their number.
+  std::vector<ParticleShape> particles() const;
+  std::size_t n_particles() const;
   /// At the last check [-].
   double unbalanced_ratio() const { return now.unbalanced_ratio; }
   /// Number of the plane that tamps: up there and inactive when all is done.
