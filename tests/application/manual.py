@@ -3,7 +3,8 @@
 
     manual.py SPALL PAGE.md            runs the commands of a page and compares
                                        its tables
-    manual.py SPALL --not-run FOLDER   checks the cases of the commands that are
+    manual.py FORKED_PROGRAM --not-run FOLDER
+                                       checks the cases of the commands that are
                                        marked as not run, on all pages
 
 A command stands in a block ```sh. `<!-- not run: WHY -->` before it marks one
@@ -26,6 +27,7 @@ import subprocess
 import sys
 import tempfile
 
+from forked import ForkedProgram
 from triaxial_runs import report_faults
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -132,7 +134,7 @@ def table_faults(spall, page, text, head, sandbox, ran):
             if not float(low) <= found.value(key, conditions) <= float(high)]
 
 
-def check_faults(spall, page, words, folder):
+def check_faults(program, page, words, folder):
     """Whether the program takes the case, without building it."""
     case, *options = words
     given = [word for k, word in enumerate(options)
@@ -141,23 +143,21 @@ def check_faults(spall, page, words, folder):
         if case.startswith("data/"):
             return [f"{page.name}: {case}: no such file"]
         return []
-    found = subprocess.run(
-        [spall, "check", case, *given, "--json"], cwd=folder, check=False,
-        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    found = program.run(["check", case, *given, "--json"], folder)
     return [f"{page.name}: {found.stderr.strip()}"] if found.returncode else []
 
 
-def not_run_faults(spall, folder):
+def not_run_faults(path, folder):
     """Faults of the cases of commands that are marked as not run."""
     faults = []
-    with tempfile.TemporaryDirectory() as name:
+    with tempfile.TemporaryDirectory() as name, ForkedProgram(path) as program:
         sandbox = pathlib.Path(name)
-        make_sandbox(spall, sandbox)
+        make_sandbox(path, sandbox)
         for page in sorted(folder.rglob("*.md")):
             for lines, why in blocks(page.read_text(encoding="utf-8")):
                 for command, *words in commands_of(lines) if why else ():
                     if command in ("run", "check") and "$" not in str(words):
-                        faults += check_faults(spall, page, words, sandbox)
+                        faults += check_faults(program, page, words, sandbox)
                     elif command == "study" and words[0].startswith("data/"):
                         faults += [] if (ROOT / words[0]).exists() else [
                             f"{page.name}: {words[0]}: no such file"]
