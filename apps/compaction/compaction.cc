@@ -4,6 +4,7 @@
 #include "compaction/filling.h"
 #include "errors.h"
 #include "run/rest_hint.h"
+#include "specimen/pouring_phase.h"
 #include "test/checkpoint.h"
 #include "test/slices.h"
 
@@ -363,15 +364,12 @@ double Compaction::period() const
 
 std::string Compaction::phase() const
 {
-  char text[60];
   if (now.stage == Stage::filling)
-    std::snprintf(text, sizeof text, "layer %zu of %zu",
-                  std::min(pouring.layers().size() + 1, pouring.n_layers()),
-                  pouring.n_layers());
-  else if (now.stage == Stage::seating)
-    std::snprintf(text, sizeof text, "seating of the plate");
-  else
-    std::snprintf(text, sizeof text, "vibrated %.2f s", vibrated());
+    return pouring_phase(pouring, engine().time());
+  if (now.stage == Stage::seating)
+    return "seating of the plate";
+  char text[60];
+  std::snprintf(text, sizeof text, "vibrated %.2f s", vibrated());
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include "case/gravity.h"
 #include "case/parameter.h"
 #include "errors.h"
+#include "specimen/pouring_phase.h"
 #include "subgrade/ground.h"
 
 #include <dem/engine_boundaries.h>
@@ -308,11 +309,8 @@ std::string Subgrade::outcome() const
 std::string Subgrade::phase() const
 {
   if (now.stage < Stage::loading)
-    return now.stage == Stage::pouring
-               ? "pouring, layer " +
-                     std::to_string(std::min(pouring.layers().size() + 1,
-                                             pouring.n_layers()))
-               : "placing";
+    return now.stage == Stage::pouring ? pouring_phase(pouring, engine().time())
+                                       : "placing";
   char text[40];
   std::snprintf(text, sizeof text, "loading %.4f s", loading_time());
   return text;

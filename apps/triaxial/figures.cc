@@ -20,7 +20,7 @@ enum class Sampling
   both ///< a faint line and the ends of the cycles
 };
 
-struct Quantity
+struct DrawnQuantity
 {
   std::string id;
   ReportSection section;
@@ -29,7 +29,7 @@ struct Quantity
   Sampling sampling = Sampling::cycle_ends;
 };
 
-const std::vector<Quantity> quantities{
+const std::vector<DrawnQuantity> quantities{
     {"permanent_axial_strain", ReportSection::response, "axial_strain_1",
      "Permanent axial strain (%)",
      "Permanent axial strain at the end of each cycle. Compression is "
@@ -58,7 +58,7 @@ const std::vector<Quantity> quantities{
      "(markers) and within them (faint line).",
      1., Sampling::both}};
 
-Chart over_cycles(const Quantity &quantity)
+Chart over_cycles(const DrawnQuantity &quantity)
 {
   return {quantity.id, quantity.section, quantity.caption, cycle_label,
           quantity.y_label};
@@ -72,7 +72,7 @@ std::vector<std::size_t> ends_with_last(const Table &loading)
   return rows;
 }
 
-void add_run(const Quantity &quantity, std::span<const RunData> runs,
+void add_run(const DrawnQuantity &quantity, std::span<const RunData> runs,
              std::size_t k, Chart &chart)
 {
   const Table &loading = runs[k].loading;
@@ -109,7 +109,8 @@ void add_run(const Quantity &quantity, std::span<const RunData> runs,
   chart.curves.push_back(curve);
 }
 
-Chart quantity_chart(const Quantity &quantity, std::span<const RunData> runs)
+Chart quantity_chart(const DrawnQuantity &quantity,
+                     std::span<const RunData> runs)
 {
   Chart chart = over_cycles(quantity);
   for (std::size_t k = 0; k < runs.size(); ++k)
@@ -122,20 +123,20 @@ Chart quantity_chart(const Quantity &quantity, std::span<const RunData> runs)
 
 Chart event_count_chart(std::span<const RunData> runs)
 {
-  const Quantity count{"breakage_count",
-                       ReportSection::breakage,
-                       "n_events_1",
-                       "Breakage events (–)",
-                       "Number of breakage events since the start.",
-                       1.,
-                       Sampling::every_row};
+  const DrawnQuantity count{"breakage_count",
+                            ReportSection::breakage,
+                            "n_events_1",
+                            "Breakage events (–)",
+                            "Number of breakage events since the start.",
+                            1.,
+                            Sampling::every_row};
   return quantity_chart(count, runs);
 }
 
 std::vector<Chart> make_charts(std::span<const RunData> runs)
 {
   std::vector<Chart> charts{loop_chart(runs)};
-  for (const Quantity &quantity : quantities)
+  for (const DrawnQuantity &quantity : quantities)
     charts.push_back(quantity_chart(quantity, runs));
   for (const Chart &chart : cycle_charts(runs))
     charts.push_back(chart);
