@@ -183,9 +183,7 @@ ParticleSystem copied_particles(Distribution &distribution,
     for (const SeriesKey &key : keys)
       wanted.emplace_back(parcel.rank, key);
   }
-  const auto found = distribution.series().fetch(distribution.ranks(), wanted);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    copies.shape[i].series = found[i];
+  fetch_series(distribution.ranks(), distribution.series(), wanted, 0, copies);
   Rows order(copies.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, {},

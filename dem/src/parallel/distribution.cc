@@ -78,17 +78,6 @@ void Distribution::partition(const DistributedParts &parts, bool always)
   ++partition_count;
 }
 
-void Distribution::fetch_series(
-    ParticleSystem &particles, std::size_t first,
-    const std::vector<std::pair<int, SeriesKey>> &keys)
-{
-  if (!particles.has_shapes)
-    return;
-  const auto found = pool.fetch(*among, keys);
-  for (std::size_t k = 0; k < found.size(); ++k)
-    particles.shape[first + k].series = found[k];
-}
-
 void Distribution::migrate(const DistributedParts &parts, bool repartitions,
                            const std::function<void()> &arrive)
 {
@@ -206,7 +195,7 @@ Distribution::keep_ghosts(const DistributedParts &parts,
   std::vector<std::pair<int, SeriesKey>> wanted;
   for (std::size_t g = 0; g < kept.size(); ++g)
     wanted.emplace_back(ghost_rank[g], ghost_series[g]);
-  fetch_series(particles, n_owned, wanted);
+  fetch_series(*among, pool, wanted, n_owned, particles);
   particles.renew_frames();
   return new_row;
 }

@@ -40,4 +40,15 @@ std::vector<SeriesKey> series_keys(const ParticleSystem &particles,
         pool.add(particles.shape[static_cast<std::size_t>(row)].series));
   return keys;
 }
+
+void fetch_series(const Ranks &ranks, SeriesPool &pool,
+                  const std::vector<std::pair<int, SeriesKey>> &keys,
+                  std::size_t first, ParticleSystem &particles)
+{
+  if (!particles.has_shapes)
+    return;
+  const auto found = pool.fetch(ranks, keys);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    particles.shape[first + k].series = found[k];
+}
 } // namespace dem

@@ -22,6 +22,12 @@ std::vector<SeriesKey> series_keys(const ParticleSystem &particles,
                                    const std::vector<std::int32_t> &rows,
                                    SeriesPool &pool);
 
+/// Gives particles from row `first` on the series of these keys, each beside
+/// the rank that has it. Collective.
+void fetch_series(const Ranks &ranks, SeriesPool &pool,
+                  const std::vector<std::pair<int, SeriesKey>> &keys,
+                  std::size_t first, ParticleSystem &particles);
+
 /// Entries of a column.
 template <class Entry>
 std::vector<Entry> selected(const std::vector<Entry> &column,

@@ -112,8 +112,7 @@ Parcel parcel_of(const DistributedParts &parts, int rank,
 void take_parcels(const std::vector<Parcel> &parcels, const Ranks &ranks,
                   const DistributedParts &parts, SeriesPool &pool)
 {
-  ParticleSystem &particles = parts.particles;
-  const std::size_t first = particles.size();
+  const std::size_t first = parts.particles.size();
   std::vector<std::pair<int, SeriesKey>> wanted;
   for (const Parcel &parcel : parcels)
   {
@@ -124,10 +123,6 @@ void take_parcels(const std::vector<Parcel> &parcels, const Ranks &ranks,
     for (const SeriesKey &key : keys)
       wanted.emplace_back(parcel.rank, key);
   }
-  if (!particles.has_shapes)
-    return;
-  const auto found = pool.fetch(ranks, wanted);
-  for (std::size_t k = 0; k < found.size(); ++k)
-    particles.shape[first + k].series = found[k];
+  fetch_series(ranks, pool, wanted, first, parts.particles);
 }
 } // namespace dem

@@ -73,8 +73,6 @@ public:
 private:
   void send_home(const DistributedParts &parts, bool repartitions);
   void partition(const DistributedParts &parts, bool always);
-  void fetch_series(ParticleSystem &particles, std::size_t first,
-                    const std::vector<std::pair<int, SeriesKey>> &keys);
 
   std::shared_ptr<Ranks> among;
   Halo halo;
