@@ -72,6 +72,7 @@ void run_interval(dem::Engine &engine, const dem::BoxPlanes &box,
       servo->update(engine, reached.step);
     engine.advance(reached.step);
   }
+  reached.time = engine.time();
   reached.n_steps = engine.n_steps();
   reached.stress = dem::box_stress(engine, box);
   reached.unbalanced_ratio = dem::unbalanced_force_ratio(engine);
@@ -107,7 +108,8 @@ void take_closed(const dem::Engine &engine, const dem::BoxPlanes &box,
 }
 } // namespace
 
-ClosedBox close_box(BenchParticles &particles)
+ClosedBox close_box(BenchParticles &particles,
+                    const std::function<void(const ClosedBox &)> &report)
 {
   spread(particles);
   const std::unique_ptr<dem::Engine> engine =
@@ -117,8 +119,13 @@ ClosedBox close_box(BenchParticles &particles)
   drive_evenly(*engine, box, particles.packing);
   ClosedBox reached;
   reached.step = 1.5 * settling_step(*engine);
+  const auto run = [&](dem::BoxServo *servo)
+  {
+    run_interval(*engine, box, servo, reached);
+    report(reached);
+  };
   do
-    run_interval(*engine, box, nullptr, reached);
+    run(nullptr);
   while (!is_compact(*engine, box, reached) && engine->time() < closing_time);
   engine->set_friction(bench_parameters(particles).particle.friction);
   engine->set_local_damping(0.3);
@@ -127,7 +134,7 @@ ClosedBox close_box(BenchParticles &particles)
     servo.follow(d, pressure);
   const double pressed = engine->time();
   do
-    run_interval(*engine, box, &servo, reached);
+    run(&servo);
   while (engine->time() < pressed + falling_time ||
          (!is_at_rest(reached) && engine->time() < pressed + resting_time));
   take_closed(*engine, box, particles.packing);

@@ -2,11 +2,14 @@
 
 #include "bench/scene.h"
 
+#include <functional>
+
 namespace spall
 {
 /// What close_box has reached.
 struct ClosedBox
 {
+  double time = 0.;                     ///< simulated [s]
   dem::Vec3 stress = dem::Vec3::Zero(); ///< on the walls [Pa]
   double unbalanced_ratio = 0.;         ///< unbalanced force ratio [-]
   double step = 0.;                     ///< time step taken [s]
@@ -19,6 +22,8 @@ struct ClosedBox
 /// for without it particles that overlap along the branch do not come to rest
 /// (docs/developer/decisions/0004-radial-overlap-at-rest.md). Small particles
 /// fall into place for 0.08 s; ends when all are at rest, 0.07 s later at the
-/// latest. Throws InputError if the time step is too long for the particles.
-ClosedBox close_box(BenchParticles &particles);
+/// latest. `report` gets what is reached every 200 steps. Throws InputError if
+/// the time step is too long for the particles.
+ClosedBox close_box(BenchParticles &particles,
+                    const std::function<void(const ClosedBox &)> &report);
 } // namespace spall

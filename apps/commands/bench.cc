@@ -7,8 +7,10 @@
 #include <dem/measure/assembly.h>
 #include <dem/parallel/distribution.h>
 #include <dem/parallel/mpi_ranks.h>
+#include <dem/stopwatch.h>
 
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -146,6 +148,27 @@ void time_once(const BenchOptions &options, const BenchParticles &particles,
   result.run = memory_use();
 }
 
+/// A line every ten seconds.
+class ClosingProgress
+{
+public:
+  void operator()(const ClosedBox &reached)
+  {
+    constexpr double interval = 10.; // [s]
+    if (since.seconds() < interval)
+      return;
+    since = dem::Stopwatch();
+    std::printf("closing %.4f s, step %lld, stress %.3g Pa, unbalanced force "
+                "ratio %.2g\n",
+                reached.time, static_cast<long long>(reached.n_steps),
+                reached.stress.mean(), reached.unbalanced_ratio);
+    std::fflush(stdout);
+  }
+
+private:
+  dem::Stopwatch since;
+};
+
 BenchParticles prepare(const BenchOptions &options, BenchResult &result)
 {
   Packing packing = read_packing(options.packing);
@@ -162,7 +185,7 @@ BenchParticles prepare(const BenchOptions &options, BenchResult &result)
                        "with --save P.csv");
     std::cout << "closing the box round " << particles.packing.size()
               << " particles ..." << std::endl;
-    result.closed = close_box(particles);
+    result.closed = close_box(particles, ClosingProgress());
   }
   if (!options.save.empty() && particles.ranks->rank() == 0)
     write_packing(options.save, particles.packing);
