@@ -74,7 +74,6 @@ struct PairList
   std::vector<Row> rows;
   double clear = 0.; ///< path length up to which the list is complete [m]
   Vec3 between = Vec3::Zero(); ///< CandidatePair::between
-  bool is_new = true;          ///< else all rows stay as they are
   ContactPointEvents events;
 
   std::vector<ContactPoint> contact_points() const
@@ -145,30 +144,50 @@ inline std::vector<std::size_t> alive_first(const ContactBatch &batch,
   return alive;
 }
 
-/// A pair that needs no search.
-inline PairList unchanged(const OldRows &old)
+/// Pairs with what they had, and the new lists of those that are due.
+struct Renewal
 {
-  PairList list;
-  list.is_new = false;
-  for (const std::int32_t k : old)
-    list.rows.push_back({k, {}, {}});
-  return list;
-}
+  std::vector<OldRows> old;     ///< of every pair
+  std::vector<std::size_t> due; ///< numbers of pairs, rising
+  std::vector<PairList> lists;  ///< of these
 
-/// Makes the lists of all pairs: `make(pair, old)` that of one which is due.
-template <class Make>
-std::vector<PairList> make_lists(const std::vector<CandidatePair> &pairs,
-                                 OldList old_list, const Make &make)
+  /// Whether some entry of a batch of this size comes, goes or moves.
+  bool changes(std::size_t n_entries) const
+  {
+    std::size_t n_old = 0;
+    for (const OldRows &rows : old)
+      n_old += rows.size();
+    if (n_old != n_entries)
+      return true;
+    for (std::size_t d = 0; d < due.size(); ++d)
+      if (!std::ranges::equal(lists[d].rows, old[due[d]], {}, &Row::source))
+        return true;
+    return false;
+  }
+};
+
+/// Makes the lists of the pairs for which is_due(pair, old rows) holds:
+/// `make(pair, old rows)`.
+template <class IsDue, class Make>
+Renewal renew_lists(const std::vector<CandidatePair> &pairs, OldList old_list,
+                    const IsDue &is_due, const Make &make)
 {
-  std::vector<OldRows> old;
-  old.reserve(pairs.size());
+  Renewal made;
+  made.old.reserve(pairs.size());
   for (const CandidatePair &pair : pairs)
-    old.push_back(old_list.next(pair.key));
-  std::vector<PairList> lists(pairs.size());
-#pragma omp parallel for schedule(dynamic, 16)
+    made.old.push_back(old_list.next(pair.key));
+  std::vector<std::uint8_t> wants(pairs.size());
+#pragma omp parallel for schedule(static)
   for (std::size_t p = 0; p < pairs.size(); ++p)
-    lists[p] = make(pairs[p], old[p]);
-  return lists;
+    wants[p] = is_due(pairs[p], made.old[p]) ? 1 : 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    if (wants[p])
+      made.due.push_back(p);
+  made.lists.resize(made.due.size());
+#pragma omp parallel for schedule(dynamic, 4)
+  for (std::size_t d = 0; d < made.due.size(); ++d)
+    made.lists[d] = make(pairs[made.due[d]], made.old[made.due[d]]);
+  return made;
 }
 
 inline bool have_displaced(const ContactBatch &batch, const OldRows &old)
@@ -195,20 +214,25 @@ struct Arrangement
   std::vector<PairKey> key;
   std::vector<const Row *> row;
 
-  Arrangement(const std::vector<CandidatePair> &pairs,
-              const std::vector<PairList> &lists)
+  Arrangement(const std::vector<CandidatePair> &pairs, const Renewal &made)
   {
+    static const Row kept;
+    std::size_t next = 0;
     for (std::size_t p = 0; p < pairs.size(); ++p)
-      for (const Row &one : lists[p].rows)
-      {
-        source.push_back(one.source);
-        key.push_back(pairs[p].key);
-        row.push_back(&one);
-      }
+      if (next < made.due.size() && made.due[next] == p)
+        for (const Row &one : made.lists[next++].rows)
+          add(one.source, pairs[p].key, one);
+      else
+        for (const std::int32_t k : made.old[p])
+          add(k, pairs[p].key, kept);
   }
 
-  /// Whether they are others than those of `old`, in the order of the pairs.
-  bool changes(OldRows old) const { return !std::ranges::equal(source, old); }
+  void add(std::int32_t from, const PairKey &pair, const Row &one)
+  {
+    source.push_back(from);
+    key.push_back(pair);
+    row.push_back(&one);
+  }
 
   /// Those that touch before those that do not, see touching_first().
   void put_touching_first(const ContactBatch &batch)
@@ -327,33 +351,30 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
 {
   std::vector<CandidatePair> &pairs = candidates.pairs;
   const std::vector<std::int32_t> old_order = batch.by_pair();
-  const std::vector<PairList> lists = make_lists(
+  const Renewal made = renew_lists(
       pairs, OldList(batch, candidates.second_of, old_order),
       [&](const CandidatePair &pair, const OldRows &old)
       {
-        const bool is_due =
-            pair.due < candidates.path_length(pair.key) + input.notice ||
-            have_displaced(batch, old) ||
-            (pair.skin > 2. * input.skin && has_open_contacts(batch, old));
-        return is_due ? make(pair, old) : unchanged(old);
-      });
+        return pair.due < candidates.path_length(pair.key) + input.notice ||
+               have_displaced(batch, old) ||
+               (pair.skin > 2. * input.skin && has_open_contacts(batch, old));
+      },
+      make);
   ContactPointEvents events;
-  for (std::size_t p = 0; p < pairs.size(); ++p)
+  for (std::size_t d = 0; d < made.due.size(); ++d)
   {
-    events += lists[p].events;
-    if (lists[p].is_new)
-    {
-      pairs[p].due = candidates.path_length(pairs[p].key) + lists[p].clear;
-      pairs[p].skin = input.skin;
-      pairs[p].between = lists[p].between;
-    }
+    CandidatePair &pair = pairs[made.due[d]];
+    events += made.lists[d].events;
+    pair.due = candidates.path_length(pair.key) + made.lists[d].clear;
+    pair.skin = input.skin;
+    pair.between = made.lists[d].between;
   }
-  Arrangement to(pairs, lists);
-  if (!to.changes(old_order) && is_same_layout(input.layout, batch.layout))
+  if (!made.changes(batch.size()) && is_same_layout(input.layout, batch.layout))
   {
     std::fill(batch.displaced.begin(), batch.displaced.end(), std::uint8_t{0});
     return events;
   }
+  Arrangement to(pairs, made);
   if (input.layout.has_partners)
     to.put_touching_first(batch);
   retire_dropped(to, batch, retired);
