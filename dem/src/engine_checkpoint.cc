@@ -235,6 +235,7 @@ void EngineState::save_scene(std::ostream &out, const Library &library)
     scene->save_block(out, library);
     keep_particles(scene->parts(), {});
   }
+  distribution.series().prune(); // the blocks have put all series there
 }
 
 /// In turn, the ranks take a block each.

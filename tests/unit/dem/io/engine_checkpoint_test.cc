@@ -224,6 +224,24 @@ TEST_P(EngineCheckpointOf, ContinuesBitForBit)
   EXPECT_GT(unbroken.engine.n_events(), n_before);
 }
 
+// A run of many checkpoints would keep the shape before each breakage event.
+TEST(EngineCheckpoint, SavingASceneKeepsNoFormerShape)
+{
+  auto series = std::make_shared<const dem::Coefficients>(*library().front());
+  const std::weak_ptr<const dem::Coefficients> former = series;
+  dem::Engine engine(parameters(dem::ContactGeometry::surface));
+  engine.add_particle(dem::make_shape(series, 0.01), dem::Vec3::Zero(),
+                      dem::Quaternion::Identity());
+  series.reset();
+  std::ostringstream out(std::ios::binary);
+  engine.save(out, {}, dem::StateExtent::scene);
+  EXPECT_FALSE(former.expired());
+  engine.particles().shape[0].series =
+      std::make_shared<const dem::Coefficients>(*library().back());
+  engine.save(out, {}, dem::StateExtent::scene);
+  EXPECT_TRUE(former.expired());
+}
+
 // What was set since construction comes back too.
 TEST(EngineCheckpoint, SettingsComeBack)
 {
