@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
@@ -160,6 +161,9 @@ TEST(RanksMemory, ThereIsNothingOfAllParticles)
     const double of_saving = peak_of(n_particles, [&] { save(*engine); });
     if (all->rank() != corner_rank)
       continue;
+    std::printf("rank %d of %d, bytes per particle of the scene: steps %.1f, "
+                "saving %.1f\n",
+                corner_rank, all->size(), of_run, of_saving);
     EXPECT_EQ(engine->particles().n_owned(),
               std::size_t(corner) * corner * corner);
     EXPECT_LT(of_run, most);
