@@ -175,7 +175,7 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
   case NeighborSchedule::Due::all:
     return rebuild_lists();
   case NeighborSchedule::Due::displaced:
-    return renew_lists();
+    return renew_displaced_lists();
   case NeighborSchedule::Due::deforming:
     return renew_deforming_lists();
   case NeighborSchedule::Due::nothing:
@@ -185,8 +185,9 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
 
 SkinWidth::Lists EngineState::list_counts() const
 {
-  std::array counts{static_cast<std::int64_t>(pair_batch.size()),
-                    count_touching(pair_batch)};
+  std::array counts{
+      static_cast<std::int64_t>(pair_batch.size() - pair_batch.n_vacant()),
+      count_touching(pair_batch)};
   distribution.ranks().sum(counts);
   return {step_count, counts[0], counts[1],
           cost_of_list(traits(pair_geometry()))};
@@ -254,8 +255,25 @@ void EngineState::note_forces(double recent)
   grid = sum_grid(grid_force, largest_radius);
 }
 
-/// What is left of the skin stays: but for pairs whose contact points have
-/// displaced, lists are as good as they were.
+/// But for pairs whose contact points have displaced, lists are as good as they
+/// were, and what is left of the skin stays.
+void EngineState::renew_displaced_lists()
+{
+  const PhaseTimer timer(spent.search);
+  update_maps();
+  if (follows_pairs())
+  {
+    const ForceContext still = context(0.);
+    const bool keeps_order = contact_points.renew_displaced(
+        contact_point_search(still, pair_batch.layout), schedule.paths,
+        pair_batch, lost);
+    if (!keeps_order)
+      pair_loads.prepare(pair_batch);
+  }
+  find_boundary_candidates(false);
+  schedule.lists_made();
+}
+
 void EngineState::renew_lists()
 {
   const PhaseTimer timer(spent.search);

@@ -135,6 +135,7 @@ private:
   void add_loads_again();
   void sum_loads();
   void renew_lists();
+  void renew_displaced_lists();
   void update_maps();
   void rebuild_pair_list();
   void renew_deforming_lists();

@@ -101,6 +101,7 @@ WallContactPoint follow(const Followed &all, std::size_t k,
     all.events.n_ended += batch.is_touching(k);
     all.events.has_displaced |= !all.can_wait || batch.is_touching(k);
     batch.overlap_offset[k] = kernel::closed_offset;
+    batch.displaced[k] = 1;
     return {};
   }
   const bool is_elsewhere = (contact_point.on_particle - start).norm() > jump;

@@ -1,6 +1,9 @@
+#include "force_kernels.h"
+
 #include <dem/contact/batch.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <ranges>
 #include <type_traits>
@@ -87,20 +90,8 @@ void SideColumns::set_offset(std::size_t k, const Vec3 &w)
   offset.set(k, axes_of(*this, k).leftCols<2>().transpose() * w);
 }
 
-/// A counting sort by A of short rows.
-std::vector<std::int32_t> ContactBatch::by_pair() const
+void ContactBatch::sort_by_pair(std::span<std::int32_t> contacts) const
 {
-  const std::int32_t n_particles =
-      n == 0 ? 0 : 1 + *std::max_element(a.begin(), a.begin() + n);
-  std::vector<std::int32_t> start(static_cast<std::size_t>(n_particles) + 1, 0);
-  for (std::size_t k = 0; k < n; ++k)
-    ++start[static_cast<std::size_t>(a[k]) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::int32_t> order(n);
-  std::vector<std::int32_t> next(start.begin(), start.end() - 1);
-  for (std::size_t k = 0; k < n; ++k)
-    order[static_cast<std::size_t>(next[static_cast<std::size_t>(a[k])]++)] =
-        static_cast<std::int32_t>(k);
   // Contacts of one pair of surfaces by where they are on A.
   const auto position = [this](std::int32_t k)
   {
@@ -110,20 +101,81 @@ std::vector<std::int32_t> ContactBatch::by_pair() const
     const TripleColumn<Narrow> &u = side_a.direction;
     return std::array{u.x[row], u.y[row], u.z[row]};
   };
-  const auto is_before = [&](std::int32_t k, std::int32_t l)
+  const auto key = [this](std::int32_t k)
   {
-    const std::int32_t b_k = b[static_cast<std::size_t>(k)],
-                       b_l = b[static_cast<std::size_t>(l)];
-    if (b_k != b_l)
-      return b_k < b_l;
-    const auto at_k = position(k), at_l = position(l);
-    return at_k != at_l ? at_k < at_l : k < l;
+    const auto row = static_cast<std::size_t>(k);
+    return std::pair(a[row], b[row]);
   };
-  for (std::int32_t i = 0; i < n_particles; ++i)
-    std::sort(order.begin() + start[static_cast<std::size_t>(i)],
-              order.begin() + start[static_cast<std::size_t>(i) + 1],
-              is_before);
+  std::ranges::sort(contacts,
+                    [&](std::int32_t k, std::int32_t l)
+                    {
+                      if (key(k) != key(l))
+                        return key(k) < key(l);
+                      const auto at_k = position(k), at_l = position(l);
+                      return at_k != at_l ? at_k < at_l : k < l;
+                    });
+}
+
+/// A counting sort by A of short rows.
+std::vector<std::int32_t> ContactBatch::by_pair() const
+{
+  const std::int32_t n_particles =
+      n == 0 ? 0 : 1 + *std::max_element(a.begin(), a.begin() + n);
+  std::vector<std::int32_t> start(static_cast<std::size_t>(n_particles) + 1, 0);
+  for (std::size_t k = 0; k < n; ++k)
+    start[static_cast<std::size_t>(a[k]) + 1] += is_vacant(k) ? 0 : 1;
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::int32_t> order(static_cast<std::size_t>(start.back()));
+  std::vector<std::int32_t> next(start.begin(), start.end() - 1);
+  for (std::size_t k = 0; k < n; ++k)
+    if (!is_vacant(k))
+      order[static_cast<std::size_t>(next[static_cast<std::size_t>(a[k])]++)] =
+          static_cast<std::int32_t>(k);
+  for (std::size_t i = 0; i + 1 < start.size(); ++i)
+    sort_by_pair(std::span(order).subspan(
+        static_cast<std::size_t>(start[i]),
+        static_cast<std::size_t>(start[i + 1] - start[i])));
   return order;
+}
+
+std::size_t ContactBatch::n_vacant() const
+{
+  return static_cast<std::size_t>(std::ranges::count(displaced, vacant));
+}
+
+void ContactBatch::start(std::size_t k, std::int32_t first, std::int32_t second)
+{
+  const std::int32_t adds_to = layout.has_partners ? target[k] : 0;
+  visit(
+      layout,
+      [k](bool is_there, auto &column)
+      {
+        if (is_there)
+          column[k] = {};
+      },
+      *this);
+  a[k] = first;
+  b[k] = second;
+  if (layout.has_partners)
+    target[k] = adds_to;
+}
+
+void ContactBatch::vacate(std::size_t k)
+{
+  const ContactBatch before = extract(k);
+  start(k, before.a[0], before.b[0]);
+  const auto copy = [k](bool is_there, auto &to, const auto &from)
+  {
+    if (is_there)
+      to[k] = from[0];
+  };
+  SideColumns::visit(copy, layout, layout.has_sides, side_a, before.side_a);
+  SideColumns::visit(copy, layout, layout.has_sides && layout.has_partners,
+                     side_b, before.side_b);
+  overlap_offset[k] = kernel::closed_offset;
+  displaced[k] = vacant;
+  if (layout.has_partners)
+    reactivation[k] = std::numeric_limits<double>::infinity();
 }
 
 void ContactBatch::clear_signs_of_zeros()

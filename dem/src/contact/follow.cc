@@ -29,6 +29,7 @@ void end_contact(ContactBatch &batch, std::size_t k, RangeSum &sum)
   sum.n_ended += batch.is_touching(k);
   sum.has_displaced = true;
   batch.overlap_offset[k] = kernel::closed_offset;
+  batch.displaced[k] = 1;
 }
 
 /// Start of the search for contact k; `towards` if it has no position yet.

@@ -1,4 +1,4 @@
-#include "point_list_renewal.h"
+#include "local_renewal.h"
 
 #include <algorithm>
 
@@ -67,6 +67,34 @@ PairList list_pair(const ContactPointSearchInput &input,
   return list;
 }
 
+/// How far the particles of a pair have come, and the images of a cell [m].
+auto path_lengths(const ParticleSystem &particles, const PathLengths &paths)
+{
+  return [&particles, &paths](const PairKey &key)
+  {
+    return particles.path_length[row_of(key.first)] +
+           particles.path_length[row_of(key.second)] + paths.cell;
+  };
+}
+
+/// Where the pairs of these contacts are in the list.
+std::vector<std::size_t> pairs_of(const ContactBatch &batch,
+                                  const std::vector<std::int32_t> &contacts,
+                                  const std::vector<CandidatePair> &pairs)
+{
+  std::vector<std::size_t> numbers;
+  for (const std::int32_t k : contacts)
+  {
+    const PairKey key{batch.a[row_of(k)], batch.b[row_of(k)]};
+    const auto found =
+        std::ranges::lower_bound(pairs, key, {}, &CandidatePair::key);
+    const auto number = static_cast<std::size_t>(found - pairs.begin());
+    if (numbers.empty() || numbers.back() != number)
+      numbers.push_back(number);
+  }
+  return numbers;
+}
+
 bool by_key(const CandidatePair &one, const CandidatePair &other)
 {
   return one.key < other.key;
@@ -101,16 +129,43 @@ void ContactPointLists::renew_pairs(const ContactPointSearchInput &input,
   const ParticleSystem &particles = input.context.particles;
   if (needs_search(input.skin, paths))
     search(particles, input.skin, paths);
-  const auto path_length = [&](const PairKey &key)
-  {
-    return particles.path_length[row_of(key.first)] +
-           particles.path_length[row_of(key.second)] + paths.cell;
-  };
   events += renew(
-      input, CandidateList{pairs, path_length, itself},
+      input, CandidateList{pairs, path_lengths(particles, paths), itself},
       [&](const CandidatePair &pair, const OldRows &old)
       { return list_pair(input, pair, batch, old); },
       batch, retired, [](const Arrangement &) {});
+}
+
+bool ContactPointLists::renew_displaced(const ContactPointSearchInput &input,
+                                        const PathLengths &paths,
+                                        ContactBatch &batch,
+                                        LostEnergy &retired)
+{
+  const std::vector<std::int32_t> contacts = of_displaced_pairs(batch);
+  const std::vector<std::size_t> numbers = pairs_of(batch, contacts, pairs);
+  std::vector<CandidatePair> displaced;
+  for (const std::size_t number : numbers)
+    displaced.push_back(pairs[number]);
+  Renewal made = renew_lists(
+      displaced, OldList(batch, itself, contacts),
+      [](const CandidatePair &, const OldRows &) { return true; },
+      [&](const CandidatePair &pair, const OldRows &old)
+      { return list_pair(input, pair, batch, old); });
+  events += note_lists(input, made,
+                       path_lengths(input.context.particles, paths), displaced);
+  for (std::size_t d = 0; d < numbers.size(); ++d)
+    pairs[numbers[d]] = displaced[d];
+  const LocalChanges changes(displaced, made, batch);
+  if (changes.has_room())
+  {
+    carry_out(input, changes, contacts, batch, retired);
+    return true;
+  }
+  const std::vector<std::int32_t> all = batch.by_pair();
+  made.old = old_rows(pairs, OldList(batch, itself, all));
+  made.due = numbers;
+  arrange_anew(input, pairs, made, batch, retired);
+  return false;
 }
 
 double ContactPointLists::search_range(const ParticleSystem &particles,

@@ -125,8 +125,7 @@ struct PairList
 /// A contact that has come to another contact point, or lost its own.
 inline bool has_displaced(const ContactBatch &batch, std::size_t k)
 {
-  return batch.displaced[k] != 0 ||
-         batch.overlap_offset[k] >= kernel::closed_offset;
+  return batch.displaced[k] != 0 && !batch.is_vacant(k);
 }
 
 /// Touching contacts come first: of two at one contact point the second is
@@ -166,16 +165,26 @@ struct Renewal
   }
 };
 
+/// What every pair has.
+inline std::vector<OldRows> old_rows(const std::vector<CandidatePair> &pairs,
+                                     OldList old_list)
+{
+  std::vector<OldRows> old;
+  old.reserve(pairs.size());
+  for (const CandidatePair &pair : pairs)
+    old.push_back(old_list.next(pair.key));
+  return old;
+}
+
 /// Makes the lists of the pairs for which is_due(pair, old rows) holds:
 /// `make(pair, old rows)`.
 template <class IsDue, class Make>
-Renewal renew_lists(const std::vector<CandidatePair> &pairs, OldList old_list,
-                    const IsDue &is_due, const Make &make)
+Renewal renew_lists(const std::vector<CandidatePair> &pairs,
+                    const OldList &old_list, const IsDue &is_due,
+                    const Make &make)
 {
   Renewal made;
-  made.old.reserve(pairs.size());
-  for (const CandidatePair &pair : pairs)
-    made.old.push_back(old_list.next(pair.key));
+  made.old = old_rows(pairs, old_list);
   std::vector<std::uint8_t> wants(pairs.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t p = 0; p < pairs.size(); ++p)
@@ -341,6 +350,38 @@ inline std::int32_t itself(std::int32_t b)
   return b;
 }
 
+/// Notes of the pairs that got new lists what these are good for.
+template <class Path>
+ContactPointEvents note_lists(const ContactPointSearchInput &input,
+                              const Renewal &made, const Path &path_length,
+                              std::vector<CandidatePair> &pairs)
+{
+  ContactPointEvents events;
+  for (std::size_t d = 0; d < made.due.size(); ++d)
+  {
+    CandidatePair &pair = pairs[made.due[d]];
+    events += made.lists[d].events;
+    pair.due = path_length(pair.key) + made.lists[d].clear;
+    pair.skin = input.skin;
+    pair.between = made.lists[d].between;
+  }
+  return events;
+}
+
+/// Puts the batch in the order of the lists.
+inline Arrangement arrange_anew(const ContactPointSearchInput &input,
+                                const std::vector<CandidatePair> &pairs,
+                                const Renewal &made, ContactBatch &batch,
+                                LostEnergy &retired)
+{
+  Arrangement to(pairs, made);
+  if (input.layout.has_partners)
+    to.put_touching_first(batch);
+  retire_dropped(to, batch, retired);
+  arrange(input, to, batch);
+  return to;
+}
+
 /// Makes the lists that are due and puts the batch in their order, then calls
 /// arranged(Arrangement) if that is another one.
 template <class Path, class Make, class Arranged>
@@ -360,26 +401,12 @@ ContactPointEvents renew(const ContactPointSearchInput &input,
                (pair.skin > 2. * input.skin && has_open_contacts(batch, old));
       },
       make);
-  ContactPointEvents events;
-  for (std::size_t d = 0; d < made.due.size(); ++d)
-  {
-    CandidatePair &pair = pairs[made.due[d]];
-    events += made.lists[d].events;
-    pair.due = candidates.path_length(pair.key) + made.lists[d].clear;
-    pair.skin = input.skin;
-    pair.between = made.lists[d].between;
-  }
+  const ContactPointEvents events =
+      note_lists(input, made, candidates.path_length, pairs);
   if (!made.changes(batch.size()) && is_same_layout(input.layout, batch.layout))
-  {
     std::fill(batch.displaced.begin(), batch.displaced.end(), std::uint8_t{0});
-    return events;
-  }
-  Arrangement to(pairs, made);
-  if (input.layout.has_partners)
-    to.put_touching_first(batch);
-  retire_dropped(to, batch, retired);
-  arrange(input, to, batch);
-  arranged(to);
+  else
+    arranged(arrange_anew(input, pairs, made, batch, retired));
   return events;
 }
 } // namespace

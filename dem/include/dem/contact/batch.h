@@ -181,8 +181,10 @@ struct ContactBatch
 
   std::size_t size() const { return n; }
   /// Numbers of the contacts by (a, b), those of one pair by their directions
-  /// on A: whatever order they stand in.
+  /// on A: whatever order they stand in. Vacant entries are left out.
   std::vector<std::int32_t> by_pair() const;
+  /// Some of them in that order.
+  void sort_by_pair(std::span<std::int32_t> contacts) const;
   bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
   /// Touches, or pulls across a gap.
   bool has_force(std::size_t k) const
@@ -210,6 +212,21 @@ struct ContactBatch
 
   /// Some contacts, in this order.
   ContactBatch select(const std::vector<std::int32_t> &rows) const;
+  /// `displaced` of a vacant entry.
+  static constexpr std::uint8_t vacant = 255;
+  /// Whether entry k waits for a new contact, of contacts that follow their
+  /// surfaces: it has no springs, never touches and is in no list.
+  bool is_vacant(std::size_t k) const
+  {
+    return layout.has_contact_points && displaced[k] == vacant;
+  }
+  std::size_t n_vacant() const;
+  /// Entry k loses all but its particles, and the surfaces that lanes beside it
+  /// compute with.
+  void vacate(std::size_t k);
+  /// Entry k becomes an empty one between particles a and b.
+  void start(std::size_t k, std::int32_t first, std::int32_t second);
+
   /// Adds contacts of the same layout at the end.
   void append(const ContactBatch &more);
 

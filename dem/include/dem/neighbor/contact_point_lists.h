@@ -51,6 +51,11 @@ public:
   void renew_pairs(const ContactPointSearchInput &input,
                    const PathLengths &paths, ContactBatch &batch,
                    LostEnergy &retired);
+  /// The same for pairs of which a contact has displaced, while the other lists
+  /// hold. Returns whether all other contacts are where they were in the batch.
+  bool renew_displaced(const ContactPointSearchInput &input,
+                       const PathLengths &paths, ContactBatch &batch,
+                       LostEnergy &retired);
 
   /// Whether renew_pairs() with this skin [m] would search for pairs.
   bool needs_search(double skin, const PathLengths &paths) const

@@ -35,6 +35,33 @@ TEST(ContactBatch, GathersTheContactsOfAPairFromAnywhere)
   EXPECT_EQ(found, expected);
 }
 
+TEST(ContactBatch, AVacantEntryIsInNoListUntilAContactStartsThere)
+{
+  dem::BatchLayout layout;
+  layout.has_sides = layout.has_partners = layout.has_contact_points = true;
+  dem::ContactBatch batch;
+  batch.rearrange(layout, {-1, -1, -1});
+  for (std::size_t k = 0; k < 3; ++k)
+    batch.start(k, 0, static_cast<std::int32_t>(k) + 1);
+  batch.overlap[1] = 1e-6;
+  batch.normal_force[1] = batch.shear.y[1] = 2.;
+  batch.side_b.height[1] = 0.01;
+  batch.target[1] = -3;
+  batch.vacate(1);
+  EXPECT_TRUE(batch.is_vacant(1));
+  EXPECT_EQ(batch.n_vacant(), 1u);
+  EXPECT_EQ(batch.by_pair(), (std::vector<std::int32_t>{0, 2}));
+  EXPECT_FALSE(batch.has_force(1));
+  EXPECT_EQ(batch.stored_energy(1), 0.);
+  EXPECT_EQ(batch.side_b.height[1], 0.01);
+  EXPECT_EQ(batch.target[1], -3);
+  batch.start(1, 0, 4);
+  EXPECT_EQ(batch.n_vacant(), 0u);
+  EXPECT_EQ(batch.side_b.height[1], 0.);
+  EXPECT_EQ(batch.by_pair(), (std::vector<std::int32_t>{0, 2, 1}));
+  EXPECT_EQ(batch.target[1], -3);
+}
+
 TEST(ContactBatch, HasNoPairWithoutContacts)
 {
   dem::for_each_pair(dem::ContactBatch{},
