@@ -155,10 +155,16 @@ bool ContactPointLists::renew_displaced(const ContactPointSearchInput &input,
                        path_lengths(input.context.particles, paths), displaced);
   for (std::size_t d = 0; d < numbers.size(); ++d)
     pairs[numbers[d]] = displaced[d];
+  // Whether there is room must not show in what comes: ranks may differ in it.
+  for (const std::int32_t k : contacts)
+  {
+    batch.displaced[row_of(k)] = 0;
+    batch.reactivation[row_of(k)] = 0.;
+  }
   const LocalChanges changes(displaced, made, batch);
   if (changes.has_room())
   {
-    carry_out(input, changes, contacts, batch, retired);
+    carry_out(input, changes, batch, retired);
     return true;
   }
   const std::vector<std::int32_t> all = batch.by_pair();

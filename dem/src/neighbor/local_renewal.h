@@ -126,15 +126,9 @@ private:
 };
 
 inline void carry_out(const ContactPointSearchInput &input,
-                      const LocalChanges &all,
-                      const std::vector<std::int32_t> &old, ContactBatch &batch,
+                      const LocalChanges &all, ContactBatch &batch,
                       LostEnergy &retired)
 {
-  for (const std::int32_t k : old)
-  {
-    batch.displaced[row_of(k)] = 0;
-    batch.reactivation[row_of(k)] = 0.;
-  }
   for (const std::size_t k : all.dropped())
   {
     retire_contact(batch, k, retired);
