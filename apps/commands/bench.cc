@@ -2,6 +2,7 @@
 #include "commands/commands.h"
 #include "errors.h"
 #include "run/whole_file.h"
+#include "shape/file.h"
 #include "specimen/specimen.h"
 
 #include <dem/measure/assembly.h>
@@ -26,6 +27,7 @@ struct BenchOptions
   std::string scene = "rest", geometry = "radial";
   int steps = 1000, threads = 1, repeat = 1;
   int settle = -1; ///< -1: as the scene needs
+  int copies = 1;  ///< of the closed packing, along each axis
   bool is_breaking = false;
 };
 
@@ -77,6 +79,10 @@ void check(const BenchOptions &options)
   if (options.is_breaking && options.shapes.empty())
     throw InputError("bench: --breakage: needs --shapes DIR, spheres do not "
                      "break");
+  if (options.copies > 1 && options.shapes.empty())
+    throw InputError("bench: --copies " + std::to_string(options.copies) +
+                     ": needs --shapes DIR, a lattice of spheres is made in "
+                     "any size");
   require_folder("--json", options.json);
   require_folder("--save", options.save);
 }
@@ -91,7 +97,8 @@ BenchOptions bench_options(Words words)
   const std::map<std::string, int *> counts = {{"--steps", &options.steps},
                                                {"--threads", &options.threads},
                                                {"--repeat", &options.repeat},
-                                               {"--settle", &options.settle}};
+                                               {"--settle", &options.settle},
+                                               {"--copies", &options.copies}};
   for (std::size_t k = 0; k < words.size(); ++k)
   {
     const std::string &word = words[k];
@@ -102,7 +109,7 @@ BenchOptions bench_options(Words words)
       throw InputError("bench: " + word +
                        ": must be one of --packing, --steps, --threads, "
                        "--shapes, --geometry, --breakage, --scene, --repeat, "
-                       "--json, --settle, --save");
+                       "--json, --settle, --copies, --save");
     else if (k + 1 == words.size() || words[k + 1].empty())
       throw InputError("bench: " + word + ": a value must follow");
     else if (is_text)
@@ -169,23 +176,45 @@ private:
   dem::Stopwatch since;
 };
 
+/// Rows of a packing take the shapes in turn: those of a copy must be the same.
+void check_copies(const BenchOptions &options, const Packing &packing)
+{
+  const std::size_t n_shapes = read_shapes(options.shapes).size();
+  if (packing.size() % n_shapes != 0)
+    throw InputError("bench: --copies " + std::to_string(options.copies) +
+                     ": the " + std::to_string(packing.size()) +
+                     " particles of " + options.packing +
+                     " must be a multiple of the " + std::to_string(n_shapes) +
+                     " shapes of " + options.shapes);
+}
+
 BenchParticles prepare(const BenchOptions &options, BenchResult &result)
 {
   Packing packing = read_packing(options.packing);
   const bool is_closed = !packing.orientation.empty();
+  const bool is_joined = options.copies > 1;
+  if (is_joined)
+    check_copies(options, packing);
   BenchParticles particles =
       make_bench_particles(std::move(packing), options.shapes);
   particles.geometry = geometries.at(options.geometry);
   particles.ranks = dem::ranks_of_program();
-  if (!options.shapes.empty() && !is_closed)
+  const bool needs_closing = !options.shapes.empty() && !is_closed;
+  if (particles.ranks->size() > 1 && (needs_closing || is_joined))
+    throw InputError("bench: --packing " + options.packing +
+                     ": must be closed round the shapes first, on one rank "
+                     "with --save P.csv");
+  if (needs_closing)
   {
-    if (particles.ranks->size() > 1)
-      throw InputError("bench: --packing " + options.packing +
-                       ": must be closed round the shapes first, on one rank "
-                       "with --save P.csv");
     std::cout << "closing the box round " << particles.packing.size()
               << " particles ..." << std::endl;
     result.closed = close_box(particles, ClosingProgress());
+  }
+  if (is_joined)
+  {
+    std::cout << "joining " << options.copies << " copies along each axis ..."
+              << std::endl;
+    result.closed = join_copies(particles, options.copies, ClosingProgress());
   }
   if (!options.save.empty() && particles.ranks->rank() == 0)
     write_packing(options.save, particles.packing);

@@ -78,8 +78,8 @@ constexpr std::array<Command, 8> commands = {
      {"bench",
       "--packing P.csv [--steps N] [--threads N] [--shapes DIR] "
       "[--geometry sphere|radial|surface] [--breakage] "
-      "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--json FILE] "
-      "[--save P.csv]",
+      "[--scene rest|jolt|collapse] [--repeat N] [--settle N] [--copies N] "
+      "[--json FILE] [--save P.csv]",
       "time the particle engine on a packing", bench_command,
       Processes::engine_ranks},
      {"verify", "[FAMILY ...] [--list] [--csv FILE] [--page FILE]",

@@ -64,7 +64,7 @@ _spall() {
       ;;
     bench)
       words="--packing --steps --threads --shapes --geometry --breakage --scene
-        --repeat --settle --json --save --help"
+        --repeat --settle --copies --json --save --help"
       ;;
     verify) words="--list --csv --page --help" ;;
   esac

@@ -368,6 +368,8 @@ PACKINGS = [
             words=["--steps"]),
     packing("breakage", PACKING, "--breakage", "--shapes",
             words=["--breakage"]),
+    packing("copies", PACKING, "--copies 2", "--shapes DIR",
+            words=["--copies", "2"]),
     packing("shapes", PACKING, "nowhere", "no such folder",
             words=["--shapes", "nowhere"]),
     packing("json", PACKING, "nowhere/a.json", "cannot be written",

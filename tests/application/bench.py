@@ -76,6 +76,17 @@ def shape_faults(spall, folder):
         "closed packing gives the same": checksum(first) == checksum(second),
         "and is not closed again": "closed" not in second,
     }
+    even, joined = folder / "four.csv", folder / "joined.csv"
+    rows = closed.read_text().splitlines()
+    even.write_text("\n".join(rows[:6]) + "\n")  # box, names, four particles
+    many = bench(spall, folder, even, *shapes, "--copies", "2", "--save",
+                 str(joined))
+    again = bench(spall, folder, joined, *shapes)
+    checks |= {
+        "eight copies": many["particles"] == 8 * 4,
+        "copies are pressed": many["closed"]["steps"] > 0,
+        "joined packing gives the same": checksum(many) == checksum(again),
+    }
     return ["shapes: " + name for name, is_good in checks.items()
             if not is_good]
 
