@@ -198,10 +198,10 @@ void EngineState::rebuild_lists()
   if (keeps_inside)
     stop_together<std::runtime_error>(distribution.ranks(),
                                       escape_fault(walls, system));
-  schedule.skin.renew(settings.geometry.usual_skin, list_counts());
+  note_extremes();
+  schedule.skin.renew(usual_skin(), list_counts());
   if (!distribution.is_shared() && system.size() >= sorted_from)
     sort_in_space();
-  note_extremes();
   renew_lists();
   image_span = span_in_lengths(system);
   schedule.skin_renewed();
@@ -307,6 +307,15 @@ ContactGeometry EngineState::pair_geometry() const
 {
   return system.has_shapes ? settings.geometry.geometry
                            : geometry_without_shapes;
+}
+
+/// Around what the skin is chosen. A search for contact points costs more, the
+/// farther the surfaces are apart on which it begins [m].
+double EngineState::usual_skin() const
+{
+  constexpr double of_radius = 0.05;
+  const double usual = settings.geometry.usual_skin;
+  return follows_pairs() ? std::min(usual, of_radius * least_radius) : usual;
 }
 
 /// How far beyond contact the lists of pairs look [m].

