@@ -183,7 +183,7 @@ struct ContactBatch
   /// Numbers of the contacts by (a, b), those of one pair by their directions
   /// on A: whatever order they stand in. Vacant entries are left out.
   std::vector<std::int32_t> by_pair() const;
-  /// Some of them in that order.
+  /// Puts some of them in that order.
   void sort_by_pair(std::span<std::int32_t> contacts) const;
   bool is_touching(std::size_t k) const { return overlap[k] > 0.; }
   /// Touches, or pulls across a gap.
