@@ -7,7 +7,7 @@ namespace coupling
 {
 namespace
 {
-constexpr std::int64_t check_interval = 64; // windows
+constexpr std::int64_t length_check_interval = 64; // windows
 
 /// The gain may come to this share of its limit: contacts change between
 /// checks.
@@ -25,14 +25,14 @@ void WindowLength::cap(int most)
 
 bool WindowLength::is_due(std::int64_t n_windows) const
 {
-  return is_adaptive() && n_windows % check_interval == 0;
+  return is_adaptive() && n_windows % length_check_interval == 0;
 }
 
 void WindowLength::update(double gain_over_limit, const LedgerSums &books,
                           std::int64_t n_windows)
 {
   const double energy_error = books.given - books.taken;
-  const double usual = books.moved * static_cast<double>(check_interval) /
+  const double usual = books.moved * static_cast<double>(length_check_interval) /
                        static_cast<double>(n_windows);
   const double moved = std::max(books.moved - moved_before, usual);
   const double share =
