@@ -26,8 +26,7 @@ ContactCount count_contacts(const dem::Engine &engine)
 {
   std::array counts{count_touching(engine.pairs()),
                     count_touching(dem::on_planes(engine)),
-                    static_cast<std::int64_t>(engine.pairs().size() -
-                                              engine.pairs().n_vacant())};
+                    static_cast<std::int64_t>(engine.pairs().n_contacts())};
   engine.distribution().ranks().sum(counts);
   return {counts[0], counts[1], counts[2]};
 }

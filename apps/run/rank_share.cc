@@ -14,9 +14,9 @@ RankShare rank_share(const dem::Engine &engine)
       static_cast<std::int64_t>(distribution.exchange().n_ghosts());
   const auto n_particles =
       static_cast<std::int64_t>(engine.particles().n_owned());
-  auto n_contacts = static_cast<std::int64_t>(engine.pairs().size());
+  auto n_contacts = static_cast<std::int64_t>(engine.pairs().n_contacts());
   for (const auto &boundary : engine.boundaries())
-    n_contacts += static_cast<std::int64_t>(boundary->batch.size());
+    n_contacts += static_cast<std::int64_t>(boundary->batch.n_contacts());
   std::array sums{n_ghosts, n_contacts};
   std::array largest{
       static_cast<double>(n_ghosts), static_cast<double>(n_contacts),

@@ -185,9 +185,8 @@ void EngineState::keep_lists(const Speeds &fastest, double time_step)
 
 SkinWidth::Lists EngineState::list_counts() const
 {
-  std::array counts{
-      static_cast<std::int64_t>(pair_batch.size() - pair_batch.n_vacant()),
-      count_touching(pair_batch)};
+  std::array counts{static_cast<std::int64_t>(pair_batch.n_contacts()),
+                    count_touching(pair_batch)};
   distribution.ranks().sum(counts);
   return {step_count, counts[0], counts[1],
           cost_of_list(traits(pair_geometry()))};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../row_of.h"
 #include "force_kernels.h"
 
 #include <dem/contact/forces.h>
@@ -9,12 +10,6 @@
 
 namespace dem
 {
-/// The particle in this row of the columns.
-inline std::size_t row_of(std::int32_t particle)
-{
-  return static_cast<std::size_t>(particle);
-}
-
 /// Evaluates the surface of side A or B of contact k at a unit direction of the
 /// body frame; its prefactors are out of date then.
 void renew_side(const ForceContext &context, ContactBatch &batch, std::size_t k,

@@ -1,3 +1,4 @@
+#include "../row_of.h"
 #include "parcel_stream.h"
 #include "particle_stream.h"
 
@@ -14,11 +15,6 @@ namespace dem
 namespace
 {
 using Rows = std::vector<std::int32_t>;
-
-std::size_t row_of(std::int32_t particle)
-{
-  return static_cast<std::size_t>(particle);
-}
 
 /// What every rank has written, by rank.
 std::vector<Parcel> gather(const Ranks &ranks, const std::ostringstream &own)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../row_of.h"
+
 #include <dem/parallel/distribution.h>
 
 #include <cstdint>
@@ -10,11 +12,6 @@
 namespace dem
 {
 using Rows = std::vector<std::int32_t>;
-
-inline std::size_t row_of(std::int32_t particle)
-{
-  return static_cast<std::size_t>(particle);
-}
 
 /// Calls call(candidates) for those of pairs and of each boundary that has
 /// some.

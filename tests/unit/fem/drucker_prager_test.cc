@@ -42,7 +42,7 @@ Voigt gradient(const fem::DruckerPrager &law, const Voigt &s, double slope)
   return result;
 }
 
-const Voigt path =
+const Voigt strain_path =
     (Voigt() << -2e-3, 0.7e-3, 0.2e-3, 0.9e-3, -0.5e-3, 1.1e-3).finished();
 
 /// Where a path begins: inside, and not on the line of the strains.
@@ -54,7 +54,7 @@ Voigt first_stress()
 }
 
 /// Not too far: in the end the stress no longer changes.
-const Voigt turn = 0.8 * path;
+const Voigt sideways = 0.8 * strain_path;
 
 /// Rate equations in n steps of Heun's method from where the path meets the
 /// cone, with no return: dsigma = C (deps - lambda g), lambda such that
@@ -67,16 +67,17 @@ Voigt integrated(const fem::DruckerPrager &law, int n)
   {
     const Voigt normal = gradient(law, s, law.friction);
     const Voigt flow = gradient(law, s, law.dilatancy);
-    return c * turn - normal.dot(c * turn) / normal.dot(c * flow) * (c * flow);
+    return c * sideways -
+           normal.dot(c * sideways) / normal.dot(c * flow) * (c * flow);
   };
   double low = 0., high = 1.;
   for (int k = 0; k < 60; ++k)
   {
     const double middle = 0.5 * (low + high);
-    (yield(law, first_stress() + middle * (c * turn)) < 0. ? low : high) =
+    (yield(law, first_stress() + middle * (c * sideways)) < 0. ? low : high) =
         middle;
   }
-  Voigt s = first_stress() + high * (c * turn);
+  Voigt s = first_stress() + high * (c * sideways);
   const double step = (1. - high) / n;
   for (int k = 0; k < n; ++k)
   {
@@ -92,7 +93,7 @@ Voigt returned(const fem::DruckerPrager &law, int n)
       fem::elasticity(law.bulk_modulus, law.shear_modulus);
   Voigt s = first_stress();
   for (int k = 0; k < n; ++k)
-    s = fem::return_stress(law, s + c * turn / n).stress;
+    s = fem::return_stress(law, s + c * sideways / n).stress;
   return s;
 }
 
@@ -123,11 +124,11 @@ TEST(DruckerPrager, ReturnsToTheConeOrToItsApex)
   const fem::DruckerPrager law = soil(0.5, 0.2);
   const fem::VoigtMatrix c =
       fem::elasticity(law.bulk_modulus, law.shear_modulus);
-  const auto cone = fem::return_stress(law, c * path);
+  const auto cone = fem::return_stress(law, c * strain_path);
   EXPECT_EQ(cone.region, fem::YieldRegion::cone);
   EXPECT_NEAR(yield(law, cone.stress), 0., 1e-9 * law.strength);
   // The flow is the multiplier times the gradient of the potential at the end.
-  const Voigt flow = fem::elastic_strain(law, c * path - cone.stress);
+  const Voigt flow = fem::elastic_strain(law, c * strain_path - cone.stress);
   const Voigt expected =
       cone.multiplier * gradient(law, cone.stress, law.dilatancy);
   EXPECT_LT((flow - expected).norm(), 1e-8 * flow.norm());
@@ -180,16 +181,17 @@ TEST(DruckerPrager, TangentIsTheDerivative)
         fem::elasticity(law.bulk_modulus, law.shear_modulus);
     const auto stress = [&](const Voigt &strain) -> Voigt
     { return fem::return_stress(law, c * strain).stress; };
-    const auto result = fem::return_stress(law, c * path);
+    const auto result = fem::return_stress(law, c * strain_path);
     ASSERT_EQ(result.region, fem::YieldRegion::cone);
     const fem::VoigtMatrix tangent =
-        fem::consistent_tangent(law, c * path, result);
+        fem::consistent_tangent(law, c * strain_path, result);
     fem::VoigtMatrix numeric;
     for (int j = 0; j < 6; ++j)
     {
       Voigt step = Voigt::Zero();
       step(j) = 1e-8;
-      numeric.col(j) = (stress(path + step) - stress(path - step)) / 2e-8;
+      numeric.col(j) =
+          (stress(strain_path + step) - stress(strain_path - step)) / 2e-8;
     }
     EXPECT_LT((tangent - numeric).norm(), 1e-6 * numeric.norm());
     const double skew = (tangent - tangent.transpose()).norm();

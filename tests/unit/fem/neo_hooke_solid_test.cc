@@ -15,7 +15,7 @@ Matrix stretched()
   return f;
 }
 
-Matrix turn()
+Matrix rotation()
 {
   return Eigen::AngleAxisd(1.2, Eigen::Vector3d(1., -2., 0.5).normalized())
       .toRotationMatrix();
@@ -60,14 +60,14 @@ TEST(NeoHooke, TangentIsTheDerivativeOfTheStress)
 TEST(NeoHooke, TurningTurnsTheStressOnly)
 {
   const Matrix f = stretched();
-  EXPECT_NEAR(fem::shape_energy(rubber, turn() * f),
+  EXPECT_NEAR(fem::shape_energy(rubber, rotation() * f),
               fem::shape_energy(rubber, f), 1e-9 * 2e5);
-  EXPECT_LT((fem::shape_stress(rubber, turn() * f) -
-             turn() * fem::shape_stress(rubber, f))
+  EXPECT_LT((fem::shape_stress(rubber, rotation() * f) -
+             rotation() * fem::shape_stress(rubber, f))
                 .norm(),
             1e-9 * 2e5);
   // No volume change, no energy of it; a shape that only grows has none.
-  EXPECT_NEAR(fem::shape_energy(rubber, 1.7 * turn()), 0., 1e-9 * 2e5);
+  EXPECT_NEAR(fem::shape_energy(rubber, 1.7 * rotation()), 0., 1e-9 * 2e5);
   EXPECT_EQ(fem::volume_stress(rubber, 1.), 0.);
 }
 

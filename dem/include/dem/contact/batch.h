@@ -221,6 +221,8 @@ struct ContactBatch
     return layout.has_contact_points && displaced[k] == vacant;
   }
   std::size_t n_vacant() const;
+  /// Entries that are not vacant.
+  std::size_t n_contacts() const { return size() - n_vacant(); }
   /// Entry k loses all but its particles, and the surfaces that lanes beside it
   /// compute with.
   void vacate(std::size_t k);

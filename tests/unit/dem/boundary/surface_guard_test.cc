@@ -14,11 +14,11 @@ namespace
 /// Two triangles on the x axis; the second is turned up from the flat by this.
 dem::FacetSurface hinge(double degrees)
 {
-  const double turn = degrees * M_PI / 180.;
+  const double angle = degrees * M_PI / 180.;
   return support::fixed_surface({{0., 0., 0.},
                                  {1., 0., 0.},
                                  {0.5, 1., 0.},
-                                 {0.5, -std::cos(turn), std::sin(turn)}},
+                                 {0.5, -std::cos(angle), std::sin(angle)}},
                                 {{0, 1, 2}, {1, 0, 3}});
 }
 

@@ -47,7 +47,7 @@ Vec3 normal_of(const FacetSurface &surface, std::size_t triangle)
   return (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
 }
 
-std::string message_of(const TriangleMesh &mesh)
+std::string fault_of(const TriangleMesh &mesh)
 {
   try
   {
@@ -119,12 +119,12 @@ TEST(WallMesh, VerticesCannotBeMovedByForces)
 
 TEST(WallMesh, MeshesThatAreNoSurfaceAreRefused)
 {
-  EXPECT_EQ(message_of({}), "mesh has no triangles");
+  EXPECT_EQ(fault_of({}), "mesh has no triangles");
   TriangleMesh fan;
   fan.points = {
       {0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}, {0., -1., 0.}};
   fan.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
-  EXPECT_EQ(message_of(fan),
+  EXPECT_EQ(fault_of(fan),
             "mesh is no surface: 1 edges belong to more than two triangles, at "
             "most two are allowed");
 }

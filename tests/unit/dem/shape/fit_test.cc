@@ -11,11 +11,11 @@ using namespace dem::test;
 
 namespace
 {
-const Vec3 axes(0.012, 0.010, 0.009);
+const Vec3 half_axes(0.012, 0.010, 0.009);
 
 double ellipsoid(const Vec3 &s)
 {
-  return ellipsoid_radius(axes, s);
+  return ellipsoid_radius(half_axes, s);
 }
 
 std::string message_of(const TriangleMesh &mesh, int order = 8,
@@ -133,11 +133,12 @@ TEST(Fit, RecoversAnEllipsoidFromItsMesh)
   const Vec3 away(0.3, -0.2, 0.1);
   const ShapeFit fit = fit_shape(moved(radial_mesh(120, ellipsoid), away), 20);
   EXPECT_NEAR((fit.centroid - away).norm(), 0., 1e-9);
-  const double volume = 4. / 3. * std::numbers::pi * axes.prod();
+  const double volume = 4. / 3. * std::numbers::pi * half_axes.prod();
   EXPECT_NEAR(fit.mesh_volume, volume, 1e-3 * volume);
   EXPECT_LT(fit.mesh_volume, volume);
   for (const Vec3 &s : random_directions(200, 1))
-    EXPECT_NEAR(radius(fit.coefficients, s), ellipsoid(s), 2e-4 * axes.x());
+    EXPECT_NEAR(radius(fit.coefficients, s), ellipsoid(s),
+                2e-4 * half_axes.x());
   EXPECT_EQ(fit.overhang_fraction, 0.);
   EXPECT_NEAR(fit.overhang_loss, 0., 1e-12);
   EXPECT_LT(fit.residual_max, 1e-3);
@@ -253,7 +254,7 @@ TEST(Fit, SaysWhatAnOverhangCosts)
 TEST(Fit, FromVerticesUndoesTheLossOfFlatFacets)
 {
   const TriangleMesh mesh = radial_mesh(36, ellipsoid);
-  const double volume = 4. / 3. * std::numbers::pi * axes.prod();
+  const double volume = 4. / 3. * std::numbers::pi * half_axes.prod();
   const auto volume_of = [](const ShapeFit &fit)
   { return measure_shape(fit.coefficients, standard_quadrature()).volume; };
   const ShapeFit rays = fit_shape(mesh, 16);
@@ -264,7 +265,8 @@ TEST(Fit, FromVerticesUndoesTheLossOfFlatFacets)
   // order 16 holds this ellipsoid to 1e-7
   EXPECT_NEAR(volume_of(points), volume, 1e-6 * volume);
   for (const Vec3 &s : random_directions(200, 1))
-    EXPECT_NEAR(radius(points.coefficients, s), ellipsoid(s), 1e-5 * axes.x());
+    EXPECT_NEAR(radius(points.coefficients, s), ellipsoid(s),
+                1e-5 * half_axes.x());
   EXPECT_LT(points.residual_max, 1e-5);
 }
 

@@ -11,7 +11,7 @@ using namespace dem::test;
 
 namespace
 {
-const Vec3 axes(0.012, 0.010, 0.007);
+const Vec3 form_axes(0.012, 0.010, 0.007);
 
 /// An ellipsoid whose axes stand askew.
 std::vector<double> askew_ellipsoid()
@@ -19,7 +19,7 @@ std::vector<double> askew_ellipsoid()
   const Mat3 turn =
       Quaternion(0.3, -0.5, 0.2, 0.7).normalized().toRotationMatrix();
   return project(20, [&](const Vec3 &s)
-                 { return ellipsoid_radius(axes, turn * s); });
+                 { return ellipsoid_radius(form_axes, turn * s); });
 }
 } // namespace
 
@@ -57,9 +57,9 @@ TEST(ConvexHull, OfASphereTendsToIt)
 TEST(Calipers, OfAnEllipsoidAreItsAxes)
 {
   const Calipers of = calipers(askew_ellipsoid());
-  EXPECT_NEAR(of.length, 2. * axes.x(), 1e-3 * axes.x());
-  EXPECT_NEAR(of.width, 2. * axes.y(), 1e-3 * axes.x());
-  EXPECT_NEAR(of.thickness, 2. * axes.z(), 1e-3 * axes.x());
+  EXPECT_NEAR(of.length, 2. * form_axes.x(), 1e-3 * form_axes.x());
+  EXPECT_NEAR(of.width, 2. * form_axes.y(), 1e-3 * form_axes.x());
+  EXPECT_NEAR(of.thickness, 2. * form_axes.z(), 1e-3 * form_axes.x());
 }
 
 // The diagonals of the quads between the rings may be notches: a part of the
@@ -126,6 +126,6 @@ TEST(InscribedSphere, FindsTheCentre)
 TEST(InscribedSphere, OfAnEllipsoidHasTheShortAxis)
 {
   const InscribedSphere sphere = inscribed_sphere(askew_ellipsoid());
-  EXPECT_NEAR(sphere.radius, axes.z(), 2e-4 * axes.z());
-  EXPECT_LT(sphere.centre.norm(), 2e-2 * axes.z());
+  EXPECT_NEAR(sphere.radius, form_axes.z(), 2e-4 * form_axes.z());
+  EXPECT_LT(sphere.centre.norm(), 2e-2 * form_axes.z());
 }
