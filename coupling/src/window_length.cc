@@ -32,7 +32,8 @@ void WindowLength::update(double gain_over_limit, const LedgerSums &books,
                           std::int64_t n_windows)
 {
   const double energy_error = books.given - books.taken;
-  const double usual = books.moved * static_cast<double>(length_check_interval) /
+  const double usual = books.moved *
+                       static_cast<double>(length_check_interval) /
                        static_cast<double>(n_windows);
   const double moved = std::max(books.moved - moved_before, usual);
   const double share =
