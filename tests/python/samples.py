@@ -46,7 +46,8 @@ def run_membrane(spall, folder, settings, *options, ranks=1):
         words += ["--set", setting]
     if ranks > 1:
         words = [MPIRUN, "--allow-run-as-root", "--oversubscribe",
-                 "--bind-to", "none", "-n", str(ranks)] + words
+                 "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1",
+                 "-n", str(ranks)] + words
     subprocess.run([*words, *options], check=True, capture_output=True)
     return spall.Run(folder)
 
