@@ -1,3 +1,4 @@
+#include "../row_of.h"
 #include "parcel_stream.h"
 
 #include <dem/binary.h>
@@ -14,11 +15,6 @@ namespace dem
 namespace
 {
 constexpr std::size_t load_numbers = 6;
-
-std::size_t row(std::int32_t particle)
-{
-  return static_cast<std::size_t>(particle);
-}
 
 /// Position, velocity, spin, orientation; path length where there are shapes.
 void put_state(const ParticleSystem &particles, std::size_t i, double *to)
@@ -98,11 +94,11 @@ void Halo::send_states(ParticleSystem &particles)
   sent.resize(state_numbers * sent_row.size());
   received.resize(state_numbers * ghost_row.size());
   for (std::size_t k = 0; k < sent_row.size(); ++k)
-    put_state(particles, row(sent_row[k]), sent.data() + state_numbers * k);
+    put_state(particles, row_of(sent_row[k]), sent.data() + state_numbers * k);
   states->forward(sent.data(), state_numbers * sizeof(double), received.data());
   for (std::size_t k = 0; k < ghost_row.size(); ++k)
     get_state(received.data() + state_numbers * k, particles,
-              row(ghost_row[k]));
+              row_of(ghost_row[k]));
 }
 
 void Halo::collect_loads(ParticleSystem &particles)
@@ -111,7 +107,7 @@ void Halo::collect_loads(ParticleSystem &particles)
   received.resize(load_numbers * sent_row.size());
   for (std::size_t k = 0; k < ghost_row.size(); ++k)
   {
-    ParticleLoad &load = particles.load[row(ghost_row[k])];
+    ParticleLoad &load = particles.load[row_of(ghost_row[k])];
     Vec3::Map(sent.data() + load_numbers * k) = load.force;
     Vec3::Map(sent.data() + load_numbers * k + 3) = load.moment;
     load = {};
@@ -120,7 +116,7 @@ void Halo::collect_loads(ParticleSystem &particles)
   for (std::size_t k = 0; k < sent_row.size(); ++k)
   {
     const double *from = received.data() + load_numbers * k;
-    ParticleLoad &load = particles.load[row(sent_row[k])];
+    ParticleLoad &load = particles.load[row_of(sent_row[k])];
     load.force += Vec3::Map(from);
     load.moment += Vec3::Map(from + 3);
   }
@@ -132,10 +128,10 @@ void Halo::collect(std::span<std::int64_t> by_row) const
     return;
   std::vector<std::int64_t> of_ghosts, returned(sent_row.size());
   for (const std::int32_t ghost : ghost_row)
-    of_ghosts.push_back(std::exchange(by_row[row(ghost)], 0));
+    of_ghosts.push_back(std::exchange(by_row[row_of(ghost)], 0));
   states->reverse(of_ghosts.data(), sizeof(std::int64_t), returned.data());
   for (std::size_t k = 0; k < sent_row.size(); ++k)
-    by_row[row(sent_row[k])] += returned[k];
+    by_row[row_of(sent_row[k])] += returned[k];
 }
 
 void Halo::fill(std::span<Vec3> by_row) const
@@ -144,10 +140,10 @@ void Halo::fill(std::span<Vec3> by_row) const
     return;
   std::vector<Vec3> of_owned, arrived(ghost_row.size());
   for (const std::int32_t owned : sent_row)
-    of_owned.push_back(by_row[row(owned)]);
+    of_owned.push_back(by_row[row_of(owned)]);
   states->forward(of_owned.data(), sizeof(Vec3), arrived.data());
   for (std::size_t k = 0; k < ghost_row.size(); ++k)
-    by_row[row(ghost_row[k])] = arrived[k];
+    by_row[row_of(ghost_row[k])] = arrived[k];
 }
 
 std::size_t Halo::bytes_per_step() const
