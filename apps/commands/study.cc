@@ -155,6 +155,17 @@ std::vector<std::string> unknown_names(const StudyData &data,
     if (std::ranges::none_of(data.results, [o](const PointResult &result)
                              { return std::isfinite(result.outcomes[o]); }))
       unknown.push_back("Study/outcomes = " + data.study.outcomes[o]);
+  for (std::size_t k = 0; k < data.study.after_cycles.size(); ++k)
+    if (std::ranges::none_of(data.results,
+                             [k](const PointResult &result)
+                             {
+                               return k < result.outcomes_after.size() &&
+                                      std::ranges::any_of(
+                                          result.outcomes_after[k], [](double x)
+                                          { return std::isfinite(x); });
+                             }))
+      unknown.push_back("Study/after_cycles = " +
+                        std::to_string(data.study.after_cycles[k]));
   for (const std::string &column : {data.study.curve_x, data.study.curve_y})
     if (!column.empty() && !is_written(data, folder, "history.csv", column))
       unknown.push_back("Study/curve = " + column);

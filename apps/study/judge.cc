@@ -249,7 +249,7 @@ Verdict judge_seeds(const StudyData &data, const Expectation &expected)
   if (relation == "is_positive" || relation == "is_negative")
     verdict = judge_sign(seen, relation == "is_positive" ? 1. : -1.);
   else if (n < 2)
-    return {Ruling::not_resolved, numbers_of(seen.levels)};
+    return {Ruling::not_resolved, "", numbers_of(seen.levels)};
   else if (relation == "answers_more")
   {
     const Evidence other = other_evidence(data, expected);
@@ -276,7 +276,7 @@ Verdict judge_seeds(const StudyData &data, const Expectation &expected)
     if (relation == "changes" && verdict.ruling != Ruling::not_resolved)
       verdict.ruling = ruled(verdict.ruling == Ruling::does_not);
   }
-  verdict.numbers = numbers_of(seen.levels) + verdict.numbers;
+  verdict.levels = numbers_of(seen.levels);
   return verdict;
 }
 
@@ -307,7 +307,7 @@ Ruling judge_turn(const std::vector<Level> &levels, const Expectation &expected)
 Verdict judge_means(const std::vector<Level> &levels,
                     const std::string &relation)
 {
-  Verdict verdict{Ruling::does_not, numbers_of(levels)};
+  Verdict verdict{Ruling::does_not, "", numbers_of(levels)};
   std::vector<double> means;
   for (const Level &level : levels)
     means.push_back(level.mean());

@@ -14,7 +14,8 @@ enum class Ruling
 struct Verdict
 {
   Ruling ruling = Ruling::not_resolved;
-  std::string numbers; ///< it is judged by
+  std::string numbers = {}; ///< that the ruling rests on, each after "; "
+  std::string levels = {};  ///< value of the key: mean ± deviation, ...
 };
 
 /// Whether the runs show what is expected (see relations), by the rule of the

@@ -13,7 +13,7 @@ namespace spall
 namespace
 {
 /// For a program that reads the file; empty if not finite.
-std::string number(double value)
+std::string csv_number(double value)
 {
   if (!std::isfinite(value))
     return "";
@@ -143,21 +143,21 @@ TextTable error_file(const StudyData &data)
     {
       table.head.insert(table.head.end(), {name, name + "_interval",
                                            name + "_percent_of_spread"});
-      first.insert(first.end(), {number(spread[o]), "", ""});
+      first.insert(first.end(), {csv_number(spread[o]), "", ""});
     }
   table.rows.push_back(first);
   for (const LevelCost &level : level_costs(data))
   {
     Cells cells = {study.keys[level.key].name(), level.value};
     for (const double cost : level.costs)
-      cells.push_back(number(cost));
-    cells.insert(cells.end(), {number(level.worst), marks_of(level)});
+      cells.push_back(csv_number(cost));
+    cells.insert(cells.end(), {csv_number(level.worst), marks_of(level)});
     for (std::size_t o = 0; o < spread.size(); ++o)
       if (!is_cost(study, study.outcomes[o]))
         cells.insert(cells.end(),
-                     {number(level.errors[o].mean),
-                      number(level.errors[o].half_width),
-                      number(100. * level.errors[o].mean / spread[o])});
+                     {csv_number(level.errors[o].mean),
+                      csv_number(level.errors[o].half_width),
+                      csv_number(100. * level.errors[o].mean / spread[o])});
     table.rows.push_back(cells);
   }
   return table;
@@ -173,16 +173,18 @@ TextTable difference_file(const StudyData &data)
   for (std::size_t k = 0; k < data.study.keys.size(); ++k)
     for (const Difference &d : differences_of(data, k))
     {
-      Cells cells = {data.study.keys[k].name(), d.level.value,
-                     series_name(data, d.cut),  data.study.outcomes[d.outcome],
-                     number(d.level.mean()),    number(d.level.deviation())};
+      Cells cells = {
+          data.study.keys[k].name(),  d.level.value,
+          series_name(data, d.cut),   data.study.outcomes[d.outcome],
+          csv_number(d.level.mean()), csv_number(d.level.deviation())};
       if (!d.is_first)
-        cells.insert(cells.end(), {number(d.over_seeds.mean),
-                                   number(d.over_seeds.half_width),
-                                   d.share() ? number(100. * *d.share()) : "",
-                                   d.over_seeds.n < 2           ? ""
-                                   : d.over_seeds.is_resolved() ? "yes"
-                                                                : "no"});
+        cells.insert(cells.end(),
+                     {csv_number(d.over_seeds.mean),
+                      csv_number(d.over_seeds.half_width),
+                      d.share() ? csv_number(100. * *d.share()) : "",
+                      d.over_seeds.n < 2           ? ""
+                      : d.over_seeds.is_resolved() ? "yes"
+                                                   : "no"});
       table.rows.push_back(cells);
     }
   return table;
@@ -192,9 +194,16 @@ TextTable difference_file(const StudyData &data)
 TextTable short_expectations(const StudyData &data)
 {
   TextTable table = expectation_table(data);
-  table.head = {"name", "reported", "holds"};
+  const auto without_results = [](const Cells &cells)
+  {
+    Cells kept = {cells[0], cells[2]};
+    for (std::size_t c = 3; c < cells.size(); c += 2)
+      kept.push_back(cells[c]);
+    return kept;
+  };
+  table.head = without_results(table.head);
   for (Cells &row : table.rows)
-    row = {row[0], row[2], row[3]};
+    row = without_results(row);
   return table;
 }
 } // namespace

@@ -3,6 +3,7 @@
 #include "run/folder.h"
 #include "run/time_left.h"
 #include "run/whole_file.h"
+#include "study/after_cycles.h"
 #include "study/programs.h"
 #include "study/study.h"
 #include "test/checkpoint.h"
@@ -275,6 +276,9 @@ std::vector<PointResult> run_points(const Study &study,
         results[k].fault = error.what();
       }
       results[k].outcomes = outcomes_of(study, run);
+      for (const int cycle : study.after_cycles)
+        results[k].outcomes_after.push_back(
+            outcomes_after(cycle, study.outcomes, run));
       progress.take(points[k], results[k], is_found[k] != 0);
     }
   };
@@ -312,6 +316,9 @@ void write_study_table(const Study &study,
   out << ",seed";
   for (const std::string &outcome : study.outcomes)
     out << ',' << outcome;
+  for (const int cycle : study.after_cycles)
+    for (const std::string &outcome : study.outcomes)
+      out << ',' << outcome << "_after_" << cycle;
   out << '\n';
   for (std::size_t k = 0; k < points.size(); ++k)
   {
@@ -321,6 +328,9 @@ void write_study_table(const Study &study,
     out << ',' << points[k].seed;
     for (const double value : results[k].outcomes)
       out << ',' << value;
+    for (const std::vector<double> &values : results[k].outcomes_after)
+      for (const double value : values)
+        out << ',' << value;
     out << '\n';
   }
   write_text(path, out.str());

@@ -8,6 +8,7 @@
 #include "study/words.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace spall
 {
@@ -19,6 +20,24 @@ std::vector<std::string> list_of(const Assignment &a)
   if (std::ssize(values) != std::ranges::count(a.value, ',') + 1)
     refuse(a, "must be values with commas between them");
   return values;
+}
+
+/// Rising whole numbers from 1 up.
+std::vector<int> cycles_of(const Assignment &a)
+{
+  std::vector<int> cycles;
+  for (const std::string &text : list_of(a))
+  {
+    int n = 0;
+    const char *end = text.data() + text.size();
+    const auto [stop, status] = std::from_chars(text.data(), end, n);
+    if (status != std::errc{} || stop != end || n < 1 ||
+        (!cycles.empty() && n <= cycles.back()))
+      refuse(a, "must be rising whole numbers from 1 up with commas between "
+                "them");
+    cycles.push_back(n);
+  }
+  return cycles;
 }
 
 /// The enumerator with the position of the value among the names.
@@ -85,6 +104,8 @@ void take_study(const Assignment &a, Study &study)
     study.spread_seeds = list_of(a);
   else if (a.key == "outcomes")
     study.outcomes = list_of(a);
+  else if (a.key == "after_cycles")
+    study.after_cycles = cycles_of(a);
   else if (a.key == "curve")
   {
     const std::vector<std::string> columns = list_of(a);
@@ -96,10 +117,11 @@ void take_study(const Assignment &a, Study &study)
   else if (a.key == "profiles")
     study.profiles = profiles_of(a);
   else
-    refuse(a,
-           "no key of this name: must be case, title, combine, judged_by, "
-           "cost, controls, seeds, spread_seeds, outcomes, curve, profiles or "
-           "measured");
+    refuse(
+        a,
+        "no key of this name: must be case, title, combine, judged_by, "
+        "cost, controls, seeds, spread_seeds, outcomes, after_cycles, curve, "
+        "profiles or measured");
 }
 
 void take_sweep(const Assignment &a, Study &study)

@@ -89,7 +89,9 @@ struct Study
   /// More of them for the reference alone, so that its spread is known better.
   std::vector<std::string> spread_seeds;
   std::vector<std::string> outcomes; ///< keys of summary.json
-  std::string curve_x, curve_y;      ///< columns of history.csv; may be empty
+  /// Load cycles after which the statements are tested too, rising.
+  std::vector<int> after_cycles;
+  std::string curve_x, curve_y; ///< columns of history.csv; may be empty
   std::vector<Profile> profiles;
   std::string measured; ///< file with points beside the curve; may be empty
   std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
@@ -136,6 +138,8 @@ struct PointResult
   bool is_done = false;
   std::string fault;            ///< its message, if it failed
   std::vector<double> outcomes; ///< NaN where it gives none
+  /// The same after each of `Study::after_cycles`.
+  std::vector<std::vector<double>> outcomes_after = {};
 };
 
 /// Numbers of the points in the order in which they run: every case of as many

@@ -1,6 +1,7 @@
 #include "study/tables.h"
 
 #include "report/text.h"
+#include "study/after_cycles.h"
 #include "study/differences.h"
 #include "study/judge.h"
 
@@ -53,14 +54,30 @@ TextTable expectation_table(const StudyData &data)
                         "is not resolved."
                       : "Differences of means count from 5 % of the mean of "
                         "all on.",
-                  {"name", "expected", "reported", "holds", "result"},
+                  {"name", "expected", "reported"},
                   {}};
+  for (const int cycle : data.study.after_cycles)
+    for (const std::string what : {"holds", "result"})
+      table.head.push_back(what + " after " + std::to_string(cycle));
+  table.head.insert(table.head.end(), {"holds", "result"});
   for (const Expectation &e : data.study.expectations)
+    table.rows.push_back({e.name, in_words(e), e.reported});
+  const auto add_verdicts = [&table](const StudyData &state)
   {
-    const Verdict verdict = judge(data, e);
-    table.rows.push_back({e.name, in_words(e), e.reported,
-                          in_words(verdict.ruling), verdict.numbers});
+    for (std::size_t e = 0; e < table.rows.size(); ++e)
+    {
+      const Verdict verdict = judge(state, state.study.expectations[e]);
+      table.rows[e].insert(
+          table.rows[e].end(),
+          {in_words(verdict.ruling), verdict.levels + verdict.numbers});
+    }
+  };
+  for (std::size_t k = 0; k < data.study.after_cycles.size(); ++k)
+  {
+    const std::vector<PointResult> results = results_after(data, k);
+    add_verdicts({data.study, data.points, results});
   }
+  add_verdicts(data);
   return table;
 }
 
