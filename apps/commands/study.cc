@@ -28,6 +28,7 @@ constexpr const char *page_marker = "<!-- spall study --page -->";
 struct StudyOptions
 {
   std::string file, out, figures, page;
+  bool is_of_finished = false; ///< runs nothing
   std::vector<Override> overrides;
   StudyRuns how;
 };
@@ -73,15 +74,18 @@ StudyOptions study_options(Words words)
       options.overrides.push_back(parse_override(value()));
     else if (word == "--jobs")
       jobs = count_from(word, value());
+    else if (word == "--finished")
+      options.is_of_finished = true;
     else if (word == "--ranks-per-case")
       options.how.ranks = count_from(word, value());
     else if (word == "--mpirun")
       options.how.mpirun = words_of(value());
     else if (word.starts_with("--") || !options.file.empty())
-      throw InputError("study: " + word +
-                       ": must be one study file, --out DIR, --jobs N, "
-                       "--ranks-per-case N, --mpirun WORDS, --figures FOLDER, "
-                       "--page FILE or --set Section/key=value");
+      throw InputError(
+          "study: " + word +
+          ": must be one study file, --out DIR, --jobs N, "
+          "--finished, --ranks-per-case N, --mpirun WORDS, --figures "
+          "FOLDER, --page FILE or --set Section/key=value");
     else
       options.file = word;
   }
@@ -122,6 +126,28 @@ void check_free(const fs::path &folder)
     throw InputError("study: --out " + folder.string() +
                      ": holds files that are not a study: must be empty, new "
                      "or the folder of an earlier study");
+}
+
+/// Leaves out the cases that are not finished. Throws InputError if none is.
+void keep_finished(std::vector<StudyPoint> &points, const fs::path &folder)
+{
+  const std::size_t n = points.size();
+  std::erase_if(points, [&](const StudyPoint &point)
+                { return !is_finished(point, folder); });
+  if (points.empty())
+    throw InputError("study: --finished: " + folder.string() +
+                     ": holds no finished case of this study");
+  std::cout << points.size() << " of " << n << " cases are finished"
+            << std::endl;
+}
+
+void announce(const Study &study, std::size_t n_cases, const StudyRuns &how)
+{
+  std::cout << study.title << ": " << n_cases << " cases, " << how.jobs
+            << " at a time";
+  if (how.ranks > 1)
+    std::cout << " on " << how.ranks << " ranks each";
+  std::cout << std::endl;
 }
 
 /// Short tables into the page, the full ones as files beside it.
@@ -204,13 +230,12 @@ int study_command(Words words)
   check_free(folder);
   make_folder(folder);
   find_folders(points, folder);
+  if (options.is_of_finished)
+    keep_finished(points, folder);
   if (!options.figures.empty())
     make_folder(options.figures);
-  std::cout << study.title << ": " << points.size() << " cases, "
-            << options.how.jobs << " at a time";
-  if (options.how.ranks > 1)
-    std::cout << " on " << options.how.ranks << " ranks each";
-  std::cout << std::endl;
+  if (!options.is_of_finished)
+    announce(study, points.size(), options.how);
   const std::vector<PointResult> results =
       run_points(study, points, folder, options.how);
   const auto n_failed =

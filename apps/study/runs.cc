@@ -228,6 +228,12 @@ void find_folders(std::vector<StudyPoint> &points, const fs::path &folder)
   }
 }
 
+bool is_finished(const StudyPoint &point, const fs::path &folder)
+{
+  return holds_case(point, folder / point.folder) &&
+         holds_complete_run(folder / point.folder);
+}
+
 std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
                                        int jobs)
 {
@@ -255,8 +261,7 @@ std::vector<PointResult> run_points(const Study &study,
   std::atomic<std::size_t> next = 0;
   std::vector<char> is_found(points.size());
   for (std::size_t k = 0; k < points.size(); ++k)
-    is_found[k] = holds_case(points[k], folder / points[k].folder) &&
-                  holds_complete_run(folder / points[k].folder);
+    is_found[k] = is_finished(points[k], folder);
   StudyProgress progress(
       points.size(),
       static_cast<std::size_t>(std::ranges::count(is_found, char{1})));

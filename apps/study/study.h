@@ -132,6 +132,9 @@ std::string run_name(std::size_t number);
 void find_folders(std::vector<StudyPoint> &points,
                   const std::filesystem::path &folder);
 
+/// Whether the folder of the study has the whole run of this point.
+bool is_finished(const StudyPoint &point, const std::filesystem::path &folder);
+
 /// How a case ended.
 struct PointResult
 {
