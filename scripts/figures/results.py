@@ -85,9 +85,52 @@ def engine_sizes():
                  limits=(None, (0., 160.)))
 
 
+def over_cycles(outcome, label, is_log):
+    """An outcome of the claims over the cycles at 20 Hz: amplitudes in colours,
+    without breakage dashed."""
+    series = []
+    for index, load in enumerate((80, 120, 160)):
+        for variant, style in (("breaking", "line dots"),
+                               ("unbroken", "dashes")):
+            points = [(float(row["cycle"]), float(row[outcome]))
+                      for row in rows_of(RESULTS / "article_claims_cycles.csv")
+                      if row["Variants"] == variant and
+                      row["Loading/frequency"] == "20" and
+                      float(row["Loading/amplitude"]) == 1e3 * load and
+                      not (is_log and float(row[outcome]) == 0.)]
+            if points:
+                series.append((f"{load} kPa" if variant == "breaking" else "",
+                               points, style, index))
+    return chart(series + [("dashed: without breakage", [], "", 5)],
+                 ("load cycles", label), (True, is_log))
+
+
+def claims_strain():
+    """Permanent strain over the cycles."""
+    return over_cycles("strain (%)", "permanent axial strain (%)", True)
+
+
+def claims_abrasion():
+    """Abrasion over the cycles."""
+    return over_cycles("LAA (%)", "abrasion LAA (%)", True)
+
+
+def claims_coordination():
+    """Coordination number over the cycles."""
+    return over_cycles("coordination number", "coordination number (-)", False)
+
+
+def claims_force():
+    """Mean contact force over the cycles."""
+    return over_cycles("mean contact force (N)", "mean contact force (N)",
+                       False)
+
+
 def main():
     for folder, charts in (("results", (cycle_jump_errors, cycle_jump_rates,
-                                        density_scaling)),
+                                        density_scaling, claims_strain,
+                                        claims_abrasion, claims_coordination,
+                                        claims_force)),
                            ("performance", (time_step, engine_sizes))):
         pictures = DOCS / "pictures" / folder
         pictures.mkdir(parents=True, exist_ok=True)
