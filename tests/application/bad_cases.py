@@ -492,6 +492,11 @@ LABS = [
     Bad("study_out", ["study", "s.prm", "--out", "."],
         ["--out .", "not a study"],
         files={"s.prm": STUDY + SWEEP, "c.prm": prm(LAB)}),
+    Bad("study_finished", ["study", "s.prm", "--finished", "--out", "new"],
+        ["--finished: new", "no finished case"],
+        files={"s.prm": STUDY + SWEEP, "c.prm": prm(LAB)}),
+    study("cycles", STUDY.replace("end", "  set after_cycles = 10, 5\nend") +
+          SWEEP, "Study/after_cycles = 10, 5", "rising whole numbers"),
     Bad("study_nothing", ["study"], ["a study file must be given"]),
     Bad("study_jobs", ["study", "s.prm", "--jobs", "0"], ["--jobs 0"]),
 ]

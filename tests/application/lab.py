@@ -275,6 +275,11 @@ def study(spall, root):
     faults += [f"{run} was run again" for run, when in before.items()
                if (root / "out" / run / "summary.json").stat().st_mtime_ns !=
                when]
+    said = spall_run([*words, "--finished"]).stdout
+    with open(root / "out" / "study.csv", newline="") as stream:
+        if "4 of 6 cases are finished" not in said or \
+                list(csv.DictReader(stream)) != done:
+            faults.append(f"--finished: {said}")
     # One more value in the middle: what is there stays and is found again.
     file.write_text(file.read_text().replace("8e3, 1e4", "8e3, 9e3, 1e4"))
     spall_run(words, status=2)
