@@ -228,10 +228,10 @@ int study_command(Words words)
   if (!options.page.empty())
     page_before("study", options.page, page_marker);
   check_free(folder);
-  make_folder(folder);
   find_folders(points, folder);
   if (options.is_of_finished)
     keep_finished(points, folder);
+  make_folder(folder);
   if (!options.figures.empty())
     make_folder(options.figures);
   if (!options.is_of_finished)
