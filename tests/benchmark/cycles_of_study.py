@@ -50,7 +50,7 @@ def line_of(runs, cycle):
             return None
         values = [SCALES.get(column, 1.) * value for value in values]
         cells += [f"{statistics.mean(values):.4g}",
-                  f"{statistics.stdev(values) if len(values) > 1 else 0.:.2g}"]
+                  f"{statistics.stdev(values):.2g}" if len(values) > 1 else ""]
     return cells
 
 
