@@ -402,9 +402,9 @@ def compaction(name, sections, *message):
                                     **sections})})
 
 
-def study(name, text, *message):
-    return Bad("study_" + name, ["study", "s.prm"], list(message),
-               files={"s.prm": text, "c.prm": prm(LAB)})
+def study(name, text, *message, options=""):
+    return Bad("study_" + name, ["study", "s.prm", *options.split()],
+               list(message), files={"s.prm": text, "c.prm": prm(LAB)})
 
 
 LABS = [
@@ -486,15 +486,11 @@ LABS = [
     study("seed", STUDY.replace("end", "  set seeds = 5\nend") +
           "subsection Sweep\n  set Particle/seed = 3, 4\nend\n",
           "s.prm:7", "Sweep/Particle/seed", "Study/seeds"),
-    Bad("study_page", ["study", "s.prm", "--page", "c.prm"],
-        ["--page c.prm", "must be a file with the line"],
-        files={"s.prm": STUDY + SWEEP, "c.prm": prm(LAB)}),
-    Bad("study_out", ["study", "s.prm", "--out", "."],
-        ["--out .", "not a study"],
-        files={"s.prm": STUDY + SWEEP, "c.prm": prm(LAB)}),
-    Bad("study_finished", ["study", "s.prm", "--finished", "--out", "new"],
-        ["--finished: new", "no finished case"],
-        files={"s.prm": STUDY + SWEEP, "c.prm": prm(LAB)}),
+    study("page", STUDY + SWEEP, "--page c.prm",
+          "must be a file with the line", options="--page c.prm"),
+    study("out", STUDY + SWEEP, "--out .", "not a study", options="--out ."),
+    study("finished", STUDY + SWEEP, "--finished: new", "no finished case",
+          options="--finished --out new"),
     study("cycles", STUDY.replace("end", "  set after_cycles = 10, 5\nend") +
           SWEEP, "Study/after_cycles = 10, 5", "rising whole numbers"),
     Bad("study_nothing", ["study"], ["a study file must be given"]),
