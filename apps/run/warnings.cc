@@ -52,6 +52,25 @@ void add_energy_warning(const EnergyBalance &balance,
   warnings.push_back(text);
 }
 
+void add_jump_warning(const coupling::JumpAccount &jumps, double tolerance,
+                      const coupling::SlowState &end,
+                      std::vector<std::string> &warnings)
+{
+  const auto add = [&](const char *name, double error, double value)
+  {
+    if (std::abs(error) <= tolerance * std::abs(value))
+      return;
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "jumps over load cycles: their known errors add up to %.3g "
+                  "%% of the %s, above CycleJump/tolerance = %.3g",
+                  100. * error / value, name, tolerance);
+    warnings.push_back(text);
+  };
+  add("permanent axial strain", jumps.strain_error, end.strain);
+  add("abrasion", jumps.abrasion_error, end.abrasion);
+}
+
 void say_warnings(Progress &progress, const std::vector<std::string> &warnings)
 {
   for (const std::string &warning : warnings)

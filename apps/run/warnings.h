@@ -4,6 +4,8 @@
 #include "run/progress.h"
 #include "run/step_watch.h"
 
+#include <coupling/cycle_jump.h>
+
 #include <string>
 #include <vector>
 
@@ -22,6 +24,12 @@ void add_step_warning(const TimeParameters &time, const StepRecord &record,
 /// Non-conservative work exceeds 1 % of the external work.
 void add_energy_warning(const EnergyBalance &balance,
                         std::vector<std::string> &warnings);
+
+/// The known errors of jumps over load cycles have added up to more than
+/// CycleJump/tolerance of the values at `end`.
+void add_jump_warning(const coupling::JumpAccount &jumps, double tolerance,
+                      const coupling::SlowState &end,
+                      std::vector<std::string> &warnings);
 
 /// A line of the log for each.
 void say_warnings(Progress &progress, const std::vector<std::string> &warnings);

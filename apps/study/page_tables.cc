@@ -62,19 +62,26 @@ TextTable value_table(const StudyData &data, std::size_t key)
   const std::vector<Cut> series = series_of(data, key);
   if (series.front().where_key)
     table.head.push_back(data.study.keys[*series.front().where_key].name());
-  for (const Level &level : levels_of(data, series.front(), 0))
+  const std::size_t n_names = table.head.size();
+  for (const Level &level : levels_of(data, Cut(key), 0))
     table.head.push_back(level.value);
   bool has_seeds = false;
   for (const Difference &d : differences_of(data, key))
   {
     if (d.is_first)
     {
-      table.rows.push_back({data.study.outcomes[d.outcome]});
+      table.rows.emplace_back(table.head.size());
+      table.rows.back()[0] = data.study.outcomes[d.outcome];
       if (d.cut.where_key)
-        table.rows.back().push_back(d.cut.where_value);
+        table.rows.back()[1] = d.cut.where_value;
     }
     has_seeds |= d.over_seeds.n > 1;
-    table.rows.back().push_back(short_cell(d));
+    // A series may lack some values.
+    const auto column =
+        std::find(table.head.begin() + static_cast<std::ptrdiff_t>(n_names),
+                  table.head.end(), d.level.value);
+    table.rows.back()[static_cast<std::size_t>(column - table.head.begin())] =
+        short_cell(d);
   }
   if (!has_seeds)
     table.note = "Means of a single seed.";

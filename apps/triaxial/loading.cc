@@ -1,5 +1,6 @@
 // The loading: stages of the loading path, one after the other.
 #include "case/parameter.h"
+#include "run/warnings.h"
 #include "triaxial/triaxial.h"
 
 #include <dem/engine_boundaries.h>
@@ -245,6 +246,9 @@ std::vector<std::string> Triaxial::warnings() const
       all.push_back("stage " + std::to_string(k + 1) +
                     " of the loading path, " + stage_k.name +
                     ": ended by its length before its end condition was met");
+  const Sample &end = recorded.last;
+  add_jump_warning(plan.account(), parameters.cycle_jump.tolerance,
+                   {end.cycle, end.axial_strain, end.laa}, all);
   return all;
 }
 } // namespace spall

@@ -192,6 +192,21 @@ TEST_F(SeededStudy, ChartsAndTablesTellVariantsApart)
   EXPECT_NE(page.find(">a</text>", chart), std::string::npos);
 }
 
+// A value that one variant has not: the others stay below their heads.
+TEST_F(SeededStudy, CellsStayBelowTheirValues)
+{
+  make("", 1., -1., 0.);
+  for (std::size_t p = points.size(); p-- > 0;)
+    if (points[p].values[0] == "b" && points[p].values[1] == "2000")
+    {
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(p));
+      results.erase(results.begin() + static_cast<std::ptrdiff_t>(p));
+    }
+  const std::string page = study_markdown({study, points, results}, "w");
+  EXPECT_NE(page.find("| n_events | b |  | 197.0 ± 100 |"), std::string::npos)
+      << page;
+}
+
 class CourseOfASweep : public StudyFile
 {
 protected:
