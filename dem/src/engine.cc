@@ -343,19 +343,22 @@ EngineEnergy EngineState::energy() const
   ExactSum elastic, kinetic, damping = lost.damping, lifted;
   visit_batches(*this, [&elastic](const ContactBatch &batch)
                 { add_elastic_energy(batch, elastic); });
+  ExactSum unbooked = lost.non_conservative_work;
+  for (const auto &boundary : walls)
+    for (std::size_t k = 0; k < boundary->batch.size(); ++k)
+      if (const double more = boundary->energy_beyond_springs(k); more != 0.)
+      {
+        elastic.add(more);
+        unbooked.add(-more);
+      }
   for (std::size_t i = 0; i < system.n_owned(); ++i)
   {
     kinetic.add(system.kinetic_energy(i));
     damping.add(work.damped[i]);
     lifted.add(work.lifted[i]);
   }
-  std::array sums{elastic,
-                  kinetic,
-                  damping,
-                  lifted,
-                  lost.friction,
-                  lost.rolling,
-                  lost.non_conservative_work};
+  std::array sums{elastic,       kinetic,      damping, lifted,
+                  lost.friction, lost.rolling, unbooked};
   sum_over_ranks(distribution.ranks(), sums);
   EngineEnergy energy;
   energy.elastic = sums[0].value();

@@ -140,8 +140,7 @@ ForceSum FacetBoundary::meet(const ForceContext &context)
   if (follows_surfaces(context))
     return relocate_on_facets(
         context,
-        {mesh(), contact_points, context.deforming_path, rows, overlap, spread},
-        batch);
+        {mesh(), contact_points, context.deforming_path, rows, overlap}, batch);
   find_facets(context, mesh(), batch, near, contact_points.point, rows, extra);
   return {};
 }
@@ -156,10 +155,10 @@ Walls FacetBoundary::walls(const ForceContext &context)
           {},
           [this](const ForceContext &still, std::size_t k)
           {
-            relocate_again(still,
-                           {mesh(), contact_points, still.deforming_path, rows,
-                            overlap, spread},
-                           batch, k);
+            relocate_again(
+                still,
+                {mesh(), contact_points, still.deforming_path, rows, overlap},
+                batch, k);
           }};
 }
 

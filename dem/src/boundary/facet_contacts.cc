@@ -280,7 +280,7 @@ FacetContactPoints::select(const std::vector<std::int32_t> &contacts) const
     if (reactivation.empty())
       continue;
     some.reactivation.push_back(reactivation[k]);
-    some.patch_left.push_back(patch_left[k]);
+    some.ridge.push_back(ridge[k]);
   }
   return some;
 }
@@ -289,7 +289,7 @@ void FacetContactPoints::append(const FacetContactPoints &more)
 {
   append_entries(more.point, point);
   append_entries(more.reactivation, reactivation);
-  append_entries(more.patch_left, patch_left);
+  append_entries(more.ridge, ridge);
 }
 
 WallRow facet_row(const FacetSurface &surface, const FacetContactPoint &now,

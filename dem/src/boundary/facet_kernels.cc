@@ -320,41 +320,10 @@ void store_contacts(const FacetTask &task, const LaneContacts &contact,
   }
 }
 
-/// How much the depth of a contact point and of another one of its patch, on a
-/// triangle that has a corner of its own, have come nearer to each other in
-/// this step at most. With u the velocity of the wall against the particle, D
-/// changes by -n.u: the two differ by n'.(u' - u) + (n' - n).u, and n and n'
-/// are within 45 degrees.
-Simd approach(const FacetTask &task, const ParticleSimd &particle,
-              const LaneCorners &corners, const LaneTriangles &at,
-              const SimdVector *corner, const SimdVector *velocity)
-{
-  constexpr double turn = 0.7654; // 2 sin(45 degrees / 2)
-  const SimdVector centre = particle.vector(at_position),
-                   translation = particle.vector(at_velocity),
-                   spin = particle.vector(at_spin);
-  SimdVector against[3];
-  for (int c = 0; c < 3; ++c)
-    against[c] = velocity[c] - translation - cross(spin, corner[c] - centre);
-  const SimdVector own = at.weight.mean(against);
-  Simd differing(0.), square(0.);
-  for (int c = 0; c < 3; ++c)
-  {
-    differing = stdx::max(differing, length_of(against[c] - own) +
-                                         corners.number(c, task.spread));
-    const SimdVector side = corner[(c + 1) % 3] - corner[c];
-    square = stdx::max(square, dot(side, side));
-  }
-  // Sides of triangles beside one are at most twice as long.
-  return task.time_step *
-         (differing + 2. * stdx::sqrt(square) * length_of(spin) +
-          turn * length_of(own));
-}
-
 /// The contacts that have a step which holds, with the others lost.
 SimdMask follow(const FacetTask &task, std::int64_t k,
                 const LaneContacts &contact, const SimdMask &is_due,
-                double tolerance, SimdMask &is_stale, SimdMask &is_patch_due)
+                double tolerance, SimdMask &is_stale)
 {
   const LaneTriangles at(task, contact);
   const LaneCorners corners(task, at.triangle);
@@ -365,9 +334,6 @@ SimdMask follow(const FacetTask &task, std::int64_t k,
     velocity[c] = corners.vector(c, task.velocity);
   }
   const ParticleSimd particle(task.particles, task.a + k);
-  const Simd patch_left =
-      contact.of(task.patch_left) -
-      approach(task, particle, corners, at, corner, velocity);
   const LaneDepth depth = depth_at(task, k, particle, at.weight.mean(corner));
   const LaneSide side(at.weight);
   const LaneClimb climbed = climb(depth, at, side, corner);
@@ -416,10 +382,7 @@ SimdMask follow(const FacetTask &task, std::int64_t k,
       const std::int64_t at_contact = contact[lane];
       task.depth[at_contact] = overlap[l];
       task.reactivation[at_contact] = rests[l] ? path[l] - overlap[l] : 0.;
-      task.patch_left[at_contact] =
-          patch_left[l] + (rests[l] ? 2. * overlap[l] : 0.);
     }
-  is_patch_due = is_followed && patch_left <= 0.;
   is_stale =
       move_on_surface(task.side, k, depth.on_a, step, is_followed, tolerance);
   return is_followed;
@@ -452,12 +415,11 @@ FacetBlock follow_block(const FacetTask &task, std::int64_t first, int n,
       task.depth[k + lane] = 0.;
     if (!any(is_due))
       continue;
-    SimdMask is_stale(false), is_patch_due(false);
-    const SimdMask is_followed = follow(task, k, contact, is_due && !is_closed,
-                                        tolerance, is_stale, is_patch_due);
+    SimdMask is_stale(false);
+    const SimdMask is_followed =
+        follow(task, k, contact, is_due && !is_closed, tolerance, is_stale);
     block.is_lost |= bits_of(is_due && !is_followed) << from;
     block.is_stale |= bits_of(is_stale) << from;
-    block.is_patch_due |= bits_of(is_patch_due) << from;
   }
   return block;
 }

@@ -23,7 +23,6 @@ struct FacetTask
   const double *overlap_offset; ///< ContactBatch::overlap_offset
   double *points;               ///< FacetContactPoint
   double *reactivation;         ///< FacetContactPoints::reactivation
-  double *patch_left;           ///< FacetContactPoints::patch_left
   double *rows;                 ///< WallRow
   double *depth;                ///< FollowedFacets::overlap
 
@@ -33,8 +32,6 @@ struct FacetTask
   const std::int32_t *corner;               ///< of triangles, three each
   const std::int32_t *neighbour;            ///< FacetTopology::neighbour
   const double *position, *velocity, *mass; ///< of vertices
-  const double *spread; ///< of the velocities about each vertex [m/s]
-  double time_step;     ///< since the last call [s]
 };
 
 /// An open contact rests if its gap is above this part of the radius: until
@@ -46,7 +43,6 @@ struct FacetBlock
 {
   unsigned is_lost = 0;  ///< the step does not hold: the search must find it
   unsigned is_stale = 0; ///< far from the direction of its expansion
-  unsigned is_patch_due = 0; ///< FacetTask::patch_left is used up
 };
 
 /// Follows the `n` contacts from `first`, a block of lane_block at most, to

@@ -195,7 +195,7 @@ void FacetBoundary::take_contact(std::size_t k, const Boundary &other,
   };
   take(contact_points.point, another.contact_points.point);
   take(contact_points.reactivation, another.contact_points.reactivation);
-  take(contact_points.patch_left, another.contact_points.patch_left);
+  take(contact_points.ridge, another.contact_points.ridge);
   take(rows, another.rows);
   take(overlap, another.overlap);
   take(extra, another.extra);

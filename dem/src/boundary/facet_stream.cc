@@ -39,7 +39,7 @@ void write_contact_points(std::ostream &out,
   write_column(out, heads);
   write_column(out, shares);
   write_column(out, contact_points.reactivation);
-  write_column(out, contact_points.patch_left);
+  write_column(out, contact_points.ridge);
 }
 
 void read_contact_points(std::istream &in, FacetContactPoints &contact_points)
@@ -49,7 +49,7 @@ void read_contact_points(std::istream &in, FacetContactPoints &contact_points)
   read_column(in, heads);
   read_column(in, shares);
   read_column(in, contact_points.reactivation);
-  read_column(in, contact_points.patch_left);
+  read_column(in, contact_points.ridge);
   contact_points.point.resize(heads.size());
   auto next = shares.cbegin();
   for (std::size_t k = 0; k < heads.size(); ++k)

@@ -1,5 +1,6 @@
 #include "../contact/follow.h"
 #include "facet_kernels.h"
+#include "facet_ridges.h"
 
 #include <dem/boundary/followed_walls.h>
 #include <dem/instruction_set.h>
@@ -70,9 +71,9 @@ void note_displaced(const Followed &all, std::size_t k,
   ContactBatch &batch = all.batch;
   const bool matters =
       !all.can_wait || batch.is_touching(k) || contact_point.overlap > 0.;
-  if (is_elsewhere || contact_point.has_switched)
-    batch.displaced[k] = std::max<std::uint8_t>(
-        batch.displaced[k], is_elsewhere && !matters ? displaced_open : 1);
+  if (is_elsewhere)
+    batch.displaced[k] = std::max<std::uint8_t>(batch.displaced[k],
+                                                matters ? 1 : displaced_open);
   all.events.has_displaced |=
       matters && (is_elsewhere || batch.displaced[k] == displaced_open);
 }
@@ -105,8 +106,7 @@ WallContactPoint follow(const Followed &all, std::size_t k,
     return {};
   }
   const bool is_elsewhere = (contact_point.on_particle - start).norm() > jump;
-  // A deeper contact point of the same patch is reached at the same depth.
-  if (is_elsewhere && !contact_point.has_switched && batch.side_a.is_known(k))
+  if (is_elsewhere && batch.side_a.is_known(k))
   {
     all.events.n_jumps += batch.is_touching(k);
     batch.overlap_offset[k] =
@@ -172,13 +172,6 @@ void relocate_one(const ForceContext &context, const FollowedDrum &walls,
   row = now;
 }
 
-/// A contact looks at the triangles beside it when the depths of its patch may
-/// have come nearer to each other by this part of what it is deeper than they
-/// are: the rest is left for the error of the model.
-constexpr double patch_share = 0.5;
-/// But after this part of the radius.
-constexpr double longest_patch_path = 0.005;
-
 /// Notes when a contact with the facet surface must be looked at again.
 void note_rest(const ForceContext &context, const FollowedFacets &walls,
                const ContactBatch &batch, std::size_t k,
@@ -186,25 +179,17 @@ void note_rest(const ForceContext &context, const FollowedFacets &walls,
 {
   const std::size_t i = row_of(batch.a[k]);
   const double radius = mean_radius(context.particles.shape[i]);
-  double &reactivation = walls.contact_points.reactivation[k],
-         &patch_left = walls.contact_points.patch_left[k];
-  patch_left = std::min(patch_share * found.lead, longest_patch_path * radius);
-  reactivation = 0.;
-  if (batch.is_touching(k) ||
-      found.overlap >= -kernel::least_resting_gap * radius)
-    return;
-  // Until the gap may be closed depths come nearer by no more than twice that.
-  reactivation =
-      context.particles.path_length[i] + walls.path_length - found.overlap;
-  patch_left += 2. * found.overlap;
+  const bool rests = !batch.is_touching(k) &&
+                     found.overlap < -kernel::least_resting_gap * radius;
+  walls.contact_points.reactivation[k] =
+      rests
+          ? context.particles.path_length[i] + walls.path_length - found.overlap
+          : 0.;
 }
 
-/// Contact k with the facet surface, at what refine(particle, start) finds from
-/// where it was.
-template <class Refine>
-void relocate_on_facet(const ForceContext &context, const FollowedFacets &walls,
-                       ContactBatch &batch, std::size_t k, Events &events,
-                       const Refine &refine)
+/// Contact k with the facet surface, by the search from where it was.
+void relocate_one(const ForceContext &context, const FollowedFacets &walls,
+                  ContactBatch &batch, std::size_t k, Events &events)
 {
   FacetContactPoint &contact_point = walls.contact_points.point[k];
   const WallContactPoint found =
@@ -216,7 +201,7 @@ void relocate_on_facet(const ForceContext &context, const FollowedFacets &walls,
                start.triangle =
                    static_cast<std::int32_t>(contact_point.triangle);
                start.weight = contact_point.weight;
-               return refine(particle, start);
+               return refine_on_facets(particle, walls.mesh, start);
              });
   walls.overlap[k] = found.overlap;
   if (!found.is_found)
@@ -229,34 +214,6 @@ void relocate_on_facet(const ForceContext &context, const FollowedFacets &walls,
   const FacetContactPoint now{found.triangle, found.weight, found.normal};
   walls.rows[k] = facet_row(walls.mesh.surface, now, contact_point);
   contact_point = now;
-}
-
-/// Contact k with the facet surface, by the search.
-void relocate_one(const ForceContext &context, const FollowedFacets &walls,
-                  ContactBatch &batch, std::size_t k, Events &events)
-{
-  relocate_on_facet(context, walls, batch, k, events,
-                    [&](ParticleView &particle, const WallContactPoint &start)
-                    { return refine_on_facets(particle, walls.mesh, start); });
-}
-
-/// Contact k, which has been followed, at the deepest contact point of its
-/// patch.
-void look_beside(const ForceContext &context, const FollowedFacets &walls,
-                 ContactBatch &batch, std::size_t k, Events &events)
-{
-  const WallRow followed = walls.rows[k];
-  relocate_on_facet(context, walls, batch, k, events,
-                    [&](ParticleView &particle, WallContactPoint start)
-                    {
-                      start.point = followed.point;
-                      start.normal = followed.normal;
-                      start.overlap = walls.overlap[k];
-                      start.is_found = true;
-                      return deepest_of_patch(particle, walls.mesh, start);
-                    });
-  walls.rows[k].velocity_before = followed.velocity_before;
-  walls.rows[k].normal_before = followed.normal_before;
 }
 
 static_assert(sizeof(FacetContactPoint) ==
@@ -285,7 +242,6 @@ kernel::FacetTask facet_task(const ForceContext &context,
   task.overlap_offset = batch.overlap_offset.data();
   task.points = reinterpret_cast<double *>(points.point.data());
   task.reactivation = points.reactivation.data();
-  task.patch_left = points.patch_left.data();
   task.rows = reinterpret_cast<double *>(walls.rows.data());
   task.depth = walls.overlap.data();
   task.particle_path = context.particles.path_length.data();
@@ -295,34 +251,7 @@ kernel::FacetTask facet_task(const ForceContext &context,
   task.position = numbers(surface.position);
   task.velocity = numbers(surface.velocity);
   task.mass = surface.mass.data();
-  task.spread = walls.spread.data();
-  task.time_step = context.adds_loads_only ? 0. : context.time_step;
   return task;
-}
-
-/// What the velocities of two neighbouring vertices differ by, the most about
-/// each vertex [m/s].
-void find_spread(const FacetMesh &mesh, std::vector<double> &spread)
-{
-  const FacetSurface &surface = mesh.surface;
-  spread.assign(surface.velocity.size(), 0.);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      // Each side once.
-      const std::int32_t other = mesh.topology.neighbour[t][c];
-      if (other >= 0 && row_of(other) < t)
-        continue;
-      const auto &corner = surface.triangles[t];
-      const std::size_t from = row_of(corner[c]),
-                        to = row_of(corner[(c + 1) % 3]);
-      const double square =
-          (surface.velocity[to] - surface.velocity[from]).squaredNorm();
-      spread[from] = std::max(spread[from], square);
-      spread[to] = std::max(spread[to], square);
-    }
-  for (double &of : spread)
-    of = std::sqrt(of);
 }
 
 /// That of the instruction set in use.
@@ -355,11 +284,10 @@ ForceSum relocate_on_facets(const ForceContext &context,
 {
   walls.rows.resize(batch.size());
   walls.overlap.assign(batch.size(), 0.);
-  find_spread(walls.mesh, walls.spread);
   const kernel::FacetTask task = facet_task(context, walls, batch);
   const kernel::FollowFacets follow_block = follow_facets();
   const double tolerance = context.parameters.geometry.refresh_tolerance;
-  return for_blocks(
+  const ForceSum sum = for_blocks(
       batch,
       [&](std::int64_t first, std::int64_t end, Events &events)
       {
@@ -373,10 +301,10 @@ ForceSum relocate_on_facets(const ForceContext &context,
             relocate_one(context, walls, batch, k, events);
           else if ((block.is_stale & bit) != 0)
             renew_side(context, batch, k, true, batch.side_a.contact_point(k));
-          if ((block.is_patch_due & bit) != 0)
-            look_beside(context, walls, batch, k, events);
         }
       });
+  share_ridges(context, walls, batch);
+  return sum;
 }
 
 void relocate_again(const ForceContext &context, const FollowedDrum &walls,
@@ -392,5 +320,6 @@ void relocate_again(const ForceContext &context, const FollowedFacets &walls,
   Events events;
   walls.contact_points.reactivation[k] = 0.;
   relocate_one(context, walls, batch, k, events);
+  keep_shares(walls, batch, k);
 }
 } // namespace dem

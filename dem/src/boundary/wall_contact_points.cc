@@ -1,5 +1,6 @@
 #include "../neighbor/node_list.h"
 #include "../neighbor/node_minima.h"
+#include "facet_refinement.h"
 
 #include <dem/boundary/wall_contact_points.h>
 
@@ -81,13 +82,21 @@ public:
 
   void add(const WallContactPoint &contact_point)
   {
-    const double size = mean_radius(particle.particle.body);
     if (!contact_point.is_found)
       ++found.n_lost;
-    else if (contact_point.overlap > -skin &&
-             contact_point.overlap < deepest_overlap * size &&
-             !is_listed(contact_point))
+    else if (is_near(contact_point) && !is_in(known, contact_point) &&
+             !is_in(found.contact_points, contact_point))
       found.contact_points.push_back(contact_point);
+  }
+
+  /// Whether a contact point is near for the first time, a known one too.
+  bool is_first(const WallContactPoint &contact_point)
+  {
+    if (!contact_point.is_found || !is_near(contact_point) ||
+        is_in(seen, contact_point))
+      return false;
+    seen.push_back(contact_point);
+    return true;
   }
 
   WallSearchResult take()
@@ -100,18 +109,24 @@ public:
   }
 
 private:
-  bool is_listed(const WallContactPoint &contact_point) const
+  bool is_near(const WallContactPoint &contact_point) const
   {
-    const auto is_same = [&contact_point](const WallContactPoint &other)
-    { return is_one_contact_point(contact_point, other); };
-    return std::any_of(known.begin(), known.end(), is_same) ||
-           std::any_of(found.contact_points.begin(), found.contact_points.end(),
-                       is_same);
+    return contact_point.overlap > -skin &&
+           contact_point.overlap <
+               deepest_overlap * mean_radius(particle.particle.body);
+  }
+  static bool is_in(std::span<const WallContactPoint> points,
+                    const WallContactPoint &contact_point)
+  {
+    return std::any_of(points.begin(), points.end(),
+                       [&contact_point](const WallContactPoint &other)
+                       { return is_one_contact_point(contact_point, other); });
   }
 
   const MappedParticlePose &particle;
   double skin;
   std::span<const WallContactPoint> known;
+  std::vector<WallContactPoint> seen;
   WallSearchResult found;
 };
 
@@ -302,6 +317,16 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
     nearby.nearest(x, within, least);
     return least;
   };
+  const auto refine = [&](const WallContactPoint &start)
+  {
+    const WallContactPoint contact_point = refine_on_facets(view, mesh, start);
+    contact_points.add(contact_point);
+    if (!contact_points.is_first(contact_point))
+      return;
+    for (const WallContactPoint &beside :
+         contact_points_beside(view, mesh, contact_point, skin))
+      contact_points.add(beside);
+  };
   for_nearest_nodes(particle, skin, distance,
                     [&](int node)
                     {
@@ -314,7 +339,7 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
                       start.on_particle = view.towards(x);
                       start.triangle = at.triangle;
                       start.weight = at.weight;
-                      contact_points.add(refine_on_facets(view, mesh, start));
+                      refine(start);
                     });
   for_deepest_vertices(
       particle, mesh, triangles, range,
@@ -327,7 +352,7 @@ WallSearchResult find_on_facets(const MappedParticlePose &particle,
             mesh.surface.position[static_cast<std::size_t>(v[corner])]);
         start.triangle = triangle;
         start.weight[corner] = 1.;
-        contact_points.add(refine_on_facets(view, mesh, start));
+        refine(start);
       });
   return contact_points.take();
 }

@@ -340,7 +340,7 @@ ContactPointEvents renew_facets(const ContactPointSearchInput &input,
         // When known contacts are looked at again does not depend on others.
         const FacetContactPoints known =
             std::exchange(facets.contact_points, {});
-        auto &[points, reactivation, patch_left] = facets.contact_points;
+        auto &[points, reactivation, ridge] = facets.contact_points;
         for (std::size_t k = 0; k < to.source.size(); ++k)
         {
           const std::int32_t from = to.source[k];
@@ -348,7 +348,7 @@ ContactPointEvents renew_facets(const ContactPointSearchInput &input,
                                      : on_facets(to.row[k]->foot));
           reactivation.push_back(from >= 0 ? known.reactivation[row_of(from)]
                                            : 0.);
-          patch_left.push_back(from >= 0 ? known.patch_left[row_of(from)] : 0.);
+          ridge.push_back(from >= 0 ? known.ridge[row_of(from)] : FacetRidge{});
           batch.b[k] = static_cast<std::int32_t>(k);
         }
       });

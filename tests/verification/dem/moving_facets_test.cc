@@ -132,12 +132,13 @@ void check_depths(const dem::Engine &engine, DepthCount &sum)
     const dem::WallContactPoint found =
         dem::refine_on_facets(particle, facets.mesh(), start);
     ++sum.n;
-    if (!found.is_found || found.has_switched ||
+    if (!found.is_found ||
         (found.on_particle - start.on_particle).norm() > 0.01)
       ++sum.n_beside;
     else
-      sum.largest_error = std::max(sum.largest_error,
-                                   std::abs(found.overlap - batch.overlap[k]));
+      sum.largest_error = std::max(
+          sum.largest_error,
+          std::abs(found.overlap - facets.contact_points.ridge[k].depth));
   }
 }
 

@@ -121,6 +121,9 @@ public:
   virtual void apply_loads(double time_step) = 0;
   /// Done on the particles [J].
   virtual double work() const = 0;
+  /// Part of contact k in what contacts store together beyond the energies of
+  /// their springs [J].
+  virtual double energy_beyond_springs(std::size_t) const { return 0.; }
 
   /// The particles have got other numbers: new_row[old] = new.
   void renumber(const std::vector<std::int32_t> &new_row);

@@ -58,6 +58,7 @@ public:
   BoundarySums sum_loads(const SumGrid &grid) override;
   void apply_loads(double time_step) override;
   double work() const override { return work_done; }
+  double energy_beyond_springs(std::size_t k) const override;
 
   std::string label; ///< distinguishes the surfaces of a scene
   FacetSurface surface;
@@ -104,6 +105,5 @@ private:
   std::vector<WallRow> rows;
   std::vector<double> overlap; ///< of particles that follow their surfaces [m]
   std::vector<double> extra;   ///< Walls::extra [m]
-  std::vector<double> spread;  ///< FollowedFacets::spread [m/s]
 };
 } // namespace dem

@@ -106,6 +106,15 @@ struct FacetCandidates
   }
 };
 
+/// What a contact has in common with others over the ridges between their
+/// contact points: share_ridges(). `e` is the exponent of the law.
+struct FacetRidge
+{
+  double depth = 0.;  ///< of its contact point [m]
+  double force = 0.;  ///< its shares of the ridges to the power e [m^e]
+  double energy = 0.; ///< and to the power e + 1 [m^(e + 1)]
+};
+
 /// What contacts with a facet surface store besides their batch. Balls have
 /// slots_per_particle contacts for each row of the candidates, which stand in
 /// the same order.
@@ -115,9 +124,7 @@ struct FacetContactPoints
   /// Where particles follow their surfaces: a contact need not be looked at
   /// before the path lengths of particle and surface have come this far [m].
   std::vector<double> reactivation;
-  /// Its patch has no deeper contact point until the depths of two have come
-  /// so much nearer to each other; < 0: it is not known [m].
-  std::vector<double> patch_left;
+  std::vector<FacetRidge> ridge; ///< likewise
 
   FacetContactPoints select(const std::vector<std::int32_t> &contacts) const;
   void append(const FacetContactPoints &more);

@@ -25,8 +25,6 @@ struct FollowedFacets
   double path_length = 0.; ///< by the fastest vertex at each step [m]
   std::vector<WallRow> &rows;
   std::vector<double> &overlap; ///< < 0: a gap [m]
-  /// Space to work in: differences of the velocities about each vertex [m/s].
-  std::vector<double> &spread;
 };
 
 /// Finds the contact point of every contact of the batch from the previous one

@@ -24,12 +24,6 @@ struct WallContactPoint
   std::int32_t triangle = -1;       ///< that holds y, on facets
   std::array<double, 3> weight{};   ///< of its corners [-]
   bool is_found = false;            ///< the search has converged
-  /// The search went over to a deeper contact point of the same patch beside
-  /// its own.
-  bool has_switched = false;
-  /// On facets: how much deeper it is at least than all others of its patch
-  /// [m].
-  double lead = 0.;
 };
 
 /// How deep a point of the world is in a particle, near `on_particle`; finds
