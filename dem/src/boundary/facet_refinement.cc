@@ -213,7 +213,18 @@ contact_points_beside(ParticleView &particle, const FacetMesh &mesh,
 {
   /// By which the model may err a triangle farther on, of the radius [-].
   constexpr double model_error = 0.02;
+  /// Least drop of the ridge between two contact points, of the radius [-]: a
+  /// flat hill is climbed to points far apart.
+  constexpr double least_drop = 1e-5;
   const DepthModel model(particle, contact_point);
+  const auto is_apart = [&](const WallContactPoint &other)
+  {
+    const Vec3 way = other.point - contact_point.point;
+    const double drop =
+        std::max(way.dot(model.shape_operator * way),
+                 (other.normal - contact_point.normal).norm() * way.norm());
+    return drop > 8. * least_drop * particle.size();
+  };
   std::vector<WallContactPoint> found;
   for_beside(mesh, contact_point.triangle,
              [&](std::int32_t triangle)
@@ -231,7 +242,7 @@ contact_points_beside(ParticleView &particle, const FacetMesh &mesh,
                start.on_particle = next_to(particle, model, ascent.step);
                const WallContactPoint at =
                    refine_on_facets(particle, mesh, start);
-               if (at.is_found)
+               if (at.is_found && is_apart(at))
                  found.push_back(at);
              });
   return found;

@@ -17,8 +17,9 @@ constexpr DirectionGrid nodes = RadiusMap::nodes;
 /// Where a surface curves between nodes against the rule of
 /// NodeGaps::may_hide(), by this part of the radius at most.
 constexpr double fine_tolerance = 0.02;
-/// Two contact points on a particle nearer than this are one [rad].
-constexpr double same_point_angle = 0.03;
+/// Two contact points on a particle nearer than this are one [rad]: a ridge
+/// between them drops by 1e-5 of the radius at most.
+constexpr double same_point_angle = 0.01;
 
 ParticleView exact_view(const MappedParticlePose &particle)
 {
@@ -84,9 +85,8 @@ public:
   {
     if (!contact_point.is_found)
       ++found.n_lost;
-    else if (is_near(contact_point) && !is_in(known, contact_point) &&
-             !is_in(found.contact_points, contact_point))
-      found.contact_points.push_back(contact_point);
+    else if (is_near(contact_point) && !is_in(known, contact_point))
+      keep_deepest(contact_point);
   }
 
   /// Whether a contact point is near for the first time, a known one too.
@@ -109,6 +109,17 @@ public:
   }
 
 private:
+  /// Of those that are one.
+  void keep_deepest(const WallContactPoint &contact_point)
+  {
+    const auto same = std::ranges::find_if(
+        found.contact_points, [&contact_point](const WallContactPoint &other)
+        { return is_one_contact_point(contact_point, other); });
+    if (same == found.contact_points.end())
+      found.contact_points.push_back(contact_point);
+    else if (contact_point.overlap > same->overlap)
+      *same = contact_point;
+  }
   bool is_near(const WallContactPoint &contact_point) const
   {
     return contact_point.overlap > -skin &&

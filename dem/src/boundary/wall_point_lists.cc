@@ -88,9 +88,10 @@ PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
                     particle.rotation, 0.);
   for (const std::size_t k : alive_first(on.batch, on.old))
   {
-    const Row row{static_cast<std::int32_t>(k),
-                  {on.batch.side_a.contact_point(k), Vec3::UnitZ(), 0., true},
-                  foot_at(foot(k))};
+    Row row{static_cast<std::int32_t>(k),
+            {on.batch.side_a.contact_point(k), Vec3::UnitZ(), 0., true},
+            foot_at(foot(k))};
+    row.foot.on_particle = row.contact_point.on_a;
     WallContactPoint start;
     start.on_particle = row.contact_point.on_a;
     start.triangle = row.foot.triangle;
@@ -100,8 +101,13 @@ PairList list_on_wall(const ParticleOnWall &on, std::size_t i, const Foot &foot,
       const WallContactPoint now = refine(view, start);
       return now.is_found && now.overlap > -on.input.skin;
     };
-    if (on.batch.is_touching(k) || is_near())
+    if (!on.batch.is_touching(k) && !is_near())
+      continue;
+    if (row.foot.triangle < 0)
       list.keep(row);
+    else
+      list.keep(row, [](const Row &one, const Row &other)
+                { return is_one_contact_point(one.foot, other.foot); });
   }
   if (on.gap < on.input.skin)
     add(search(particle, contact_points_of(list)), on.input, list);

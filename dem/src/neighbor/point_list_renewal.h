@@ -84,23 +84,25 @@ struct PairList
     return all;
   }
 
-  /// Keeps an old contact unless another one is at the same contact point.
-  void keep(const Row &row)
+  /// Two contacts at the same contact point: on walls beside each other on the
+  /// particle, and of one patch.
+  static bool is_double(const Row &one, const Row &other)
   {
-    const bool is_double = std::any_of(
-        rows.begin(), rows.end(),
-        [&](const Row &other)
-        {
-          // On walls beside each other on the particle, and of one
-          // patch.
-          return is_one_contact_point(row.contact_point, other.contact_point) &&
-                 is_one_patch(row.foot.normal, other.foot.normal);
-        });
-    if (is_double)
+    return is_one_contact_point(one.contact_point, other.contact_point) &&
+           is_one_patch(one.foot.normal, other.foot.normal);
+  }
+
+  /// Keeps an old contact unless another one is at the same contact point.
+  template <class IsDouble>
+  void keep(const Row &row, const IsDouble &is_double_of)
+  {
+    if (std::any_of(rows.begin(), rows.end(),
+                    [&](const Row &other) { return is_double_of(row, other); }))
       ++events.n_merged;
     else
       rows.push_back(row);
   }
+  void keep(const Row &row) { keep(row, is_double); }
 
   /// Adds new contacts. Of too many the farthest go, be they new or old, and
   /// the list is complete until those could touch.
