@@ -31,9 +31,10 @@ bool is_one_contact_point(const WallContactPoint &one,
 
 /// All contact points of a particle and a triangulated surface within `skin`
 /// [m]: from the nodes of its map that are nearest to the surface
-/// among their neighbours, and from vertices that are deepest in the particle
-/// among theirs, by refine_on_facets(). Only these triangles are searched.
-/// Contact points beside `known` ones are left out.
+/// among their neighbours, from vertices that are deepest in the particle
+/// among theirs, and from the triangles beside every contact point, by
+/// refine_on_facets(). Contact points that are one with `known` ones are left
+/// out.
 WallSearchResult find_on_facets(const MappedParticlePose &particle,
                                 const FacetMesh &mesh,
                                 std::span<const std::int32_t> triangles,
