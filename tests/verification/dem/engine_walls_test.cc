@@ -198,6 +198,7 @@ TEST(SurfaceOnFacets, ParticleKeepsItsEnergy)
       }
     // Largest of all steps: its phase in an oscillation is by chance.
     EXPECT_LT(coarse, 4 * 5e-4) << roughness;
+    EXPECT_LT(fine, 4 * 1.5e-4) << roughness;
     EXPECT_GT(coarse / fine, roughness == 0. ? 8. : 2.) << roughness;
   }
 }

@@ -124,7 +124,7 @@ struct FacetContactPoints
   /// Where particles follow their surfaces: a contact need not be looked at
   /// before the path lengths of particle and surface have come this far [m].
   std::vector<double> reactivation;
-  std::vector<FacetRidge> ridge; ///< likewise
+  std::vector<FacetRidge> ridge; ///< where particles follow their surfaces
 
   FacetContactPoints select(const std::vector<std::int32_t> &contacts) const;
   void append(const FacetContactPoints &more);
