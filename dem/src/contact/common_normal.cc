@@ -50,10 +50,10 @@ NormalStep step_to_common_normal(const SurfacePoint &a, const SurfacePoint &b,
   const Mat2 shape_operator_a = frame.transpose() * a.shape_operator * frame;
   const Mat2 shape_operator_b = frame.transpose() * b.shape_operator * frame;
   const Mat2 lens = shape_operator_a + shape_operator_b;
+  const Mat2 beyond = overlap * shape_operator_b * shape_operator_a;
   NormalStep steps;
-  steps.is_lens = lens.trace() > 0. && lens.determinant() > 0.;
-  const Mat2 system = control.trusted(lens, size) -
-                      overlap * shape_operator_b * shape_operator_a;
+  steps.is_lens = lens.trace() > 0. && (lens - beyond).determinant() > 0.;
+  const Mat2 system = control.trusted(lens, size) - beyond;
   const Vec2 along_a = system.partialPivLu().solve(-m - shape_operator_b * t);
   const Vec2 along_b = along_a - overlap * shape_operator_a * along_a + t;
   steps.on_a = frame * along_a;

@@ -19,9 +19,10 @@ void renew_sides(const ForceContext &context, ContactBatch &batch,
 /// Searches the common normal of contact k from where it was, as carefully as
 /// it takes; if there is none left, the contact stays open until the lists are
 /// rebuilt. A jump to another contact point is counted, and adds no energy.
+/// Returns how far the surfaces are apart, < 0 where they overlap [m].
 double relocate_pair(const ForceContext &context, ContactBatch &batch,
                      std::size_t k, RangeSum &sum);
 /// The same for the support point towards a wall.
-void relocate_wall(const ForceContext &context, ContactBatch &batch,
-                   std::size_t k, const WallRow &wall, RangeSum &sum);
+double relocate_wall(const ForceContext &context, ContactBatch &batch,
+                     std::size_t k, const WallRow &wall, RangeSum &sum);
 } // namespace dem

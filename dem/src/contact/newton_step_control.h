@@ -43,8 +43,9 @@ inline constexpr NewtonStepControl flat_step_control{0.03, 100,
 struct NormalStep
 {
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
-  double overlap = 0.;  ///< delta where the steps lead, to second order [m]
-  bool is_lens = false; ///< K_A + K_B is positive
+  double overlap = 0.; ///< delta where the steps lead, to second order [m]
+  /// A maximum of the overlap: K_A + K_B - delta K_B K_A is positive.
+  bool is_lens = false;
 };
 
 /// One Newton step of two points to the common normal. With d = x_A - x_B, t

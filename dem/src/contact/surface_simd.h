@@ -21,7 +21,7 @@ struct LaneStep
 {
   SimdPlanar on_a, on_b;
   Simd overlap;      ///< there, to second order; < 0: a gap
-  SimdMask is_sound; ///< K_A + K_B is positive and the step is short
+  SimdMask is_sound; ///< a maximum of the overlap, and the step is short
 };
 
 /// Solves (K_A + K_B - delta K_B K_A) a = -m - K_B t, as newton_step() does.
@@ -39,7 +39,7 @@ LaneStep step_to_normal(const SimdMatrix &ka, const SimdMatrix &kb,
   const Simd yy = lens.yy - overlap * (kb.xy * ka.xy + kb.yy * ka.yy);
   const Simd determinant = xx * yy - xy * yx;
   LaneStep step;
-  step.is_sound = lens.xx > 0. && lens.determinant() > 0. && determinant > 0.;
+  step.is_sound = lens.xx + lens.yy > 0. && determinant > 0.;
   const Simd inverse = 1. / select(step.is_sound, determinant, Simd(1.));
   step.on_a = {inverse * (yy * right.x - xy * right.y),
                inverse * (xx * right.y - yx * right.x)};
@@ -81,16 +81,19 @@ Simd relocate(const Task &task, std::int64_t k, const SimdMask &is_lost,
 }
 
 /// Overlap that counts: `overlap_offset` was there when the contact was found,
-/// and is given back as the contact opens.
-Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap)
+/// and is given back as the contact opens. Contacts that carry nothing although
+/// they overlap go on from the depth that they have then.
+Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap,
+                     const SimdMask &is_seen, const SimdMask &has_no_lens)
 {
   const Simd depth = stdx::max(overlap, Simd(0.));
   const Simd overlap_offset = load(task.contacts.overlap_offset + k);
-  const SimdMask is_given_back =
-      overlap_offset > depth && overlap_offset < closed_offset;
-  store(select(is_given_back, depth, overlap_offset),
+  const SimdMask is_set = is_seen && overlap_offset < closed_offset &&
+                          (has_no_lens || overlap_offset > depth);
+  store(select(is_set, depth, overlap_offset),
         task.contacts.overlap_offset + k);
-  return stdx::max(depth - overlap_offset, Simd(0.));
+  return select(has_no_lens, Simd(0.),
+                stdx::max(depth - overlap_offset, Simd(0.)));
 }
 
 /// Contacts of one set of lanes as they lie, at their common normals.
@@ -206,7 +209,9 @@ SurfaceGeometry locate_surface_pairs(const Task &task, std::int64_t k,
   geometry.apart =
       stdx::max(select(is_there, -step.overlap, found_apart), Simd(0.));
   geometry.has_no_lens = is_lost && !is_there && found_apart < 0.;
-  geometry.overlap = counted_overlap(task, k, step.overlap);
+  geometry.overlap = counted_overlap(
+      task, k, select(geometry.has_no_lens, -found_apart, step.overlap),
+      is_valid, geometry.has_no_lens);
   const SimdPlanar turn = pair.on_a.shape_operator * step.on_a;
   geometry.normal = normalised(pair.normal + pair.on_a.frame.in_world(turn));
   geometry.normal_before =
@@ -363,16 +368,20 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
   const SimdMask is_near =
       is_valid && !is_open && distance < far_wall * sphere.number;
   const SimdMask is_lost = is_near && !at.is_sound;
+  Simd found_apart(0.);
   if (any(is_lost))
   {
-    relocate(task, k, is_lost, sum);
+    found_apart = relocate(task, k, is_lost, sum);
     at = approach_wall(task, k, a, wall);
   }
   const SimdMask is_there = is_near && at.is_sound;
   at.step = only(is_there, at.step);
   at.overlap = select(is_there, at.overlap, Simd(0.));
+  const SimdMask has_no_lens = is_lost && !is_there && found_apart < 0.;
   SupportGeometry geometry;
-  geometry.overlap = counted_overlap(task, k, at.overlap);
+  geometry.overlap =
+      counted_overlap(task, k, select(has_no_lens, -found_apart, at.overlap),
+                      is_valid, has_no_lens);
   const SimdVector aside = at.on_a.arm + at.on_a.frame.in_world(at.step);
   // On the normal the contact is half way into the wall.
   geometry.arm =
