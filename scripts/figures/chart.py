@@ -115,7 +115,7 @@ def chart(series, labels, log=(False, False), limits=(None, None),
         parts += curve(part, colour, style, x, y)
         if name:
             parts.append(text(at, 24, name, "start", colour))
-            at += 6.4 * len(name) + 16
+            at += 7. * len(name) + 16
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} '
             f'{HEIGHT}" role="img" aria-label="{labels[1]} over {labels[0]}" '
             'font-family="Helvetica, Arial, \'Liberation Sans\', sans-serif" '

@@ -10,7 +10,8 @@ import pathlib
 
 from chart import chart, rows_of, table_of
 
-DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
 RESULTS, PERFORMANCE = DOCS / "results", DOCS / "performance"
 
 
@@ -126,11 +127,67 @@ def claims_force():
                        False)
 
 
+def ballast_strain():
+    """Permanent strain over the cycles at 30 kPa: frequencies in colours,
+    measured values as dots."""
+    here = rows_of(RESULTS / "ballast_shakedown_cycles.csv")
+    measured = rows_of(ROOT / "data" / "reference" / "ballast_strain.csv")
+    series = []
+    for index, frequency in enumerate(("10", "20", "40", "60")):
+        for rows, column, scale, style in (
+                (here, "strain (%)", 1., "line"),
+                (measured, "axial_strain_1", 100., "dots")):
+            points = [(float(row.get("cycle") or row["cycle_1"]),
+                       scale * float(row[column])) for row in rows
+                      if row["Loading/frequency"] == frequency and
+                      float(row["Loading/confining_pressure"]) == 30e3]
+            series.append((f"{frequency} Hz" if style == "line" else "",
+                           points, style, index))
+    return chart(series + [("dots: measured", [], "", 5)],
+                 ("load cycles", "permanent axial strain (%)"), (True, False))
+
+
+def breakage_cycles(outcome, label):
+    """An outcome over the cycles between rigid sides and in a membrane."""
+    rows = rows_of(RESULTS / "breakage_in_membrane_cycles.csv")
+    series = []
+    for index, (variant, name) in enumerate((("rigid", "rigid sides"),
+                                             ("membrane", "membrane"))):
+        for is_breaking, style in (("true", "line"), ("false", "dashes")):
+            points = [(float(row["cycle"]), float(row[outcome]))
+                      for row in rows if row["Variants"] == variant and
+                      row["Breakage/is_active"] == is_breaking]
+            series.append((name if style == "line" else "", points, style,
+                           index))
+    return chart(series + [("dashed: without breakage", [], "", 5)],
+                 ("load cycles", label), (True, False))
+
+
+def breakage_strain():
+    """Permanent strain over the cycles."""
+    return breakage_cycles("strain (%)", "permanent axial strain (%)")
+
+
+def breakage_height():
+    """Abrasion by fifths of the height over that of the specimen."""
+    layers = range(1, 6)
+    return chart([("membrane" if row["Variants"] == "membrane"
+                   else "rigid sides",
+                   [(0.2 * layer - 0.1, float(row[f"layer {layer}"]))
+                    for layer in layers], "line dots", index)
+                  for index, row in enumerate(rows_of(
+                      RESULTS / "breakage_in_membrane_height.csv"))],
+                 ("height over that of the specimen (-)",
+                  "abrasion over that of the specimen (-)"),
+                 limits=((0., 1.), (0.5, 1.5)))
+
+
 def main():
     for folder, charts in (("results", (cycle_jump_errors, cycle_jump_rates,
                                         density_scaling, claims_strain,
                                         claims_abrasion, claims_coordination,
-                                        claims_force)),
+                                        claims_force,
+                                        breakage_strain, breakage_height)),
                            ("performance", (time_step, engine_sizes))):
         pictures = DOCS / "pictures" / folder
         pictures.mkdir(parents=True, exist_ok=True)
