@@ -186,7 +186,7 @@ def main():
     for folder, charts in (("results", (cycle_jump_errors, cycle_jump_rates,
                                         density_scaling, claims_strain,
                                         claims_abrasion, claims_coordination,
-                                        claims_force,
+                                        claims_force, ballast_strain,
                                         breakage_strain, breakage_height)),
                            ("performance", (time_step, engine_sizes))):
         pictures = DOCS / "pictures" / folder
