@@ -147,25 +147,21 @@ def ballast_strain():
                  ("load cycles", "permanent axial strain (%)"), (True, False))
 
 
-def breakage_cycles(outcome, label):
-    """An outcome over the cycles between rigid sides and in a membrane."""
+def breakage_strain():
+    """Permanent strain over the cycles between rigid sides and in a membrane,
+    dashed without breakage."""
     rows = rows_of(RESULTS / "breakage_in_membrane_cycles.csv")
     series = []
     for index, (variant, name) in enumerate((("rigid", "rigid sides"),
                                              ("membrane", "membrane"))):
         for is_breaking, style in (("true", "line"), ("false", "dashes")):
-            points = [(float(row["cycle"]), float(row[outcome]))
+            points = [(float(row["cycle"]), float(row["strain (%)"]))
                       for row in rows if row["Variants"] == variant and
                       row["Breakage/is_active"] == is_breaking]
             series.append((name if style == "line" else "", points, style,
                            index))
     return chart(series + [("dashed: without breakage", [], "", 5)],
-                 ("load cycles", label), (True, False))
-
-
-def breakage_strain():
-    """Permanent strain over the cycles."""
-    return breakage_cycles("strain (%)", "permanent axial strain (%)")
+                 ("load cycles", "permanent axial strain (%)"), (True, False))
 
 
 def breakage_height():
