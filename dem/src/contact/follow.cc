@@ -89,8 +89,8 @@ double relocate_pair(const ForceContext &context, ContactBatch &batch,
   return -found.overlap;
 }
 
-double relocate_wall(const ForceContext &context, ContactBatch &batch,
-                     std::size_t k, const WallRow &wall, RangeSum &sum)
+void relocate_wall(const ForceContext &context, ContactBatch &batch,
+                   std::size_t k, const WallRow &wall, RangeSum &sum)
 {
   const ParticleSystem &particles = context.particles;
   const std::size_t i = particle_of(batch, k, true);
@@ -100,18 +100,17 @@ double relocate_wall(const ForceContext &context, ContactBatch &batch,
   if (!found.is_found)
   {
     end_contact(batch, k, sum);
-    return 0.;
+    return;
   }
-  const double overlap =
-      found.height - wall.normal.dot(wall.point - particles.position(i));
   if (batch.side_a.is_known(k) && (found.direction - start).norm() > jump)
   {
     sum.n_jumps += batch.is_touching(k);
     sum.has_displaced = true;
     batch.displaced[k] = 1;
-    renew_overlap_offset(batch, k, overlap);
+    renew_overlap_offset(
+        batch, k,
+        found.height - wall.normal.dot(wall.point - particles.position(i)));
   }
   renew_side(context, batch, k, true, found.direction);
-  return -overlap;
 }
 } // namespace dem

@@ -23,6 +23,6 @@ void renew_sides(const ForceContext &context, ContactBatch &batch,
 double relocate_pair(const ForceContext &context, ContactBatch &batch,
                      std::size_t k, RangeSum &sum);
 /// The same for the support point towards a wall.
-double relocate_wall(const ForceContext &context, ContactBatch &batch,
-                     std::size_t k, const WallRow &wall, RangeSum &sum);
+void relocate_wall(const ForceContext &context, ContactBatch &batch,
+                   std::size_t k, const WallRow &wall, RangeSum &sum);
 } // namespace dem

@@ -21,8 +21,8 @@ SupportGeometry followed_geometry(const Task &task, std::int64_t k,
       load(task.contacts.overlap_offset + k) >= closed_offset;
   const SimdMask is_there = is_valid && !is_open;
   SupportGeometry geometry;
-  geometry.overlap = counted_overlap(task, k, select(is_there, depth, Simd(0.)),
-                                     is_valid, SimdMask(false));
+  geometry.overlap =
+      counted_overlap(task, k, select(is_there, depth, Simd(0.)));
   geometry.arm = wall.vector(at_point) - a.vector(at_position) +
                  0.5 * depth * wall.vector(at_normal);
   return geometry;

@@ -35,8 +35,9 @@ double relocate(void *owner, std::int64_t k, RangeSum *sum)
   const auto contact = static_cast<std::size_t>(k);
   if (of.batch.layout.has_partners)
     return relocate_pair(of.context, of.batch, contact, *sum);
-  return relocate_wall(of.context, of.batch, contact,
-                       of.walls[row_of(of.batch.b[contact])], *sum);
+  relocate_wall(of.context, of.batch, contact,
+                of.walls[row_of(of.batch.b[contact])], *sum);
+  return 0.;
 }
 
 template <class Row>

@@ -81,10 +81,11 @@ Simd relocate(const Task &task, std::int64_t k, const SimdMask &is_lost,
 }
 
 /// Overlap that counts: `overlap_offset` was there when the contact was found,
-/// and is given back as the contact opens. Contacts that carry nothing although
-/// they overlap go on from the depth that they have then.
+/// and is given back as the contact opens. Pairs that are not seen keep it, and
+/// those that overlap without a lens go on from the depth that they have then.
 Simd counted_overlap(const Task &task, std::int64_t k, const Simd &overlap,
-                     const SimdMask &is_seen, const SimdMask &has_no_lens)
+                     const SimdMask &is_seen = SimdMask(true),
+                     const SimdMask &has_no_lens = SimdMask(false))
 {
   const Simd depth = stdx::max(overlap, Simd(0.));
   const Simd overlap_offset = load(task.contacts.overlap_offset + k);
@@ -368,20 +369,16 @@ SupportGeometry locate_support(const Task &task, std::int64_t k,
   const SimdMask is_near =
       is_valid && !is_open && distance < far_wall * sphere.number;
   const SimdMask is_lost = is_near && !at.is_sound;
-  Simd found_apart(0.);
   if (any(is_lost))
   {
-    found_apart = relocate(task, k, is_lost, sum);
+    relocate(task, k, is_lost, sum);
     at = approach_wall(task, k, a, wall);
   }
   const SimdMask is_there = is_near && at.is_sound;
   at.step = only(is_there, at.step);
   at.overlap = select(is_there, at.overlap, Simd(0.));
-  const SimdMask has_no_lens = is_lost && !is_there && found_apart < 0.;
   SupportGeometry geometry;
-  geometry.overlap =
-      counted_overlap(task, k, select(has_no_lens, -found_apart, at.overlap),
-                      is_valid, has_no_lens);
+  geometry.overlap = counted_overlap(task, k, at.overlap);
   const SimdVector aside = at.on_a.arm + at.on_a.frame.in_world(at.step);
   // On the normal the contact is half way into the wall.
   geometry.arm =
