@@ -3,31 +3,53 @@
 #include "report/text.h"
 #include "study/pairs.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spall
 {
+std::string reference_value(const StudyData &data, std::size_t key)
+{
+  const std::vector<Level> levels = levels_of(data, Cut(key), 0);
+  return std::ranges::max_element(levels, {},
+                                  [](const Level &level)
+                                  { return level.samples.size(); })
+      ->value;
+}
+
+std::string reference_words(const StudyData &data, std::size_t key)
+{
+  const std::string value = reference_value(data, key);
+  return value == levels_of(data, Cut(key), 0).front().value ? "the first value"
+                                                             : value;
+}
+
 std::optional<double> Difference::share() const
 {
   constexpr double round_off = 1e-9;
-  if (std::abs(first) <= round_off * std::abs(over_seeds.mean))
+  if (std::abs(reference) <= round_off * std::abs(over_seeds.mean))
     return {};
-  return over_seeds.mean / std::abs(first);
+  return over_seeds.mean / std::abs(reference);
 }
 
 std::vector<Difference> differences_of(const StudyData &data, std::size_t key)
 {
   std::vector<Difference> all;
+  const std::string reference = reference_value(data, key);
   for (std::size_t o = 0; o < data.study.outcomes.size(); ++o)
     for (const Cut &cut : series_of(data, key))
     {
-      const std::vector<Level> levels = levels_of(data, cut, o);
+      std::vector<Level> levels = levels_of(data, cut, o);
+      if (const auto found =
+              std::ranges::find(levels, reference, &Level::value);
+          found != levels.end())
+        std::rotate(levels.begin(), found, found + 1);
       for (const Level &level : levels)
       {
         const Level &first = levels.front();
-        const bool is_first = level.value == first.value;
-        all.push_back({o, cut, level, is_first, first.mean(),
-                       is_first
+        const bool is_reference = level.value == first.value;
+        all.push_back({o, cut, level, is_reference, first.mean(),
+                       is_reference
                            ? Estimate()
                            : estimate_of(paired_differences(
                                  data, cut, o, first.value, level.value))});

@@ -39,7 +39,7 @@ std::string mean_and_deviation(const Level &level)
 /// mean itself where a single seed gives no interval.
 std::string short_cell(const Difference &d)
 {
-  if (d.is_first)
+  if (d.is_reference)
     return mean_and_deviation(d.level);
   if (d.over_seeds.n < 2)
     return format(d.level.mean(), 4);
@@ -52,11 +52,12 @@ std::string short_cell(const Difference &d)
 TextTable value_table(const StudyData &data, std::size_t key)
 {
   const std::string name = data.study.keys[key].name();
-  TextTable table{name + " against the first value",
-                  "The first value with mean and standard deviation. Other "
-                  "values with their difference from it, of cases with the "
-                  "same seed, where that exceeds its 95 % interval over the "
-                  "seeds. A dash: within the interval.",
+  const std::string reference = reference_words(data, key);
+  TextTable table{name + " against " + reference,
+                  "Mean and standard deviation of " + reference +
+                      ". Other values with their difference from it, of cases "
+                      "with the same seed, where that exceeds its 95 % "
+                      "interval over the seeds. A dash: within the interval.",
                   {"outcome"},
                   {}};
   const std::vector<Cut> series = series_of(data, key);
@@ -68,7 +69,7 @@ TextTable value_table(const StudyData &data, std::size_t key)
   bool has_seeds = false;
   for (const Difference &d : differences_of(data, key))
   {
-    if (d.is_first)
+    if (d.is_reference)
     {
       table.rows.emplace_back(table.head.size());
       table.rows.back()[0] = data.study.outcomes[d.outcome];
@@ -184,7 +185,7 @@ TextTable difference_file(const StudyData &data)
           data.study.keys[k].name(),  d.level.value,
           series_name(data, d.cut),   data.study.outcomes[d.outcome],
           csv_number(d.level.mean()), csv_number(d.level.deviation())};
-      if (!d.is_first)
+      if (!d.is_reference)
         cells.insert(cells.end(),
                      {csv_number(d.over_seeds.mean),
                       csv_number(d.over_seeds.half_width),

@@ -85,7 +85,7 @@ TextTable difference_table(const StudyData &data, std::size_t key)
 {
   const std::string name = data.study.keys[key].name();
   TextTable table{
-      name + " against the first value",
+      name + " against " + reference_words(data, key),
       "Mean and standard deviation of the cases; differences are of cases with "
       "the same seed, with their 95 % interval over the seeds.",
       head_of(data, key, {name, "mean", "difference", "over seeds"}),
@@ -96,14 +96,15 @@ TextTable difference_table(const StudyData &data, std::size_t key)
     cells.insert(cells.end(),
                  {d.level.value, format(d.level.mean(), 4) + " ± " +
                                      format(d.level.deviation(), 2)});
-    if (d.is_first)
+    if (d.is_reference)
       cells.insert(cells.end(), {"–", "–"});
     else
-      cells.insert(cells.end(),
-                   {in_words(d.over_seeds, d.share() ? std::abs(d.first) : 0.),
-                    d.over_seeds.n < 2           ? "one seed"
-                    : d.over_seeds.is_resolved() ? "exceeds the spread"
-                                                 : "within the spread"});
+      cells.insert(
+          cells.end(),
+          {in_words(d.over_seeds, d.share() ? std::abs(d.reference) : 0.),
+           d.over_seeds.n < 2           ? "one seed"
+           : d.over_seeds.is_resolved() ? "exceeds the spread"
+                                        : "within the spread"});
     table.rows.push_back(cells);
   }
   return table;
@@ -114,14 +115,15 @@ TextTable spread_table(const StudyData &data, std::size_t key)
   const std::string name = data.study.keys[key].name();
   TextTable table{
       name + ": what exceeds the spread",
-      "Values that differ from the first one by more than the 95 % interval "
-      "over the seeds, with their difference, and those that do not.",
+      "Values that differ from " + reference_words(data, key) +
+          " by more than the 95 % interval over the seeds, with their "
+          "difference, and those that do not.",
       head_of(data, key, {"against", "exceeds the spread", "within it"}),
       {}};
   bool has_seeds = false;
   for (const Difference &d : differences_of(data, key))
   {
-    if (d.is_first)
+    if (d.is_reference)
     {
       table.rows.push_back(row_name(data, d));
       table.rows.back().insert(table.rows.back().end(),

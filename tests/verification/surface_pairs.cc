@@ -1,8 +1,9 @@
 // Where pairs of particles meet, against a brute force that knows nothing but
 // the radius of the series: the table of docs/verification/surfaces.md.
 //
-//   surface_pairs N SEED SHAPES [SHAPES ...]
+//   surface_pairs N SEED LARGEST SHAPES [SHAPES ...]
 //
+// N pairs that are apart or overlap by up to LARGEST of the smaller radius.
 // Pairs that both do not agree on go to stderr, a line each.
 #include "brute_force.h"
 
@@ -321,24 +322,23 @@ void report(int number, const Pair &pair, const dem::ContactPoint &found,
       polished.is_found ? "" : ", lost", (found.on_a - exact.at[0]).norm());
 }
 
-void compare(int number, const dem::MappedPair &pair, Tally &tally,
-             Further &further)
+void compare(int number, const dem::MappedPair &pair, double largest,
+             Tally &tally, Further &further)
 {
   const double size = dem::mean_radius(pair.b.body);
+  const double margin = 2. * largest * size;
   const double before = processor_time();
-  const dem::ContactPointSearch search_result = search(pair, 0.02 * size);
+  const dem::ContactPointSearch search_result = search(pair, margin);
   tally.seconds += processor_time() - before;
   tally.n_several += search_result.contact_points.size() > 1;
-  const dem::ContactPoint found =
-      search_result.contact_points.empty()
-          ? dem::ContactPoint{.overlap = -0.02 * size}
-          : search_result.contact_points.front();
+  const dem::ContactPoint found = search_result.contact_points.empty()
+                                      ? dem::ContactPoint{.overlap = -margin}
+                                      : search_result.contact_points.front();
   const Pair both{pair.a.body, pair.b.body, pair.pose};
   const std::vector<Start> nodes = nearest_nodes(both);
   const bool is_apart = found.overlap <= 0.;
   const Start exact = best_point(both, nodes, is_apart);
-  further.look(both, nodes, is_apart, 0.02 * size,
-               search_result.contact_points);
+  further.look(both, nodes, is_apart, margin, search_result.contact_points);
   if (!tally.add(exact.value / (2. * size), found.overlap / (2. * size)))
     report(number, both, found, exact);
 }
@@ -346,13 +346,14 @@ void compare(int number, const dem::MappedPair &pair, Tally &tally,
 
 int main(int argc, char **argv)
 {
-  if (argc < 4)
+  if (argc < 5)
   {
-    std::fprintf(stderr, "surface_pairs N SEED SHAPES [SHAPES ...]\n");
+    std::fprintf(stderr, "surface_pairs N SEED LARGEST SHAPES [SHAPES ...]\n");
     return 1;
   }
+  const double largest = std::stod(argv[3]);
   std::vector<Particle> particles;
-  for (int k = 3; k < argc; ++k)
+  for (int k = 4; k < argc; ++k)
     for (const spall::ShapeFile &shape : spall::read_shapes(argv[k]))
       particles.emplace_back(shape.coefficients);
   dem::Random random(std::stoull(argv[2]));
@@ -372,15 +373,14 @@ int main(int argc, char **argv)
     const dem::Mat3 rotation = random.rotation().toRotationMatrix();
     const Vec3 along = random.rotation() * Vec3::UnitX();
     const double reach = a.circumscribed_radius + b.circumscribed_radius;
-    // Up to 1 % of the radius apart, or deep in each other.
     const bool is_apart = k % 2 == 0;
-    const double overlap = (is_apart ? -1. : 1.) * 0.01 *
+    const double overlap = (is_apart ? -1. : 1.) * largest *
                            (0.05 + 0.95 * random.uniform()) *
                            dem::mean_radius(b);
     compare(k,
             approach({{a, one.map}, {b, other.map}, {reach * along, rotation}},
                      overlap),
-            tallies[is_apart ? 0 : 1], further[is_apart ? 0 : 1]);
+            largest, tallies[is_apart ? 0 : 1], further[is_apart ? 0 : 1]);
   }
   std::printf("| pairs | number | search misses the nearest contact point | "
               "brute force "

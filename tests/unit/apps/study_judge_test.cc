@@ -1,4 +1,5 @@
 #include "errors.h"
+#include "study/differences.h"
 #include "study/judge.h"
 #include "study/page_tables.h"
 #include "study_file.h"
@@ -119,6 +120,28 @@ TEST_F(SeededStudy, PairsTakeOutWhatSeedsShare)
   ASSERT_EQ(ends.size(), 3u);
   // Density over all rows of a variant: 2, 3 and twice 2.75.
   EXPECT_NEAR(ends[1], -2. * (2. + 3. + 2. * 2.75) / 4., 1e-12);
+}
+
+// Where seeds of the first value are missing, the others still resolve what
+// they differ by.
+TEST_F(SeededStudy, ValueWithMostCasesIsTheReference)
+{
+  make("", 1., 1., 0.1);
+  const StudyData all{study, points, results};
+  EXPECT_EQ(reference_value(all, 1), "2000");
+  EXPECT_EQ(reference_words(all, 1), "the first value");
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (points[p].seed == "1" && points[p].values[1] == "2000")
+      results[p].is_done = false;
+  EXPECT_EQ(reference_value(all, 1), "3000");
+  EXPECT_EQ(reference_words(all, 1), "3000");
+  for (const Difference &d : differences_of(all, 1))
+  {
+    EXPECT_EQ(d.is_reference, d.level.value == "3000");
+    EXPECT_NEAR(d.reference, 203., 1e-12);
+    if (!d.is_reference)
+      EXPECT_NEAR(d.over_seeds.mean, -1.05, 1e-12);
+  }
 }
 
 TEST_F(SeededStudy, WhatSeedsDifferByIsNotResolved)
