@@ -106,6 +106,13 @@ Evidence other_evidence(const StudyData &data, const Expectation &expected)
                      expected.than_value);
 }
 
+/// Whether a change is certainly less than what is noticeable.
+bool is_small(const Evidence &seen, const Estimate &change)
+{
+  const double limit = noticeable * std::abs(mean_of(seen.levels));
+  return change.is_below(limit) && change.is_above(-limit);
+}
+
 /// Up for sign 1, down for -1; a step the other way speaks against it.
 Verdict judge_way(const Evidence &seen, const Stretch &over, double sign)
 {
@@ -118,6 +125,8 @@ Verdict judge_way(const Evidence &seen, const Stretch &over, double sign)
     verdict.ruling = Ruling::does_not;
   else if (goes(whole, 1.))
     verdict.ruling = Ruling::holds;
+  else if (is_small(seen, whole))
+    verdict.ruling = Ruling::unchanged;
   for (std::size_t l = over.first + 1; l <= over.last; ++l)
     if (goes(seen.difference(l - 1, l), -1.))
       verdict.ruling = Ruling::does_not;
@@ -170,7 +179,7 @@ Verdict judge_sameness(const Evidence &seen, const Stretch &over)
   for (std::size_t l = over.first + 1; l <= over.last; ++l)
   {
     const Estimate e = seen.difference(over.first, l);
-    are_all_small &= e.is_below(limit) && e.is_above(-limit);
+    are_all_small &= is_small(seen, e);
     is_one_large |= e.is_above(limit) || e.is_below(-limit);
     numbers += "; " + seen.levels[l].value + " less " +
                seen.levels[over.first].value + " " +

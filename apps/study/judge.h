@@ -8,6 +8,7 @@ enum class Ruling
 {
   holds,
   does_not,
+  unchanged,   ///< a rise or fall not resolved, but below 5 % of the mean
   not_resolved ///< the seeds differ by more
 };
 

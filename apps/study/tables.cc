@@ -19,6 +19,8 @@ std::string in_words(Ruling ruling)
     return "yes";
   case Ruling::does_not:
     return "no";
+  case Ruling::unchanged:
+    return "unchanged";
   case Ruling::not_resolved:
     break;
   }
@@ -51,7 +53,7 @@ TextTable expectation_table(const StudyData &data)
                   data.study.judged_by == JudgedBy::seeds
                       ? "Differences are of cases with the same seed, with "
                         "their 95 % interval over the seeds; what is within it "
-                        "is not resolved."
+                        "is not resolved. Unchanged: by less than 5 %."
                       : "Differences of means count from 5 % of the mean of "
                         "all on.",
                   {"name", "expected", "reported"},

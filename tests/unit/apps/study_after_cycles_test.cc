@@ -103,7 +103,7 @@ TEST_F(StudyFile, StatementsAreTestedAfterCycles)
                       "holds |"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("| up | as X | yes | no | not resolved |"),
+  EXPECT_NE(text.find("| up | as X | yes | no | unchanged |"),
             std::string::npos)
       << text;
 }

@@ -149,8 +149,13 @@ TEST_F(SeededStudy, WhatSeedsDifferByIsNotResolved)
   make("  set up = n_events rises with Particle/density where Variants=a\n"
        "  set same = n_events stays with Particle/density where Variants=a\n",
        1., -1., 1.);
-  EXPECT_EQ(ruling(0), Ruling::not_resolved);
+  EXPECT_EQ(ruling(0), Ruling::unchanged);
   EXPECT_EQ(ruling(1), Ruling::holds); // 1 of 202
+  make("  set up = n_events rises with Particle/density where Variants=a\n"
+       "  set same = n_events stays with Particle/density where Variants=a\n",
+       1., -1., 5.); // 1 +- 12
+  EXPECT_EQ(ruling(0), Ruling::not_resolved);
+  EXPECT_EQ(ruling(1), Ruling::not_resolved);
 }
 
 // 2 (seed k: 2 +- 0.02) from 200 on: by 0.01.
