@@ -1,7 +1,10 @@
 #include "run/cost.h"
 
+#include <dem/parallel/rank_sums.h>
+
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <fstream>
 #include <limits>
 
@@ -22,13 +25,23 @@ MemoryUse memory_use()
   return use;
 }
 
-void add_cost(std::map<std::string, double> seconds,
+double over_all_ranks(const dem::Ranks &ranks, double seconds)
+{
+  std::array<dem::ExactSum, 1> sum;
+  sum[0].add(seconds);
+  dem::sum_over_ranks(ranks, sum);
+  return sum[0].value();
+}
+
+void add_cost(const dem::Ranks &ranks, std::map<std::string, double> seconds,
               nlohmann::ordered_json &summary)
 {
+  std::array peak{memory_use().peak};
+  ranks.max(peak);
   summary["processor_s"] = seconds[processor_time];
   summary["loading_processor_s"] = seconds[loading_processor_time];
   summary["loading_wall_clock_s"] = seconds[loading_wall_time];
-  summary["peak_memory_B"] = memory_use().peak;
+  summary["peak_memory_B"] = peak[0];
   seconds.erase(processor_time);
   seconds.erase(loading_processor_time);
   seconds.erase(loading_wall_time);

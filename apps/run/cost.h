@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dem/parallel/ranks.h>
 #include <dem/stopwatch.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,8 +21,8 @@ struct MemoryUse
 
 MemoryUse memory_use();
 
-/// Name of processor_seconds among the times of a run, which are carried over
-/// restarts together.
+/// Name of the processor time of all ranks among the times of a run, which are
+/// carried over restarts together.
 inline constexpr const char *processor_time = "processor";
 /// The same without the preparation: cases that share a specimen can be
 /// compared by it.
@@ -29,8 +30,11 @@ inline constexpr const char *loading_processor_time = "loading_processor";
 /// Wall time without the preparation.
 inline constexpr const char *loading_wall_time = "loading_wall_clock";
 
+/// What all ranks have spent [s]. Collective.
+double over_all_ranks(const dem::Ranks &ranks, double seconds);
+
 /// Writes processor_s, loading_processor_s, loading_wall_clock_s, peak_memory_B
-/// and, as wall_clock_s, the phases.
-void add_cost(std::map<std::string, double> seconds,
+/// (of the rank that needs most) and, as wall_clock_s, the phases. Collective.
+void add_cost(const dem::Ranks &ranks, std::map<std::string, double> seconds,
               nlohmann::ordered_json &summary);
 } // namespace spall

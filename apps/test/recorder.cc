@@ -300,7 +300,7 @@ void Recorder::write_tables(const Test &test) const
 }
 
 /// By phase [s]; the phases of stepping are those after the preparation. Adds
-/// what earlier programs of the same run spent.
+/// what earlier programs of the same run spent. Collective.
 std::map<std::string, double> Recorder::wall_clock(const Test &test) const
 {
   const dem::EngineClock now = test.engine().clock(),
@@ -330,11 +330,12 @@ std::map<std::string, double> Recorder::wall_clock(const Test &test) const
     known += spent;
   seconds["total"] = elapsed();
   seconds["other"] = std::max(0., seconds["total"] - known);
-  seconds[processor_time] = processor_seconds();
+  const double processor = processor_seconds();
+  seconds[processor_time] = over_all_ranks(test.ranks(), processor);
   if (prepared_at)
   {
     seconds[loading_processor_time] =
-        processor_seconds() - prepared_at->processor;
+        over_all_ranks(test.ranks(), processor - prepared_at->processor);
     seconds[loading_wall_time] = elapsed() - prepared_at->wall;
   }
   for (const auto &[phase, spent] : spent_before)
@@ -386,7 +387,7 @@ void Recorder::finish(Test &test)
     add_ledger(*test.exchange(), summary);
   add_slices(slices, summary);
   summary["warnings"] = test.warnings();
-  add_cost(wall_clock(test), summary);
+  add_cost(test.ranks(), wall_clock(test), summary);
   summary["version"] = SPALL_VERSION;
   on_first_rank(
       test.ranks(),

@@ -114,9 +114,7 @@ def measured_lines(folders):
         with open(folder / "history.csv", newline="") as stream:
             times = [float(row["time_s"]) for row in csv.DictReader(stream)
                      if float(row["stage_1"]) >= 1.]
-        # Of the first rank; the others compute or wait as long.
-        cost = (found["loading_processor_s"] * found["ranks"]
-                / (times[-1] - times[0]))
+        cost = found["loading_processor_s"] / (times[-1] - times[0])
         first = first or cost
         hours = cost * FULL_SIZE / found["n_particles"] * seconds / 3600.
         yield (f"| {folder.name} | {found['n_particles']} | "
