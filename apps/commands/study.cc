@@ -28,7 +28,8 @@ constexpr const char *page_marker = "<!-- spall study --page -->";
 struct StudyOptions
 {
   std::string file, out, figures, page;
-  bool is_of_finished = false; ///< runs nothing
+  bool is_of_finished = false;   ///< runs nothing
+  std::optional<StudyPart> part; ///< runs this alone, and reports nothing
   std::vector<Override> overrides;
   StudyRuns how;
 };
@@ -43,6 +44,26 @@ int count_from(const std::string &option, const std::string &text)
     throw InputError("study: " + option + " " + text +
                      ": must be a whole number from 1 up");
   return n;
+}
+
+/// K/N.
+StudyPart part_from(const std::string &text)
+{
+  const std::size_t slash = text.find('/');
+  const auto number = [&](const std::string &digits)
+  {
+    std::size_t n = 0;
+    const char *end = digits.data() + digits.size();
+    const auto [stop, status] = std::from_chars(digits.data(), end, n);
+    return status == std::errc{} && stop == end ? n : 0;
+  };
+  StudyPart part{0, 0};
+  if (slash != std::string::npos)
+    part = {number(text.substr(0, slash)), number(text.substr(slash + 1))};
+  if (part.number < 1 || part.number > part.n_parts)
+    throw InputError("study: --part " + text +
+                     ": must be K/N with whole numbers, K from 1 to N");
+  return part;
 }
 
 std::vector<std::string> words_of(const std::string &text)
@@ -76,21 +97,27 @@ StudyOptions study_options(Words words)
       jobs = count_from(word, value());
     else if (word == "--finished")
       options.is_of_finished = true;
+    else if (word == "--part")
+      options.part = part_from(value());
     else if (word == "--ranks-per-case")
       options.how.ranks = count_from(word, value());
     else if (word == "--mpirun")
       options.how.mpirun = words_of(value());
     else if (word.starts_with("--") || !options.file.empty())
-      throw InputError(
-          "study: " + word +
-          ": must be one study file, --out DIR, --jobs N, "
-          "--finished, --ranks-per-case N, --mpirun WORDS, --figures "
-          "FOLDER, --page FILE or --set Section/key=value");
+      throw InputError("study: " + word +
+                       ": must be one study file, --out DIR, --jobs N, "
+                       "--finished, --part K/N, --ranks-per-case N, --mpirun "
+                       "WORDS, --figures "
+                       "FOLDER, --page FILE or --set Section/key=value");
     else
       options.file = word;
   }
   if (options.file.empty())
     throw InputError("study: a study file must be given");
+  if (options.part && (options.is_of_finished || !options.page.empty() ||
+                       !options.figures.empty()))
+    throw InputError("study: --part: writes no report: must be without "
+                     "--finished, --page and --figures");
   const auto n_cores = static_cast<int>(std::thread::hardware_concurrency());
   options.how.jobs = jobs.value_or(std::max(1, n_cores / options.how.ranks));
   if (options.how.mpirun.empty())
@@ -216,6 +243,22 @@ void check_names(const StudyData &data, const fs::path &folder)
                      "of history.csv and of the files of profiles; the cases "
                      "are kept");
 }
+[[noreturn]] void fail(std::size_t n, std::ptrdiff_t n_failed,
+                       const std::string &where)
+{
+  throw RunFailure("study: " + std::to_string(n_failed) + " of " +
+                   std::to_string(n) + " cases failed, " + where +
+                   "; run again to try them again");
+}
+
+/// Throws RunFailure where cases have failed.
+void end_part(std::size_t n, std::ptrdiff_t n_failed)
+{
+  if (n_failed > 0)
+    fail(n, n_failed, "as said above");
+  std::cout << n << " cases of this part are finished; when all parts are, "
+            << "--finished writes table and report" << std::endl;
+}
 } // namespace
 
 int study_command(Words words)
@@ -231,6 +274,8 @@ int study_command(Words words)
   find_folders(points, folder);
   if (options.is_of_finished)
     keep_finished(points, folder);
+  if (options.part)
+    points = part_of(points, *options.part);
   make_folder(folder);
   if (!options.figures.empty())
     make_folder(options.figures);
@@ -244,6 +289,11 @@ int study_command(Words words)
     throw RunFailure("study: stopped with " + std::to_string(n_failed) +
                      " of " + std::to_string(points.size()) +
                      " cases to go; run again to continue");
+  if (options.part)
+  {
+    end_part(points.size(), n_failed);
+    return 0;
+  }
   const StudyData data{study, points, results};
   write_study_table(study, points, results, folder / "study.csv");
   write_text(folder / "report.html", study_page(data, folder, options.figures));
@@ -252,10 +302,7 @@ int study_command(Words words)
   std::cout << (folder / "study.csv").string() << '\n'
             << (folder / "report.html").string() << std::endl;
   if (n_failed > 0)
-    throw RunFailure("study: " + std::to_string(n_failed) + " of " +
-                     std::to_string(points.size()) +
-                     " cases failed, see report.html; run again to try them "
-                     "again");
+    fail(points.size(), n_failed, "see report.html");
   check_names(data, folder);
   return 0;
 }

@@ -60,8 +60,8 @@ constexpr std::array<Command, 8> commands = {
       "write a self-contained report.html", report_command,
       Processes::without_mpi},
      {"study",
-      "STUDY.prm [--out DIR] [--finished] [--jobs N] [--ranks-per-case N] "
-      "[--mpirun WORDS] [--figures FOLDER] [--page FILE] "
+      "STUDY.prm [--out DIR] [--finished] [--part K/N] [--jobs N] "
+      "[--ranks-per-case N] [--mpirun WORDS] [--figures FOLDER] [--page FILE] "
       "[--set Section/key=value ...]",
       "run or continue a sweep of cases; table and report", study_command,
       Processes::without_mpi},

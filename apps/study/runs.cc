@@ -250,6 +250,18 @@ std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
   return order;
 }
 
+std::vector<StudyPoint> part_of(const std::vector<StudyPoint> &points,
+                                const StudyPart &part)
+{
+  const std::vector<std::size_t> order = running_order(points, 1);
+  const auto end_of = [&](std::size_t number)
+  { return number * points.size() / part.n_parts; };
+  std::vector<StudyPoint> mine;
+  for (std::size_t k = end_of(part.number - 1); k < end_of(part.number); ++k)
+    mine.push_back(points[order[k]]);
+  return mine;
+}
+
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const fs::path &folder,

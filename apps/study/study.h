@@ -152,6 +152,19 @@ struct PointResult
 std::vector<std::size_t> running_order(const std::vector<StudyPoint> &points,
                                        int jobs);
 
+/// One of several shares of a study, each run by a program of its own.
+struct StudyPart
+{
+  std::size_t number = 1; ///< from 1
+  std::size_t n_parts = 1;
+};
+
+/// Every point is in one part; sizes of parts differ by one at most. A part is
+/// a stretch of the running order of one job, so that few parts prepare the
+/// same specimen.
+std::vector<StudyPoint> part_of(const std::vector<StudyPoint> &points,
+                                const StudyPart &part);
+
 /// How the cases of a study run.
 struct StudyRuns
 {

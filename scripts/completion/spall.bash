@@ -41,7 +41,7 @@ _spall() {
       ;;
     report) words="--out --figures --help" ;;
     study)
-      words="--out --finished --jobs --ranks-per-case --mpirun --figures --page
+      words="--out --finished --part --jobs --ranks-per-case --mpirun --figures --page
         --set --help"
       ;;
     shape)

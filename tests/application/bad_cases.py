@@ -385,9 +385,6 @@ PACKINGS = [
 ]
 
 LAB = {"Case": {"kind": "single_particle"}}
-STUDY = ("subsection Study\n  set case = c.prm\n  set outcomes = n_events\n"
-         "end\n")
-SWEEP = "subsection Sweep\n  set Particle/density = 2000, 3000\nend\n"
 
 
 def lab(name, sections, *message):
@@ -400,11 +397,6 @@ def compaction(name, sections, *message):
     return Bad("compaction_" + name, ["check", "c.prm"], list(message),
                files={"c.prm": prm({"Case": {"kind": "vibratory_compaction"},
                                     **sections})})
-
-
-def study(name, text, *message, options=""):
-    return Bad("study_" + name, ["study", "s.prm", *options.split()],
-               list(message), files={"s.prm": text, "c.prm": prm(LAB)})
 
 
 LABS = [
@@ -458,42 +450,6 @@ LABS = [
     compaction("coupling", {"Container": {"form": "flexible"}},
                "Coupling/exchange = none", "Container/form = flexible",
                "every_step"),
-    study("empty", STUDY, "s.prm", "Sweep"),
-    study("key", STUDY + "subsection Sweep\n  set Particle/weight = 1, 2\nend\n",
-          "s.prm:6", "Particle/weight", "no parameter"),
-    study("value", STUDY + "subsection Sweep\n"
-                           "  set Particle/density = 2000, heavy\nend\n",
-          "Particle/density = heavy", "must be a number"),
-    study("section", STUDY + SWEEP + "subsection Plot\n  set x = 1\nend\n",
-          "s.prm:9", "Plot", "Study, Base, Sweep, Variants or Expect"),
-    study("expect", STUDY + SWEEP + "subsection Expect\n"
-                                    "  set a = n_events grows\nend\n",
-          "s.prm:9", "rises"),
-    study("outcome", STUDY + SWEEP +
-          "subsection Expect\n  set a = laa rises with Particle/density\nend\n",
-          "laa is not in Study/outcomes"),
-    study("condition", STUDY + SWEEP +
-          "subsection Expect\n  set a = n_events rises with Particle/density "
-          "where Particle/density=1\nend\n",
-          "Expect/a: Particle/density=1", "no case"),
-    study("hole", STUDY + "subsection Sweep\n"
-                          "  set Particle/density = 2000,, 3000\nend\n",
-          "Particle/density = 2000,, 3000", "commas"),
-    study("twice", STUDY + "subsection Variants\n  set a = Particle/friction=1; "
-                           "Particle/friction=2\nend\n",
-          "s.prm:6", "Particle/friction is set twice"),
-    study("seed", STUDY.replace("end", "  set seeds = 5\nend") +
-          "subsection Sweep\n  set Particle/seed = 3, 4\nend\n",
-          "s.prm:7", "Sweep/Particle/seed", "Study/seeds"),
-    study("page", STUDY + SWEEP, "--page c.prm",
-          "must be a file with the line", options="--page c.prm"),
-    study("out", STUDY + SWEEP, "--out .", "not a study", options="--out ."),
-    study("finished", STUDY + SWEEP, "--finished: new", "no finished case",
-          options="--finished --out new"),
-    study("cycles", STUDY.replace("end", "  set after_cycles = 10, 5\nend") +
-          SWEEP, "Study/after_cycles = 10, 5", "rising whole numbers"),
-    Bad("study_nothing", ["study"], ["a study file must be given"]),
-    Bad("study_jobs", ["study", "s.prm", "--jobs", "0"], ["--jobs 0"]),
 ]
 
 CASES = (LABS + VALUES + SCENE + WORDS + FILES + GRADATIONS + SHAPES + PACKINGS

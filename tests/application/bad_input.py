@@ -15,6 +15,7 @@ import tempfile
 from bad_cases import CASES, GRADATION, merged, prm
 from bad_meshes import MESH_FILES
 from bad_paths import PATHS
+from bad_studies import STUDIES
 from bad_subgrades import SUBGRADES
 from forked import ForkedProgram
 
@@ -67,7 +68,7 @@ def answer_faults(bad, ended):
 
 def main():
     names = sys.argv[2:]
-    cases = [bad for bad in CASES + MESH_FILES + SUBGRADES + PATHS
+    cases = [bad for bad in CASES + STUDIES + MESH_FILES + SUBGRADES + PATHS
              if not names or bad.name in names]
     with ForkedProgram(sys.argv[1]) as program:
         results = [faults_of(program, bad) for bad in cases]

@@ -280,6 +280,17 @@ def study(spall, root):
         if "4 of 6 cases are finished" not in said or \
                 list(csv.DictReader(stream)) != done:
             faults.append(f"--finished: {said}")
+    parts = [spall, "study", file, "--out", root / "parts"]
+    for number in (2, 1):  # each with a case that fails
+        said = spall_run([*parts, "--part", f"{number}/2"], status=2).stderr
+        if "1 of 3 cases failed" not in said:
+            faults.append(f"--part {number}/2: {said}")
+    if (root / "parts" / "study.csv").exists():
+        faults.append("a part has written the table of all")
+    spall_run([*parts, "--finished"])
+    with open(root / "parts" / "study.csv", newline="") as stream:
+        if list(csv.DictReader(stream)) != done:
+            faults.append("parts have other results than the whole study")
     # One more value in the middle: what is there stays and is found again.
     file.write_text(file.read_text().replace("8e3, 1e4", "8e3, 9e3, 1e4"))
     spall_run(words, status=2)

@@ -3,6 +3,8 @@
 #include "study/profiles.h"
 #include "study_file.h"
 
+#include <set>
+
 namespace
 {
 using namespace spall;
@@ -136,6 +138,32 @@ TEST_F(StudyFile, CasesOfASeedRunTogether)
   std::size_t index = 0;
   for (const std::size_t k : running_order(points, 2))
     EXPECT_EQ(k, index++);
+}
+
+// Every case is in one part, and a part has cases of as few seeds as it can.
+TEST_F(StudyFile, PartsShareTheCases)
+{
+  const std::vector<StudyPoint> points = points_of(study("each"));
+  const auto seeds_of = [&](std::size_t number, std::size_t n_parts)
+  {
+    std::string seeds;
+    for (const StudyPoint &point : part_of(points, {number, n_parts}))
+      seeds += point.seed;
+    return seeds;
+  };
+  EXPECT_EQ(seeds_of(1, 1), "11112222");
+  EXPECT_EQ(seeds_of(1, 3) + "," + seeds_of(2, 3) + "," + seeds_of(3, 3),
+            "11,112,222");
+  std::set<std::string> folders;
+  std::size_t n = 0;
+  for (std::size_t number = 1; number <= 11; ++number)
+    for (const StudyPoint &point : part_of(points, {number, 11}))
+    {
+      folders.insert(point.folder);
+      ++n;
+    }
+  EXPECT_EQ(n, points.size());
+  EXPECT_EQ(folders.size(), points.size());
 }
 
 // Points of the file at the value of the key, the other key as in the base.
