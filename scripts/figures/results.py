@@ -89,18 +89,20 @@ def engine_sizes():
 def over_cycles(outcome, label, is_log):
     """An outcome of the claims over the cycles at 20 Hz: amplitudes in colours,
     without breakage dashed."""
+    rows = [row for row in rows_of(RESULTS / "article_claims_cycles.csv")
+            if row["Loading/frequency"] == "20"]
+    loads = sorted({float(row["Loading/amplitude"]) for row in rows})
     series = []
-    for index, load in enumerate((80, 120, 160)):
+    for index, load in enumerate(loads):
         for variant, style in (("breaking", "line dots"),
                                ("unbroken", "dashes")):
             points = [(float(row["cycle"]), float(row[outcome]))
-                      for row in rows_of(RESULTS / "article_claims_cycles.csv")
-                      if row["Variants"] == variant and
-                      row["Loading/frequency"] == "20" and
-                      float(row["Loading/amplitude"]) == 1e3 * load and
+                      for row in rows if row["Variants"] == variant and
+                      float(row["Loading/amplitude"]) == load and
                       not (is_log and float(row[outcome]) == 0.)]
             if points:
-                series.append((f"{load} kPa" if variant == "breaking" else "",
+                series.append((f"{1e-3 * load:g} kPa"
+                               if variant == "breaking" else "",
                                points, style, index))
     return chart(series + [("dashed: without breakage", [], "", 5)],
                  ("load cycles", label), (True, is_log))
@@ -125,6 +127,40 @@ def claims_force():
     """Mean contact force over the cycles."""
     return over_cycles("mean contact force (N)", "mean contact force (N)",
                        False)
+
+
+def claims_fracture_energy():
+    """Abrasion over the cycles by fracture energies, and the published one."""
+    rows = [row for row in rows_of(
+        RESULTS / "claims_fracture_energy_cycles.csv")
+            if float(row["LAA (%)"]) > 0.]
+    energies = sorted({float(row["Breakage/fracture_energy"]) for row in rows})
+    series = [(f"{1e-3 * energy:g} kJ/m²",
+               sorted({(float(row["cycle"]), float(row["LAA (%)"]))
+                       for row in rows
+                       if float(row["Breakage/fracture_energy"]) == energy}),
+               "line dots", index) for index, energy in enumerate(energies)]
+    return chart(series + [("published", [(1000., 0.35)], "dots", 5)],
+                 ("load cycles", "abrasion LAA (%)"), (True, True))
+
+
+def claims_size():
+    """Outcomes after ten cycles over those of the smallest specimen."""
+    rows = [row for row in rows_of(RESULTS / "claims_size_cycles.csv")
+            if row["cycle"] == "10"]
+    series = []
+    for index, (name, column, is_breaking) in enumerate((
+            ("strain", "strain (%)", "true"),
+            ("strain without breakage", "strain (%)", "false"),
+            ("abrasion", "LAA (%)", "true"),
+            ("coordination number", "coordination number", "true"))):
+        points = [(float(row["Variants"].removeprefix("mm")),
+                   float(row[column])) for row in rows
+                  if row["Breakage/is_active"] == is_breaking]
+        series.append((name, [(x, y / points[0][1]) for x, y in points],
+                       "line dots", index))
+    return chart(series, ("width of the specimen (mm)",
+                          "over that of the smallest specimen (-)"))
 
 
 def ballast_strain():
@@ -182,7 +218,9 @@ def main():
     for folder, charts in (("results", (cycle_jump_errors, cycle_jump_rates,
                                         density_scaling, claims_strain,
                                         claims_abrasion, claims_coordination,
-                                        claims_force, ballast_strain,
+                                        claims_force,
+                                        claims_fracture_energy, claims_size,
+                                        ballast_strain,
                                         breakage_strain, breakage_height)),
                            ("performance", (time_step, engine_sizes))):
         pictures = DOCS / "pictures" / folder
