@@ -106,9 +106,9 @@ StudyOptions study_options(Words words)
     else if (word.starts_with("--") || !options.file.empty())
       throw InputError("study: " + word +
                        ": must be one study file, --out DIR, --jobs N, "
-                       "--finished, --part K/N, --ranks-per-case N, --mpirun "
-                       "WORDS, --figures "
-                       "FOLDER, --page FILE or --set Section/key=value");
+                       "--finished, --part K/N, --ranks-per-case N, "
+                       "--mpirun WORDS, --figures FOLDER, --page FILE or "
+                       "--set Section/key=value");
     else
       options.file = word;
   }
@@ -243,6 +243,7 @@ void check_names(const StudyData &data, const fs::path &folder)
                      "of history.csv and of the files of profiles; the cases "
                      "are kept");
 }
+
 [[noreturn]] void fail(std::size_t n, std::ptrdiff_t n_failed,
                        const std::string &where)
 {

@@ -11,17 +11,17 @@ namespace spall
 std::string reference_value(const StudyData &data, std::size_t key)
 {
   const std::vector<Level> levels = levels_of(data, Cut(key), 0);
-  return std::ranges::max_element(levels, {},
-                                  [](const Level &level)
-                                  { return level.samples.size(); })
-      ->value;
+  const auto most = std::ranges::max_element(
+      levels, {}, [](const Level &level) { return level.samples.size(); });
+  return most == levels.end() ? "" : most->value;
 }
 
 std::string reference_words(const StudyData &data, std::size_t key)
 {
   const std::string value = reference_value(data, key);
-  return value == levels_of(data, Cut(key), 0).front().value ? "the first value"
-                                                             : value;
+  const std::vector<Level> levels = levels_of(data, Cut(key), 0);
+  return levels.empty() || value == levels.front().value ? "the first value"
+                                                         : value;
 }
 
 std::optional<double> Difference::share() const
@@ -42,7 +42,7 @@ std::vector<Difference> differences_of(const StudyData &data, std::size_t key)
       std::vector<Level> levels = levels_of(data, cut, o);
       if (const auto found =
               std::ranges::find(levels, reference, &Level::value);
-          found != levels.end())
+          found != levels.end() && !found->samples.empty())
         std::rotate(levels.begin(), found, found + 1);
       for (const Level &level : levels)
       {

@@ -7,7 +7,8 @@
 namespace spall
 {
 /// Value of a key that its others are compared with: the first one, or where
-/// cases are missing the first of those with the most.
+/// cases are missing the first of those with the most. Empty if the key has no
+/// value.
 std::string reference_value(const StudyData &data, std::size_t key);
 
 /// Its words in a title: "the first value", or itself.

@@ -142,6 +142,9 @@ TEST_F(SeededStudy, ValueWithMostCasesIsTheReference)
     if (!d.is_reference)
       EXPECT_NEAR(d.over_seeds.mean, -1.05, 1e-12);
   }
+  const StudyData none{study, {}, {}}; // no case is finished
+  EXPECT_EQ(reference_value(none, 1), "");
+  EXPECT_EQ(reference_words(none, 1), "the first value");
 }
 
 TEST_F(SeededStudy, WhatSeedsDifferByIsNotResolved)
