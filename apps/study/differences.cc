@@ -21,7 +21,7 @@ std::string reference_words(const StudyData &data, std::size_t key)
   const std::string value = reference_value(data, key);
   const std::vector<Level> levels = levels_of(data, Cut(key), 0);
   return levels.empty() || value == levels.front().value ? "the first value"
-                                                         : value;
+                                                         : "the value " + value;
 }
 
 std::optional<double> Difference::share() const

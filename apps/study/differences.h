@@ -11,7 +11,7 @@ namespace spall
 /// value.
 std::string reference_value(const StudyData &data, std::size_t key);
 
-/// Its words in a title: "the first value", or itself.
+/// Its words in a title or sentence: "the first value", "the value 20".
 std::string reference_words(const StudyData &data, std::size_t key);
 
 /// One value of a key against the reference of its series, for one outcome.

@@ -134,7 +134,7 @@ TEST_F(SeededStudy, ValueWithMostCasesIsTheReference)
     if (points[p].seed == "1" && points[p].values[1] == "2000")
       results[p].is_done = false;
   EXPECT_EQ(reference_value(all, 1), "3000");
-  EXPECT_EQ(reference_words(all, 1), "3000");
+  EXPECT_EQ(reference_words(all, 1), "the value 3000");
   for (const Difference &d : differences_of(all, 1))
   {
     EXPECT_EQ(d.is_reference, d.level.value == "3000");
