@@ -313,8 +313,8 @@ struct Case
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
-  /// One line for each old name that the case uses.
-  std::vector<std::string> deprecated;
+  /// One line for each old name in use, and for each unusual value.
+  std::vector<std::string> notices;
   /// Digests of the files that the case names, by Section/key.
   std::map<std::string, std::uint64_t> contents;
 
@@ -355,4 +355,7 @@ private:
 
 /// A case of this kind with its defaults.
 Case default_case(const std::string &kind);
+
+/// The defaults of the kind of this case, with walls of the same names.
+Case defaults_of(const Case &of);
 } // namespace spall

@@ -12,7 +12,7 @@ void add_membrane(List &list, fem::MembraneParameters &m)
        "incompressible and holds for any stretch, with poisson_ratio 0.5."},
       m.law, {"st_venant_kirchhoff", "neo_hooke"});
   list.add({"youngs_modulus", "Pa", "Young's modulus E of the membrane."},
-           m.youngs_modulus, above(0., 1e13));
+           m.youngs_modulus, above(0., 1e13), usual_moduli);
   list.add({"poisson_ratio", "-", "Poisson's ratio nu of the membrane."},
            m.poisson_ratio, between(0., 0.5));
   list.add({"thickness", "m", "Thickness of the undeformed membrane."},
@@ -31,7 +31,7 @@ void add_membrane(List &list, fem::MembraneParameters &m)
             "still carries."},
            m.residual_stiffness, below(0., 1.));
   list.add({"density", "kg/m^3", "Mass density of the undeformed membrane."},
-           m.density, above(0., 3e4));
+           m.density, above(0., 3e4), usual_densities);
   list.add({"mass_damping", "1/s",
             "Mass-proportional damping coefficient alpha of the membrane. A "
             "force -alpha m v acts on each node."},

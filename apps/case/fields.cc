@@ -13,10 +13,10 @@ void add_particle(List &list, dem::ParticleMaterial &s)
   list.in("Particle");
   list.add(
       {"density", "kg/m^3", "Mass density rho of the solid of the particles."},
-      s.density, above(0., 3e4));
+      s.density, above(0., 3e4), usual_densities);
   list.add({"shear_modulus", "Pa",
             "Shear modulus G of the particles in the Hertz contact law."},
-           s.shear_modulus, between(1., 1e13));
+           s.shear_modulus, between(1., 1e13), usual_moduli);
   list.add({"poisson_ratio", "-",
             "Poisson's ratio nu of the particles in the Hertz contact law."},
            s.poisson_ratio, below(0., 0.5));
@@ -362,6 +362,14 @@ Case default_case(const std::string &kind)
   Case defaults;
   defaults.kind = kind;
   find_kind(kind)->set_defaults(defaults);
+  return defaults;
+}
+
+Case defaults_of(const Case &of)
+{
+  Case defaults = default_case(of.kind);
+  for (const WallSection &wall : of.walls)
+    defaults.walls.emplace_back().name = wall.name;
   return defaults;
 }
 } // namespace spall

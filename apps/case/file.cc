@@ -4,6 +4,7 @@
 #include "case/data_folders.h"
 #include "case/deprecated.h"
 #include "case/fields.h"
+#include "case/notices.h"
 #include "case/source.h"
 #include "errors.h"
 #include "run/digest.h"
@@ -45,6 +46,17 @@ std::string section_hint(const std::string &name,
   return all;
 }
 
+/// What to do about a key that its section does not have.
+std::string key_hint(const Assignment &a, const std::vector<std::string> &keys,
+                     const std::vector<Parameter> &list)
+{
+  std::string others;
+  for (const Parameter &parameter : list)
+    if (parameter.key == a.key)
+      others += (others.empty() ? "" : ", ") + parameter.section;
+  return others.empty() ? hint(a.key, keys) : ": it is in " + others;
+}
+
 /// Throws InputError unless section and key are in the list.
 void check_known(const Assignment &a, const std::vector<Parameter> &list)
 {
@@ -64,7 +76,7 @@ void check_known(const Assignment &a, const std::vector<Parameter> &list)
     throw InputError(start + "no section of this name" +
                      section_hint(a.section, names));
   throw InputError(start + "no key of this name in section " + a.section +
-                   hint(a.key, keys));
+                   key_hint(a, keys, list));
 }
 
 /// Every parameter as text; what is allowed is checked on assignment, with
@@ -102,14 +114,14 @@ struct Values
 {
   dealii::ParameterHandler handler;
   SourceLocations locations;
-  std::vector<std::string> deprecated;
+  std::vector<std::string> notices;
 };
 
 /// Returns the present name, Section/key.
 std::string take(Values &values, Assignment a,
                  const std::vector<Parameter> &list)
 {
-  use_present_names(a, list, values.deprecated);
+  use_present_names(a, list, values.notices);
   check_known(a, list);
   std::string name = a.section + "/" + a.key;
   values.locations[name] = a.location;
@@ -144,8 +156,9 @@ bool is_preset(const Override &o)
 }
 
 /// Of a kind of case. Throws InputError that names those that there are.
-std::string preset_file(const Case &parameters, const std::string &name)
+std::string preset_file(const Case &parameters, const Override &preset)
 {
+  const std::string &name = preset.value;
   const std::string &kind = parameters.kind;
   std::set<std::string> known;
   for (const fs::path &data : search_folders(parameters))
@@ -163,7 +176,7 @@ std::string preset_file(const Case &parameters, const std::string &name)
   for (const std::string &one : known)
     names += (names.empty() ? ": must be one of " : ", ") + one;
   throw InputError(
-      "--set preset=" + name +
+      preset.location + " preset=" + name +
       (known.empty() ? ": a case of kind " + kind + " has none" : names));
 }
 
@@ -173,12 +186,11 @@ void take_overrides(Values &values, const Case &parameters,
 {
   for (const Override &o : overrides)
     if (is_preset(o))
-      for (const Assignment &a :
-           read_assignments(preset_file(parameters, o.value)))
+      for (const Assignment &a : read_assignments(preset_file(parameters, o)))
         take(values, a, list);
   for (const Override &o : overrides)
     if (!is_preset(o))
-      take(values, {o.section, o.key, o.value, "--set"}, list);
+      take(values, o, list);
 }
 
 /// The parameters that a material file may set.
@@ -227,19 +239,19 @@ void assign_all(Values &values, const std::vector<Parameter> &list,
 }
 } // namespace
 
-Override parse_override(const std::string &text)
+Override parse_override(const std::string &text, const std::string &location)
 {
   constexpr std::string_view preset = "preset=";
   if (text.starts_with(preset))
-    return {"", "preset", text.substr(preset.size())};
+    return {"", "preset", text.substr(preset.size()), location};
   const std::size_t equal = text.find('=');
   const std::size_t slash = text.substr(0, equal).rfind('/');
   if (slash == std::string::npos || equal == std::string::npos || slash == 0 ||
       equal <= slash + 1)
-    throw InputError("--set " + text +
+    throw InputError(location + " " + text +
                      ": must be Section/key=value or preset=NAME");
   return {text.substr(0, slash), text.substr(slash + 1, equal - slash - 1),
-          text.substr(equal + 1)};
+          text.substr(equal + 1), location};
 }
 
 namespace
@@ -263,10 +275,13 @@ std::string kind_said(const std::string &file,
 void check_kind(const Case &parameters, const std::vector<Parameter> &list,
                 const SourceLocations &locations)
 {
+  const std::string by_default =
+      locations.contains("Case/kind") ? "" : " (the default: set Case/kind)";
   const auto refuse = [&](const auto &of_source, const std::string &what)
   {
     throw InputError(of_source.second + ": " + of_source.first +
-                     ": a case of kind " + parameters.kind + " has no " + what);
+                     ": a case of kind " + parameters.kind + by_default +
+                     " has no " + what);
   };
   for (const ListedSection &section : sections(parameters))
     if (!section.is_of(parameters.kind))
@@ -349,7 +364,7 @@ void add_named_walls(Case &c, const std::string &file,
   for (const Assignment &a : read_assignments(file))
     add(a);
   for (const Override &o : overrides)
-    add({o.section, o.key, o.value, "--set"});
+    add(o);
 }
 
 /// The materials take the parameters of their laws.
@@ -394,7 +409,9 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
     wall.material = result.wall; // what it does not say itself
   assign_all(values, list, true);
   choose_laws(result);
-  result.deprecated = values.deprecated;
+  result.notices = notices_on(result, list, values.locations);
+  result.notices.insert(result.notices.begin(), values.notices.begin(),
+                        values.notices.end());
   note_contents(result);
 
   check_case(result,

@@ -1,21 +1,21 @@
 #pragma once
 
 #include "case/case.h"
+#include "case/source.h"
 
 #include <span>
 #include <string>
 
 namespace spall
 {
-/// Section/Key=value from the command line; of a preset, a file of settings in
-/// data/presets, without section: "preset" = its name.
-struct Override
-{
-  std::string section, key, value;
-};
+/// An assignment from outside of the case file. That of a preset, a file of
+/// settings in data/presets, has no section: "preset" = its name.
+using Override = Assignment;
 
-/// "Section/Key=value" or "preset=NAME", what follows --set. Throws InputError.
-Override parse_override(const std::string &text);
+/// "Section/Key=value" or "preset=NAME", what follows --set unless `location`
+/// says otherwise. Throws InputError.
+Override parse_override(const std::string &text,
+                        const std::string &location = "--set");
 
 /// Reads and validates a .prm (or .json) case: defaults, then the material
 /// file, then the case, then presets, then the other overrides. Throws
@@ -24,6 +24,11 @@ Case read_case(const std::string &file, std::span<const Override> overrides);
 
 /// Every parameter with its value, unit and sentence (paths made absolute).
 std::string parameters_as_run(const Case &parameters);
+
+/// A line for each parameter that has another value than in this file, which
+/// parameters_as_run() printed. Throws InputError if it cannot be read.
+std::vector<std::string> changes_since(const std::string &printed,
+                                       const Case &parameters);
 
 /// A printed case without its comments, which another version may word
 /// otherwise.

@@ -18,6 +18,13 @@ struct Text
   std::vector<std::string> old_keys = {};
 };
 
+/// Usual ranges in SI units: a value in g/cm^3, GPa, kPa or mm is outside.
+inline constexpr Range usual_densities = between(100., 25e3); ///< [kg/m^3]
+inline constexpr Range usual_moduli = between(1e5, 1e13);     ///< [Pa]
+inline constexpr Range usual_stresses = between(500., 1e9);   ///< [Pa]
+inline constexpr Range usual_lengths = between(1e-3, 30.);    ///< [m]
+inline constexpr Range usual_corners = between(-30., 30.);    ///< [m]
+
 /// Flags of the parameters of a section, see Parameter.
 struct Flags
 {
@@ -40,9 +47,11 @@ public:
   }
   /// Only cases of this kind have the keys that follow; empty: all.
   void only_of(const std::string &name) { kind = name; }
-  Parameter &add(const Text &text, double &field, const Range &range)
+  /// `usual`: see Parameter.
+  Parameter &add(const Text &text, double &field, const Range &range,
+                 const Range &usual = {})
   {
-    return put(text, &field, range);
+    return put(text, &field, range, usual);
   }
   Parameter &add(const Text &text, int &field, const Range &range)
   {
@@ -56,10 +65,11 @@ public:
   {
     return put(text, &field, {});
   }
-  /// Three components; `range` is that of each.
-  Parameter &add(const Text &text, dem::Vec3 &field, const Range &range = {})
+  /// Three components; `range` and `usual` are those of each.
+  Parameter &add(const Text &text, dem::Vec3 &field, const Range &range = {},
+                 const Range &usual = {})
   {
-    return put(text, &field, range);
+    return put(text, &field, range, usual);
   }
   Parameter &add_path(const Text &text, std::string &field)
   {
@@ -106,7 +116,7 @@ public:
 
 private:
   Parameter &put(const Text &text, decltype(Parameter::value) value,
-                 const Range &range)
+                 const Range &range, const Range &usual = {})
   {
     return parameters.emplace_back(
         Parameter{.section = section,
@@ -116,6 +126,7 @@ private:
                   .value = std::move(value),
                   .range = range,
                   .reason = text.reason,
+                  .usual = usual,
                   .old_keys = text.old_keys,
                   .kind = kind,
                   .decides_preparation = flags.decides_preparation,

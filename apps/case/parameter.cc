@@ -151,6 +151,25 @@ std::string allowed(const Parameter &parameter)
   return parameter.reason.empty() ? text : text + " (" + parameter.reason + ")";
 }
 
+std::string usual(const Parameter &parameter)
+{
+  const Range &range = parameter.usual;
+  if (!std::isfinite(range.lower))
+    return "";
+  return number_text(range.lower) + " to " + number_text(range.upper);
+}
+
+bool is_unusual(const Parameter &parameter)
+{
+  const auto is_outside = [&](double value)
+  { return value != 0. && !parameter.usual.contains(value); };
+  if (const auto *const *value = std::get_if<double *>(&parameter.value))
+    return is_outside(**value);
+  if (const auto *const *value = std::get_if<dem::Vec3 *>(&parameter.value))
+    return std::ranges::any_of(**value, is_outside);
+  return false;
+}
+
 std::string value_text(const Parameter &parameter)
 {
   return std::visit(

@@ -56,8 +56,10 @@ struct Parameter
   std::string sentence; ///< what it is
   std::variant<double *, int *, bool *, std::string *, dem::Vec3 *, Choice>
       value;
-  Range range;                            ///< of numbers and components
-  std::string reason;                     ///< why this range, if it needs one
+  Range range;        ///< of numbers and components
+  std::string reason; ///< why this range, if it needs one
+  /// Values outside, except 0, are allowed but likely in another unit.
+  Range usual = {};
   std::vector<std::string> old_keys = {}; ///< deprecated, still read
   std::string kind = {}; ///< the kind of test that has it; empty: all
   bool is_path = false;  ///< its value is a file or folder, see find_path()
@@ -77,6 +79,12 @@ struct Parameter
 
 /// "a number above 0 and below 0.5", "one of membrane, rigid", ...
 std::string allowed(const Parameter &parameter);
+
+/// "500 to 1e+09", empty if no range is usual.
+std::string usual(const Parameter &parameter);
+
+/// Whether a value other than 0 is outside its usual range.
+bool is_unusual(const Parameter &parameter);
 
 /// The value as text that assign takes back without loss.
 std::string value_text(const Parameter &parameter);

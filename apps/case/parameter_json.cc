@@ -58,6 +58,11 @@ Json entry_json(const Parameter &parameter, const Parameter &by_default)
       {"value", value_json(parameter)}, {"allowed", allowed(parameter)},
       {"sentence", parameter.sentence}, {"may_change", parameter.may_change}};
   add_range(parameter.range, entry);
+  if (!usual(parameter).empty())
+  {
+    entry["usual_lower"] = parameter.usual.lower;
+    entry["usual_upper"] = parameter.usual.upper;
+  }
   if (const auto *choice = std::get_if<Choice>(&parameter.value))
     entry["names"] = choice->names;
   if (!parameter.old_keys.empty())
@@ -65,14 +70,6 @@ Json entry_json(const Parameter &parameter, const Parameter &by_default)
   return entry;
 }
 
-/// Defaults of the kind, with the same walls.
-Case defaults_of(const Case &of)
-{
-  Case defaults = default_case(of.kind);
-  for (const WallSection &wall : of.walls)
-    defaults.walls.emplace_back().name = wall.name;
-  return defaults;
-}
 } // namespace
 
 std::string parameter_json(Case of)

@@ -98,7 +98,8 @@ std::string section_text(const ListedSection &section, Case &defaults)
   for (std::size_t k = 0; k < list.size(); ++k)
     if (const Parameter &p = list[k]; p.section == section.name)
       text += "| `" + p.key + "` | " + p.unit + " | " +
-              cell(default_text(section, p, k)) + " | " + allowed(p) + " | " +
+              cell(default_text(section, p, k)) + " | " + allowed(p) +
+              (usual(p).empty() ? "" : ", usually " + usual(p)) + " | " +
               cell(meaning(section, p)) + " |\n";
   return text;
 }

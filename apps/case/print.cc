@@ -28,13 +28,20 @@ void print_comment(std::ostream &out, const std::string &indent,
   out << line << '\n';
 }
 
-/// Sentence with unit, range and reason.
-std::string describe(const Parameter &parameter)
+/// Sentence with unit, range and reason, and the default of another value.
+std::string describe(const Parameter &parameter, const Parameter &by_default)
 {
   std::string text = parameter.sentence;
   text.append(" [").append(parameter.unit).append("]");
   if (!std::holds_alternative<std::string *>(parameter.value))
     text.append(" Allowed: ").append(allowed(parameter)).append(".");
+  if (const std::string usually = usual(parameter); !usually.empty())
+    text.append(" Usual: ").append(usually).append(".");
+  if (const std::string value = value_text(by_default);
+      value != value_text(parameter))
+    text.append(" Default: ")
+        .append(value.empty() ? "empty" : value)
+        .append(".");
   return text;
 }
 
@@ -62,9 +69,24 @@ std::vector<std::string> levels_of(const std::string &section)
   return {section.substr(0, slash), section.substr(slash + 1)};
 }
 
+/// With absolute paths and no material file.
+Case as_run(const Case &parameters)
+{
+  Case resolved = parameters;
+  for (Parameter &path : parameters_of(resolved))
+    if (path.is_path)
+      if (auto *text = std::get<std::string *>(path.value); !text->empty())
+        *text = find_path(parameters, path.section, path.key, *text);
+
+  resolved.material.clear(); // its values are all there
+  return resolved;
+}
+
 void print_case(std::ostream &out, Case of)
 {
-  const std::vector<Parameter> list = parameters_of(of);
+  Case defaults = defaults_of(of);
+  const std::vector<Parameter> list = parameters_of(of),
+                               by_default = parameters_of(defaults);
   for (const ListedSection &section : sections(of))
   {
     if (!section.is_of(of.kind))
@@ -75,10 +97,11 @@ void print_case(std::ostream &out, Case of)
     for (std::size_t k = 0; k < names.size(); ++k)
       out << std::string(2 * k, ' ') << "subsection " << names[k] << '\n';
     const std::string indent(2 * names.size(), ' ');
-    for (const Parameter &parameter : list)
-      if (parameter.section == section.name && parameter.is_of(of.kind))
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (const Parameter &parameter = list[k];
+          parameter.section == section.name && parameter.is_of(of.kind))
       {
-        print_comment(out, indent, describe(parameter));
+        print_comment(out, indent, describe(parameter, by_default[k]));
         const std::string value = prm_value(value_text(parameter));
         out << indent << "set " << parameter.key << " ="
             << (value.empty() ? "" : " ") << value << '\n';
@@ -91,16 +114,25 @@ void print_case(std::ostream &out, Case of)
 
 std::string parameters_as_run(const Case &parameters)
 {
-  Case resolved = parameters;
-  for (Parameter &path : parameters_of(resolved))
-    if (path.is_path)
-      if (auto *text = std::get<std::string *>(path.value); !text->empty())
-        *text = find_path(parameters, path.section, path.key, *text);
-
-  resolved.material.clear(); // its values are all there
   std::ostringstream out;
-  print_case(out, resolved);
+  print_case(out, as_run(parameters));
   return out.str();
+}
+
+std::vector<std::string> changes_since(const std::string &printed,
+                                       const Case &parameters)
+{
+  Case now = as_run(parameters);
+  const std::vector<Parameter> list = parameters_of(now);
+  std::vector<std::string> changes;
+  for (const Assignment &then : read_assignments(printed))
+    for (const Parameter &parameter : list)
+      if (parameter.section == then.section && parameter.key == then.key)
+        if (const std::string value = value_text(parameter);
+            value != then.value)
+          changes.push_back(parameter.name() + " = " + value + ", was " +
+                            then.value);
+  return changes;
 }
 
 std::string without_comments(const std::string &printed)
@@ -142,8 +174,9 @@ std::string template_case(const std::string &kind)
   std::ostringstream out;
   print_comment(out, "",
                 "Case of kind " + kind +
-                    " with the default of every parameter. Paths: absolute, or "
-                    "from the folder of this file, or from Spall's data/.");
+                    " with every parameter: at its default, unless another "
+                    "default is named. Paths: absolute, or from the folder of "
+                    "this file, or from Spall's data/.");
   print_case(out, defaults);
   return out.str();
 }

@@ -10,6 +10,7 @@
 #include "run/thread_choice.h"
 #include "test/preparation_store.h"
 #include "test/recorder.h"
+#include "test/to_end.h"
 
 #include <dem/parallel/mpi_ranks.h>
 
@@ -57,6 +58,10 @@ MeanStep run_a_while(const Case &parameters, Test &test, Recorder &writer,
     catch (const coupling::GuardStop &)
     {
       return false; // particles that are packed roughly may come to that
+    }
+    catch (const dem::OverlapStop &stop)
+    {
+      throw RunFailure(overlap_text(stop, test));
     }
     writer.after_step(test);
     return test.share_done() < 1.;
@@ -223,7 +228,7 @@ int check_command(Words words)
     throw InputError("check: a case file must be given");
   const Case parameters = read_case(file, overrides);
   if (dem::ranks_of_program()->rank() == 0)
-    report_deprecated(parameters.deprecated);
+    report_notices(parameters.notices);
   else if (!std::freopen("/dev/null", "w", stdout)) // one speaks for all
     throw RunFailure("check: /dev/null cannot be opened");
   if (is_json)

@@ -41,8 +41,11 @@ void require_one_input(const ShapeWords &words)
 int fit_command(const ShapeWords &words)
 {
   require_one_input(words);
-  if (words.out.empty() || !words.has_order)
-    fail_shape_usage();
+  if (!words.has_order)
+    throw InputError("shape: --order N must be set: the order of the series, "
+                     "such as 15");
+  if (words.out.empty())
+    throw InputError("shape: --out S.json must be set: the file of the shape");
   const TimedFit timed = fit_file(words, words.fit);
   check_misfit(words, timed.fit);
   ShapeFile shape;

@@ -244,6 +244,16 @@ void check_names(const StudyData &data, const fs::path &folder)
                      "are kept");
 }
 
+/// Of the first case that is done, while the others can still be stopped.
+void say_unknown_names(const Study &study, const StudyPoint &point,
+                       const PointResult &result, const fs::path &folder)
+{
+  for (const std::string &name :
+       unknown_names({study, {&point, 1}, {&result, 1}}, folder))
+    std::cout << "warning: " << name << ": " << point.folder
+              << " does not have it" << std::endl;
+}
+
 [[noreturn]] void fail(std::size_t n, std::ptrdiff_t n_failed,
                        const std::string &where)
 {
@@ -264,10 +274,10 @@ void end_part(std::size_t n, std::ptrdiff_t n_failed)
 
 int study_command(Words words)
 {
-  const StudyOptions options = study_options(words);
+  StudyOptions options = study_options(words);
   const Study study = read_study(options.file, options.overrides);
-  report_deprecated(study.deprecated);
   std::vector<StudyPoint> points = points_of(study);
+  report_notices(notices_of(study, points));
   const fs::path folder = options.out;
   if (!options.page.empty())
     page_before("study", options.page, page_marker);
@@ -281,7 +291,12 @@ int study_command(Words words)
   if (!options.figures.empty())
     make_folder(options.figures);
   if (!options.is_of_finished)
+  {
     announce(study, points.size(), options.how);
+    options.how.after_first =
+        [&](const StudyPoint &point, const PointResult &result)
+    { say_unknown_names(study, point, result, folder); };
+  }
   const std::vector<PointResult> results =
       run_points(study, points, folder, options.how);
   const auto n_failed =

@@ -15,10 +15,10 @@ void add_container(List &list, ContainerParameters &c)
            c.form, {"rigid", "flexible"});
   list.add({"diameter", "m",
             "Inner diameter of a container without a mesh file."},
-           c.diameter, above(0., 100.))
+           c.diameter, above(0., 100.), usual_lengths)
       .decides_preparation = true;
   list.add({"height", "m", "Height of the container that the particles fill."},
-           c.height, above(0., 100.))
+           c.height, above(0., 100.), usual_lengths)
       .decides_preparation = true;
   list.add({"elements_around", "-",
             "Number of membrane quads around a flexible container. The quads "
@@ -30,7 +30,7 @@ void add_container(List &list, ContainerParameters &c)
   list.add({"pressure", "Pa",
             "Outer pressure on a flexible tube, which is applied while the "
             "plate is seated."},
-           c.pressure, between(0., 1e8));
+           c.pressure, between(0., 1e8), usual_stresses);
 }
 
 void add_filling(List &list, FillingParameters &f)
@@ -44,7 +44,7 @@ void add_filling(List &list, FillingParameters &f)
   list.add({"density", "kg/m^3",
             "Requested density of the layer: mass of the particles over the "
             "volume that they fill."},
-           f.density, above(0., 3e4));
+           f.density, above(0., 3e4), usual_densities);
   list.add({"layers", "-",
             "Number of layers that are poured and tamped one by one."},
            f.layers, between(1, 100));
@@ -75,7 +75,7 @@ void add_filling(List &list, FillingParameters &f)
            f.tamper_speed, above(0., 10.));
   list.add({"tamper_pressure", "Pa",
             "Pressure at which the tamper reverses at any density."},
-           f.tamper_pressure, above(0., 1e9));
+           f.tamper_pressure, above(0., 1e9), usual_stresses);
   list.add({"max_strokes", "-",
             "Largest number of strokes of the tamper on one layer."},
            f.max_strokes, between(1, 1000));
@@ -110,18 +110,18 @@ void add_plate(List &list, PlateParameters &p)
   list.add({"height", "m",
             "Height of a tilting plate: a solid cylinder as wide as the "
             "container, with the given mass."},
-           p.height, above(0., 100.));
+           p.height, above(0., 100.), usual_lengths);
   list.add(
       {"thickness", "m",
        "Thickness of an elastic plate, which is as wide as the container."},
       p.thickness, above(0., 10.));
   list.add({"youngs_modulus", "Pa", "Young's modulus E of an elastic plate."},
-           p.youngs_modulus, above(0., 1e15));
+           p.youngs_modulus, above(0., 1e15), usual_moduli);
   list.add({"poisson_ratio", "-", "Poisson's ratio nu of an elastic plate."},
            p.poisson_ratio, Range{0., 0.5, false, true});
   list.add({"density", "kg/m^3",
             "Mass density of the material of an elastic plate."},
-           p.density, above(0., 3e4));
+           p.density, above(0., 3e4), usual_densities);
   list.add({"load_radius", "m",
             "Radius within which all other masses and the forces are spread "
             "evenly on an elastic plate. They do not stiffen it."},

@@ -19,11 +19,11 @@ void add_charge(List &list, ChargeParameters &c)
   list.add({"ball_mass", "kg", "Mass of all steel balls together."},
            c.ball_mass, above(0., 1e4));
   list.add({"ball_density", "kg/m^3", "Mass density of the steel balls."},
-           c.steel.density, above(0., 3e4));
+           c.steel.density, above(0., 3e4), usual_densities);
   list.add({"ball_shear_modulus", "Pa",
             "Shear modulus of the steel balls. Their friction and damping are "
             "those of section Particle."},
-           c.steel.shear_modulus, between(1., 1e13));
+           c.steel.shear_modulus, between(1., 1e13), usual_moduli);
   list.add({"ball_poisson_ratio", "-", "Poisson's ratio of the steel balls."},
            c.steel.poisson_ratio, below(0., 0.5));
 }
@@ -32,9 +32,9 @@ void add_drum(List &list, DrumParameters &d)
 {
   list.in("Drum");
   list.add({"radius", "m", "Inner radius of the drum."}, d.radius,
-           above(0., 100.));
+           above(0., 100.), usual_lengths);
   list.add({"length", "m", "Inner length of the drum."}, d.length,
-           above(0., 100.));
+           above(0., 100.), usual_lengths);
   list.add({"lifter_height",
             "m",
             "Radial height of the lifter inside the drum. The value 0 removes "

@@ -4,6 +4,8 @@
 #include "scene/case.h"
 #include "scene/kind.h"
 
+#include <array>
+
 namespace spall
 {
 namespace
@@ -29,6 +31,30 @@ void check_box(const Case &c, const SourceLocation &location)
   check_corners(location, "Box", box.lower, box.upper);
 }
 
+/// Rigid faces are planes without end: beyond them is no room.
+void check_in_box(const SourceLocation &location, const SceneCase &own)
+{
+  const SceneBoxParameters &box = own.box;
+  const std::array faces = {box.x, box.y, box.z};
+  for (Eigen::Index d = 0; d < 3; ++d)
+  {
+    if (faces[static_cast<std::size_t>(d)] == BoxFaces::open)
+      continue;
+    if (own.fill.lower[d] < box.lower[d])
+      refuse(location,
+             {"Fill", "lower", text_of(own.fill.lower),
+              "must be inside the box, from Box/lower = " + text_of(box.lower) +
+                  ", where its faces are not "
+                  "open"});
+    if (own.fill.upper[d] > box.upper[d])
+      refuse(location, {"Fill", "upper", text_of(own.fill.upper),
+                        "must be inside the box, up to Box/upper = " +
+                            text_of(box.upper) +
+                            ", where its faces are not "
+                            "open"});
+  }
+}
+
 void check_fill(const Case &c, const SourceLocation &location)
 {
   const SceneCase &own = c.own<SceneCase>();
@@ -37,6 +63,7 @@ void check_fill(const Case &c, const SourceLocation &location)
     check_gradation(c, location, "Fill", own.fill.gradation);
     check_shapes(c, location, "Fill", own.fill.shapes);
     check_corners(location, "Fill", own.fill.lower, own.fill.upper);
+    check_in_box(location, own);
   }
   else if (!own.fill.gradation.empty())
     refuse(location, {"Fill", "gradation", own.fill.gradation,

@@ -48,8 +48,10 @@ void add_box(List &list, SceneBoxParameters &b)
   list.add({"x", "-", sentence}, b.x, faces);
   list.add({"y", "-", sentence}, b.y, faces);
   list.add({"z", "-", sentence}, b.z, faces);
-  list.add({"lower", "m", "Lower corner of the box."}, b.lower);
-  list.add({"upper", "m", "Upper corner of the box."}, b.upper);
+  list.add({"lower", "m", "Lower corner of the box."}, b.lower, {},
+           usual_corners);
+  list.add({"upper", "m", "Upper corner of the box."}, b.upper, {},
+           usual_corners);
 }
 
 void add_fill(List &list, FillParameters &f)
@@ -61,20 +63,20 @@ void add_fill(List &list, FillParameters &f)
            f.mass, between(0., 1e6));
   add_drawn_particles(list, f);
   list.add({"lower", "m", "Lower corner of the region that is filled."},
-           f.lower);
+           f.lower, {}, usual_corners);
   list.add({"upper", "m", "Upper corner of the region that is filled."},
-           f.upper);
+           f.upper, {}, usual_corners);
 }
 
 void add_other(List &list, dem::SolidMaterial &other)
 {
   list.in("Other");
   list.add({"density", "kg/m^3", "Mass density of the other material."},
-           other.density, above(0., 3e4));
+           other.density, above(0., 3e4), usual_densities);
   list.add({"shear_modulus", "Pa",
             "Shear modulus of the other material. Its friction and damping are "
             "those of section Particle."},
-           other.shear_modulus, between(1., 1e13));
+           other.shear_modulus, between(1., 1e13), usual_moduli);
   list.add({"poisson_ratio", "-", "Poisson's ratio of the other material."},
            other.poisson_ratio, below(0., 0.5));
 }

@@ -49,9 +49,7 @@ dem::Room container_room(const Case &c, dem::ContainerBottom bottom,
   const std::string path = find_path(c, "Container", "mesh", box.mesh);
   try
   {
-    dem::TriangleMesh mesh = read_wall_mesh(path);
-    for (dem::Vec3 &point : mesh.points)
-      point *= box.scale;
+    const dem::TriangleMesh mesh = read_wall_mesh(path, box.scale);
     auto container = std::make_shared<dem::Container>(
         dem::wall_surface(mesh, dem::WallSide::inside), bottom);
     container->set_collar(collar_height(*container, filling));

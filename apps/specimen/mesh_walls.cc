@@ -1,6 +1,8 @@
 #include "specimen/mesh_walls.h"
 
+#include "case/digits.h"
 #include "case/file.h"
+#include "case/parameter.h"
 #include "errors.h"
 #include "specimen/motion_table.h"
 
@@ -9,6 +11,8 @@
 #include <dem/io/mesh_reader.h>
 #include <dem/measure/totals.h>
 #include <fem/triangle_file.h>
+
+#include <Eigen/Geometry>
 
 #include <filesystem>
 #include <memory>
@@ -19,6 +23,9 @@ namespace spall
 {
 namespace
 {
+/// Meshes that are wider have another unit than the case says [m].
+constexpr double widest_wall = 100.;
+
 [[noreturn]] void refuse_wall(const Case &c, const WallSection &wall,
                               const std::string &key, const std::string &value,
                               const std::string &what)
@@ -33,9 +40,9 @@ dem::FacetSurface surface_of(const Case &c, const WallSection &wall,
   const std::string path = find_path(c, wall.section(), "mesh", wall.mesh);
   try
   {
-    dem::TriangleMesh mesh = read_wall_mesh(path);
+    dem::TriangleMesh mesh = read_wall_mesh(path, wall.scale);
     for (dem::Vec3 &point : mesh.points)
-      point = wall.scale * point + wall.position + origin;
+      point += wall.position + origin;
     return dem::wall_surface(mesh, wall.particles);
   }
   catch (const std::invalid_argument &error)
@@ -99,12 +106,25 @@ dem::WallMotion motion_of(const Case &c, const WallSection &wall,
 }
 } // namespace
 
-dem::TriangleMesh read_wall_mesh(const std::string &path)
+dem::TriangleMesh read_wall_mesh(const std::string &path, double scale)
 {
+  dem::TriangleMesh mesh;
   if (std::filesystem::path(path).extension() != ".msh")
-    return dem::read_mesh(path);
-  fem::Triangles file = fem::read_triangles(path);
-  return {std::move(file.nodes), std::move(file.corners)};
+    mesh = dem::read_mesh(path);
+  else
+  {
+    fem::Triangles file = fem::read_triangles(path);
+    mesh = {std::move(file.nodes), std::move(file.corners)};
+  }
+  Eigen::AlignedBox3d around;
+  for (dem::Vec3 &point : mesh.points)
+    around.extend(point *= scale);
+  if (const double width = around.isEmpty() ? 0. : around.sizes().maxCoeff();
+      width > widest_wall)
+    throw std::invalid_argument(
+        "is " + in_four_digits(width) + " m wide: must be at most " +
+        number_text(widest_wall) + " m; a mesh in mm has scale = 0.001");
+  return mesh;
 }
 
 void add_mesh_walls(dem::Engine &engine, const Case &parameters,

@@ -13,9 +13,9 @@
 
 namespace spall
 {
-/// Triangles of a STL, PLY, OBJ or gmsh file. Throws std::invalid_argument or
-/// InputError.
-dem::TriangleMesh read_wall_mesh(const std::string &path);
+/// Triangles of a STL, PLY, OBJ or gmsh file, whose unit is `scale` [m]. Throws
+/// std::invalid_argument, also for more than 100 m, or InputError.
+dem::TriangleMesh read_wall_mesh(const std::string &path, double scale);
 
 /// Adds the walls of the case to a scene, whose coordinates have the origin of
 /// the case at `origin` [m]. Throws InputError on a mesh or a table that cannot

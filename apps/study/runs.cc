@@ -271,6 +271,7 @@ std::vector<PointResult> run_points(const Study &study,
   const std::vector<std::size_t> order = running_order(points, how.jobs);
   pass_on_stops();
   std::atomic<std::size_t> next = 0;
+  std::atomic_flag has_first;
   std::vector<char> is_found(points.size());
   for (std::size_t k = 0; k < points.size(); ++k)
     is_found[k] = is_finished(points[k], folder);
@@ -297,6 +298,8 @@ std::vector<PointResult> run_points(const Study &study,
         results[k].outcomes_after.push_back(
             outcomes_after(cycle, study.outcomes, run));
       progress.take(points[k], results[k], is_found[k] != 0);
+      if (results[k].is_done && how.after_first && !has_first.test_and_set())
+        how.after_first(points[k], results[k]);
     }
   };
   std::vector<std::jthread> workers;

@@ -2,7 +2,6 @@
 
 #include "case/fields.h"
 #include "errors.h"
-#include "study/levels.h"
 #include "study/measured.h"
 #include "study/old_names.h"
 #include "study/words.h"
@@ -140,7 +139,8 @@ void take_base(const Assignment &a, Study &study)
 {
   if (a.key != "preset" && a.key.find('/') == std::string::npos)
     refuse(a, "must be Section/key = value or preset = NAME");
-  study.base.push_back(parse_override(a.key + "=" + a.value));
+  study.base.push_back(
+      parse_override(a.key + "=" + a.value, a.location + ": Base"));
 }
 
 /// NAME = Section/key=value; Section/key=value ...
@@ -155,7 +155,8 @@ void take_variant(const Assignment &a, Study &study)
                        equals == std::string::npos || slash > equals))
       refuse(a, "must be Section/key=value or preset=NAME with semicolons "
                 "between them");
-    const Override one = parse_override(setting);
+    const Override one =
+        parse_override(setting, a.location + ": Variants/" + variant.name);
     if (std::ranges::find(variant.settings, key_name(one), key_name) !=
         variant.settings.end())
       refuse(a, key_name(one) + " is set twice");
@@ -176,6 +177,17 @@ bool is_swept_value(const Study &study, const std::string &key_name,
          std::ranges::find(key->values, value, same_text) != key->values.end();
 }
 
+bool is_set_by_variants(const Study &study, const std::string &key)
+{
+  return std::ranges::any_of(study.variants,
+                             [&](const Variant &variant)
+                             {
+                               return std::ranges::find(variant.settings, key,
+                                                        key_name) !=
+                                      variant.settings.end();
+                             });
+}
+
 void check_study(const Study &study)
 {
   const auto need = [&](bool is_there, const std::string &what)
@@ -193,10 +205,13 @@ void check_study(const Study &study)
          "Expect/" + e.name + ": " + e.outcome + " is not in Study/outcomes");
     for (const std::string &name : {e.key, e.than_key, e.where_key})
       need(name.empty() ||
-               std::ranges::any_of(study.keys, [&](const SweptKey &key)
-                                   { return key.name() == name; }),
+               std::ranges::find(study.keys, name, &SweptKey::name) !=
+                   study.keys.end(),
            "Expect/" + e.name + ": " + name +
-               " is not in section Sweep (or Variants)");
+               (is_set_by_variants(study, name)
+                    ? " is set by variants: must be Variants, with which all "
+                      "that they set changes"
+                    : " is not in section Sweep (or Variants)"));
     if (e.course != Course::plain)
       need(is_swept_value(study, e.key, e.course_value),
            "Expect/" + e.name + ": " + e.course_value +
@@ -225,16 +240,6 @@ void check_study(const Study &study)
          "Study/spread_seeds: " + seed + " is in Study/seeds already");
 }
 
-/// Null if the case has no such key.
-const Parameter *find_key(const std::vector<Parameter> &list,
-                          const SweptKey &key)
-{
-  const auto found = std::ranges::find_if(
-      list, [&](const Parameter &p)
-      { return p.section == key.section && p.key == key.key; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 /// Kind and units are those of the base case.
 void take_base_case(Case base, Study &study)
 {
@@ -245,155 +250,13 @@ void take_base_case(Case base, Study &study)
     if (!study.seeds.empty() && key.name() == study.seed_key)
       throw InputError(key.location + ": Sweep/" + key.name() +
                        ": Study/seeds sets it already: must be one of them");
-    if (const Parameter *parameter = find_key(list, key))
-      key.unit = parameter->unit;
+    if (const auto found =
+            std::ranges::find(list, key.name(), &Parameter::name);
+        found != list.end())
+      key.unit = found->unit;
   }
 }
 
-using Row = std::vector<std::string>;
-
-/// Values of the swept keys in a case, which is of this variant.
-Row values_in(const Study &study, Case parameters, const std::string &variant)
-{
-  const std::vector<Parameter> list = parameters_of(parameters);
-  Row values;
-  for (const SweptKey &key : study.keys)
-  {
-    if (key.is_variant())
-    {
-      values.push_back(variant);
-      continue;
-    }
-    const Parameter *found = find_key(list, key);
-    if (!found)
-      throw InputError(key.location + ": Sweep/" + key.name() +
-                       ": no parameter of this name");
-    values.push_back(same_text(value_text(*found)));
-  }
-  return values;
-}
-
-/// Those of the base case.
-Row base_values(const Study &study)
-{
-  return values_in(study, read_case(study.case_file, study.base), "as_given");
-}
-
-/// One row of values per case: each key by itself around the base.
-std::vector<Row> single_rows(const Study &study, const Row &base,
-                             std::size_t first)
-{
-  std::vector<Row> rows;
-  for (std::size_t k = first; k < study.keys.size(); ++k)
-    for (const std::string &value : study.keys[k].values)
-    {
-      rows.push_back(base);
-      rows.back()[k] = same_text(value);
-    }
-  return rows;
-}
-
-/// All combinations.
-std::vector<Row> grid_rows(const Study &study)
-{
-  std::vector<Row> rows(1);
-  for (const SweptKey &key : study.keys)
-  {
-    std::vector<Row> longer;
-    for (const Row &row : rows)
-      for (const std::string &value : key.values)
-      {
-        longer.push_back(row);
-        longer.back().push_back(same_text(value));
-      }
-    rows = std::move(longer);
-  }
-  return rows;
-}
-
-std::vector<Row> rows_of(const Study &study, const Row &base)
-{
-  if (study.combine == Combine::grid)
-    return grid_rows(study);
-  std::vector<Row> rows;
-  if (study.has_reference())
-    rows.push_back(base);
-  if (study.combine == Combine::each)
-    for (const Row &row : single_rows(study, base, 0))
-      rows.push_back(row);
-  else
-    for (const Variant &variant : study.variants)
-    {
-      Row around = base;
-      around[0] = variant.name;
-      for (const Row &row : single_rows(study, around, 1))
-        rows.push_back(row);
-    }
-  return rows;
-}
-
-/// Whether the row is a point of the sweep of key k: it has one of the values
-/// of the key, and the others are those of the base. The variants of
-/// each_variant meet in every row.
-bool is_swept(const Study &study, const Row &row, const Row &base,
-              std::size_t k)
-{
-  if (study.combine == Combine::grid)
-    return true;
-  const bool meets = study.combine == Combine::each_variant;
-  if (meets && study.keys[k].is_variant())
-    return true;
-  for (std::size_t other = 0; other < row.size(); ++other)
-    if (other != k && row[other] != base[other] &&
-        !(meets && study.keys[other].is_variant()))
-      return false;
-  return std::ranges::any_of(study.keys[k].values, [&](const std::string &value)
-                             { return same_text(value) == row[k]; });
-}
-
-/// A fault of a setting of this study, with its line where it has one.
-std::string locate_fault(const Study &study, const std::string &fault)
-{
-  constexpr std::string_view start = "--set: ";
-  if (fault.starts_with(start))
-    for (const SweptKey &key : study.keys)
-      if (!key.is_variant() && fault.find(key.name() + " = ") == start.size())
-        return key.location + ": Sweep: " + fault.substr(start.size());
-  return study.file + ": " + fault;
-}
-
-/// What a row leaves as it is in the base may be another thing in a variant.
-StudyPoint make_point(const Study &study, const Row &row, const Row &base,
-                      const std::string &seed, std::size_t number)
-{
-  StudyPoint point;
-  point.values = row;
-  point.seed = seed;
-  point.overrides = study.base;
-  const bool leaves_others = study.combine == Combine::each;
-  for (std::size_t k = 0; k < row.size(); ++k)
-    if (!study.keys[k].is_variant() && !(leaves_others && row[k] == base[k]))
-      point.overrides.push_back(
-          {study.keys[k].section, study.keys[k].key, row[k]});
-  for (const Variant &variant : study.variants)
-    if (variant.name == row.front())
-      point.overrides.insert(point.overrides.end(), variant.settings.begin(),
-                             variant.settings.end());
-  if (!seed.empty())
-    point.overrides.push_back(parse_override(study.seed_key + "=" + seed));
-  point.folder = run_name(number);
-  try
-  {
-    const Case parameters = read_case(study.case_file, point.overrides);
-    point.values_in_case = values_in(study, parameters, row.front());
-    point.resolved = resolved_case(parameters);
-  }
-  catch (const InputError &error)
-  {
-    throw InputError(locate_fault(study, error.what()));
-  }
-  return point;
-}
 } // namespace
 
 Study read_study(const std::string &file,
@@ -423,70 +286,9 @@ Study read_study(const std::string &file,
   check_study(study);
   check_measured(study);
   const Case base = read_case(study.case_file, study.base);
-  study.deprecated.insert(study.deprecated.end(), base.deprecated.begin(),
-                          base.deprecated.end());
+  study.notices.insert(study.notices.end(), base.notices.begin(),
+                       base.notices.end());
   take_base_case(base, study);
   return study;
-}
-
-std::string run_name(std::size_t number)
-{
-  char name[40];
-  std::snprintf(name, sizeof name, "run_%04zu", number);
-  return name;
-}
-
-namespace
-{
-/// A condition of an expectation that no case meets is a slip of the pen.
-void check_conditions(const Study &study, const std::vector<StudyPoint> &points)
-{
-  for (const Expectation &e : study.expectations)
-    for (const auto &condition : {std::pair(e.where_key, e.where_value),
-                                  std::pair(e.than_key, e.than_value)})
-    {
-      const std::string &key = condition.first, &value = condition.second;
-      if (value.empty())
-        continue;
-      const std::size_t index = index_of(study, key);
-      if (std::ranges::none_of(points, [&](const StudyPoint &point)
-                               { return point.values[index] == value; }))
-        throw InputError(study.file + ": Expect/" + e.name + ": " + key + "=" +
-                         value + ": no case of the study has it");
-    }
-}
-} // namespace
-
-std::vector<StudyPoint> points_of(const Study &study)
-{
-  std::vector<StudyPoint> points;
-  std::vector<std::string> seeds = study.seeds;
-  if (seeds.empty())
-    seeds.emplace_back();
-  const Row base = base_values(study);
-  const std::vector<Row> rows = rows_of(study, base);
-  for (const Row &row : rows)
-    for (const std::string &seed : seeds)
-    {
-      StudyPoint point = make_point(study, row, base, seed, points.size() + 1);
-      auto known =
-          std::ranges::find_if(points, [&](const StudyPoint &other)
-                               { return other.resolved == point.resolved; });
-      if (known == points.end())
-        known = points.insert(points.end(), std::move(point));
-      known->is_base |= row == base;
-      for (std::size_t k = 0; k < row.size(); ++k)
-        if (is_swept(study, row, base, k) &&
-            std::ranges::find(known->sweeps, static_cast<int>(k)) ==
-                known->sweeps.end())
-          known->sweeps.push_back(static_cast<int>(k));
-    }
-  for (const std::string &seed : study.spread_seeds)
-  {
-    points.push_back(make_point(study, base, base, seed, points.size() + 1));
-    points.back().is_base = true; // and of no sweep
-  }
-  check_conditions(study, points);
-  return points;
 }
 } // namespace spall

@@ -4,6 +4,7 @@
 #include "study/expectation.h"
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -97,7 +98,9 @@ struct Study
   std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
   std::vector<Variant> variants;
   std::vector<Expectation> expectations;
-  std::vector<std::string> deprecated; ///< a line for each old name in use
+  /// A line for each old name that study and base case use, and for each
+  /// unusual value of the base case.
+  std::vector<std::string> notices;
 
   bool has_reference() const { return !costs.empty(); }
 };
@@ -114,6 +117,8 @@ struct StudyPoint
   std::string folder;      ///< name in that of the study, by its index at first
   std::vector<Override> overrides;
   std::string resolved; ///< the case as it will be run
+  /// A line for each unusual value of the case.
+  std::vector<std::string> notices;
 };
 
 /// `overrides` are settings of every case that come after those of the file.
@@ -123,6 +128,10 @@ Study read_study(const std::string &file,
 
 /// Every case once. Throws InputError if one of them is no case.
 std::vector<StudyPoint> points_of(const Study &study);
+
+/// The lines of the study and all its points, each once.
+std::vector<std::string> notices_of(const Study &study,
+                                    const std::vector<StudyPoint> &points);
 
 /// Of the folder of a case with this number.
 std::string run_name(std::size_t number);
@@ -171,6 +180,8 @@ struct StudyRuns
   int jobs = 1;  ///< cases at a time
   int ranks = 1; ///< of each case that can be spread over ranks
   std::vector<std::string> mpirun = {"mpirun"}; ///< words that start ranks
+  /// Called once, with the first case that is done and what it gave.
+  std::function<void(const StudyPoint &, const PointResult &)> after_first;
 };
 
 /// Runs what is not done yet as programs of their own, each with one thread of

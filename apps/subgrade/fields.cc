@@ -11,11 +11,11 @@ void add_layer(List &list, LayerParameters &l)
   list.add({"length", "m",
             "Length of the box of the particles along x, without "
             "Container/mesh."},
-           l.length, above(0., 100.));
+           l.length, above(0., 100.), usual_lengths);
   list.add({"width", "m",
             "Width of the box of the particles along y, without "
             "Container/mesh."},
-           l.width, above(0., 100.));
+           l.width, above(0., 100.), usual_lengths);
   list.add({"thickness", "m",
             "Approximate thickness of the particle layer at rest."},
            l.thickness, above(0., 10.));
@@ -39,7 +39,7 @@ void add_layer(List &list, LayerParameters &l)
   list.add({"tamper_speed", "m/s", "Speed of the tamper, downward and upward."},
            l.tamper_speed, above(0., 10.));
   list.add({"tamper_pressure", "Pa", "Pressure at which the tamper reverses."},
-           l.tamper_pressure, above(0., 1e9));
+           l.tamper_pressure, above(0., 1e9), usual_stresses);
   list.add({"max_strokes", "-",
             "Largest number of strokes of the tamper on one layer."},
            l.max_strokes, between(1, 1000));
@@ -80,9 +80,9 @@ void add_plate(List &list, LoadPlateParameters &p)
   list.add({"diameter", "m", "Diameter of a disc."}, p.diameter,
            above(0., 10.));
   list.add({"length", "m", "Length of a block (sleeper) along x."}, p.length,
-           above(0., 10.));
+           above(0., 10.), usual_lengths);
   list.add({"width", "m", "Width of a block (sleeper) along y."}, p.width,
-           above(0., 10.));
+           above(0., 10.), usual_lengths);
   list.add({"height", "m", "Height of the sides of the plate."}, p.height,
            above(0., 10.));
   list.add({"mass", "kg",
@@ -106,9 +106,9 @@ void add_ground(List &list, GroundParameters &g)
                  "of the plate. Empty stands for a generated block."},
                 g.mesh);
   list.add({"length", "m", "Length of a subgrade without a mesh file along x."},
-           g.length, above(0., 1000.));
+           g.length, above(0., 1000.), usual_lengths);
   list.add({"width", "m", "Width of a subgrade without a mesh file along y."},
-           g.width, above(0., 1000.));
+           g.width, above(0., 1000.), usual_lengths);
   list.add({"layers", "-",
             "Layers of the subgrade from the top down, separated by commas. "
             "The values of a layer are thickness (m), Young's modulus (Pa), "

@@ -1,5 +1,6 @@
 #include "test/checkpoint.h"
 
+#include "case/digits.h"
 #include "case/fields.h"
 #include "case/parameter.h"
 #include "errors.h"
@@ -157,7 +158,7 @@ void require_checkpoint(const std::filesystem::path &path)
 void refuse_shorter(const char *key, double done, double asked)
 {
   if (done > asked * (1. + 1e-3))
-    throw std::runtime_error("has reached " + number_text(done) + " where " +
+    throw std::runtime_error("has reached " + in_four_digits(done) + " where " +
                              key + " is " + number_text(asked) +
                              ": must not be less");
 }
@@ -189,8 +190,9 @@ void read_checkpoint(const dem::Ranks &ranks, const std::filesystem::path &path,
   {
     if (const std::string then = read_text(in), now = identity_of(parameters);
         then != now)
-      throw std::runtime_error("is of another case: " +
-                               first_difference(then, now));
+      throw std::runtime_error(
+          "is of another case: " + first_difference(then, now) +
+          ": restore the value, or choose another --out");
     read_progress(in, done);
     restore(in);
   }

@@ -170,6 +170,17 @@ void run_loop(Test &test, Recorder &recorder, Progress &progress,
   }
   news.say(test.engine(), progress);
 }
+
+/// What a resumed run computes with other values than before.
+void say_changes(const std::filesystem::path &folder, const Case &parameters,
+                 Progress &progress)
+{
+  const std::filesystem::path before = folder / "case.prm";
+  if (std::filesystem::exists(before))
+    for (const std::string &change : changes_since(before.string(), parameters))
+      progress.say("resumed with " + change);
+}
+
 /// What is to be known of the folder before any file is made; a note for the
 /// log.
 std::string look_at_folder(const dem::Ranks &ranks, RunOptions &options)
@@ -203,6 +214,7 @@ void run_test(const RunOptions &asked, const Case &parameters)
   Progress progress(ranks->rank() == 0 ? (folder / "log.txt").string() : "");
   if (options.is_resumed)
   {
+    on_first_rank(*ranks, [&] { say_changes(folder, parameters, progress); });
     recorder.resume(*test);
     on_first_rank(*ranks,
                   [&] // of where it had ended

@@ -11,6 +11,15 @@
 
 namespace spall
 {
+/// What the program says of a contact that is too deep: limit and remedies.
+inline std::string overlap_text(const dem::OverlapStop &stop, const Test &test)
+{
+  return std::string(stop.what()) + ", above Contact/overlap_stop = " +
+         number_text(test.engine().parameters().geometry.overlap.stop) +
+         ": stiffer contacts (Particle/shear_modulus, Wall/normal_stiffness), "
+         "a lower load or a shorter step";
+}
+
 /// Calls `loop`, which ends when the test is done or a stop was requested.
 /// Throws RunFailure with the last checkpoint if it fails or was stopped; of a
 /// guard also with that of this moment, which `recorder` stores.
@@ -35,12 +44,7 @@ void run_to_end(Test &test, Recorder &recorder, const Loop &loop)
   }
   catch (const dem::OverlapStop &stop)
   {
-    throw RunFailure(
-        std::string(stop.what()) + ", above Contact/overlap_stop = " +
-        number_text(test.engine().parameters().geometry.overlap.stop) +
-        ": stiffer contacts (Particle/shear_modulus, Wall/normal_stiffness), a "
-        "lower load or a shorter step; last checkpoint: " +
-        last());
+    throw RunFailure(overlap_text(stop, test) + "; last checkpoint: " + last());
   }
   catch (const std::exception &error)
   {

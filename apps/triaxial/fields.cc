@@ -13,13 +13,13 @@ void add_specimen(List &list, SpecimenParameters &s)
             "is upright, with diameter and height."},
            s.form, {"box", "cylinder"});
   list.add({"side", "m", "Approximate edge of the cube after compaction."},
-           s.side, between(1e-3, 100.));
+           s.side, between(1e-3, 100.), usual_lengths);
   list.add({"diameter", "m",
             "Approximate diameter of the cylinder after compaction."},
-           s.diameter, between(1e-3, 100.));
+           s.diameter, between(1e-3, 100.), usual_lengths);
   list.add(
       {"height", "m", "Approximate height of the cylinder after compaction."},
-      s.height, between(1e-3, 100.));
+      s.height, between(1e-3, 100.), usual_lengths);
   list.add({"solid_fraction", "-",
             "Volume of the particles over that of the cube or cylinder.",
             "random packings stay below 0.75"},
@@ -44,7 +44,7 @@ void add_preparation(List &list, PreparationParameters &p)
            p.target, {"pressure", "porosity"});
   list.add({"pressure", "Pa",
             "Isotropic stress of the specimen at the end of the preparation."},
-           p.pressure, above(0., 1e8));
+           p.pressure, above(0., 1e8), usual_stresses);
   list.add({"porosity", "-",
             "Porosity of the specimen for target = porosity, which is reached "
             "within 0.005."},
@@ -142,10 +142,10 @@ void add_loading(List &list, LoadingParameters &l)
       .may_change = true;
   list.add({"confining_pressure", "Pa",
             "Confining pressure on the lateral sides and on the plate."},
-           l.confining_pressure, above(0., 1e8));
+           l.confining_pressure, above(0., 1e8), usual_stresses);
   list.add({"amplitude", "Pa",
             "Peak of the haversine stress above the confining pressure."},
-           l.amplitude, between(0., 1e9));
+           l.amplitude, between(0., 1e9), usual_stresses);
   list.add({"frequency", "Hz", "Frequency of the haversine."}, l.frequency,
            above(0., 1e4));
   list.add({"cycles", "-", "Number of load cycles."}, l.cycles, between(1, 1e7))

@@ -402,6 +402,20 @@ def compaction(name, sections, *message):
 LABS = [
     lab("section", {"Drum": {"turns": 1}}, "Drum/turns", "single_particle",
         "no section Drum"),
+    lab("other_section", {"Particle": {"displacement": 0.001}},
+        "no key of this name in section Particle: it is in Press"),
+    Bad("kind_by_default", ["check", "k.prm"],
+        ["k.prm:2: Drum/radius", "kind dynamic_triaxial (the default: set "
+         "Case/kind) has no section Drum"],
+        files={"k.prm": prm({"Drum": {"radius": 0.3}})}),
+    Bad("fill_beyond_box", ["check", "f.prm"],
+        ["f.prm:12: Fill/upper = 1, 1, 3: must be inside the box, up to "
+         "Box/upper = 1, 1, 2"],
+        files={"f.prm": prm({"Case": {"kind": "scene"},
+                             "Box": {"z": "rigid", "upper": "1, 1, 2"},
+                             "Fill": {"mass": 1, "gradation": "g.csv",
+                                      "lower": "0, 0, 0",
+                                      "upper": "1, 1, 3"}})}),
     lab("shape", {"Particle": {"shape": "none.json"}},
         "Particle/shape = none.json", "no such file"),
     lab("axis", {"Particle": {"seed": 0, "axis_z": 0}}, "Particle/axis_z",

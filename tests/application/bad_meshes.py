@@ -1,5 +1,5 @@
 """Broken mesh files for bad_input.py."""
-from bad_cases import CASE, Bad, fit
+from bad_cases import CASE, Bad, fit, prm
 from test_meshes import (binary_stl, box_triangles, scaled, second_order_quad,
                          stl)
 
@@ -33,6 +33,15 @@ MESH_FILES = [
     fit("millimetres", "m.stl", LARGE, "m.stl: is 20 m across", "--unit mm"),
     Bad("info_millimetres", ["shape", "info", "m.stl"],
         ["is 20 m across", "--unit mm"], files={"m.stl": LARGE}),
+    Bad("wall_in_millimetres", ["check", "w.prm"],
+        ["Walls/lid/mesh = m.stl: is 300 m wide: must be at most 100 m",
+         "scale = 0.001"],
+        files={"m.stl": stl(scaled(box_triangles(), 300)),
+               "p.csv": "x,y,z,radius\n2,2,2,0.1\n",
+               "w.prm": prm({"Case": {"kind": "scene"},
+                             "Scene": {"particles": "p.csv"}}) +
+               "subsection Walls\n  subsection lid\n    set mesh = m.stl\n"
+               "  end\nend\n"}),
     sheet("second_order", second_order_quad(), "quads of order 2",
           "must be of order 1"),
     sheet("count", second_order_quad().replace("$Nodes\n8", "$Nodes\n900000000")

@@ -30,6 +30,17 @@ STUDIES = [
           "subsection Expect\n  set a = n_events rises with Particle/density "
           "where Particle/density=1\nend\n",
           "Expect/a: Particle/density=1", "no case"),
+    study("expect_of_variants", STUDY +
+          "subsection Variants\n  set a = Particle/density=2000\n"
+          "  set b = Particle/density=3000\nend\nsubsection Expect\n"
+          "  set a = n_events rises with Particle/density\nend\n",
+          "Expect/a: Particle/density is set by variants: must be Variants"),
+    study("base", STUDY + SWEEP +
+          "subsection Base\n  set Particle/friction = -1\nend\n",
+          "s.prm:9: Base: Particle/friction = -1: must be"),
+    study("variant", STUDY +
+          "subsection Variants\n  set a = Particle/friction=-1\nend\n",
+          "s.prm:6: Variants/a: Particle/friction = -1: must be"),
     study("hole", STUDY + "subsection Sweep\n"
                           "  set Particle/density = 2000,, 3000\nend\n",
           "Particle/density = 2000,, 3000", "commas"),

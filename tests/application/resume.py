@@ -77,6 +77,9 @@ def other_step_faults(spall, root, lateral, extra, go):
     found, faults = summary(root / "other"), []
     if found["cycles_1"] != 2. or "longest_step_s" not in found:
         faults.append("other step: the run did not go on with it")
+    if ("resumed with Time/step = stable, was fixed" not in
+            (root / "other" / "log.txt").read_text()):
+        faults.append("other step: the log does not name it")
     go("within", "--until", "1")
     state = root / "within" / "checkpoint" / "state.bin"
     before = time_of(state)

@@ -23,7 +23,7 @@ std::vector<std::string> files_in(const std::string &folder)
 TEST(ShippedFiles, CasesAreRead)
 {
   for (const std::string &file : files_in("cases"))
-    EXPECT_NO_THROW(read_case(file, {})) << file;
+    EXPECT_EQ(read_case(file, {}).notices, std::vector<std::string>{}) << file;
 }
 
 TEST(ShippedFiles, StudiesHaveTheirCases)
@@ -34,6 +34,7 @@ TEST(ShippedFiles, StudiesHaveTheirCases)
     std::vector<StudyPoint> points;
     EXPECT_NO_THROW(points = points_of(study)) << file;
     EXPECT_GT(points.size(), 1u) << file;
+    EXPECT_EQ(notices_of(study, points), std::vector<std::string>{}) << file;
   }
 }
 } // namespace
