@@ -113,7 +113,8 @@ bool is_small(const Evidence &seen, const Estimate &change)
   return change.is_below(limit) && change.is_above(-limit);
 }
 
-/// Up for sign 1, down for -1; a step the other way speaks against it.
+/// Up for sign 1, down for -1; a step the other way speaks against it unless
+/// it is small: of many steps some are resolved by chance.
 Verdict judge_way(const Evidence &seen, const Stretch &over, double sign)
 {
   const Estimate whole = seen.difference(over.first, over.last);
@@ -128,7 +129,8 @@ Verdict judge_way(const Evidence &seen, const Stretch &over, double sign)
   else if (is_small(seen, whole))
     verdict.ruling = Ruling::unchanged;
   for (std::size_t l = over.first + 1; l <= over.last; ++l)
-    if (goes(seen.difference(l - 1, l), -1.))
+    if (const Estimate step = seen.difference(l - 1, l);
+        goes(step, -1.) && !is_small(seen, step))
       verdict.ruling = Ruling::does_not;
   return verdict;
 }

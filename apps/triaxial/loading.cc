@@ -20,6 +20,9 @@ constexpr std::int64_t checks_per_cycle = 50;
 /// Loading begins out of balance where a stress is off by more than this share
 /// of the confining pressure.
 constexpr double balance_limit = 0.05;
+
+/// Largest excess of the axial stress over what is asked for, over that.
+constexpr double peak_limit = 0.1;
 } // namespace
 
 void Triaxial::stop_after(int cycles_asked)
@@ -234,11 +237,29 @@ void Triaxial::add_balance_warning(std::vector<std::string> &all) const
   }
 }
 
+/// A plate that is heavy for the specimen swings on it.
+void Triaxial::add_peak_warning(std::vector<std::string> &all) const
+{
+  const LoadingParameters &l = parameters.loading;
+  const double asked = l.confining_pressure + l.amplitude;
+  if (l.form != LoadForm::haversine ||
+      recorded.peak_axial_stress <= (1. + peak_limit) * asked)
+    return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "the largest axial stress was " << recorded.peak_axial_stress
+       << " Pa where Loading asks for " << asked
+       << ": the acceleration of the plate adds to the load, less with a "
+          "smaller Boundary/plate_mass or Loading/frequency";
+  all.push_back(text.str());
+}
+
 std::vector<std::string> Triaxial::warnings() const
 {
   std::vector<std::string> all = Test::warnings();
   if (recorded.loading_start.loading_stage > 0.)
     add_balance_warning(all);
+  add_peak_warning(all);
   const std::vector<StageRun> &runs = follower.runs();
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (const LoadStage &stage_k = follower.path().stages[k];

@@ -104,11 +104,28 @@ std::vector<Quantity> Triaxial::take_row()
   {
     recorded.peak_axial_stress =
         std::max(recorded.peak_axial_stress, recorded.last.axial_stress);
+    recorded.strength.take(recorded.last);
     if (is_at_start())
       begin_record();
     cycles.take(*this, recorded.last);
   }
   return quantities_of(recorded.last, boundary_row());
+}
+
+void Triaxial::Strength::take(const Sample &row)
+{
+  const double axial = row.axial_stress, lateral = row.lateral_stress,
+               q = axial - lateral, p = (axial + 2. * lateral) / 3.;
+  if (q > deviator)
+  {
+    deviator = q;
+    strain = row.axial_strain;
+  }
+  if (p <= 0. || axial + lateral <= 0.)
+    return; // the specimen bears nothing
+  stress_ratio = std::max(stress_ratio, q / p);
+  friction_angle = std::max(
+      friction_angle, std::asin(std::clamp(q / (axial + lateral), -1., 1.)));
 }
 
 /// The row where loading begins.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 namespace spall
@@ -48,6 +49,21 @@ double Triaxial::pressed_share() const
          static_cast<double>(loads.size());
 }
 
+/// Strain rate times the mean diameter times sqrt(density / pressure) [-]; its
+/// source: GDR MiDi, Eur. Phys. J. E 14 (2004), doi:10.1140/epje/i2003-10153-0.
+double Triaxial::inertial_number() const
+{
+  const dem::ParticleSystem &own = synchronized().particles();
+  const auto [diameters, count] =
+      dem::sum_particles<2>(engine(),
+                            [&own](std::size_t i) {
+                              return std::array{2. * own.radius(i), 1.};
+                            });
+  return parameters.loading.strain_rate * (diameters / count) *
+         std::sqrt(parameters.particle.density /
+                   parameters.loading.confining_pressure);
+}
+
 void Triaxial::summarise(nlohmann::ordered_json &out) const
 {
   Test::summarise(out);
@@ -70,6 +86,14 @@ void Triaxial::summarise(nlohmann::ordered_json &out) const
   }
   out["cycles_1"] = end.cycle;
   out["peak_axial_stress_Pa"] = recorded.peak_axial_stress;
+  const Strength &strength = recorded.strength;
+  out["peak_deviatoric_stress_Pa"] = strength.deviator;
+  out["axial_strain_at_peak_1"] = strength.strain;
+  out["peak_stress_ratio_1"] = strength.stress_ratio;
+  out["peak_friction_angle_deg"] =
+      strength.friction_angle * 180. / std::numbers::pi;
+  if (parameters.loading.form == LoadForm::compression)
+    out["inertial_number_1"] = inertial_number();
   out["axial_stress_end_Pa"] = end.axial_stress;
   out["lateral_stress_end_Pa"] = end.lateral_stress;
   out["permanent_axial_strain_1"] = end.axial_strain;

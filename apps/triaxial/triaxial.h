@@ -166,6 +166,16 @@ public:
   std::vector<NamedBoundary> named_boundaries() const override;
 
 private:
+  /// Largest stresses of the rows of the loading: axial a, lateral l.
+  struct Strength
+  {
+    double deviator = 0.;       ///< largest q = a - l [Pa]
+    double strain = 0.;         ///< axial, at the largest q [-]
+    double stress_ratio = 0.;   ///< largest q / p, p = (a + 2 l) / 3 [-]
+    double friction_angle = 0.; ///< largest asin((a - l) / (a + l)) [rad]
+    void take(const Sample &row);
+  };
+
   /// Numbers of the history that the test stores; plain data for the
   /// checkpoint.
   struct Recorded
@@ -174,6 +184,7 @@ private:
     double roundness = 0.;         ///< the last one [-]
     double worst_gain = 0.;        ///< of the exchange [-]
     double peak_axial_stress = 0.; ///< while loading [Pa]
+    Strength strength;
     /// Of particles and membrane on the plate, where loading begins [Pa].
     double plate_stress = 0.;
     std::int64_t checkpoint_cycle = 0; ///< of the last one that was due
@@ -188,6 +199,7 @@ private:
   void begin_record();
   double exchange_gain() const;
   double pressed_share() const;
+  double inertial_number() const;
   std::string prepared_text() const;
   std::string scaling_text() const;
   void note_prepared(); ///< for the log
@@ -212,6 +224,7 @@ private:
   StagePosition stage_position() const;
   LoadMeasures load_measures(bool with_volume) const;
   void add_balance_warning(std::vector<std::string> &all) const;
+  void add_peak_warning(std::vector<std::string> &all) const;
   void begin_damage_cycles();
   void after_sample();
   void end_cycle();

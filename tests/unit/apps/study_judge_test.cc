@@ -140,7 +140,9 @@ TEST_F(SeededStudy, ValueWithMostCasesIsTheReference)
     EXPECT_EQ(d.is_reference, d.level.value == "3000");
     EXPECT_NEAR(d.reference, 203., 1e-12);
     if (!d.is_reference)
+    {
       EXPECT_NEAR(d.over_seeds.mean, -1.05, 1e-12);
+    }
   }
   const StudyData none{study, {}, {}}; // no case is finished
   EXPECT_EQ(reference_value(none, 1), "");
@@ -300,6 +302,17 @@ TEST_F(CourseOfASweep, IsSteeperLevelOrTurnsFromAValue)
                InputError);
   EXPECT_THROW(ruling("rises " + key + "by 0.3..0.2", JudgedBy::seeds, turns),
                InputError);
+}
+
+// Of many steps some go the other way by chance, as the second one here.
+TEST_F(CourseOfASweep, SmallStepTheOtherWayDoesNotCount)
+{
+  const std::string rises = "rises with Particle/friction";
+  for (const JudgedBy rule : {JudgedBy::means, JudgedBy::seeds})
+  {
+    EXPECT_EQ(ruling(rises, rule, {100., 140., 138., 200.}), Ruling::holds);
+    EXPECT_EQ(ruling(rises, rule, {100., 140., 120., 200.}), Ruling::does_not);
+  }
 }
 
 TEST_F(SeededStudy, BadSentencesAreRefused)
