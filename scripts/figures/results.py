@@ -7,10 +7,13 @@ Writes docs/pictures/results and docs/pictures/performance. Charts of studies
 are written by `spall study --figures`.
 """
 import pathlib
+import sys
 
 from chart import chart, rows_of, table_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "benchmark"))
+from size_of_specimen import fit, points_of  # noqa: E402
 DOCS = ROOT / "docs"
 RESULTS, PERFORMANCE = DOCS / "results", DOCS / "performance"
 
@@ -145,21 +148,24 @@ def claims_fracture_energy():
 
 
 def claims_size():
-    """Outcomes after ten cycles over those of the smallest specimen."""
-    rows = [row for row in rows_of(RESULTS / "claims_size_cycles.csv")
-            if row["cycle"] == "10"]
+    """Outcomes after ten cycles over those of the smallest specimen, against
+    the inverse of the width; dashed as a + b / width, to 300 mm."""
+    rows = rows_of(RESULTS / "claims_size_cycles.csv")
     series = []
     for index, (name, column, is_breaking) in enumerate((
             ("strain", "strain (%)", "true"),
             ("strain without breakage", "strain (%)", "false"),
             ("abrasion", "LAA (%)", "true"),
             ("coordination number", "coordination number", "true"))):
-        points = [(float(row["Variants"].removeprefix("mm")),
-                   float(row[column])) for row in rows
-                  if row["Breakage/is_active"] == is_breaking]
-        series.append((name, [(x, y / points[0][1]) for x, y in points],
-                       "line dots", index))
-    return chart(series, ("width of the specimen (mm)",
+        points = points_of(rows, column, is_breaking)
+        first = points[0][1]
+        offset, slope = fit(points)
+        series.append((name, [(1e3 * x, y / first) for x, y, _ in points],
+                       "dots", index))
+        series.append(("", [(1e3 * x, (offset + slope * x) / first)
+                            for x in (points[0][0], 1. / 300.)],
+                       "dashes", index))
+    return chart(series, ("1 / width of the specimen (1/m)",
                           "over that of the smallest specimen (-)"))
 
 
