@@ -85,8 +85,8 @@ const KindReport &los_angeles_report()
                     {"Turns", "",
                      [](const RunData &run) { return last(run, "turn_1"); }},
                     {"Breakage events", "",
-                     [](const RunData &run)
-                     { return last(run, "n_events_1"); }}},
+                     [](const RunData &run) { return last(run, "n_events_1"); },
+                     false, true}},
       .rows = {number_row(ReportSection::response, "Turns (–)", "turns_1", 1.,
                           5),
                number_row(ReportSection::breakage, "Abrasion LAA (%)",

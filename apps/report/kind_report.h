@@ -17,6 +17,7 @@ struct Headline
   std::string name, unit; ///< unit with a blank before it
   std::function<double(const RunData &)> value;
   bool has_sign = false; ///< a change: show + as well
+  bool is_count = false; ///< a whole number: show all its digits
 };
 
 /// A row of the table of a section; a row without any value is left out.

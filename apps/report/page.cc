@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 namespace spall
 {
@@ -117,13 +118,23 @@ std::string charts_of(const Report &report, ReportSection section)
   return out.empty() ? "" : "<div class=\"charts\">\n" + out + "</div>\n";
 }
 
+std::string quoted(const std::string &path)
+{
+  return path.find_first_of(" '") == std::string::npos ? path
+                                                       : "\"" + path + "\"";
+}
+
 /// The command that repeats a run from its resolved case.
 std::string command_of(const RunData &run)
 {
   const double threads = number(run.summary, "threads"),
                ranks = number(run.summary, "ranks");
+  const std::filesystem::path given = run.folder;
+  const std::string folder =
+      (given.has_filename() ? given : given.parent_path()).string();
   return (ranks > 1. ? "mpirun -n " + format_fixed(ranks, 0) + " " : "") +
-         "spall run " + run.name + "/case.prm --out " + run.name + "_repeated" +
+         "spall run " + quoted(folder + "/case.prm") + " --out " +
+         quoted(folder + "_repeated") +
          (std::isfinite(threads) ? " --threads " + format_fixed(threads, 0)
                                  : "");
 }

@@ -21,7 +21,8 @@ std::string headline_value(const Headline &line, const RunData &run)
 {
   const double value = line.value(run);
   const std::string sign = line.has_sign && value > 0. ? "+" : "";
-  return sign + format(value, 3) + (std::isfinite(value) ? line.unit : "");
+  return sign + (line.is_count ? format_fixed(value, 0) : format(value, 3)) +
+         (std::isfinite(value) ? line.unit : "");
 }
 
 std::string particles(const Json &summary)

@@ -18,7 +18,7 @@ constexpr std::array quantities = {
     PathQuantity{"speed", ReportSection::response, "largest_speed_m_per_s",
                  "Largest speed (m/s)", "Speed of the fastest particle."},
     PathQuantity{"contacts", ReportSection::network, "n_contacts_1",
-                 "Contacts (–)",
+                 "Contacts between particles (–)",
                  "Number of contacts between particles at each time."},
     PathQuantity{"contact_force", ReportSection::network,
                  "mean_contact_force_N", "Mean contact force (N)",
@@ -45,12 +45,13 @@ const KindReport &scene_report()
   static const KindReport report = {
       .headlines = {{"Simulated time", " s",
                      [](const RunData &run) { return last(run, "time_s"); }},
-                    {"Contacts", "",
+                    {"Contacts between particles", "",
                      [](const RunData &run)
-                     { return last(run, "n_contacts_1"); }},
+                     { return last(run, "n_contacts_1"); },
+                     false, true},
                     {"Breakage events", "",
-                     [](const RunData &run)
-                     { return last(run, "n_events_1"); }}},
+                     [](const RunData &run) { return last(run, "n_events_1"); },
+                     false, true}},
       .rows = {number_row(ReportSection::response, "Simulated time (s)",
                           "time_s", 1., 4),
                number_row(ReportSection::energy, "Kinetic energy (J)",

@@ -205,7 +205,8 @@ TEST_F(RunFolder, FiguresStandInTheirSectionsWithTheirNumbers)
 TEST_F(RunFolder, InputShowsTheCaseFoldedAndTheCommand)
 {
   const std::string page = read(report({run()}));
-  EXPECT_TRUE(has(page, "spall run run/case.prm --out run_repeated"));
+  EXPECT_TRUE(has(page, "spall run " + run() + "/case.prm --out " + run() +
+                            "_repeated"));
   EXPECT_TRUE(has(page, "<details><summary>Resolved case of run"));
 }
 
