@@ -53,7 +53,7 @@ struct Evidence
   std::size_t outcome;
   std::vector<Level> levels;
 
-  std::vector<double> differences(std::size_t from, std::size_t to) const
+  SeedValues differences(std::size_t from, std::size_t to) const
   {
     return paired_differences(data, cut, outcome, levels[from].value,
                               levels[to].value);
@@ -62,10 +62,7 @@ struct Evidence
   {
     return estimate_of(differences(from, to));
   }
-  std::vector<double> whole() const
-  {
-    return differences(0, levels.size() - 1);
-  }
+  SeedValues whole() const { return differences(0, levels.size() - 1); }
 };
 
 /// Some levels in a row.
@@ -139,8 +136,8 @@ Verdict judge_way(const Evidence &seen, const Stretch &over, double sign)
 Ruling judge_share(const Evidence &seen, const Expectation &expected,
                    double sign)
 {
-  std::vector<double> shares = seen.whole();
-  for (double &share : shares)
+  SeedValues shares = seen.whole();
+  for (auto &[seed, share] : shares)
     share *= sign / std::abs(seen.levels.front().mean());
   const Estimate e = estimate_of(shares);
   if (e.is_below(expected.share_low) || e.is_above(expected.share_high))
@@ -156,17 +153,15 @@ Verdict judge_bend(const Evidence &seen, std::size_t middle, double sign)
   const std::size_t last = seen.levels.size() - 1;
   const auto slopes = [&](std::size_t from, std::size_t to)
   {
-    std::vector<double> all = seen.differences(from, to);
-    for (double &one : all)
+    SeedValues all = seen.differences(from, to);
+    for (auto &[seed, one] : all)
       one /= seen.levels[to].x - seen.levels[from].x;
     return all;
   };
-  std::vector<double> bend = slopes(middle, last), before = slopes(0, middle);
-  if (bend.size() != before.size())
-    return {};
-  for (std::size_t s = 0; s < bend.size(); ++s)
-    bend[s] = sign * (bend[s] - before[s]);
-  const Estimate e = estimate_of(bend);
+  const Estimate e =
+      estimate_of(combined(slopes(middle, last), slopes(0, middle),
+                           [sign](double beyond, double before)
+                           { return sign * (beyond - before); }));
   return {!e.is_resolved() ? Ruling::not_resolved : ruled(e.mean > 0.),
           "; steeper by " + in_words(e, 0.) + " per unit"};
 }
@@ -202,13 +197,9 @@ Verdict judge_sign(const Evidence &seen, double sign)
 
 Verdict judge_answers(const Evidence &one, const Evidence &other)
 {
-  const std::vector<double> a = one.whole(), b = other.whole();
-  if (a.size() != b.size())
-    return {};
-  std::vector<double> more;
-  for (std::size_t s = 0; s < a.size(); ++s)
-    more.push_back(std::abs(a[s]) - std::abs(b[s]));
-  const Estimate e = estimate_of(more);
+  const SeedValues a = one.whole(), b = other.whole();
+  const Estimate e = estimate_of(combined(
+      a, b, [](double x, double y) { return std::abs(x) - std::abs(y); }));
   return {!e.is_resolved() ? Ruling::not_resolved : ruled(e.mean > 0.),
           "; change " + in_words(estimate_of(a), 0.) + " against " +
               in_words(estimate_of(b), 0.)};

@@ -9,11 +9,11 @@ namespace
 {
 using SamplesBySeed = std::map<std::string, std::vector<double>>;
 
-std::vector<double> means_of(const SamplesBySeed &samples)
+SeedValues means_of(const SamplesBySeed &samples)
 {
-  std::vector<double> means;
+  SeedValues means;
   for (const auto &[seed, values] : samples)
-    means.push_back(estimate_of(values).mean);
+    means[seed] = estimate_of(values).mean;
   return means;
 }
 
@@ -33,8 +33,8 @@ std::vector<std::string> all_but(const StudyPoint &point, std::size_t key)
 }
 } // namespace
 
-std::vector<double> seed_means(const StudyData &data, const Cut &cut,
-                               std::size_t outcome)
+SeedValues seed_means(const StudyData &data, const Cut &cut,
+                      std::size_t outcome)
 {
   SamplesBySeed samples;
   for (std::size_t p = 0; p < data.points.size(); ++p)
@@ -43,10 +43,9 @@ std::vector<double> seed_means(const StudyData &data, const Cut &cut,
   return means_of(samples);
 }
 
-std::vector<double> paired_differences(const StudyData &data, const Cut &cut,
-                                       std::size_t outcome,
-                                       const std::string &from,
-                                       const std::string &to)
+SeedValues paired_differences(const StudyData &data, const Cut &cut,
+                              std::size_t outcome, const std::string &from,
+                              const std::string &to)
 {
   std::map<std::vector<std::string>, double> before;
   for (std::size_t p = 0; p < data.points.size(); ++p)
@@ -63,5 +62,23 @@ std::vector<double> paired_differences(const StudyData &data, const Cut &cut,
         samples[data.points[p].seed].push_back(
             data.results[p].outcomes[outcome] - partner->second);
   return means_of(samples);
+}
+
+SeedValues combined(const SeedValues &one, const SeedValues &other,
+                    const std::function<double(double, double)> &of)
+{
+  SeedValues all;
+  for (const auto &[seed, value] : one)
+    if (const auto found = other.find(seed); found != other.end())
+      all[seed] = of(value, found->second);
+  return all;
+}
+
+Estimate estimate_of(const SeedValues &values)
+{
+  std::vector<double> samples;
+  for (const auto &[seed, value] : values)
+    samples.push_back(value);
+  return estimate_of(samples);
 }
 } // namespace spall

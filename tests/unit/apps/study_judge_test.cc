@@ -115,11 +115,24 @@ TEST_F(SeededStudy, PairsTakeOutWhatSeedsShare)
   EXPECT_EQ(ruling(2), Ruling::does_not);
   EXPECT_EQ(ruling(3), Ruling::not_resolved); // 100, 200, 300
   EXPECT_EQ(ruling(4), Ruling::not_resolved); // a and b cancel
-  const std::vector<double> ends =
+  const SeedValues ends =
       paired_differences({study, points, results}, Cut(0), 0, "a", "b");
   ASSERT_EQ(ends.size(), 3u);
   // Density over all rows of a variant: 2, 3 and twice 2.75.
-  EXPECT_NEAR(ends[1], -2. * (2. + 3. + 2. * 2.75) / 4., 1e-12);
+  EXPECT_NEAR(ends.at("2"), -2. * (2. + 3. + 2. * 2.75) / 4., 1e-12);
+}
+
+// A seed that one of the keys lacks counts for neither.
+TEST_F(SeededStudy, KeysAreComparedOverTheSeedsOfBoth)
+{
+  make("  set more = n_events answers_more with Particle/density than "
+       "Particle/friction where Variants=a\n",
+       1., -1., 0.1);
+  EXPECT_EQ(ruling(0), Ruling::holds); // 1 against 0
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (points[p].seed == "1" && points[p].values[2] == "0.6")
+      results[p].is_done = false;
+  EXPECT_EQ(ruling(0), Ruling::holds);
 }
 
 // Where seeds of the first value are missing, the others still resolve what
