@@ -181,6 +181,41 @@ void check_overlap(const Case &c, const SourceLocation &location)
                           number_text(limits.stop)});
 }
 
+/// Along an axis a wall has either a prescribed motion or forces.
+void check_drive(const SourceLocation &location, const WallSection &wall)
+{
+  const std::string section = wall.section();
+  const dem::Vec3 is_free = free_axes(wall.free),
+                  is_held = dem::Vec3::Ones() - is_free;
+  const auto require_zero = [&](const char *key, const dem::Vec3 &value,
+                                const dem::Vec3 &where,
+                                const std::string &allowed)
+  {
+    if (!value.cwiseProduct(where).isZero(0.))
+      refuse(location, {section, key, number_text(value), allowed});
+  };
+  const std::string of_forces = "must be 0 along axes that are not in " +
+                                section +
+                                "/free, where a force does not move the wall",
+                    of_motions = "must be 0 along the axes in " + section +
+                                 "/free, where forces move the wall instead";
+  require_zero("force", wall.force, is_held, of_forces);
+  require_zero("force_amplitude", wall.force_amplitude, is_held, of_forces);
+  require_zero("velocity", wall.velocity, is_free, of_motions);
+  require_zero("amplitude", wall.amplitude, is_free, of_motions);
+  if (!wall.force_amplitude.isZero() && wall.frequency == 0.)
+    refuse(location, {section, "frequency", "0",
+                      "must be above 0 with " + section + "/force_amplitude"});
+  if (wall.torque != 0. && wall.inertia == 0.)
+    refuse(location, {section, "torque", number_text(wall.torque),
+                      "must be 0 unless " + section + "/inertia is above 0"});
+  if (wall.rotation_rate != 0. && wall.inertia > 0.)
+    refuse(location, {section, "rotation_rate", number_text(wall.rotation_rate),
+                      "must be 0 with " + section +
+                          "/inertia, where torques rotate the "
+                          "wall instead"});
+}
+
 void check_walls(const Case &c, const SourceLocation &location)
 {
   for (const WallSection &wall : c.walls)
@@ -201,6 +236,7 @@ void check_walls(const Case &c, const SourceLocation &location)
     if (!wall.amplitude.isZero() && wall.frequency == 0.)
       refuse(location, {section, "frequency", "0",
                         "must be above 0 with " + section + "/amplitude"});
+    check_drive(location, wall);
   }
 }
 

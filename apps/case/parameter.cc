@@ -116,6 +116,12 @@ std::string number_text(double value)
   return {buffer.data(), end};
 }
 
+std::string number_text(const dem::Vec3 &value)
+{
+  return number_text(value.x()) + ", " + number_text(value.y()) + ", " +
+         number_text(value.z());
+}
+
 double to_number(const std::string &text)
 {
   const char *first = text.data() + (text.starts_with('+') ? 1 : 0);
@@ -178,11 +184,7 @@ std::string value_text(const Parameter &parameter)
           [](int *value) { return std::to_string(*value); },
           [](bool *value) { return std::string(*value ? "true" : "false"); },
           [](std::string *value) { return *value; },
-          [](dem::Vec3 *value)
-          {
-            return number_text(value->x()) + ", " + number_text(value->y()) +
-                   ", " + number_text(value->z());
-          },
+          [](dem::Vec3 *value) { return number_text(*value); },
           [](const Choice &choice) { return choice.names[choice.get()]; }},
       parameter.value);
 }

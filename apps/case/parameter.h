@@ -95,6 +95,9 @@ void assign(const Parameter &parameter, const std::string &text);
 /// Shortest text that reads back as the same number.
 std::string number_text(double value);
 
+/// Its three components with commas.
+std::string number_text(const dem::Vec3 &value);
+
 /// The whole text as a finite number; throws std::invalid_argument.
 double to_number(const std::string &text);
 

@@ -15,6 +15,30 @@ bool is_wall_name(const std::string &name)
                              { return std::isalnum(c) || c == '_'; });
 }
 
+dem::Vec3 free_axes(FreeDirections free)
+{
+  switch (free)
+  {
+  case FreeDirections::none:
+    break;
+  case FreeDirections::x:
+    return {1., 0., 0.};
+  case FreeDirections::y:
+    return {0., 1., 0.};
+  case FreeDirections::z:
+    return {0., 0., 1.};
+  case FreeDirections::xy:
+    return {1., 1., 0.};
+  case FreeDirections::xz:
+    return {1., 0., 1.};
+  case FreeDirections::yz:
+    return {0., 1., 1.};
+  case FreeDirections::xyz:
+    return {1., 1., 1.};
+  }
+  return dem::Vec3::Zero();
+}
+
 namespace
 {
 void add_motion(List &list, WallSection &w)

@@ -21,6 +21,9 @@ enum class FreeDirections
   xyz
 };
 
+/// 1 along each axis in which forces move a wall, else 0.
+dem::Vec3 free_axes(FreeDirections free);
+
 /// A rigid wall of any shape: section Walls/NAME.
 struct WallSection
 {

@@ -17,7 +17,7 @@ void add_charge(List &list, ChargeParameters &c)
   add_drawn_particles(list, c);
   list.add({"balls", "-", "Number of steel balls."}, c.balls, between(0, 1000));
   list.add({"ball_mass", "kg", "Mass of all steel balls together."},
-           c.ball_mass, above(0., 1e4));
+           c.ball_mass, above(0., 1e4), between(1e-3, 200.));
   list.add({"ball_density", "kg/m^3", "Mass density of the steel balls."},
            c.steel.density, above(0., 3e4), usual_densities);
   list.add({"ball_shear_modulus", "Pa",

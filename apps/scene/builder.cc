@@ -74,8 +74,8 @@ BuiltScene build_scene(const Case &parameters, const PlacedParticles &particles,
   return built;
 }
 
-dem::StepLimit check_scene_as_placed(const Case &parameters,
-                                     const PlacedParticles &particles)
+SceneStart check_scene_as_placed(const Case &parameters,
+                                 const PlacedParticles &particles)
 {
   const SceneCase &own = parameters.own<SceneCase>();
   const auto engine = check_as_placed(parameters, particles,
@@ -86,8 +86,10 @@ dem::StepLimit check_scene_as_placed(const Case &parameters,
                                          add_box(own.box, scene);
                                          add_mesh_walls(scene, parameters);
                                        }});
-  return limit_on_walls(
-      parameters, engine->parameters(), engine->particles(),
-      dem::critical_step(engine->parameters(), engine->particles()));
+  const dem::EngineEnergy energy = engine->energy();
+  return {limit_on_walls(
+              parameters, engine->parameters(), engine->particles(),
+              dem::critical_step(engine->parameters(), engine->particles())),
+          energy.kinetic, energy.elastic};
 }
 } // namespace spall

@@ -31,10 +31,18 @@ struct BuiltScene
 BuiltScene build_scene(const Case &parameters, const PlacedParticles &particles,
                        std::shared_ptr<dem::Ranks> ranks);
 
-/// Evaluates the contacts of the scene as placed, and returns the longest step
-/// of any particle on the box and on any wall (dem::critical_step). Throws
-/// InputError with the names of the two where particles, or a particle and a
-/// wall, overlap by more than Scene/largest_overlap.
-dem::StepLimit check_scene_as_placed(const Case &parameters,
-                                     const PlacedParticles &particles);
+/// What is known of a scene before its first step.
+struct SceneStart
+{
+  /// Longest step of any particle on the box and on any wall
+  /// (dem::critical_step).
+  dem::StepLimit limit;
+  double kinetic = 0., elastic = 0.; ///< energies of the particles [J]
+};
+
+/// Evaluates the contacts of the scene as placed. Throws InputError with the
+/// names of the two where particles, or a particle and a wall, overlap by more
+/// than Scene/largest_overlap.
+SceneStart check_scene_as_placed(const Case &parameters,
+                                 const PlacedParticles &particles);
 } // namespace spall

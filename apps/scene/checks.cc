@@ -10,19 +10,13 @@ namespace spall
 {
 namespace
 {
-std::string text_of(const dem::Vec3 &v)
-{
-  return number_text(v.x()) + ", " + number_text(v.y()) + ", " +
-         number_text(v.z());
-}
-
 void check_corners(const SourceLocation &location, const std::string &section,
                    const dem::Vec3 &lower, const dem::Vec3 &upper)
 {
   if (!(lower.array() < upper.array()).all())
-    refuse(location, {section, "upper", text_of(upper),
-                      "must be above " + section +
-                          "/lower = " + text_of(lower) + " along every axis"});
+    refuse(location, {section, "upper", number_text(upper),
+                      "must be above " + section + "/lower = " +
+                          number_text(lower) + " along every axis"});
 }
 
 void check_box(const Case &c, const SourceLocation &location)
@@ -41,15 +35,15 @@ void check_in_box(const SourceLocation &location, const SceneCase &own)
     if (faces[static_cast<std::size_t>(d)] == BoxFaces::open)
       continue;
     if (own.fill.lower[d] < box.lower[d])
-      refuse(location,
-             {"Fill", "lower", text_of(own.fill.lower),
-              "must be inside the box, from Box/lower = " + text_of(box.lower) +
-                  ", where its faces are not "
-                  "open"});
+      refuse(location, {"Fill", "lower", number_text(own.fill.lower),
+                        "must be inside the box, from Box/lower = " +
+                            number_text(box.lower) +
+                            ", where its faces are not "
+                            "open"});
     if (own.fill.upper[d] > box.upper[d])
-      refuse(location, {"Fill", "upper", text_of(own.fill.upper),
+      refuse(location, {"Fill", "upper", number_text(own.fill.upper),
                         "must be inside the box, up to Box/upper = " +
-                            text_of(box.upper) +
+                            number_text(box.upper) +
                             ", where its faces are not "
                             "open"});
   }

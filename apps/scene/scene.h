@@ -26,15 +26,19 @@ public:
   void save(std::ostream &out, dem::StateExtent extent) const override;
   void restore(std::istream &in) override;
   std::vector<NamedBoundary> named_boundaries() const override;
+  /// With what the particles have as placed as work: motion, and springs of
+  /// contacts that overlap.
+  EnergyBalance energy_balance() const override;
 
 private:
   Scene(const Case &parameters, const PlacedParticles &particles);
   Scene(const Case &parameters, const PlacedParticles &particles,
-        const dem::StepLimit &its_limit, BuiltScene built);
+        const SceneStart &as_placed, BuiltScene built);
   void move(double time_step) override;
   std::vector<Quantity> measured() const override;
 
   SceneCase own;
+  SceneStart start;
   std::vector<BoxPlane> box;
   double time_before = 0.;      ///< at the last step [s]
   std::uint8_t is_breaking = 0; ///< breakage counts

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 namespace spall
 {
@@ -63,6 +64,24 @@ Deepest deepest_of(const dem::Engine &engine, const PlacedParticles &particles)
 }
 } // namespace
 
+namespace
+{
+/// Names the first particle of which all is beyond a wall.
+void require_inside(const std::string &file, const dem::Engine &engine,
+                    const PlacedParticles &particles)
+{
+  const dem::ParticleSystem &all = engine.particles();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const auto &wall : engine.boundaries())
+      if (wall->beyond(all.position(i)) > all.shape[i].circumscribed_radius)
+        throw InputError(file + ": " +
+                         particles.name[static_cast<std::size_t>(all.id[i])] +
+                         ": is beyond a wall as placed, at " +
+                         in_four_digits(all.position(i)) +
+                         " m: must be inside of box, container and specimen");
+}
+} // namespace
+
 void add_particles(const PlacedParticles &from, dem::Engine &engine)
 {
   for (std::size_t k = 0; k < from.body.size(); ++k)
@@ -92,7 +111,16 @@ std::unique_ptr<dem::Engine> check_as_placed(const Case &parameters,
   add_particles(particles, *engine);
   check.add_boundaries(*engine);
   engine->set_breaking(false);
-  engine->evaluate(1e-12);
+  require_inside(parameters.file, *engine, particles);
+  try
+  {
+    engine->evaluate(1e-12);
+  }
+  catch (const std::runtime_error &error) // a periodic cell that is too short
+  {
+    throw InputError(parameters.file + ": " + check.section +
+                     "/particles as placed: " + error.what());
+  }
   const Deepest deepest = deepest_of(*engine, particles);
   if (deepest.ratio > check.largest_overlap)
     throw InputError(

@@ -51,31 +51,6 @@ dem::FacetSurface surface_of(const Case &c, const WallSection &wall,
   }
 }
 
-/// 1 for each axis whose name is in the choice.
-dem::Vec3 free_directions(FreeDirections free)
-{
-  switch (free)
-  {
-  case FreeDirections::none:
-    break;
-  case FreeDirections::x:
-    return {1., 0., 0.};
-  case FreeDirections::y:
-    return {0., 1., 0.};
-  case FreeDirections::z:
-    return {0., 0., 1.};
-  case FreeDirections::xy:
-    return {1., 1., 0.};
-  case FreeDirections::xz:
-    return {1., 0., 1.};
-  case FreeDirections::yz:
-    return {0., 1., 1.};
-  case FreeDirections::xyz:
-    return {1., 1., 1.};
-  }
-  return dem::Vec3::Zero();
-}
-
 dem::WallMotion motion_of(const Case &c, const WallSection &wall,
                           const dem::Vec3 &acceleration,
                           const dem::Vec3 &origin)
@@ -95,7 +70,7 @@ dem::WallMotion motion_of(const Case &c, const WallSection &wall,
   motion.axis = wall.axis.normalized();
   motion.centre = wall.centre + origin;
   motion.spin = wall.rotation_rate;
-  motion.free = free_directions(wall.free);
+  motion.free = free_axes(wall.free);
   motion.mass = wall.mass;
   motion.force = wall.force + wall.mass * acceleration;
   motion.force_amplitude = wall.force_amplitude;

@@ -206,7 +206,8 @@ void add_pulse(List &list, PulseParameters &p)
            above(0., 1e3));
   list.add({"cars", "-", "Number of cars of the train."}, p.cars,
            between(1, 1e4));
-  list.add({"speed", "m/s", "Speed of the train."}, p.speed, above(0., 1e3));
+  list.add({"speed", "m/s", "Speed of the train."}, p.speed, above(0., 1e3),
+           between(0.1, 150.));
   list.add({"share", "-",
             "Share of an axle load that one sleeper carries. The value "
             "zimmermann is a rail on an elastic bed. The value table reads it "

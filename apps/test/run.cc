@@ -2,6 +2,7 @@
 #include "errors.h"
 #include "run/first_rank.h"
 #include "run/folder.h"
+#include "run/folder_lock.h"
 #include "run/options.h"
 #include "run/overlap_news.h"
 #include "run/progress.h"
@@ -198,8 +199,15 @@ void run_test(const RunOptions &asked, const Case &parameters)
   const std::shared_ptr<dem::Ranks> ranks = dem::ranks_of_program();
   require_shareable(*ranks, parameters);
   RunOptions options = asked;
-  const std::string note = look_at_folder(*ranks, options);
   const std::filesystem::path folder = options.out;
+  std::optional<FolderLock> lock; // on the first rank
+  on_first_rank(*ranks,
+                [&]
+                {
+                  if (std::filesystem::is_directory(folder))
+                    lock.emplace(folder);
+                });
+  const std::string note = look_at_folder(*ranks, options);
   const std::unique_ptr<Test> test = make_test(parameters);
   if (options.until)
     test->stop_after(*options.until);
@@ -209,7 +217,13 @@ void run_test(const RunOptions &asked, const Case &parameters)
   if (const std::string text = test->preparation_text();
       !options.preparations.empty() && !text.empty())
     store.emplace(options.preparations, text);
-  on_first_rank(*ranks, [&] { prepare_run_folder(options); });
+  on_first_rank(*ranks,
+                [&]
+                {
+                  prepare_run_folder(options);
+                  if (!lock)
+                    lock.emplace(folder);
+                });
   Recorder recorder(parameters, folder);
   Progress progress(ranks->rank() == 0 ? (folder / "log.txt").string() : "");
   if (options.is_resumed)

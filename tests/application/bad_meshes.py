@@ -14,7 +14,43 @@ def sheet(name, text, *message):
                {"Boundary": {"mesh": "m.msh"}}, {"m.msh": text})
 
 
+def wall(name, settings, *message, sections=()):
+    """A scene of one particle above a wall with these settings."""
+    return Bad("wall_" + name, ["check", "w.prm"], list(message),
+               files={"m.stl": stl(scaled(box_triangles(), 0.1)),
+                      "p.csv": "x,y,z,radius\n0.05,0.05,0.2,0.01\n",
+                      "w.prm": prm({"Case": {"kind": "scene"},
+                                    "Scene": {"particles": "p.csv"},
+                                    **dict(sections)}) +
+                      "subsection Walls\n  subsection lid\n"
+                      "    set mesh = m.stl\n" +
+                      "".join(f"    set {one}\n" for one in settings) +
+                      "  end\nend\n"})
+
+
 MESH_FILES = [
+    wall("force", ["force = 0, 0, -50"],
+         "w.prm:10: Walls/lid/force = 0, 0, -50: must be 0 along axes that are "
+         "not in Walls/lid/free"),
+    wall("force_across", ["free = x", "force = 1, 0, -50"],
+         "Walls/lid/force = 1, 0, -50: must be 0 along axes that are not in"),
+    wall("cyclic_force", ["free = z", "force_amplitude = 0, 0, 50"],
+         "Walls/lid/frequency = 0: must be above 0 with Walls/lid/"
+         "force_amplitude"),
+    wall("velocity", ["free = z", "velocity = 0, 0, 0.1"],
+         "Walls/lid/velocity = 0, 0, 0.1: must be 0 along the axes in "
+         "Walls/lid/free"),
+    wall("torque", ["torque = 2"],
+         "Walls/lid/torque = 2: must be 0 unless Walls/lid/inertia is above 0"),
+    wall("rotation", ["inertia = 1", "rotation_rate = 3"],
+         "Walls/lid/rotation_rate = 3: must be 0 with Walls/lid/inertia"),
+    wall("box", [], "p.csv:2: is beyond a wall as placed, at (0.05, 0.05, 0.2) "
+         "m", sections={"Box": {"z": "rigid",
+                                           "upper": "1, 1, 0.15"}}.items()),
+    wall("period", [], "w.prm: Scene/particles as placed: a periodic cell of "
+         "0.03 m is too short",
+         sections={"Box": {"x": "periodic", "lower": "0.04, 0, 0",
+                           "upper": "0.07, 1, 1"}}.items()),
     *[fit("obj_" + name, "m.obj", SQUARE_OBJ + face, "m.obj: line 5", word)
       for name, face, word in [
           ("index", "f 4 1 5 1000008\n", "vertex 1000008, the file has 4"),

@@ -85,6 +85,8 @@ def collision(spall, root):
     speed = [float(row[table[0].index("vx")]) for row in table[1:]]
     faults = near("first after the collision", speed[0], -0.3, 1e-5)
     faults += near("second after the collision", speed[1], 0.5, 1e-5)
+    if not 0. < summary(out)["energy_residual_ratio_1"] < 1e-5:
+        faults.append("the energy as placed is not in the balance")
     again = run_scene(spall, root / "again",
                       {"Scene": {"gravity": [0, 0, 0], "particles": str(out)}},
                       "")
@@ -95,6 +97,27 @@ def collision(spall, root):
             faults.append(f"{name} of the next run: {first[name]}, was "
                           f"{last[name]}")
     return faults + json_faults(spall, root, out)
+
+
+def overlap_at_start(spall, root):
+    """A particle that overlaps a wall as placed leaves with the energy of the
+    spring, which counts as put in and not as a fault of the integration."""
+    depth = 0.01 * RADIUS
+    out = run_scene(
+        spall, root / "sprung",
+        {"Scene": {"gravity": [0, 0, 0]}, "Wall": LINEAR,
+         "Walls": {"floor": {"mesh": "floor.obj"}}},
+        f"x,y,z,radius\n0,0,{RADIUS - depth},{RADIUS}\n",
+        {"floor.obj": FLOOR})
+    energy = 0.5 * LINEAR["normal_stiffness"] * depth**2
+    end, result = rows(out, "history.csv")[1][-1], summary(out)
+    faults = (near("work at first", end["external_work_J"], energy, 1e-9) +
+              near("motion in the end", end["kinetic_energy_J"], energy, 1e-2))
+    for key, limit in (("energy_residual_ratio_1", 1e-3),
+                       ("non_conservative_work_ratio_1", 1e-2)):
+        if abs(result[key]) > limit:
+            faults.append(f"overlap at first: {key} = {result[key]}")
+    return faults
 
 
 def json_faults(spall, root, from_csv):
@@ -188,6 +211,7 @@ def periodic_box(spall, root):
 
 def physics(spall, root):
     return (flight(spall, root) + collision(spall, root) +
+            overlap_at_start(spall, root) +
             weight_on_walls(spall, root) + sliding(spall, root) +
             periodic_box(spall, root))
 
