@@ -20,7 +20,7 @@ struct Text
 
 /// Usual ranges in SI units: a value in g/cm^3, GPa, kPa or mm is outside.
 inline constexpr Range usual_densities = between(100., 25e3); ///< [kg/m^3]
-inline constexpr Range usual_moduli = between(1e5, 1e13);     ///< [Pa]
+inline constexpr Range usual_moduli = between(1e4, 1e13);     ///< [Pa]
 inline constexpr Range usual_stresses = between(500., 1e9);   ///< [Pa]
 inline constexpr Range usual_lengths = between(1e-3, 30.);    ///< [m]
 inline constexpr Range usual_corners = between(-30., 30.);    ///< [m]

@@ -89,5 +89,5 @@ TEST_F(StudyFile, SettingsOfAStudyAreNoticedWithTheirLine)
       (Lines{file + ":6: Base: Particle/density = 2.7: unusual: most "
                     "are 100 to 25000 kg/m^3, so check the unit",
              file + ":9: Sweep: Particle/shear_modulus = 30: unusual: most "
-                    "are 100000 to 1e+13 Pa, so check the unit"}));
+                    "are 10000 to 1e+13 Pa, so check the unit"}));
 }
