@@ -313,7 +313,9 @@ struct Case
   OutputParameters output;
   int threads = 0;  ///< 0: the number that is fastest now
   std::string file; ///< the case file as given, for messages and paths
-  /// One line for each old name in use, and for each unusual value.
+  /// One line for each old name that the case uses.
+  std::vector<std::string> deprecated;
+  /// One line for each value that is allowed and likely a slip.
   std::vector<std::string> notices;
   /// Digests of the files that the case names, by Section/key.
   std::map<std::string, std::uint64_t> contents;

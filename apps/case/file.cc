@@ -114,14 +114,14 @@ struct Values
 {
   dealii::ParameterHandler handler;
   SourceLocations locations;
-  std::vector<std::string> notices;
+  std::vector<std::string> deprecated;
 };
 
 /// Returns the present name, Section/key.
 std::string take(Values &values, Assignment a,
                  const std::vector<Parameter> &list)
 {
-  use_present_names(a, list, values.notices);
+  use_present_names(a, list, values.deprecated);
   check_known(a, list);
   std::string name = a.section + "/" + a.key;
   values.locations[name] = a.location;
@@ -409,9 +409,8 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
     wall.material = result.wall; // what it does not say itself
   assign_all(values, list, true);
   choose_laws(result);
+  result.deprecated = values.deprecated;
   result.notices = notices_on(result, list, values.locations);
-  result.notices.insert(result.notices.begin(), values.notices.begin(),
-                        values.notices.end());
   note_contents(result);
 
   check_case(result,

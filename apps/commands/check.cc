@@ -228,7 +228,7 @@ int check_command(Words words)
     throw InputError("check: a case file must be given");
   const Case parameters = read_case(file, overrides);
   if (dem::ranks_of_program()->rank() == 0)
-    report_notices(parameters.notices);
+    report_deprecated(parameters.deprecated);
   else if (!std::freopen("/dev/null", "w", stdout)) // one speaks for all
     throw RunFailure("check: /dev/null cannot be opened");
   if (is_json)
@@ -238,6 +238,8 @@ int check_command(Words words)
   }
   std::printf("case             %s: %s\n", file.c_str(),
               parameters.title.c_str());
+  for (const std::string &notice : parameters.notices)
+    std::printf("note             %s\n", notice.c_str());
   check_test(parameters, preparations);
   return 0;
 }

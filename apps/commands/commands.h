@@ -19,6 +19,6 @@ int shape_command(Words words);
 int bench_command(Words words);
 int verify_command(Words words);
 
-/// Prints the lines about old names and unusual values to stderr.
-void report_notices(const std::vector<std::string> &lines);
+/// Prints the lines about old names of a case or study to stderr.
+void report_deprecated(const std::vector<std::string> &lines);
 } // namespace spall

@@ -96,7 +96,7 @@ int run_command(Words words)
   const RunOptions options = run_options(words);
   const Case parameters = read_case(options.case_file, options.overrides);
   if (dem::ranks_of_program()->rank() == 0)
-    report_notices(parameters.notices);
+    report_deprecated(parameters.deprecated);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   run_test(options, parameters);

@@ -277,7 +277,9 @@ int study_command(Words words)
   StudyOptions options = study_options(words);
   const Study study = read_study(options.file, options.overrides);
   std::vector<StudyPoint> points = points_of(study);
-  report_notices(notices_of(study, points));
+  report_deprecated(study.deprecated);
+  for (const std::string &notice : notices_of(points))
+    std::cout << "note: " << notice << std::endl;
   const fs::path folder = options.out;
   if (!options.page.empty())
     page_before("study", options.page, page_marker);

@@ -30,6 +30,7 @@ void check_in_box(const SourceLocation &location, const SceneCase &own)
 {
   const SceneBoxParameters &box = own.box;
   const std::array faces = {box.x, box.y, box.z};
+  const std::string but_open = ", where its faces are not open";
   for (Eigen::Index d = 0; d < 3; ++d)
   {
     if (faces[static_cast<std::size_t>(d)] == BoxFaces::open)
@@ -37,15 +38,11 @@ void check_in_box(const SourceLocation &location, const SceneCase &own)
     if (own.fill.lower[d] < box.lower[d])
       refuse(location, {"Fill", "lower", number_text(own.fill.lower),
                         "must be inside the box, from Box/lower = " +
-                            number_text(box.lower) +
-                            ", where its faces are not "
-                            "open"});
+                            number_text(box.lower) + but_open});
     if (own.fill.upper[d] > box.upper[d])
       refuse(location, {"Fill", "upper", number_text(own.fill.upper),
                         "must be inside the box, up to Box/upper = " +
-                            number_text(box.upper) +
-                            ", where its faces are not "
-                            "open"});
+                            number_text(box.upper) + but_open});
   }
 }
 

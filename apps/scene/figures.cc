@@ -45,13 +45,16 @@ const KindReport &scene_report()
   static const KindReport report = {
       .headlines = {{"Simulated time", " s",
                      [](const RunData &run) { return last(run, "time_s"); }},
-                    {"Contacts between particles", "",
-                     [](const RunData &run)
+                    {.name = "Contacts between particles",
+                     .unit = "",
+                     .value = [](const RunData &run)
                      { return last(run, "n_contacts_1"); },
-                     false, true},
-                    {"Breakage events", "",
-                     [](const RunData &run) { return last(run, "n_events_1"); },
-                     false, true}},
+                     .is_count = true},
+                    {.name = "Breakage events",
+                     .unit = "",
+                     .value = [](const RunData &run)
+                     { return last(run, "n_events_1"); },
+                     .is_count = true}},
       .rows = {number_row(ReportSection::response, "Simulated time (s)",
                           "time_s", 1., 4),
                number_row(ReportSection::energy, "Kinetic energy (J)",

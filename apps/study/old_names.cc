@@ -21,17 +21,17 @@ void replace_old_names(Study &study)
     for (std::string &value : swept.values)
     {
       setting = {swept.section, swept.key, value, swept.location};
-      use_present_names(setting, list, study.notices);
+      use_present_names(setting, list, study.deprecated);
       value = setting.value;
     }
     swept.section = setting.section;
     swept.key = setting.key;
   }
   for (Override &setting : study.base)
-    use_present_names(setting, list, study.notices);
+    use_present_names(setting, list, study.deprecated);
   for (Variant &variant : study.variants)
     for (Override &setting : variant.settings)
-      use_present_names(setting, list, study.notices);
+      use_present_names(setting, list, study.deprecated);
   for (Expectation &expectation : study.expectations)
     for (std::string *name :
          {&expectation.key, &expectation.than_key, &expectation.where_key})
@@ -39,7 +39,7 @@ void replace_old_names(Study &study)
       {
         Override setting{name->substr(0, slash), name->substr(slash + 1), "",
                          study.file};
-        use_present_names(setting, list, study.notices);
+        use_present_names(setting, list, study.deprecated);
         *name = setting.section + "/" + setting.key;
       }
 }

@@ -5,6 +5,6 @@
 namespace spall
 {
 /// Replaces deprecated keys and values of cases in what the study sets, sweeps
-/// and expects; study.notices gets a line for each.
+/// and expects; study.deprecated gets a line for each.
 void replace_old_names(Study &study);
 } // namespace spall

@@ -173,10 +173,9 @@ void check_conditions(const Study &study, const std::vector<StudyPoint> &points)
 }
 } // namespace
 
-std::vector<std::string> notices_of(const Study &study,
-                                    const std::vector<StudyPoint> &points)
+std::vector<std::string> notices_of(const std::vector<StudyPoint> &points)
 {
-  std::vector<std::string> all = study.notices;
+  std::vector<std::string> all;
   for (const StudyPoint &point : points)
     for (const std::string &line : point.notices)
       if (std::ranges::find(all, line) == all.end())

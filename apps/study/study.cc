@@ -286,8 +286,8 @@ Study read_study(const std::string &file,
   check_study(study);
   check_measured(study);
   const Case base = read_case(study.case_file, study.base);
-  study.notices.insert(study.notices.end(), base.notices.begin(),
-                       base.notices.end());
+  study.deprecated.insert(study.deprecated.end(), base.deprecated.begin(),
+                          base.deprecated.end());
   take_base_case(base, study);
   return study;
 }

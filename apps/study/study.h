@@ -98,9 +98,7 @@ struct Study
   std::vector<SweptKey> keys; ///< `variant_key` first, if there are variants
   std::vector<Variant> variants;
   std::vector<Expectation> expectations;
-  /// A line for each old name that study and base case use, and for each
-  /// unusual value of the base case.
-  std::vector<std::string> notices;
+  std::vector<std::string> deprecated; ///< a line for each old name in use
 
   bool has_reference() const { return !costs.empty(); }
 };
@@ -116,9 +114,8 @@ struct StudyPoint
   bool is_base = false;    ///< no key has another value than the base case
   std::string folder;      ///< name in that of the study, by its index at first
   std::vector<Override> overrides;
-  std::string resolved; ///< the case as it will be run
-  /// A line for each unusual value of the case.
-  std::vector<std::string> notices;
+  std::string resolved;             ///< the case as it will be run
+  std::vector<std::string> notices; ///< of its case
 };
 
 /// `overrides` are settings of every case that come after those of the file.
@@ -129,9 +126,8 @@ Study read_study(const std::string &file,
 /// Every case once. Throws InputError if one of them is no case.
 std::vector<StudyPoint> points_of(const Study &study);
 
-/// The lines of the study and all its points, each once.
-std::vector<std::string> notices_of(const Study &study,
-                                    const std::vector<StudyPoint> &points);
+/// The notices of all points, each once.
+std::vector<std::string> notices_of(const std::vector<StudyPoint> &points);
 
 /// Of the folder of a case with this number.
 std::string run_name(std::size_t number);

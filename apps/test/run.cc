@@ -238,6 +238,8 @@ void run_test(const RunOptions &asked, const Case &parameters)
     recorder.start(*test);
   if (!note.empty())
     progress.say(note);
+  for (const std::string &notice : parameters.notices)
+    progress.say("note: " + notice);
   describe(progress, *test);
   if (recorder.gradation())
     progress.say("gradation " + gradation_line(*recorder.gradation()));

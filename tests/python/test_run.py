@@ -21,7 +21,7 @@ echo "loading        50.0 %       100 steps/s  0:07 left  cycle 1"
 while :; do sleep 0.1; done
 """
 FAILING = """#!/bin/sh
-echo "spall: note: a.prm:3: deprecated key Stone/x: use Particle/x" >&2
+echo "spall: a.prm:3: deprecated key Stone/x: use Particle/x" >&2
 echo "spall: membrane: at 0.1 s: folded" >&2
 echo "mpirun detected that a process ended" >&2
 exit %d

@@ -27,8 +27,6 @@ class Progress:
     line: str                   #: the line itself
 
 
-_NOTE = "spall: note: "  # before a line on what is allowed but likely a slip
-
 _PROGRESS = re.compile(
     r"^(?P<phase>.+?)\s+(?P<share>\d+\.\d) %\s+(?P<rate>\d+) steps/s"
     r"(?:  (?P<minutes>\d+):(?P<seconds>\d\d) left)?(?:  (?P<numbers>.*))?$")
@@ -86,7 +84,7 @@ def message_of(errors: str) -> str:
     """The line of the program among what was printed to stderr."""
     lines = [line.strip() for line in errors.splitlines() if line.strip()]
     ours = [line for line in lines if line.startswith("spall: ")
-            and not line.startswith(_NOTE)]
+            and ": deprecated " not in line]
     if ours:
         return ours[-1][len("spall: "):]
     return lines[-1] if lines else "no message"
@@ -94,9 +92,8 @@ def message_of(errors: str) -> str:
 
 def _raise_failure(status: int, errors: str) -> None:
     for line in errors.splitlines():
-        if line.startswith(_NOTE):
-            kind = FutureWarning if ": deprecated " in line else UserWarning
-            warnings.warn(line[len(_NOTE):], kind, stacklevel=4)
+        if line.startswith("spall: ") and ": deprecated " in line:
+            warnings.warn(line[len("spall: "):], FutureWarning, stacklevel=4)
     if status == 0:
         return
     if status == 1:

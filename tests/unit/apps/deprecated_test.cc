@@ -47,14 +47,14 @@ TEST_F(StudyFile, CaseWithOldNamesIsReadAndEachIsReported)
   EXPECT_EQ(c.contact.geometry, dem::ContactGeometry::sphere);
   EXPECT_EQ(c.contact.skin, 1e-3);
   EXPECT_EQ(c.breakage.min_equivalent_radius, 3e-3);
-  EXPECT_EQ(c.notices.size(), 6u); // once each, also of files read twice
+  EXPECT_EQ(c.deprecated.size(), 6u); // once each, also of files read twice
   for (const std::string line :
        {"old.prm:5: deprecated key Stone/density: use Particle/density",
         "old.prm:8: deprecated key Drum/shelf_height: use Drum/lifter_height",
         "old.prm:11: deprecated value Contact/geometry = ball: use sphere",
         "old.prm:13: deprecated key Contact/search_margin: use Contact/skin",
         "--set: deprecated key Stone/friction: use Particle/friction"})
-    EXPECT_TRUE(has_line(c.notices, line)) << line;
+    EXPECT_TRUE(has_line(c.deprecated, line)) << line;
 }
 
 TEST_F(StudyFile, MisspeltKeyOfAnOldSectionIsRefused)
@@ -99,7 +99,7 @@ TEST_F(StudyFile, OldNamesOfSweepsAndExpectationsAreReplaced)
   EXPECT_EQ(s.keys[0].name(), "Particle/density");
   EXPECT_EQ(s.keys[1].values.front(), "sphere");
   EXPECT_EQ(s.expectations.at(0).key, "Particle/density");
-  EXPECT_TRUE(has_line(s.notices,
+  EXPECT_TRUE(has_line(s.deprecated,
                        "deprecated key Stone/density: use Particle/density"));
 }
 

@@ -85,7 +85,7 @@ TEST_F(StudyFile, SettingsOfAStudyAreNoticedWithTheirLine)
                      "  set Particle/shear_modulus = 30, 5e8\nend\n");
   const Study study = read_study(file);
   EXPECT_EQ(
-      notices_of(study, points_of(study)),
+      notices_of(points_of(study)),
       (Lines{file + ":6: Base: Particle/density = 2.7: unusual: most "
                     "are 100 to 25000 kg/m^3, so check the unit",
              file + ":9: Sweep: Particle/shear_modulus = 30: unusual: most "

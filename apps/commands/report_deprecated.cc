@@ -4,9 +4,9 @@
 
 namespace spall
 {
-void report_notices(const std::vector<std::string> &lines)
+void report_deprecated(const std::vector<std::string> &lines)
 {
   for (const std::string &line : lines)
-    std::cerr << "spall: note: " << line << std::endl;
+    std::cerr << "spall: " << line << std::endl;
 }
 } // namespace spall
