@@ -65,7 +65,7 @@ TEST(VerifyTable, NamesAreUnique)
 {
   std::set<std::string> names;
   for (const Family &family : families())
-    for (const Case &one : family.cases)
+    for (const verify::Case &one : family.cases)
       EXPECT_TRUE(names.insert(family.name + "/" + one.name).second);
 }
 
