@@ -197,8 +197,10 @@ void Triaxial::exchange_window(double window)
   // Once the step has been counted.
   catch (const coupling::FoldStop &stop)
   {
-    stopped_by = stop.what() + std::string("; larger quads or a higher "
-                                           "Membrane/tension may prevent it");
+    stopped_by = stop.what() + std::string("; larger quads, a higher "
+                                           "Membrane/tension or a longer "
+                                           "Loading/consolidation_time may "
+                                           "prevent it");
   }
   catch (const coupling::GuardStop &stop)
   {
