@@ -80,9 +80,9 @@ MeanStep time_steps(const dem::Engine &engine, const TestTimes &test,
     // Clocks of ranks differ: when the first of them is at its end, all are.
     while (is_on && !on_any_rank(ranks, is_enough()))
     {
-      choice.before_step();
+      choice.before_step(engine);
       is_on = advance();
-      choice.after_step();
+      choice.after_step(engine);
     }
     return is_on;
   };

@@ -34,15 +34,17 @@ std::vector<int> thread_candidates(int most)
 
 ThreadChoice::ThreadChoice(int most) : plan(thread_candidates(most)) {}
 
-void ThreadChoice::before_step()
+void ThreadChoice::before_step(const dem::Engine &engine)
 {
   if (omp_get_max_threads() != plan.threads())
     omp_set_num_threads(plan.threads());
+  searched = engine.clock().search;
   started = Clock::now();
 }
 
-void ThreadChoice::after_step()
+void ThreadChoice::after_step(const dem::Engine &engine)
 {
-  plan.step_took(std::chrono::duration<double>(Clock::now() - started).count());
+  const std::chrono::duration<double> all = Clock::now() - started;
+  plan.step_took(all.count() - (engine.clock().search - searched));
 }
 } // namespace spall

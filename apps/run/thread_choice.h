@@ -2,6 +2,8 @@
 
 #include "run/thread_plan.h"
 
+#include <dem/engine.h>
+
 #include <chrono>
 #include <vector>
 
@@ -21,10 +23,12 @@ public:
   /// `most` as in thread_candidates().
   explicit ThreadChoice(int most);
 
-  /// Both are called for every step. What happens between steps, as the output
-  /// of files, does not count.
-  void before_step();
-  void after_step();
+  /// Both are called for every step with the engine that makes it. What happens
+  /// between steps, as the output of files, does not count, and neither does
+  /// the search for contacts: the few steps that rebuild lists are up to sixty
+  /// times as long, so that a trial with one and a trial without say nothing.
+  void before_step(const dem::Engine &engine);
+  void after_step(const dem::Engine &engine);
   /// A line for the log, empty if nothing has changed.
   std::string take_note() { return plan.take_note(); }
 
@@ -33,5 +37,6 @@ private:
 
   ThreadPlan plan;
   Clock::time_point started;
+  double searched = 0.; ///< by the clock of the engine [s]
 };
 } // namespace spall

@@ -153,9 +153,9 @@ void run_loop(Test &test, Recorder &recorder, Progress &progress,
   for (std::int64_t n = 1;
        test.share_done() < 1. && !is_stopped(test.ranks(), n); ++n)
   {
-    threads.before_step();
+    threads.before_step(test.engine());
     test.advance();
-    threads.after_step();
+    threads.after_step(test.engine());
     if (const std::string note = threads.take_note(); !note.empty())
       progress.say(note);
     recorder.after_step(test);
