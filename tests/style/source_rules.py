@@ -4,8 +4,11 @@
     source_rules.py length ROOT    no file above 500 lines
     source_rules.py format ROOT    clang-format changes nothing (77: no
                                    clang-format on this machine)
+    source_rules.py listed ROOT    CMake knows every test of tests/unit: one
+                                   that is not listed is never built
 """
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -42,6 +45,19 @@ def check_format(root):
                           check=False).returncode
 
 
+def check_listed(root):
+    folder = root / "tests" / "unit"
+    listed = (folder / "CMakeLists.txt").read_text()
+    # One of two files that the build chooses from.
+    listed = re.sub(r"\$<IF:.*?,(\w+),(\w+)>(\w*\.cc)", r"\1\3 \2\3", listed)
+    missing = [path for path in sorted(folder.rglob("*_test.cc"))
+               if path.name not in re.split(r"[\s/()]+", listed)]
+    for path in missing:
+        print(f"{path.relative_to(root)}: not in tests/unit/CMakeLists.txt")
+    return 1 if missing else 0
+
+
 if __name__ == "__main__":
-    rule = {"length": check_length, "format": check_format}[sys.argv[1]]
+    rule = {"length": check_length, "format": check_format,
+            "listed": check_listed}[sys.argv[1]]
     sys.exit(rule(pathlib.Path(sys.argv[2]).resolve()))
