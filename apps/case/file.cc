@@ -23,7 +23,6 @@ namespace spall
 namespace
 {
 namespace fs = std::filesystem;
-using SourceLocations = std::map<std::string, std::string>; ///< Section/key
 
 std::string hint(const std::string &word, const std::vector<std::string> &known)
 {
@@ -113,7 +112,7 @@ void set(dealii::ParameterHandler &handler, const Assignment &a)
 struct Values
 {
   dealii::ParameterHandler handler;
-  SourceLocations locations;
+  SetLocations locations;
   std::vector<std::string> deprecated;
 };
 
@@ -273,7 +272,7 @@ std::string kind_said(const std::string &file,
 
 /// Throws InputError for a section or key that cases of this kind do not have.
 void check_kind(const Case &parameters, const std::vector<Parameter> &list,
-                const SourceLocations &locations)
+                const SetLocations &locations)
 {
   const std::string by_default =
       locations.contains("Case/kind") ? "" : " (the default: set Case/kind)";
@@ -410,7 +409,6 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
   assign_all(values, list, true);
   choose_laws(result);
   result.deprecated = values.deprecated;
-  result.notices = notices_on(result, list, values.locations);
   note_contents(result);
 
   check_case(result,
@@ -420,6 +418,7 @@ Case read_case(const std::string &file, std::span<const Override> overrides)
                return location == values.locations.end() ? file + " (default)"
                                                          : location->second;
              });
+  result.notices = notices_on(result, list, values.locations);
   return result;
 }
 

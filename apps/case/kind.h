@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ class Test;
 /// Where a value of a case was set: "case.prm:12" by section and key.
 using SourceLocation =
     std::function<std::string(const std::string &, const std::string &)>;
+
+/// Where the parameters are set that a case sets: "case.prm:12" by Section/key.
+using SetLocations = std::map<std::string, std::string>;
 
 /// A section of a case file.
 struct Section
@@ -43,6 +47,10 @@ struct TestKind
   /// Throws InputError.
   void (*check)(const Case &parameters,
                 const SourceLocation &location) = nullptr;
+  /// A line for each value within its texts and files that is allowed and
+  /// likely a slip (case/notices.h), once all is checked; may be null.
+  std::vector<std::string> (*notices)(const Case &parameters,
+                                      const SetLocations &set) = nullptr;
   /// Builds the scene. Throws InputError.
   std::unique_ptr<Test> (*make)(const Case &parameters) = nullptr;
   /// Its particles can be spread over ranks: rows and decisions are sums over

@@ -4,14 +4,14 @@
 
 namespace spall
 {
-namespace
+std::string unusual_text(const Range &usual, const std::string &unit)
 {
-std::string unusual_text(const Parameter &parameter)
-{
-  return "unusual: most are " + usual(parameter) + " " + parameter.unit +
+  return "unusual: most are " + bounds_text(usual) + " " + unit +
          ", so check the unit";
 }
 
+namespace
+{
 /// Equivalent spheres touch nowhere that their particles are seen to touch.
 bool breaks_nothing(const Case &c)
 {
@@ -22,16 +22,16 @@ bool breaks_nothing(const Case &c)
 }
 } // namespace
 
-std::vector<std::string>
-notices_on(const Case &c, const std::vector<Parameter> &list,
-           const std::map<std::string, std::string> &locations)
+std::vector<std::string> notices_on(const Case &c,
+                                    const std::vector<Parameter> &list,
+                                    const SetLocations &set)
 {
   std::vector<std::string> notices;
   const bool is_idle = breaks_nothing(c);
   for (const Parameter &parameter : list)
   {
-    const auto location = locations.find(parameter.name());
-    if (location == locations.end())
+    const auto location = set.find(parameter.name());
+    if (location == set.end())
       continue;
     const auto note = [&](const std::string &what)
     {
@@ -39,11 +39,14 @@ notices_on(const Case &c, const std::vector<Parameter> &list,
                         value_text(parameter) + ": " + what);
     };
     if (is_unusual(parameter))
-      note(unusual_text(parameter));
+      note(unusual_text(parameter.usual, parameter.unit));
     if (is_idle && parameter.name() == "Breakage/is_active")
       note("nothing breaks: Contact/geometry = sphere needs "
            "Breakage/contacts = all");
   }
+  if (const auto of_kind = find_kind(c.kind)->notices)
+    for (const std::string &notice : of_kind(c, set))
+      notices.push_back(notice);
   return notices;
 }
 } // namespace spall

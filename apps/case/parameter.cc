@@ -162,13 +162,23 @@ std::string usual(const Parameter &parameter)
   const Range &range = parameter.usual;
   if (!std::isfinite(range.lower))
     return "";
+  return bounds_text(range);
+}
+
+std::string bounds_text(const Range &range)
+{
   return number_text(range.lower) + " to " + number_text(range.upper);
+}
+
+bool is_unusual(double value, const Range &usual)
+{
+  return value != 0. && !usual.contains(value);
 }
 
 bool is_unusual(const Parameter &parameter)
 {
   const auto is_outside = [&](double value)
-  { return value != 0. && !parameter.usual.contains(value); };
+  { return is_unusual(value, parameter.usual); };
   if (const auto *const *value = std::get_if<double *>(&parameter.value))
     return is_outside(**value);
   if (const auto *const *value = std::get_if<dem::Vec3 *>(&parameter.value))

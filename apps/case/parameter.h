@@ -83,8 +83,12 @@ std::string allowed(const Parameter &parameter);
 /// "500 to 1e+09", empty if no range is usual.
 std::string usual(const Parameter &parameter);
 
+/// "500 to 1e+09"
+std::string bounds_text(const Range &range);
+
 /// Whether a value other than 0 is outside its usual range.
 bool is_unusual(const Parameter &parameter);
+bool is_unusual(double value, const Range &usual);
 
 /// The value as text that assign takes back without loss.
 std::string value_text(const Parameter &parameter);

@@ -133,4 +133,17 @@ void check_compaction(const Case &c, const SourceLocation &location)
     check_membrane(c, location, "Container/form = flexible");
   check_no_step_error(c, location);
 }
+
+std::vector<std::string> compaction_notices(const Case &c,
+                                            const SetLocations &set)
+{
+  const auto location = set.find("Vibration/reports");
+  const std::vector<double> times = report_times(c.vibration.reports);
+  if (location == set.end() || times.empty() ||
+      times.back() <= c.vibration.duration)
+    return {};
+  return {location->second + ": Vibration/reports = " + c.vibration.reports +
+          ": there is none after Vibration/duration = " +
+          number_text(c.vibration.duration) + " s"};
+}
 } // namespace spall

@@ -40,6 +40,7 @@ TestKind compaction_kind()
       .add_parameters = add_compaction,
       .set_defaults = set_defaults,
       .check = check_compaction,
+      .notices = compaction_notices,
       .make = make,
       .runs_on_many_ranks = true,
       .seed_key = "Filling/seed",

@@ -1,6 +1,8 @@
 #include "case/checks.h"
 
 #include "case/file.h"
+#include "case/list.h"
+#include "case/notices.h"
 #include "case/parameter.h"
 #include "errors.h"
 #include "specimen/container_mesh.h"
@@ -253,5 +255,32 @@ void check_subgrade(const Case &parameters, const SourceLocation &location)
   check_exchange(parameters, location);
   check_rows(parameters, location);
   check_no_step_error(parameters, location);
+}
+
+std::vector<std::string> subgrade_notices(const Case &c,
+                                          const SetLocations &set)
+{
+  const auto location = set.find("Subgrade/layers");
+  if (location == set.end())
+    return {};
+  std::vector<std::string> notices;
+  int number = 0;
+  for (const GroundLayer &layer : parse_ground_layers(c.subgrade.ground.layers))
+  {
+    ++number;
+    const auto note = [&](const std::string &what, double value,
+                          const Range &usual, const std::string &unit)
+    {
+      if (is_unusual(value, usual))
+        notices.push_back(location->second + ": Subgrade/layers: " + what +
+                          " of layer " + std::to_string(number) + " = " +
+                          number_text(value) + ": " +
+                          unusual_text(usual, unit));
+    };
+    note("thickness", layer.thickness, usual_lengths, "m");
+    note("Young's modulus", layer.youngs_modulus, usual_moduli, "Pa");
+    note("density", layer.density, usual_densities, "kg/m^3");
+  }
+  return notices;
 }
 } // namespace spall

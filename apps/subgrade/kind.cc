@@ -49,6 +49,7 @@ TestKind subgrade_kind()
       .set_defaults = set_defaults,
       .set_template = set_template,
       .check = check_subgrade,
+      .notices = subgrade_notices,
       .make = make,
       .runs_on_many_ranks = true,
       .seed_key = "Layer/seed",

@@ -1,5 +1,7 @@
 #include "case/checks.h"
 
+#include "case/list.h"
+#include "case/notices.h"
 #include "case/parameter.h"
 #include "triaxial/kind.h"
 #include "triaxial/load_path.h"
@@ -116,5 +118,39 @@ void check_triaxial(const Case &c, const SourceLocation &location)
   check_cycle_jump(c, location);
   check_walls(c, location);
   check_time(c, location);
+}
+
+std::vector<std::string> triaxial_notices(const Case &c,
+                                          const SetLocations &set)
+{
+  const auto location = set.find("Loading/path");
+  if (location == set.end() || c.loading.form != LoadForm::path)
+    return {};
+  std::vector<std::string> notices;
+  int number = 0;
+  for (const LoadStage &stage : load_path_of(c).stages)
+  {
+    ++number;
+    const auto note = [&](const std::string &what, double stress)
+    {
+      if (is_unusual(stress, usual_stresses))
+        notices.push_back(location->second + ": Loading/path: " + what +
+                          " of stage " + std::to_string(number) + " = " +
+                          number_text(stress) + ": " +
+                          unusual_text(usual_stresses, "Pa"));
+    };
+    const auto note_target =
+        [&](const std::string &what, const LoadDirection &direction)
+    {
+      if (direction.control == LoadControl::stress)
+        note(what, direction.target.value_or(0.));
+    };
+    note_target("axial stress", stage.axial);
+    note_target("stress along x", stage.sides[0]);
+    note_target("stress along y", stage.sides[1]);
+    note("amplitude", stage.amplitude);
+    note("lateral amplitude", stage.side_amplitude);
+  }
+  return notices;
 }
 } // namespace spall

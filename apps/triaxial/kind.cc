@@ -55,6 +55,7 @@ TestKind triaxial_kind()
       .set_defaults = set_defaults,
       .set_template = set_template,
       .check = check_triaxial,
+      .notices = triaxial_notices,
       .make = make,
       .runs_on_many_ranks = true,
       .needs_one_rank = one_rank_setting,

@@ -11,6 +11,9 @@ TestKind triaxial_kind();
 void add_triaxial(List &list, Case &of);
 /// Checks beyond single ranges. Throws InputError.
 void check_triaxial(const Case &parameters, const SourceLocation &location);
+/// On the stresses of a loading path.
+std::vector<std::string> triaxial_notices(const Case &parameters,
+                                          const SetLocations &set);
 /// Its headlines, rows of the table and charts.
 const KindReport &triaxial_report();
 } // namespace spall

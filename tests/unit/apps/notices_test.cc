@@ -91,3 +91,42 @@ TEST_F(StudyFile, SettingsOfAStudyAreNoticedWithTheirLine)
              file + ":9: Sweep: Particle/shear_modulus = 30: unusual: most "
                     "are 10000 to 1e+13 Pa, so check the unit"}));
 }
+
+TEST_F(StudyFile, ValuesInOtherUnitsWithinTextsAndFilesAreNoticed)
+{
+  const std::string ground = write(
+      "ground.prm", "subsection Case\n  set kind = subgrade\nend\n"
+                    "subsection Subgrade\n"
+                    "  set layers = 0.3 60e6 0.3 1900, 0.9 30 0.35 1.8\nend\n"
+                    "subsection Coupling\n  set exchange = one_pass\nend\n");
+  const std::string second = ground + ":5: Subgrade/layers: ";
+  EXPECT_EQ(
+      read_case(ground, {}).notices,
+      (Lines{second + "Young's modulus of layer 2 = 30: unusual: most are "
+                      "10000 to 1e+13 Pa, so check the unit",
+             second + "density of layer 2 = 1.8: unusual: most are 100 to "
+                      "25000 kg/m^3, so check the unit"}));
+  write("path.csv", "name,axial_stress_Pa,duration_s\nload,200,1\n"
+                    "unload,50e3,1\n");
+  const std::string path =
+      write("path.prm", "subsection Boundary\n  set lateral = rigid\nend\n"
+                        "subsection Loading\n  set form = path\n"
+                        "  set path = path.csv\nend\n");
+  EXPECT_EQ(read_case(path, {}).notices,
+            (Lines{path + ":6: Loading/path: axial stress of stage 1 = 200: "
+                          "unusual: most are 500 to 1e+09 Pa, so check the "
+                          "unit"}));
+}
+
+TEST_F(StudyFile, ReportsAfterTheEndAreNoticed)
+{
+  const std::string text = "subsection Case\n  set kind = "
+                           "vibratory_compaction\nend\nsubsection Vibration\n"
+                           "  set duration = 10\n";
+  EXPECT_EQ(read_case(write("end.prm", text + "end\n"), {}).notices, Lines{});
+  const std::string file =
+      write("late.prm", text + "  set reports = 5 50\nend\n");
+  EXPECT_EQ(read_case(file, {}).notices,
+            Lines{file + ":6: Vibration/reports = 5 50: there is none after "
+                         "Vibration/duration = 10 s"});
+}
