@@ -20,6 +20,9 @@ MotionTable read_motion_table(const std::string &path)
       row.refuse("times must be at least 0 and increase");
     table.time.push_back(v[0]);
     table.shift.emplace_back(v[1], v[2], v[3]);
+    if (!table.shift.front().isZero(0.))
+      row.refuse("the first displacement must be 0, 0, 0: a wall starts where "
+                 "its mesh and position are");
   }
   return table;
 }

@@ -312,6 +312,9 @@ BAD = [
      ["Walls/floor/speed", "no key of this name"]),
     ("table", {"Walls": {"floor": {"mesh": "floor.obj", "table": "t.csv"}}},
      TWO, ["t.csv:3", "increase"]),
+    ("moved table", {"Walls": {"floor": {"mesh": "floor.obj",
+                                         "table": "moved.csv"}}},
+     TWO, ["moved.csv:2", "the first displacement must be 0, 0, 0"]),
     ("cut json", {"Scene": {"particles": "cut.json"}}, "",
      ["cut.json: is not JSON: at byte"]),
     ("short json", {"Scene": {"particles": "short.json"}}, "",
@@ -336,7 +339,8 @@ def bad_input(spall, root):
     for name, sections, particles, words in BAD:
         case = write_case(root / name, sections, particles,
                           {"floor.obj": FLOOR, **BAD_JSON,
-                           "t.csv": "time_s,x_m,y_m,z_m\n0,0,0,0\n0,1,0,0\n"})
+                           "t.csv": "time_s,x_m,y_m,z_m\n0,0,0,0\n0,1,0,0\n",
+                           "moved.csv": "time_s,x_m,y_m,z_m\n1,0,0,0.1\n"})
         said = spall_run([spall, "check", case], status=1).stderr.strip()
         faults += [f"{name}: {said}: must have '{word}'"
                    for word in words if word not in said]
