@@ -246,9 +246,11 @@ void Compaction::step_joined(double time_step)
   const double before = joined->rule() == coupling::ExchangeRule::every_step
                             ? plate->impulse(engine())
                             : 0.;
+  const double speed = plate->velocity();
   exchange_window(*joined, window);
   if (now.stage == Stage::vibration)
-    return follow_vibration(window, plate->impulse(engine()) - before);
+    return follow_vibration(
+        window, {plate->impulse(engine()) - before, plate->velocity() - speed});
   if (now.release_time == 0.)
   {
     if (plate->is_carried(engine()))
@@ -270,11 +272,13 @@ void Compaction::start_vibration()
   report(0.);
 }
 
-void Compaction::follow_vibration(double window, double impulse)
+void Compaction::follow_vibration(double window, const PlateChange &change)
 {
-  now.impulse += impulse;
-  now.peak_load = std::max(now.peak_load, impulse / window);
-  if (impulse == 0.)
+  now.impulse += change.impulse;
+  now.peak_load = std::max(now.peak_load, change.impulse / window);
+  now.peak_acceleration =
+      std::max(now.peak_acceleration, std::abs(change.velocity) / window);
+  if (change.impulse == 0.)
     now.lift_off += window;
   for (const double due : report_dues)
     if (due <= vibrated() && due > vibrated() - window)

@@ -84,6 +84,14 @@ private:
     double impulse = 0.;         ///< of the particles on it, of vibration [N s]
     double lift_off = 0.;        ///< time of vibration without a load on it [s]
     double peak_load = 0.; ///< of the particles on it, mean of a window [N]
+    double peak_acceleration = 0.; ///< of the plate, mean of a window [m/s^2]
+  };
+
+  /// Of the plate in a window.
+  struct PlateChange
+  {
+    double impulse = 0.;  ///< of the particles on it [N s]
+    double velocity = 0.; ///< [m/s]
   };
 
   Compaction(const Case &parameters, CompactionScene scene);
@@ -114,7 +122,7 @@ private:
   coupling::ExchangeParameters exchange_rules() const;
   double plate_load() const; ///< of the particles, up [N]
   void step_joined(double time_step);
-  void follow_vibration(double window, double impulse);
+  void follow_vibration(double window, const PlateChange &change);
   void report(double due); ///< time of vibration [s]
   double weight() const;   ///< of the plate and the load on it [N]
   double vibrated() const; ///< so far [s]

@@ -1,4 +1,5 @@
 // The report of a vibratory compaction.
+#include "case/gravity.h"
 #include "compaction/kind.h"
 #include "report/kind_report.h"
 #include "report/path_charts.h"
@@ -94,7 +95,10 @@ const KindReport &compaction_report()
                number_row(ReportSection::boundaries, "Static load (N)",
                           "static_load_N", 1., 5),
                number_row(ReportSection::boundaries, "Force of the exciter (N)",
-                          "exciter_force_N", 1., 4)},
+                          "exciter_force_N", 1., 4),
+               number_row(ReportSection::boundaries,
+                          "Largest acceleration of the plate (g)",
+                          "peak_plate_acceleration_m_per_s2", 1. / gravity, 3)},
       .charts = make_charts};
   return report;
 }

@@ -159,6 +159,7 @@ void Compaction::summarise(nlohmann::ordered_json &summary) const
   summary["mean_plate_load_N"] =
       vibrated() > 0. ? now.impulse / vibrated() : 0.;
   summary["peak_plate_load_N"] = now.peak_load;
+  summary["peak_plate_acceleration_m_per_s2"] = now.peak_acceleration;
   summary["lift_off_s"] = now.lift_off;
   const dem::ContactNetwork network = dem::contact_network(synchronized());
   summary["coordination_end_1"] = network.coordination_number;

@@ -39,9 +39,9 @@ bool is_result(const std::string &name)
 {
   constexpr std::array files = {"gradation.csv", "history.csv", "events.csv",
                                 "ledger.csv",    "cycles.csv",  "transfer.csv",
-                                "profile.csv",   "bowl.csv",    "summary.json",
-                                "run.pvd",       "view.py",     "report.html",
-                                "log.txt"};
+                                "profile.csv",   "bowl.csv",    "pulses.csv",
+                                "summary.json",  "run.pvd",     "view.py",
+                                "report.html",   "log.txt"};
   return std::ranges::find(files, name) != files.end() ||
          (name.ends_with(".csv") &&
           (name.starts_with("roundness_") ||

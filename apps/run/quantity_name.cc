@@ -11,6 +11,7 @@ namespace
 /// How names end, the longer ones first.
 constexpr std::pair<const char *, const char *> units[] = {
     {"_kg_per_m3", "kg/m³"},
+    {"_m_per_s2", "m/s²"},
     {"_m_per_s", "m/s"},
     {"_percent", "%"},
     {"_rad", "rad"},

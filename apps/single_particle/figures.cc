@@ -92,7 +92,13 @@ const KindReport &single_particle_report()
                           "Force of the first event (N)", "first_event_force_N",
                           1., 4),
                number_row(ReportSection::response, "Largest force (N)",
-                          "peak_force_N", 1., 4)},
+                          "peak_force_N", 1., 4),
+               number_row(ReportSection::breakage,
+                          "Nominal stress F/d² of the first event (MPa)",
+                          "first_event_nominal_stress_Pa", 1e-6, 4),
+               number_row(ReportSection::response,
+                          "Largest nominal stress F/d² (MPa)",
+                          "peak_nominal_stress_Pa", 1e-6, 4)},
       .charts = make_charts};
   return report;
 }

@@ -166,6 +166,16 @@ Case with_platens(const Case &parameters, const dem::ParticleShape &particle)
   return moved;
 }
 
+/// Between flat platens that touch it, as its contacts see it [m].
+double particle_height(const Case &parameters, const ShapeLibrary &shapes)
+{
+  const dem::ParticleShape particle = make_particle(parameters, shapes);
+  const dem::Vec3 up =
+      orientation(parameters.single_particle).conjugate() * dem::Vec3::UnitZ();
+  const dem::ContactGeometry geometry = parameters.contact.wall_geometry;
+  return reach(particle, geometry, up) + reach(particle, geometry, -up);
+}
+
 std::unique_ptr<dem::Engine> make_scene(const Case &parameters,
                                         const ShapeLibrary &shapes)
 {
@@ -194,7 +204,8 @@ SingleParticle::SingleParticle(const Case &c) : SingleParticle(c, load_shape(c))
 }
 
 SingleParticle::SingleParticle(const Case &c, const ShapeLibrary &library)
-    : Test(c, library, make_scene(c, library))
+    : Test(c, library, make_scene(c, library)),
+      height(particle_height(c, library))
 {
 }
 
@@ -295,6 +306,15 @@ void SingleParticle::summarise(nlohmann::ordered_json &summary) const
   Test::summarise(summary);
   summary["peak_force_N"] = peak_force;
   summary["final_force_N"] = force();
+  // Nominal stress F / d^2: J. C. Jaeger, Int. J. Rock Mech. Min. Sci. 4 (1967)
+  // 219-227, as G. R. McDowell and M. D. Bolton, Geotechnique 48 (1998), use
+  // it.
+  summary["particle_height_m"] = height;
+  const double area = height * height;
+  summary["peak_nominal_stress_Pa"] = peak_force / area;
+  if (const auto first = summary.find("first_event_force_N");
+      first != summary.end())
+    summary["first_event_nominal_stress_Pa"] = first->get<double>() / area;
   summary["displacement_m"] = progress_at(engine().time());
 }
 

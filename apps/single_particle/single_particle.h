@@ -32,6 +32,7 @@ private:
   double force_on(const std::string &name) const;
   std::size_t plane_of(const std::string &name) const;
 
+  double height = 0.;              ///< of the particle between platens [m]
   double peak_force = 0.;          ///< [N]
   double displacement_before = 0.; ///< at the last step [m]
   std::int64_t events_before = 0, events_now = 0;

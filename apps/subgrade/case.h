@@ -125,6 +125,7 @@ struct PulseParameters
   double amplitude = 10e3; ///< of haversine and sine, peak [N]
   double frequency = 20.;  ///< of all but train and table [Hz]
   int cycles = 3;
+  double pause = 0.;             ///< after each cycle of haversine and sine [s]
   double eccentric_mass = 2.4;   ///< that turns at the frequency [kg]
   double eccentricity = 3.32e-3; ///< of it from its axis [m]
   std::string table;             ///< CSV: time_s, force_N

@@ -183,6 +183,9 @@ void add_pulse(List &list, PulseParameters &p)
   list.add(
       {"cycles", "-", "Number of cycles of a haversine, a sine or an exciter."},
       p.cycles, between(1, 1e7));
+  list.add({"pause", "s",
+            "Time without load after each cycle of a haversine or a sine."},
+           p.pause, between(0., 1e3));
   list.add({"eccentric_mass", "kg",
             "Eccentric mass m of the exciter, which is part of the mass of the "
             "plate."},

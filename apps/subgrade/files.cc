@@ -43,6 +43,7 @@ void Subgrade::summarise(nlohmann::ordered_json &summary) const
   summary["loading_time_s"] = loading_time();
   summary["plate_settlement_m"] = plate_settlement();
   summary["plate_settlement_peak_m"] = now.lowest;
+  deflections.summarise(summary);
   summary["subgrade_settlement_m"] = ground_settlement();
   summary["subgrade_settlement_peak_m"] = now.deepest;
   summary["subgrade_force_peak_N"] = now.peak_force;
@@ -106,6 +107,7 @@ void Subgrade::save(std::ostream &out, dem::StateExtent extent) const
   dem::write_column(out, peak_stress);
   dem::write_column(out, bowl);
   record.save(out);
+  deflections.save(out);
   pouring.save(out);
   Test::save(out, extent);
   joined->save(out);
@@ -120,6 +122,7 @@ void Subgrade::restore(std::istream &in)
   dem::read_column(in, peak_stress);
   dem::read_column(in, bowl);
   record.restore(in);
+  deflections.restore(in);
   pouring.restore(in);
   if (now.stage >= Stage::placing && pours_by_own_steps())
     change_steps(parameters.time, step_limit().step);

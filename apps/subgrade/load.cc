@@ -6,6 +6,7 @@
 
 #include <fem/drive.h>
 
+#include <cmath>
 #include <utility>
 
 namespace spall
@@ -58,9 +59,17 @@ SubgradeLoad::SubgradeLoad(const Case &c)
   {
     const bool is_sine = p.form == PulseForm::sine;
     const fem::Drive::Wave wave{p.amplitude, p.frequency};
-    force = is_sine ? fem::Drive::sine(wave) : fem::Drive::haversine(wave);
-    length = p.cycles / p.frequency;
-    total = is_sine ? 0. : 0.5 * p.amplitude * length;
+    const fem::Drive drive =
+        is_sine ? fem::Drive::sine(wave) : fem::Drive::haversine(wave);
+    force = drive;
+    if (p.pause > 0.)
+      force = [drive, cycle = 1. / p.frequency, pause = p.pause](double time)
+      {
+        const double in_cycle = std::fmod(time, cycle + pause);
+        return in_cycle < cycle ? drive(in_cycle) : 0.;
+      };
+    length = p.cycles / p.frequency + (p.cycles - 1) * p.pause;
+    total = is_sine ? 0. : 0.5 * p.amplitude * p.cycles / p.frequency;
     return;
   }
   case PulseForm::eccentric_mass:

@@ -54,7 +54,8 @@ Subgrade::Subgrade(const Case &c, ParticleBox its_scene)
       pouring(scene.room, pouring_parameters(c), std::move(scene.layers),
               static_cast<std::uint64_t>(c.subgrade.layer.seed)),
       pulses(c),
-      joined(std::make_unique<coupling::Exchange>(c.coupling.exchange_rules()))
+      joined(std::make_unique<coupling::Exchange>(c.coupling.exchange_rules())),
+      deflections(c)
 {
   build_ground();
   const double smallest = scene.all.smallest_mass();
@@ -256,6 +257,7 @@ void Subgrade::start_loading()
 void Subgrade::load_plate(double time_step)
 {
   exchange_window(*joined, joined->particle_steps() * time_step);
+  deflections.note(loading_time(), plate_settlement());
   if (loading_time() < duration())
     return;
   now.stage = Stage::done;
@@ -265,6 +267,8 @@ void Subgrade::load_plate(double time_step)
        record.transfer_table(parameters.subgrade.record.highest_frequency)});
   files.push_back({"profile.csv", record.profile_table()});
   files.push_back({"bowl.csv", bowl_table()});
+  if (!deflections.empty())
+    files.push_back({"pulses.csv", deflections.table()});
 }
 
 double Subgrade::loading_time() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "subgrade/deflections.h"
 #include "subgrade/load.h"
 #include "subgrade/record.h"
 #include "subgrade/scene.h"
@@ -140,6 +141,7 @@ private:
   coupling::Field rest_load;     ///< on the ground when loading began [N]
   std::vector<double> dead_stress, peak_stress; ///< [Pa]
   SubgradeRecord record;
+  Deflections deflections;
   State now;
   Due due_now;
   std::vector<NamedText> files; ///< to be written

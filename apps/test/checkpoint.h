@@ -16,7 +16,7 @@ namespace spall
 {
 /// Names the layout of states in files: another one, another number.
 inline constexpr std::uint64_t state_layout =
-    0x314c4c4150530a24 + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
+    0x314c4c4150530a25 + ((sizeof(dem::Narrow) - sizeof(float)) << 8);
 
 /// The files of a run at a checkpoint.
 struct Progressed

@@ -230,6 +230,9 @@ std::vector<SummaryRow> make_rows()
       {ReportSection::specimen, "Porosity, start → end (–)",
        [](const RunData &run)
        { return start_to_end(run.summary, "porosity"); }},
+      {ReportSection::specimen, "Void ratio, start → end (–)",
+       [](const RunData &run)
+       { return start_to_end(run.summary, "void_ratio"); }},
       {ReportSection::network, "Coordination number, start → end (–)",
        [](const RunData &run)
        { return start_to_end(run.summary, "coordination"); }},

@@ -23,6 +23,12 @@ void add_jumps(const coupling::JumpAccount &jumps, nlohmann::ordered_json &out)
   out["jump_strain_error_1"] = jumps.strain_error;
   out["jump_laa_error_percent"] = jumps.abrasion_error;
 }
+
+double void_ratio(double porosity)
+{
+  return porosity / (1. - porosity);
+}
+
 const char *name_of(Lateral lateral)
 {
   switch (lateral)
@@ -101,6 +107,8 @@ void Triaxial::summarise(nlohmann::ordered_json &out) const
   out["laa_percent"] = end.laa;
   out["porosity_start_1"] = start.porosity;
   out["porosity_end_1"] = end.porosity;
+  out["void_ratio_start_1"] = void_ratio(start.porosity);
+  out["void_ratio_end_1"] = void_ratio(end.porosity);
   out["coordination_start_1"] = start.coordination_number;
   out["coordination_end_1"] = end.coordination_number;
   out["coordination_change_1"] =

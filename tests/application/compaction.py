@@ -91,6 +91,18 @@ def impulse_faults(history, share):
     return near("impulse of the particles", given, asked, share)
 
 
+def acceleration_faults(history, found):
+    """Newton's law at the rows, of which the peak is at or above the largest."""
+    omega = 2. * math.pi * FREQUENCY
+    seen = max(abs((row["plate_load_N"] + ECCENTRIC * omega**2 *
+                    math.sin(omega * row["vibration_s"])) / MASS - 9.81)
+               for row in history if row["vibration_s"] > 0.)
+    peak = found["peak_plate_acceleration_m_per_s2"]
+    print(f"acceleration: peak {peak:.4f} m/s^2, rows {seen:.4f} m/s^2")
+    return [] if 0.995 * seen < peak < 1.05 * seen else [
+        f"acceleration {peak} m/s^2, rows {seen} m/s^2"]
+
+
 def number_faults(folder, form):
     found = summary(folder)
     history = rows(folder, "history.csv")[1]
@@ -137,6 +149,8 @@ def number_faults(folder, form):
                if row["vibration_s"] > 0.)
     if not 0.99 * seen < found["peak_plate_load_N"] < 1.5 * seen:
         faults.append(f"peak {found['peak_plate_load_N']} N, rows {seen} N")
+    if form not in PLATES:
+        faults += acceleration_faults(history, found)
     if not 0. < found["loading_processor_s"] < found["processor_s"]:
         faults.append(f"loading_processor_s {found['loading_processor_s']}")
     if not 0. < found["loading_wall_clock_s"] < found["wall_clock_s"]["total"]:

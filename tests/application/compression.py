@@ -77,6 +77,10 @@ def faults(folder):
                                              for row in loading):
         found.append("peak stress is not that of the history")
     found += strength_faults(folder, result, loading)
+    for at, row in (("start", loading[0]), ("end", last)):
+        void_ratio = row["porosity_1"] / (1. - row["porosity_1"])
+        if abs(result[f"void_ratio_{at}_1"] / void_ratio - 1.) > 1e-9:
+            found.append(f"void ratio at the {at} is not {void_ratio}")
     # A frictional assembly: sigma_1 / sigma_3 of 2 to 6 at these strains.
     ratio = last["axial_stress_Pa"] / last["lateral_stress_Pa"]
     if not 1.5 < ratio < 7.:
