@@ -99,6 +99,8 @@ StudyOptions study_options(Words words)
       options.is_of_finished = true;
     else if (word == "--part")
       options.part = part_from(value());
+    else if (word == "--threads-per-case")
+      options.how.threads = count_from(word, value());
     else if (word == "--ranks-per-case")
       options.how.ranks = count_from(word, value());
     else if (word == "--mpirun")
@@ -106,9 +108,9 @@ StudyOptions study_options(Words words)
     else if (word.starts_with("--") || !options.file.empty())
       throw InputError("study: " + word +
                        ": must be one study file, --out DIR, --jobs N, "
-                       "--finished, --part K/N, --ranks-per-case N, "
-                       "--mpirun WORDS, --figures FOLDER, --page FILE or "
-                       "--set Section/key=value");
+                       "--finished, --part K/N, --threads-per-case N, "
+                       "--ranks-per-case N, --mpirun WORDS, --figures FOLDER, "
+                       "--page FILE or --set Section/key=value");
     else
       options.file = word;
   }
@@ -119,7 +121,8 @@ StudyOptions study_options(Words words)
     throw InputError("study: --part: writes no report: must be without "
                      "--finished, --page and --figures");
   const auto n_cores = static_cast<int>(std::thread::hardware_concurrency());
-  options.how.jobs = jobs.value_or(std::max(1, n_cores / options.how.ranks));
+  options.how.jobs = jobs.value_or(
+      std::max(1, n_cores / (options.how.ranks * options.how.threads)));
   if (options.how.mpirun.empty())
     throw InputError("study: --mpirun: must name a program");
   if (options.out.empty())
@@ -174,6 +177,9 @@ void announce(const Study &study, std::size_t n_cases, const StudyRuns &how)
             << " at a time";
   if (how.ranks > 1)
     std::cout << " on " << how.ranks << " ranks each";
+  if (how.threads > 1)
+    std::cout << (how.ranks > 1 ? ", " : " on ") << how.threads
+              << " threads each";
   std::cout << std::endl;
 }
 

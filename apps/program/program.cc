@@ -61,8 +61,8 @@ constexpr std::array<Command, 8> commands = {
       Processes::without_mpi},
      {"study",
       "STUDY.prm [--out DIR] [--finished] [--part K/N] [--jobs N] "
-      "[--ranks-per-case N] [--mpirun WORDS] [--figures FOLDER] [--page FILE] "
-      "[--set Section/key=value ...]",
+      "[--threads-per-case N] [--ranks-per-case N] [--mpirun WORDS] "
+      "[--figures FOLDER] [--page FILE] [--set Section/key=value ...]",
       "run or continue a sweep of cases; table and report", study_command,
       Processes::without_mpi},
      {"shape",

@@ -135,8 +135,9 @@ PointResult run_point(const StudyPoint &point, const fs::path &folder,
     write_text(file, point.resolved);
     const std::string shared = folder / "preparations";
     std::vector<std::string> words = launch_words(how, file);
-    words.insert(words.end(), {"run", file.string(), "--out", run.string(),
-                               "--threads", "1", "--preparations", shared});
+    words.insert(words.end(),
+                 {"run", file.string(), "--out", run.string(), "--threads",
+                  std::to_string(how.threads), "--preparations", shared});
     if (const fs::path state = run / "checkpoint" / "state.bin";
         is_same && fs::exists(state))
       words.emplace_back(is_of_this_version(state) && has_all_keys(point, run)
@@ -172,13 +173,16 @@ public:
     ++n_done;
     n_run += !is_found;
     std::cout << n_done << "/" << n << " " << point.folder;
-    if (n_run > 0 && n_run < n_to_run)
+    const bool is_stopped = are_programs_stopped();
+    if (n_run > 0 && n_run < n_to_run && !is_stopped)
       std::cout << ", about "
                 << in_minutes(seconds() / static_cast<double>(n_run) *
                               static_cast<double>(n_to_run - n_run))
                 << " left";
-    std::cout << (result.is_done ? "" : ", failed: ") << result.fault
-              << std::endl;
+    std::cout << (result.is_done ? ""
+                  : is_stopped   ? ", stopped: "
+                                 : ", failed: ")
+              << result.fault << std::endl;
   }
 
 private:

@@ -173,18 +173,18 @@ std::vector<StudyPoint> part_of(const std::vector<StudyPoint> &points,
 /// How the cases of a study run.
 struct StudyRuns
 {
-  int jobs = 1;  ///< cases at a time
-  int ranks = 1; ///< of each case that can be spread over ranks
+  int jobs = 1;    ///< cases at a time
+  int ranks = 1;   ///< of each case that can be spread over ranks
+  int threads = 1; ///< of each rank, at most
   std::vector<std::string> mpirun = {"mpirun"}; ///< words that start ranks
   /// Called once, with the first case that is done and what it gave.
   std::function<void(const StudyPoint &, const PointResult &)> after_first;
 };
 
-/// Runs what is not done yet as programs of their own, each with one thread of
-/// every rank, in the order above; a run with a checkpoint is resumed. A
-/// case that fails does not stop the others; SIGINT and SIGTERM do, each with
-/// its checkpoint. Cases that prepare the same specimen share it, in the folder
-/// `preparations`.
+/// Runs what is not done yet as programs of their own in the order above; a run
+/// with a checkpoint is resumed. A case that fails does not stop the others;
+/// SIGINT and SIGTERM do, each with its checkpoint. Cases that prepare the same
+/// specimen share it, in the folder `preparations`.
 std::vector<PointResult> run_points(const Study &study,
                                     const std::vector<StudyPoint> &points,
                                     const std::filesystem::path &folder,

@@ -41,8 +41,8 @@ _spall() {
       ;;
     report) words="--out --figures --help" ;;
     study)
-      words="--out --finished --part --jobs --ranks-per-case --mpirun --figures --page
-        --set --help"
+      words="--out --finished --part --jobs --threads-per-case --ranks-per-case
+        --mpirun --figures --page --set --help"
       ;;
     shape)
       words="--help"
