@@ -246,6 +246,22 @@ def los_angeles(spall, root):
     return faults
 
 
+def outcome_faults(spall, root):
+    """An outcome that no case has is named once, after the first case."""
+    file = write_prm(root / "misspelt.prm", {
+        "Study": {"case": "cube.prm", "outcomes": "n_events, n_evnts"},
+        "Sweep": {"Press/displacement": "2e-5, 3e-5"}})
+    ended = spall_run([spall, "study", file, "--out", root / "misspelt",
+                       "--jobs", 1], status=1)
+    lines = ended.stdout.splitlines()
+    said = [k for k, line in enumerate(lines) if "does not have it" in line]
+    second = [k for k, line in enumerate(lines) if line.startswith("2/2 ")]
+    if len(said) != 1 or "n_evnts" not in lines[said[0]] or \
+            not said < second or "n_evnts: no case has it" not in ended.stderr:
+        return [f"an unknown outcome: {ended.stdout} {ended.stderr}"]
+    return []
+
+
 def study(spall, root):
     write_prm(root / "cube.prm", {**CUBE, "Press": {
         "displacement": 5e-4, "speed": 2e-2, "rows": 20}})
@@ -261,6 +277,7 @@ def study(spall, root):
     ended = spall_run(words, status=2)
     faults = [] if "2 of 6 cases failed" in ended.stderr else [
         f"stderr: {ended.stderr}"]
+    faults += outcome_faults(spall, root)
     with open(root / "out" / "study.csv", newline="") as stream:
         table = list(csv.DictReader(stream))
     done = [row for row in table if row["is_done_1"] == "1"]

@@ -75,6 +75,29 @@ def template_faults(spall, kind):
             yield f"{kind}: {name}: {one['value']}, was {expected[name]}"
         if one["type"] == "choice" and one["value"] not in one["names"]:
             yield f"{kind}: {name}: {one['value']} not in {one['names']}"
+    yield from default_faults(kind, found, run(spall, "template", kind).stdout)
+
+
+def default_faults(kind, found, text):
+    """A comment of the template names the default where it shows another."""
+    said, section, comment = {}, "", ""
+    for line in text.splitlines():
+        if line.startswith("subsection "):
+            section = line.split(maxsplit=1)[1]
+        elif line.startswith("  # "):
+            comment += line[3:]
+        elif match := re.match(r"\s+set (\S+) =", line):
+            default = re.search(r" Default: (\S+)\.$", comment)
+            said[f"{section}/{match[1]}"] = default and default[1]
+            comment = ""
+    for name, one in found.items():
+        if one["value"] == one["default"]:
+            expected = None
+        else:
+            expected = as_shown(one["default"]) or "empty"
+        if name != "Material/file" and said[name] != expected and \
+                not (said[name] and same(one["default"], said[name])):
+            yield f"{kind}: {name}: default {said[name]}, must be {expected}"
 
 
 def range_faults(spall):

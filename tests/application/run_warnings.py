@@ -6,13 +6,14 @@ servo walls or damping that keep particles from their rest.
 
     run_warnings.py SPALL
 """
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-from triaxial_runs import (ENVIRONMENT, command, report_faults, rows, run,
-                           summary)
+from triaxial_runs import (CASE, ENVIRONMENT, command, report_faults, rows,
+                           run, summary)
 
 CONFINEMENT = 30e3  # Pa, of the case
 SPHERES = ("Specimen/shapes=", "Contact/geometry=sphere",
@@ -109,6 +110,46 @@ def rest_faults(spall, root):
     return faults
 
 
+def check_faults(spall, root):
+    """Soft spheres that fly into each other: check gives the remedy of a run."""
+    (root / "particles.csv").write_text(
+        "x,y,z,radius,vx,vy,vz\n0,0,0,0.01,0,0,0\n0.021,0,0,0.01,-20,0,0\n")
+    case = root / "collision.json"
+    case.write_text(json.dumps({
+        "Case": {"kind": "scene"}, "Scene": {"particles": "particles.csv"},
+        "Particle": {"shear_modulus": 1e5}}))
+    ended = subprocess.run([spall, "check", case], capture_output=True,
+                           text=True, timeout=300, check=False,
+                           env=ENVIRONMENT)
+    said = ended.stderr
+    faults = [f"check: '{part}' is not in: {said}" for part in
+              (" overlap by ", "above Contact/overlap_stop = 0.5",
+               "stiffer contacts (Particle/shear_modulus") if part not in said]
+    if ended.returncode != 2 or len(said.splitlines()) != 1:
+        faults.append(f"check: status {ended.returncode}: {said}")
+    return faults
+
+
+def plate_faults(spall, root):
+    """The acceleration of a heavy plate adds to the load; above a tenth of it
+    there is a warning."""
+    faults = []
+    for mass, is_heavy in ((0.05, False), (0.7, True)):
+        folder = root / f"plate_{mass}"
+        run(spall, folder, "rigid",
+            settings=(*SPHERES, *SHORT, "Loading/frequency=60",
+                      f"Boundary/plate_mass={mass}"))
+        over = summary(folder)["peak_axial_stress_Pa"] / (CONFINEMENT + 100e3)
+        print(f"plate of {mass} kg: {over:.2f} of the stress asked for")
+        if (over > 1.1) != is_heavy:
+            faults.append(f"plate of {mass} kg: {over} of the stress")
+        if is_heavy:
+            faults += warned(spall, folder, "smaller Boundary/plate_mass")
+        elif "plate_mass" in (folder / "log.txt").read_text():
+            faults.append(f"plate of {mass} kg: a warning")
+    return faults
+
+
 def step_faults(spall, root):
     """A fixed step above the limit of the contacts."""
     settings = (*SHORT, *LONG_STEP)
@@ -125,7 +166,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
         faults = overlap_faults(spall, root) + rest_faults(spall, root)
-        faults += step_faults(spall, root)
+        faults += step_faults(spall, root) + check_faults(spall, root)
+        faults += plate_faults(spall, root)
         faults += failure(
             spall, root / "servo", "rigid",
             (*SPHERES, "Boundary/servo_response_time=1e-5",
