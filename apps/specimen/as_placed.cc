@@ -4,6 +4,8 @@
 #include "errors.h"
 #include "specimen/placed_particles.h"
 
+#include <dem/boundary/wall_clearance.h>
+#include <dem/engine_boundaries.h>
 #include <dem/parallel/ranks.h>
 
 #include <algorithm>
@@ -62,10 +64,27 @@ Deepest deepest_of(const dem::Engine &engine, const PlacedParticles &particles)
         deepest);
   return deepest;
 }
-} // namespace
 
-namespace
+/// Names the first particle whose centre is on the other side of a closed wall.
+void require_right_side(const std::string &file, const dem::Engine &engine,
+                        const PlacedParticles &particles)
 {
+  const dem::ParticleSystem &all = engine.particles();
+  for (const dem::MeshWall &wall : dem::mesh_walls(engine))
+  {
+    dem::WallClearance sides;
+    sides.add(wall.surface);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!sides.is_clear(all.position(i), 0.))
+        throw InputError(file + ": " +
+                         particles.name[static_cast<std::size_t>(all.id[i])] +
+                         ": is on the other side of the wall '" + wall.label +
+                         "' as placed, at " + in_four_digits(all.position(i)) +
+                         " m: must be on the side that Walls/" + wall.label +
+                         "/particles names");
+  }
+}
+
 /// Names the first particle of which all is beyond a wall.
 void require_inside(const std::string &file, const dem::Engine &engine,
                     const PlacedParticles &particles)
@@ -112,6 +131,7 @@ std::unique_ptr<dem::Engine> check_as_placed(const Case &parameters,
   check.add_boundaries(*engine);
   engine->set_breaking(false);
   require_inside(parameters.file, *engine, particles);
+  require_right_side(parameters.file, *engine, particles);
   try
   {
     engine->evaluate(1e-12);

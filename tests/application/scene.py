@@ -23,6 +23,15 @@ v 0.1 0.1 0
 v -0.1 0.1 0
 f 1 2 3 4
 """
+# Closed cube of 100 mm from the origin, normals outward.
+BLOCK = "".join(f"v {x} {y} {z}\n" for z in (0, 0.1) for y in (0, 0.1)
+                for x in (0, 0.1)) + """f 1 3 4 2
+f 5 6 8 7
+f 1 2 6 5
+f 3 7 8 4
+f 1 5 7 3
+f 2 4 8 6
+"""
 LINEAR = {"law": "linear", "normal_stiffness": 2e5, "shear_stiffness": 1.7e5,
           "normal_damping": 0, "shear_damping": 0}
 BARE = {
@@ -315,6 +324,14 @@ BAD = [
     ("moved table", {"Walls": {"floor": {"mesh": "floor.obj",
                                          "table": "moved.csv"}}},
      TWO, ["moved.csv:2", "the first displacement must be 0, 0, 0"]),
+    ("in a block", {"Walls": {"block": {"mesh": "block.obj"}}},
+     HEADER + "0.2,0,0,0.01\n0.05,0.04,0.05,0.01\n",
+     ["particles.csv:3", "the wall 'block'", "at (0.05, 0.04, 0.05) m",
+      "Walls/block/particles"]),
+    ("out of a room", {"Walls": {"room": {"mesh": "block.obj",
+                                          "particles": "inside"}}},
+     HEADER + "0.05,0.04,0.05,0.01\n0.2,0,0,0.01\n",
+     ["particles.csv:3", "the wall 'room'"]),
     ("cut json", {"Scene": {"particles": "cut.json"}}, "",
      ["cut.json: is not JSON: at byte"]),
     ("short json", {"Scene": {"particles": "short.json"}}, "",
@@ -338,7 +355,7 @@ def bad_input(spall, root):
     faults = []
     for name, sections, particles, words in BAD:
         case = write_case(root / name, sections, particles,
-                          {"floor.obj": FLOOR, **BAD_JSON,
+                          {"floor.obj": FLOOR, "block.obj": BLOCK, **BAD_JSON,
                            "t.csv": "time_s,x_m,y_m,z_m\n0,0,0,0\n0,1,0,0\n",
                            "moved.csv": "time_s,x_m,y_m,z_m\n1,0,0,0.1\n"})
         said = spall_run([spall, "check", case], status=1).stderr.strip()
