@@ -132,10 +132,12 @@ void StepWatch::report(const dem::Engine &engine, const Surroundings &around,
 {
   const dem::SpringNetwork network = springs(engine, around, 0.);
   const dem::NetworkStep bound = dem::guaranteed_step(network);
-  say(line("%.0f contacts: stable up to %.3g s for sure, unstable above %.3g "
-           "s: ",
-           static_cast<double>(dem::total_contacts(network)), bound.step,
-           dem::sharp_step(network), dem::describe_body(network, bound.body)));
+  if (dem::total_contacts(network) > 0)
+    say(line("%.0f contacts: stable up to %.3g s for sure, unstable above %.3g "
+             "s: ",
+             static_cast<double>(dem::total_contacts(network)), bound.step,
+             dem::sharp_step(network),
+             dem::describe_body(network, bound.body)));
   if (is_fixed())
     require_stable(network, bound, present_step);
 }

@@ -63,8 +63,12 @@ std::vector<std::string> cells_of(const std::string &text)
 void CsvRow::refuse(const std::string &allowed) const
 {
   constexpr std::size_t longest = 80;
+  const bool has_other_separators =
+      text.find(',') == std::string::npos &&
+      text.find_first_of(";\t") != std::string::npos;
   throw InputError(location + ": \"" + text.substr(0, longest) +
-                   "\": " + allowed);
+                   "\": " + allowed +
+                   (has_other_separators ? "; commas separate cells" : ""));
 }
 
 int CsvTable::column(const std::string &name) const

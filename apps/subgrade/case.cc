@@ -65,7 +65,8 @@ std::vector<GroundLayer> parse_ground_layers(const std::string &text)
 std::vector<double> parse_depths(const std::string &text)
 {
   const std::string allowed =
-      "must be depths above 0 that ascend, in metres, or empty";
+      "must be depths above 0 that ascend, in metres with blanks between, or "
+      "empty";
   std::vector<double> depths;
   try
   {

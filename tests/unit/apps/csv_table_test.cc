@@ -40,6 +40,8 @@ TEST_F(CsvTableFile, RefusesInOneLineWithItsNumber)
       {"0,10\n1,30\n", ":1: \"0,10\": the header must be time_s,force_N"},
       {"force_N,time_s\n0,10\n", ":1: "},
       {header + "0,10\n1;30\n", ":3: \"1;30\": has 1 cells, must have 2"},
+      {"time_s;force_N\n0;10\n", "time_s,force_N; commas separate cells"},
+      {header + "0\t10\n", "time_s,force_N; commas separate cells"},
       {header + "0,10\n1,30,5\n", ":3: "},
       {header + "0,10\n1,30 kN\n", "numbers with decimal points"},
       {header + "0,10\n0,30\n", "must ascend from 0"},
