@@ -118,7 +118,7 @@ double FacetBoundary::energy_beyond_springs(std::size_t k) const
   if (exponent != 1. && left == 0.)
     return 0.;
   const double stiffness =
-      exponent == 1. ? material.normal_stiffness
+      exponent == 1. ? batch.layout.law.constant_spring().stiffness
                      : batch.pressing_force(k) / std::pow(left, exponent);
   return stiffness / (exponent + 1.) *
          (std::pow(ridge.depth, exponent + 1.) - ridge.energy -

@@ -162,9 +162,9 @@ void store_history(const ContactHistory<Simd> &history,
   store(history.normal_force, contacts.normal_force + k);
 }
 
-/// Takes from springs of exponent 1 what they give too much where a contact
-/// begins or ends within the step: its last normal force is taken back by a
-/// pull, its first shear force is that of the way since it began.
+/// Takes from springs of a constant stiffness what they give too much where a
+/// contact begins or ends within the step: its last normal force is taken back
+/// by a pull, its first shear force is that of the way since it began.
 template <class Law>
 void cut_at_crossing(const Task &task, const ContactMotion<Simd> &motion,
                      const Simd &overlap, const Simd &overlap_before,
@@ -176,7 +176,8 @@ void cut_at_crossing(const Task &task, const ContactMotion<Simd> &motion,
   if (!any(begins || ends))
     return;
   const double dt = task.time_step;
-  const double normal_stiffness = task.law[0];
+  const double normal_stiffness =
+      Law::template spring<double>(task.law, {}, 1.).stiffness;
   const Simd stiffness = normal_stiffness * dt * dt / motion.reduced_mass;
   const Simd closed = -dt * dot(motion.velocity, motion.normal);
   spring.first_share =
@@ -203,7 +204,8 @@ SimdVector advance_law(const Task &task, const ContactMotion<Simd> &motion,
                        NormalSpring<Simd> spring, ContactHistory<Simd> &history,
                        LaneSums &sums)
 {
-  if constexpr (!Law::scales_with_curvature && Law::exponent == 1.)
+  if constexpr (!Law::scales_with_curvature && !Law::attracts &&
+                Law::exponent == 1.)
     cut_at_crossing<Law>(task, motion, overlap, overlap_before, history,
                          spring);
   Losses<Simd> in_step;

@@ -22,15 +22,39 @@ const kernel::Loops &loops_of_law()
                                        : kernel::baseline::contact_kernels[law];
 }
 
+/// Adds a law to the others, whose keys share a section of a case with its own.
+void add_to(std::vector<ContactLaw> &laws, const ContactLaw &law)
+{
+  const auto refuse = [&law](const std::string &why)
+  { throw std::invalid_argument("contact law " + law.name + ": " + why); };
+  if (law.parameters.size() > max_law_parameters)
+    refuse("has " + std::to_string(law.parameters.size()) +
+           " parameters, at most " + std::to_string(max_law_parameters) +
+           " are possible");
+  for (const ContactLaw &other : laws)
+  {
+    if (other.name == law.name)
+      throw std::invalid_argument("there is a contact law " + law.name);
+    for (const LawParameter &mine : law.parameters)
+      if (std::ranges::find(other.parameters, mine.key, &LawParameter::key) !=
+          other.parameters.end())
+        refuse("its key " + std::string(mine.key) + " belongs to the law " +
+               other.name);
+  }
+  laws.push_back(law);
+}
+
 std::vector<ContactLaw> laws_of_library()
 {
-  return []<std::size_t... law>(std::index_sequence<law...>)
+  std::vector<ContactLaw> laws;
+  [&laws]<std::size_t... law>(std::index_sequence<law...>)
   {
-    return std::vector<ContactLaw>{
-        contact_law_entry<std::tuple_element_t<law, ContactLaws>>(
-            loops_of_law<law>)...};
+    (add_to(laws, contact_law_entry<std::tuple_element_t<law, ContactLaws>>(
+                      loops_of_law<law>)),
+     ...);
   }
   (std::make_index_sequence<std::tuple_size_v<ContactLaws>>());
+  return laws;
 }
 
 std::vector<ContactLaw> &table()
@@ -54,12 +78,7 @@ const std::vector<ContactLaw> &contact_laws()
 
 void add_contact_law(const ContactLaw &law)
 {
-  if (find(law.name) != table().end())
-    throw std::invalid_argument("there is a contact law " + law.name);
-  if (law.parameters.size() > max_law_parameters)
-    throw std::invalid_argument("contact law " + law.name +
-                                ": too many parameters");
-  table().push_back(law);
+  add_to(table(), law);
 }
 
 std::int32_t contact_law_number(std::string_view name)

@@ -48,13 +48,6 @@ inline HertzPrefactors unit_prefactors(const PairElasticity &elasticity)
   return elliptic_table()(elasticity, {0.5, 0.5});
 }
 
-/// Coefficients of a wall in the form that the law takes.
-inline ContactCoefficients coefficients_of(const WallMaterial &wall)
-{
-  return {wall.friction, wall.rolling_friction, wall.normal_damping,
-          wall.shear_damping};
-}
-
 /// A batch and what its rare work needs, as the loops pass it back.
 struct SurfaceOwner
 {

@@ -1,4 +1,5 @@
 #include <dem/contact/law_table.h>
+#include <dem/contact/laws.h>
 #include <dem/integrate/time_step.h>
 
 #include <algorithm>
@@ -23,12 +24,14 @@ double lagged_step(double stiffness, double mass, double damping_ratio)
 /// motion that changes its sign at every step is the limit: 16 - 14 p - 10 q +
 /// 5/2 p q = 0. Without the rolling spring this is lagged_step() with 1/m +
 /// r^2/I = 3.5/m.
-double shear_step(const WallMaterial &wall, double mass)
+double shear_step(const ContactCoefficients &coefficients, double stiffness,
+                  double mass)
 {
-  const double rolling = wall.rolling_friction > 0. ? 1. : 0.;
+  const double rolling = coefficients.rolling_friction > 0. ? 1. : 0.;
   const auto is_stable = [&](double t)
   {
-    const double p = t * (t + 4. * wall.shear_damping), q = rolling * t * t;
+    const double p = t * (t + 4. * coefficients.shear_damping),
+                 q = rolling * t * t;
     return 16. - 14. * p - 10. * q + 2.5 * p * q > 0.;
   };
   // Unstable at 2 / sqrt(3.5) at the latest; stable all the way below.
@@ -38,17 +41,27 @@ double shear_step(const WallMaterial &wall, double mass)
     const double middle = 0.5 * (stable + unstable);
     (is_stable(middle) ? stable : unstable) = middle;
   }
-  return stable * std::sqrt(mass / wall.shear_stiffness);
+  return stable * std::sqrt(mass / stiffness);
+}
+
+/// Step of a mass on a wall of this law, where its stiffness is constant.
+double spring_step(const LawChoice &law,
+                   const ContactCoefficients &coefficients, double mass)
+{
+  if (law.entry().exponent > 1.) // as stiff as it is pressed
+    return std::numeric_limits<double>::infinity();
+  const NormalSpring<double> spring = law.constant_spring();
+  const double normal =
+      lagged_step(spring.stiffness, mass, coefficients.normal_damping);
+  return spring.shear_stiffness > 0.
+             ? std::min(normal,
+                        shear_step(coefficients, spring.shear_stiffness, mass))
+             : normal;
 }
 
 double wall_step(const WallMaterial &wall, double mass)
 {
-  if (law_of(wall).entry().exponent > 1.) // as stiff as it is pressed
-    return std::numeric_limits<double>::infinity();
-  const double normal =
-      lagged_step(wall.normal_stiffness, mass, wall.normal_damping);
-  return wall.shear_stiffness > 0. ? std::min(normal, shear_step(wall, mass))
-                                   : normal;
+  return spring_step(law_of(wall), coefficients_of(wall), mass);
 }
 
 /// Step of two of the lightest particles on each other where their law has a
@@ -56,17 +69,7 @@ double wall_step(const WallMaterial &wall, double mass)
 /// is four times as stiff.
 double pair_step(const ParticleMaterial &particle, double mass)
 {
-  const LawChoice law = law_of(particle);
-  if (law.entry().exponent > 1.)
-    return std::numeric_limits<double>::infinity();
-  const NormalSpring<double> spring = law.entry().spring(law.values, {}, 1.);
-  WallMaterial wall;
-  wall.normal_stiffness = spring.stiffness;
-  wall.shear_stiffness = spring.shear_stiffness;
-  wall.rolling_friction = particle.rolling_friction;
-  wall.normal_damping = particle.normal_damping;
-  wall.shear_damping = particle.shear_damping;
-  return wall_step(wall, 0.5 * mass);
+  return spring_step(law_of(particle), coefficients_of(particle), 0.5 * mass);
 }
 
 /// Material 0 as a solid among the others.
@@ -113,7 +116,9 @@ StepLimit critical_step(const EngineParameters &parameters,
       step < limit.step)
     limit = {step, "lightest particles on each other (Contact/law)"};
   if (const double step = wall_step(parameters.wall, mass); step < limit.step)
-    limit = {step, "lightest particle on a wall (Wall/normal_stiffness)"};
+    limit = {step, parameters.wall.law == Linear::name
+                       ? "lightest particle on a wall (Wall/normal_stiffness)"
+                       : "lightest particle on a wall (Wall/law)"};
   if (const double step = wall_step(parameters.surface, mass);
       step < limit.step)
     limit = {step, "lightest particle on " + surface};

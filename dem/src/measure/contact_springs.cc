@@ -187,16 +187,14 @@ void add_pairs(const Engine &engine, const Foresight &ahead,
   }
 }
 
-/// What a wall is to a particle with this lever to the contact point; the
-/// springs are linear, use_plate() takes those of a plate.
+/// What a wall is to a particle with this lever to the contact point, but for
+/// the springs.
 SpringContact wall_contact(const WallMaterial &wall, const Vec3 &lever,
                            const Vec3 &normal)
 {
   SpringContact c;
   c.normal = normal;
   c.lever_a = lever;
-  c.normal_stiffness = wall.normal_stiffness;
-  c.shear_stiffness = wall.shear_stiffness;
   c.rolling_radius = lever.norm();
   c.coefficients = coefficients_of(wall);
   return c;
@@ -240,10 +238,13 @@ struct WallMeeting
   double closing_speed = 0.; ///< now [m/s]
 };
 
-/// The springs of contact k with a rigid plate at the horizon.
-void use_plate(const Engine &engine, const ContactBatch &batch, std::size_t k,
-               const WallMeeting &at, SpringContact &c)
+/// The springs of contact k with a wall at the horizon; a law that scales with
+/// curvature sees a rigid plate.
+void set_wall_springs(const Engine &engine, const ContactBatch &batch,
+                      std::size_t k, const WallMeeting &at, SpringContact &c)
 {
+  if (!batch.layout.law.entry().scales_with_curvature)
+    return set_springs(batch.layout.law, {}, 0., at.grown, at.overlap, c);
   const auto i = static_cast<std::size_t>(batch.a[k]);
   const ElasticityTable elasticity(engine.parameters());
   const double radius = wall_lever(engine, batch, k, c.normal).norm();
@@ -277,9 +278,8 @@ void add_planes(const Engine &engine, const Foresight &ahead,
     SpringContact c = wall_contact(
         parameters.wall, lever_at_wall(batch, lever, depth, -plane.normal),
         -plane.normal);
-    if (batch.layout.law.entry().scales_with_curvature)
-      use_plate(engine, batch, k,
-                {-gap, closing - gap, velocity.dot(plane.normal)}, c);
+    set_wall_springs(engine, batch, k,
+                     {-gap, closing - gap, velocity.dot(plane.normal)}, c);
     c.a = batch.a[k];
     c.reduced_mass = particles.mass(i);
     append(network, c, ahead);
@@ -314,9 +314,8 @@ void add_drum(const Engine &engine, const Foresight &ahead,
     SpringContact c =
         wall_contact(parameters.wall,
                      lever_at_wall(batch, lever, depth, at.normal), at.normal);
-    if (batch.layout.law.entry().scales_with_curvature)
-      use_plate(engine, batch, k, {overlap, grown, -velocity.dot(at.normal)},
-                c);
+    set_wall_springs(engine, batch, k,
+                     {overlap, grown, -velocity.dot(at.normal)}, c);
     c.a = batch.a[k];
     c.reduced_mass = particles.mass(i);
     append(network, c, ahead);
@@ -358,11 +357,11 @@ void add_facets(const Engine &engine, const FacetBoundary &facets,
                       depth, contact_point.normal);
     SpringContact c =
         wall_contact(facets.material, lever, contact_point.normal);
-    if (batch.layout.law.entry().scales_with_curvature)
-      use_plate(engine, batch, k,
-                {batch.overlap[k], batch.overlap[k],
-                 closing_speed(engine, surface, contact_point, batch.a[k])},
-                c);
+    set_wall_springs(
+        engine, batch, k,
+        {batch.overlap[k], batch.overlap[k],
+         closing_speed(engine, surface, contact_point, batch.a[k])},
+        c);
     // Several facets: on the vertices of the nearest, no softer than they are.
     c.normal_stiffness *= static_cast<double>(contact_point.shares.walls);
     c.a = batch.a[k];
@@ -428,7 +427,8 @@ SpringNetwork contact_springs(const Engine &engine, double horizon)
 double corner_step(const EngineParameters &parameters,
                    const ParticleSystem &particles)
 {
-  if (law_of(parameters.wall).entry().exponent > 1.)
+  const LawChoice law = law_of(parameters.wall);
+  if (law.entry().exponent > 1.)
     return std::numeric_limits<double>::infinity();
   const ParticleState &lightest =
       *std::min_element(particles.state.begin(), particles.state.end(),
@@ -441,6 +441,7 @@ double corner_step(const EngineParameters &parameters,
   {
     SpringContact c = wall_contact(
         parameters.wall, -lightest.radius * Vec3::Unit(d), -Vec3::Unit(d));
+    set_springs(law, {}, 0., 1., 1., c);
     c.reduced_mass = lightest.mass;
     append(network, c, {});
   }

@@ -32,14 +32,6 @@ struct Foresight
 /// With a horizon [s] at this state of the engine; none: nothing is foreseen.
 Foresight foresight_of(const Engine &engine, double horizon);
 
-/// Of particles on each other, or on a wall.
-template <class Material>
-ContactCoefficients coefficients_of(const Material &material)
-{
-  return {material.friction, material.rolling_friction, material.normal_damping,
-          material.shear_damping};
-}
-
 /// Adds the springs and dashpots of the contact to the columns, and the contact
 /// to the impacts where it is one.
 void append(SpringNetwork &network, const SpringContact &c,

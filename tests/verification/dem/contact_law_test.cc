@@ -77,8 +77,11 @@ TEST(ContactLaw, UnknownNameIsRefusedWithTheNames)
   }
   catch (const std::invalid_argument &e)
   {
+    std::string names;
+    for (const dem::ContactLaw &law : dem::contact_laws())
+      names += (names.empty() ? "" : ", ") + law.name;
     EXPECT_EQ(std::string(e.what()),
-              "contact law hooke: must be one of hertz, linear, dmt");
+              "contact law hooke: must be one of " + names);
   }
 }
 

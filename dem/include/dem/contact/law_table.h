@@ -60,7 +60,8 @@ const kernel::Loops &loops_by_instruction_set()
 const std::vector<ContactLaw> &contact_laws();
 
 /// Adds a law of a program of its own, before any engine is built. Throws
-/// std::invalid_argument if the name is taken or there are too many parameters.
+/// std::invalid_argument if its name or a key of its parameters is that of
+/// another law, or if it has more than max_law_parameters.
 void add_contact_law(const ContactLaw &law);
 
 /// Number of the law of this name; throws std::invalid_argument with the names
@@ -81,10 +82,23 @@ struct LawChoice
     return contact_laws()[static_cast<std::size_t>(law)];
   }
   double range() const { return entry().range(values); } ///< [m]
+  /// Of a law of exponent 1 without prefactors, whose stiffness is constant.
+  NormalSpring<double> constant_spring() const
+  {
+    return entry().spring(values, {}, 1.);
+  }
 };
 
 /// Law of particles on each other, or on a wall; throws std::invalid_argument
 /// on a name that is none.
 LawChoice law_of(const ParticleMaterial &material);
 LawChoice law_of(const WallMaterial &wall);
+
+/// Coefficients of particles on each other, or on a wall.
+template <class Material>
+ContactCoefficients coefficients_of(const Material &material)
+{
+  return {material.friction, material.rolling_friction, material.normal_damping,
+          material.shear_damping};
+}
 } // namespace dem
