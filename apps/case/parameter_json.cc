@@ -79,6 +79,7 @@ std::string parameter_json(Case of)
                                by_default = parameters_of(defaults);
   Json all = {{"kind", of.kind},
               {"seed_key", find_kind(of.kind)->seed_key},
+              {"notices", of.notices},
               {"sections", Json::array()}};
   for (const ListedSection &section : sections(of))
   {

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What a specimen of another width would give: outcomes after ten load cycles
-as a + b / width, since the share of particles at the walls goes with the
-inverse of the width.
+"""What a specimen of another width would give: outcomes after so many load
+cycles (10 if not given) as a + b / width, since the share of particles at the
+walls goes with the inverse of the width.
 
-    size_of_specimen.py CYCLES.csv WIDTH_MM
+    size_of_specimen.py CYCLES.csv WIDTH_MM [CYCLE]
 
 CYCLES.csv is the table of claims_size.prm by cycles_of_study.py. The least
 squares count a width by its number of specimens. The last column is a check:
@@ -18,14 +18,13 @@ OUTCOMES = (("strain without breakage (%)", "strain (%)", "false"),
             ("coordination number", "coordination number", "true"),
             ("mean contact force (N)", "mean contact force (N)", "true"),
             ("resilient modulus (MPa)", "resilient modulus (MPa)", "true"))
-CYCLES = "10"
 
 
-def points_of(rows, column, is_breaking):
+def points_of(rows, column, is_breaking, cycle):
     """(1 / width (1/mm), value, specimens), the narrowest first."""
     return sorted(((1. / float(row["Variants"].removeprefix("mm")),
                     float(row[column]), float(row["specimens"]))
-                   for row in rows if row["cycle"] == CYCLES and
+                   for row in rows if row["cycle"] == cycle and
                    row["Breakage/is_active"] == is_breaking), reverse=True)
 
 
@@ -40,14 +39,14 @@ def fit(points):
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) not in (3, 4):
         raise SystemExit(__doc__)
     with open(sys.argv[1], encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    width = float(sys.argv[2])
+    width, cycle = float(sys.argv[2]), (sys.argv[3:] or ["10"])[0]
     print(f"{'outcome':30}{width:6g} mm   largest by the others")
     for name, column, is_breaking in OUTCOMES:
-        points = points_of(rows, column, is_breaking)
+        points = points_of(rows, column, is_breaking, cycle)
         offset, slope = fit(points)
         x, y, _ = points[-1]
         before, rise = fit(points[:-1])

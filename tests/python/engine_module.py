@@ -173,7 +173,7 @@ class EngineModule(unittest.TestCase):
 
     def test_bad_input(self):
         engine = dem.Engine(parameters())
-        with self.assertRaisesRegex(ValueError, "radius: must be above 0"):
+        with self.assertRaisesRegex(ValueError, "^radius = -1: must be"):
             engine.add_sphere(-1., [0., 0., 0.])
         with self.assertRaisesRegex(ValueError, "time_step: must be above 0"):
             engine.advance(0.)
@@ -181,6 +181,111 @@ class EngineModule(unittest.TestCase):
             engine.add_plane([0., 0., 0.], [0., 0., 0.])
         with self.assertRaisesRegex(RuntimeError, "cannot be read"):
             engine.restore("/nowhere/state")
+
+    def test_stable_step_needs_particles(self):
+        with self.assertRaisesRegex(ValueError, "^no particles: "):
+            dem.Engine(dem.Parameters()).stable_step()
+
+    def test_name_of_a_law_sets_its_defaults(self):
+        p = parameters()
+        self.assertEqual(
+            dem.law_parameters("linear"),
+            [("normal_stiffness", "N/m", 1e6),
+             ("shear_stiffness", "N/m", 0.85e6)])
+        self.assertEqual(dem.law_parameters("hertz"), [])
+        for material in (p.particle, p.wall, p.surface):
+            material.law = "dmt"
+            self.assertEqual(
+                list(material.law_values)[:2],
+                [value for _, _, value in dem.law_parameters("dmt")])
+            with self.assertRaisesRegex(ValueError, "contact law spring: must "
+                                        "be one of hertz, linear, dmt"):
+                material.law = "spring"
+            self.assertEqual(material.law, "dmt")
+        with self.assertRaisesRegex(ValueError, "must be one of hertz"):
+            dem.law_parameters("spring")
+
+        p = parameters()
+        p.gravity = [0., 0., 0.]
+        p.particle.law = "linear"
+        engine = dem.Engine(p)
+        for x in (0., 0.0199):
+            engine.add_sphere(0.01, [x, 0., 0.])
+        engine.advance(1e-9)
+        # 0.1 mm of overlap on a spring of 1e6 N/m.
+        self.assertAlmostEqual(engine.force[1, 0], 100., delta=1e-3)
+
+    def test_parameters_out_of_range_are_refused(self):
+        nan, inf = math.nan, math.inf
+        for name, value, what in (
+                ("particle.density", 0., "above 0 and at most 30000 kg/m"),
+                ("particle.density", -2750., "= -2750: must be a finite"),
+                ("particle.density", nan, "= nan: must be"),
+                ("particle.shear_modulus", 0., "of at least 1 and at most"),
+                ("particle.shear_modulus", inf, "= inf: must be"),
+                ("particle.poisson_ratio", 0.5, "at least 0 and below 0.5"),
+                ("particle.friction", -0.1, "at least 0"),
+                ("particle.rolling_friction", nan, "must be"),
+                ("particle.normal_damping", -1., "at least 0"),
+                ("particle.shear_damping", inf, "at least 0"),
+                ("wall.normal_stiffness", 0., "above 0"),
+                ("wall.shear_stiffness", -1., "at least 0"),
+                ("surface.friction", -1., "at least 0"),
+                ("breakage.fracture_energy", 0., "above 0"),
+                ("geometry.skin", -1., "at least 0"),
+                ("geometry.usual_skin", 0., "above 0"),
+                ("local_damping", 1., "at least 0 and below 1"),
+                ("density_scaling_diameter", -1., "at least 0 m"),
+                ("gravity", [0., nan, 0.], "= 0, nan, 0: must be three")):
+            p = parameters()
+            *sections, key = name.split(".")
+            part = p
+            for section in sections:
+                part = getattr(part, section)
+            setattr(part, key, value)
+            with self.subTest(name=name, value=value), \
+                    self.assertRaisesRegex(ValueError, f"^{name} .*{what}"):
+                dem.Engine(p)
+        p = parameters()
+        p.particle.law = "linear"
+        p.particle.law_values = [0., 0., 0., 0.]
+        with self.assertRaisesRegex(ValueError, "normal_stiffness of the law "
+                                    "linear = 0: must be"):
+            dem.Engine(p)
+
+    def test_geometry_must_be_finite(self):
+        engine, origin, up = dem.Engine(parameters()), [0., 0., 0.], [0, 0, 1]
+        corners = [origin, [1., 0., 0.], [0., 1., 0.]]
+        plane = engine.add_plane(origin, up)
+        shape = dem.Shape.sphere(0.01)
+        for bad in (math.nan, math.inf):
+            vector = [0., bad, 0.]
+            for name, call in (
+                    ("position", lambda v: engine.add_sphere(0.01, v)),
+                    ("position", lambda v: engine.add_particle(shape, v)),
+                    ("spin", lambda v: engine.add_sphere(0.01, origin,
+                                                         spin=v)),
+                    ("point", lambda v: engine.add_plane(v, up)),
+                    ("normal", lambda v: engine.add_plane(origin, v)),
+                    ("point", lambda v: setattr(plane, "point", v)),
+                    ("velocity", lambda v: setattr(plane, "velocity", v)),
+                    ("centre", lambda v: engine.set_periodic_cell(v, origin)),
+                    ("rate", engine.set_cell_rate),
+                    (r"vertices\[2\]", lambda v: engine.add_mesh_wall(
+                        "a", corners[:2] + [v], [[0, 1, 2]]))):
+                with self.subTest(name=name, bad=bad), \
+                        self.assertRaisesRegex(ValueError, f"^{name} = 0, "):
+                    call(vector)
+        for bad in (0., -1., math.nan, math.inf):
+            for make in (dem.Shape.sphere, shape.resized,
+                         lambda radius: engine.add_sphere(radius, origin)):
+                with self.assertRaisesRegex(ValueError, "^radius = .*above 0"):
+                    make(bad)
+            with self.assertRaisesRegex(ValueError, "^coefficients"):
+                dem.Shape([bad, 0., 0., 0.])
+        with self.assertRaisesRegex(ValueError, "in every direction"):
+            dem.Shape([0.01, 0., 0., 0.1])
+        self.assertEqual(len(engine), 0)
 
     def test_same_bits_as_the_program(self):
         step, n_steps = 4e-6, 50000

@@ -1,5 +1,10 @@
 """Cases are checked by the lists of the program, written and read again."""
+import copy
+import os
 import pathlib
+import tempfile
+
+import numpy as np
 
 import spall
 from samples import DATA, ROOT, InFolder
@@ -68,6 +73,15 @@ class Values(InFolder):
                 ("Loading/frequncy", 1, "did you mean frequency"),
                 ("Loadin/frequency", 1, "did you mean Loading"),
                 ("frequency", 1, "must be Section/key"),
+                (3, 1, "^3: must be Section/key"),
+                (None, 1, "must be Section/key"),
+                ("Case/title", None, "Case/title = None: must be one line"),
+                ("Case/title", ["a"], "must be one line"),
+                ("Specimen/gradation", np.ones(2), "must be one line"),
+                ("Loading/frequency", np.True_, "must be a number above 0"),
+                ("Loading/cycles", "1_0", "must be a whole number"),
+                ("Loading/zzz", 1, "; there are .*frequency"),
+                ("Zzz/frequency", 1, "; there are .*Loading"),
                 ("Scene/duration", 1, "has no section Scene")):
             with self.subTest(name=name, value=value), \
                     self.assertRaisesRegex(spall.InputError, what):
@@ -105,6 +119,40 @@ class Values(InFolder):
         self.assertEqual(case.changed(), {"Wall/friction": 0.125})
 
 
+    def test_all_back_to_the_defaults(self):
+        case = spall.Case("scene")
+        case["Walls/lid/velocity"] = (0, 0, -0.1)
+        case["Scene/duration"] = 2
+        case.clear()
+        self.assertEqual((case.changed(), case.walls, case.kind),
+                         ({}, [], "scene"))
+        with self.assertRaisesRegex(TypeError, "always has all keys"):
+            case.popitem()
+
+    def test_copies_are_independent(self):
+        self.case["Loading/cycles"] = 3
+        for function in (copy.copy, copy.deepcopy, spall.Case.copy):
+            other = function(self.case)
+            other["Loading/cycles"] = 5
+            self.assertEqual(self.case["Loading/cycles"], 3)
+            self.assertEqual(other["Loading/cycles"], 5)
+
+    def test_files_that_are_missing(self):
+        case = spall.Case("scene")
+        case["Scene/particles"] = "no_such_file.csv"
+        for verb in (case.check, lambda: case.run(self.folder / "run")):
+            with self.assertRaisesRegex(
+                    spall.InputError, "^Scene/particles = no_such_file.csv: "
+                    "no such file or folder, looked in the current folder, "
+                    "/") as caught:
+                verb()
+            self.assertNotIn(tempfile.gettempdir() + "/tmp",
+                             str(caught.exception))
+        case["Scene/particles"] = "~/p.csv"
+        self.assertEqual(case["Scene/particles"],
+                         os.path.expanduser("~/p.csv"))
+
+
 class Files(InFolder):
     def test_every_case_of_the_data(self):
         files = sorted((ROOT / "data" / "cases").glob("*.prm"))
@@ -112,9 +160,9 @@ class Files(InFolder):
         for k, path in enumerate([*files, DATA / "small_membrane.prm"]):
             with self.subTest(case=path.name):
                 case = spall.Case.read(path)
-                copy = self.folder / ("copy.prm", "copy.json")[k % 2]
-                case.write(copy)
-                self.assertEqual(dict(spall.Case.read(copy)), dict(case))
+                again = self.folder / ("copy.prm", "copy.json")[k % 2]
+                case.write(again)
+                self.assertEqual(dict(spall.Case.read(again)), dict(case))
 
     def test_paths_are_those_of_the_file(self):
         self.file("g.csv", "diameter_m,passing_1\n0.01,0\n0.02,1\n")

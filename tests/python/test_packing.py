@@ -101,6 +101,16 @@ class Texts(InFolder):
             np.testing.assert_array_equal(getattr(again, name),
                                           getattr(packing, name), name)
 
+    def test_csv_without_an_end_of_its_last_line(self):
+        text = "x,y,z,radius\n0,0,0,0.01\n1,0,0,0.02"
+        for name, before in (("a.csv", ""), ("b.csv", "\ufeff")):
+            packing = spall.read_packing(self.file(name, before + text))
+            np.testing.assert_array_equal(packing.radius, [0.01, 0.02])
+
+    def test_yade_with_a_byte_order_mark(self):
+        packing = spall.read_packing(self.file("yade.txt", "\ufeff" + YADE))
+        self.assertEqual(len(packing), 2)
+
     def test_bounds(self):
         packing = spall.read_packing(self.file("yade.txt", YADE))
         np.testing.assert_allclose(packing.bounds(),

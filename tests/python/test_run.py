@@ -10,6 +10,7 @@ import numpy as np
 import spall
 from samples import DATA, InFolder, needs, two_particles
 from spall.mesh import signed_volume
+from spall.program import follow
 
 MPIRUN = shutil.which("mpirun")
 # Prints lines of progress until it is asked to stop.
@@ -169,6 +170,40 @@ class Reading(Shared):
         with self.assertRaisesRegex(spall.InputError, "no cycle 7"):
             run.plot.loops(cycles=[7])
 
+    def test_folder_that_is_run_again(self):
+        folder = self.folder / "run"
+        shutil.copytree(self.two.folder, folder)
+        (folder / "summary.json").unlink()
+        run = spall.Run(folder)
+        history = folder / "history.csv"
+        text = history.read_text().splitlines(keepends=True)
+        history.write_text("".join(text[:3]))
+        short = run.history.n_rows
+        history.write_text("".join(text))
+        self.assertEqual(run.history.n_rows, short)  # until it is asked to
+        run.refresh()
+        self.assertGreater(run.history.n_rows, short)
+        for name in ("case.prm", "summary.json"):
+            history.write_text("".join(text[:3]))
+            run.refresh()
+            self.assertEqual(run.history.n_rows, short)
+            history.write_text("".join(text))
+            shutil.copy(self.two.folder / name, folder / name)
+            os.utime(folder / name, ns=(1, 1))
+            self.assertGreater(run.history.n_rows, short, name)
+        before = run.history
+        shutil.rmtree(folder)
+        self.assertIs(run.history, before)
+
+    def test_folder_is_absolute(self):
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.two.folder.parent)
+        run = spall.Run(self.two.folder.name)
+        os.chdir(here)
+        self.assertGreater(run.history.n_rows, 0)
+        self.assertTrue(run.folder.is_absolute())
+
     def test_missing_packages_are_named(self):
         with mock.patch.dict("sys.modules", {"matplotlib": None,
                                              "matplotlib.pyplot": None}), \
@@ -188,6 +223,18 @@ class Reading(Shared):
             [one.summary["permanent_axial_strain"]
              for one in (self.run_, self.other)])
         self.assertEqual(table.unit("peak_axial_stress"), "Pa")
+        self.assertEqual(table.unit("Particle/friction"), "1")
+
+    def test_units_of_compared_keys(self):
+        other = self.folder / "other"
+        shutil.copytree(self.two.folder, other)
+        case = other / "case.prm"
+        case.write_text(case.read_text().replace("set duration = 0.1",
+                                                 "set duration = 0.2"))
+        table = spall.compare([self.two, other]).table
+        self.assertEqual(table["Scene/duration"].tolist(), [0.1, 0.2])
+        self.assertEqual(table.unit("Scene/duration"), "s")
+        self.assertEqual(table.rows([0]).unit("Scene/duration"), "s")
 
 
 class Running(InFolder):
@@ -207,6 +254,28 @@ class Running(InFolder):
         with self.assertRaisesRegex(spall.InputError, "ranks = 0"):
             case.run(self.folder / "run", ranks=0)
 
+    def test_folder_of_relative_path(self):
+        case = two_particles(spall, self.folder)
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.folder)
+        with mock.patch("spall.case.follow", side_effect=lambda *words: (
+                os.chdir(here), follow(*words))):
+            run = case.run("run")
+        self.assertEqual(run.folder, self.folder / "run")
+
+    def test_notes_on_unusual_values(self):
+        case = two_particles(spall, self.folder)
+        case["Particle/density"] = 20
+        with self.assertWarnsRegex(UserWarning, "^Particle/density = 20: "
+                                   "unusual") as caught:
+            case.run(self.folder / "run")
+        self.assertEqual(len(caught.warnings), 1)
+        self.assertEqual(caught.filename, __file__)
+        with self.assertWarnsRegex(UserWarning, "^Particle/density = 20: "
+                                   "unusual"):
+            case.validate()
+
     def test_run_errors(self):
         case = small_triaxial()
         case["Preparation/max_time"] = 1e-4
@@ -223,8 +292,7 @@ class Running(InFolder):
         case["Loading/cycles"] = 2
         again = case.run(self.folder / "run", resume=True)
         self.assertEqual(again.cycles["cycle"].tolist(), [1.0, 2.0])
-        self.assertEqual(first.cycles.n_rows, 1)
-        first.refresh()
+        # The folder has another summary than when it was read.
         self.assertEqual(first.cycles.n_rows, 2)
 
     @unittest.skipUnless(MPIRUN, "mpirun is not installed")
@@ -263,8 +331,26 @@ end
             self.assertEqual(run.case["Particle/friction"], friction)
         means = read.mean("energy_residual_ratio", "Particle/friction")
         self.assertEqual(means["n_cases"].sum(), len(read))
+        self.check_units()
         with self.assertRaisesRegex(spall.InputError, "no folder of a study"):
             spall.Study(self.folder)
+
+
+    def check_units(self):
+        """Of a swept key, and of an outcome by its full name."""
+        table = self.folder / "study" / "study.csv"
+        table.write_text(table.read_text().replace(
+            "Particle/friction", "Particle/density").replace(
+            "energy_residual_ratio_1", "first_force_N"))
+        read = spall.Study(self.folder / "study")
+        self.assertEqual(read.table.unit("Particle/density"), "kg/m^3")
+        self.assertEqual(read.unit("Particle/density"), "kg/m^3")
+        for outcome in ("first_force_N", "first_force"):
+            means = read.mean(outcome, by="Particle/density")
+            for name, unit in (("Particle/density", "kg/m^3"),
+                               ("first_force", "N"),
+                               ("first_force_deviation", "N")):
+                self.assertEqual(means.unit(name), unit)
 
 
 class Following(InFolder):

@@ -75,6 +75,33 @@ class Tables(InFolder):
     def test_row_that_is_being_written_is_left_out(self):
         self.assertEqual(self.table().n_rows, 2)
 
+    def test_last_line_of_a_complete_file(self):
+        path = self.file("a.csv", "time_s,n\n0,1\n1,2")
+        self.assertEqual(spall.Table.read(path).n_rows, 1)
+        self.assertEqual(spall.Table.read(path, is_complete=True).n_rows, 2)
+
+    def test_units_that_names_do_not_have(self):
+        table = spall.Table({"Loading/frequency": np.ones(2),
+                             "force_N": np.ones(2)},
+                            units={"Loading/frequency": "Hz"})
+        for one in (table, table.rows([0]),
+                    spall.Table({"Loading/frequency": [1]}).with_units(
+                        {"Loading/frequency": "Hz"})):
+            self.assertEqual(one.unit("Loading/frequency"), "Hz")
+        self.assertEqual(table.unit("force"), "N")
+        self.assertEqual(table.label("Loading/frequency"),
+                         "Loading/frequency (Hz)")
+
+    def test_names_where_none_is_near(self):
+        with self.assertRaisesRegex(UnknownKey, "no column zzz; there are "
+                                    "time, force_N, force_J, n, name$"):
+            self.table()["zzz"]
+        with self.assertRaisesRegex(UnknownKey, "no value zzz; there is a$"):
+            spall.Record({"a": 1})["zzz"]
+        many = spall.Table({f"c{k}": [0] for k in range(30)})
+        with self.assertRaisesRegex(UnknownKey, "no column zzz$"):
+            many["zzz"]
+
     def test_unknown_column_is_refused(self):
         with self.assertRaisesRegex(UnknownKey,
                                     "no column tine, did you mean time"):

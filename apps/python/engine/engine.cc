@@ -32,7 +32,7 @@ struct PyEngine
   std::vector<Series> shapes = {};
 
   explicit PyEngine(const dem::EngineParameters &parameters)
-      : engine(parameters)
+      : engine((check_parameters(parameters), parameters))
   {
   }
   void note(const Series &series)
@@ -105,6 +105,9 @@ std::int64_t add(PyEngine &self, const dem::ParticleShape &shape,
                  const Vec3 &position, const dem::Quaternion &orientation,
                  const Vec3 &velocity, const Vec3 &spin)
 {
+  require_finite("position", position);
+  require_finite("velocity", velocity);
+  require_finite("spin", spin);
   const auto id = static_cast<std::int64_t>(self.engine.particles().size());
   if (shape.series)
     self.note(shape.series);
@@ -116,13 +119,22 @@ std::int64_t add(PyEngine &self, const dem::ParticleShape &shape,
   return id;
 }
 
+double stable_step(PyEngine &self)
+{
+  if (self.engine.particles().size() == 0)
+    throw std::invalid_argument("no particles: the stable step follows from "
+                                "their masses, add one before");
+  return dem::critical_step(self.engine.parameters(), self.engine.particles())
+      .step;
+}
+
 /// Steps, and after every `interval` of them the callback; Ctrl-C stops
 /// between two of them.
 void advance(PyEngine &self, double time_step, std::int64_t n_steps,
              const std::function<void()> &callback, std::int64_t interval)
 {
-  if (!(time_step > 0.))
-    throw std::invalid_argument("time_step: must be above 0 s");
+  if (!(time_step > 0.) || !std::isfinite(time_step))
+    throw std::invalid_argument("time_step: must be above 0 s and finite");
   if (n_steps < 0 || interval < 1)
     throw std::invalid_argument("n_steps must be at least 0, interval at "
                                 "least 1");
@@ -235,6 +247,8 @@ struct PyMeshWall
 
 PyPlane add_plane(PyEngine &self, const Vec3 &point, const Vec3 &normal)
 {
+  require_finite("point", point);
+  require_finite("normal", normal);
   if (!(normal.norm() > 0.))
     throw std::invalid_argument("normal: must not be 0");
   return {&self, dem::add_plane(self.engine, point, normal.normalized())};
@@ -246,6 +260,12 @@ PyMeshWall add_mesh_wall(PyEngine &self, const std::string &name,
                          const Vec3 &velocity, double spin, const Vec3 &axis,
                          const Vec3 &centre)
 {
+  require_finite("velocity", velocity);
+  require_finite("spin", {spin, 0., 0.});
+  require_finite("axis", axis);
+  require_finite("centre", centre);
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    require_finite("vertices[" + std::to_string(k) + "]", vertices[k]);
   if (!(axis.norm() > 0.))
     throw std::invalid_argument("axis: must not be 0");
   dem::FacetSurface surface;
@@ -270,15 +290,22 @@ void bind_walls(py::module_ &module)
       .def_property(
           "point", [](const PyPlane &p) { return p().point; },
           [](const PyPlane &p, const Vec3 &point)
-          { dem::place_plane(p.engine->engine, p.number, point); },
+          {
+            require_finite("point", point);
+            dem::place_plane(p.engine->engine, p.number, point);
+          },
           "A point of the plane [m].")
       .def_property_readonly(
           "normal", [](const PyPlane &p) { return p().normal; },
           "Unit normal into the particles [-].")
       .def_property(
           "velocity", [](const PyPlane &p) { return p().velocity; },
-          [](const PyPlane &p, const Vec3 &v) { p().velocity = v; },
-          "Velocity [m/s].")
+          [](const PyPlane &p, const Vec3 &v)
+          {
+            require_finite("velocity", v);
+            p().velocity = v;
+          },
+          "Velocity [m/s]; read as a copy, set as a whole.")
       .def_property_readonly(
           "force", [](const PyPlane &p) { return p().force; },
           "Force of the particles on the plane [N].")
@@ -292,29 +319,6 @@ void bind_walls(py::module_ &module)
       .def_property_readonly(
           "moment", [](const PyMeshWall &w) { return w().load().moment; },
           "Their moment about its centre of rotation [N m].");
-}
-
-dem::ParticleShape shape_from(const std::vector<double> &coefficients)
-{
-  return dem::shape_of(coefficients);
-}
-
-void bind_shapes(py::module_ &module)
-{
-  using Shape = dem::ParticleShape;
-  py::class_<Shape>(module, "Shape",
-                    "A particle shape: coefficients of real spherical "
-                    "harmonics, degree by degree [m].")
-      .def(py::init(&shape_from), py::arg("coefficients"))
-      .def("resized", &dem::resized, py::arg("radius"),
-           "The same shape with another equivalent radius [m].")
-      .def_static("sphere", &dem::make_sphere, py::arg("radius"),
-                  "A sphere [m].")
-      .def_property_readonly("radius", &dem::mean_radius,
-                             "Equivalent radius [m].")
-      .def_readonly("volume", &Shape::volume, "Volume [m^3].")
-      .def_readonly("circumscribed_radius", &Shape::circumscribed_radius,
-                    "Radius of the circumscribed sphere [m].");
 }
 
 void bind_columns(py::class_<PyEngine> &engine)
@@ -361,15 +365,8 @@ void bind_steps(py::class_<PyEngine> &engine)
            py::arg("callback") = nullptr, py::arg("interval") = 1,
            "Takes steps of this length [s]; calls callback() after every "
            "`interval` of them.")
-      .def(
-          "stable_step",
-          [](const PyEngine &self)
-          {
-            return dem::critical_step(self.engine.parameters(),
-                                      self.engine.particles())
-                .step;
-          },
-          "Longest stable step of any particle on any other or a plane [s].")
+      .def("stable_step", &stable_step,
+           "Longest stable step of any particle on any other or a plane [s].")
       .def_property_readonly(
           "time", [](const PyEngine &self) { return self.engine.time(); },
           "Time [s].")
@@ -401,7 +398,6 @@ void bind_steps(py::class_<PyEngine> &engine)
 
 void bind_engine(py::module_ &module)
 {
-  bind_shapes(module);
   bind_walls(module);
   py::class_<PyEngine> engine(
       module, "Engine",
@@ -414,8 +410,7 @@ void bind_engine(py::module_ &module)
           [](PyEngine &self, double radius, const Vec3 &position,
              const Vec3 &velocity, const Vec3 &spin)
           {
-            if (!(radius > 0.))
-              throw std::invalid_argument("radius: must be above 0 m");
+            require_length("radius", radius);
             return add(self, dem::make_sphere(radius), position,
                        dem::Quaternion::Identity(), velocity, spin);
           },
@@ -450,14 +445,21 @@ void bind_engine(py::module_ &module)
       .def(
           "set_periodic_cell",
           [](PyEngine &self, const Vec3 &centre, const Vec3 &length)
-          { self.engine.set_periodic_cell(centre, length); },
+          {
+            require_finite("centre", centre);
+            require_finite("length", length);
+            self.engine.set_periodic_cell(centre, length);
+          },
           py::arg("centre"), py::arg("length"),
           "Makes the scene periodic along the axes whose length is above 0 "
           "[m].")
       .def(
           "set_cell_rate",
           [](PyEngine &self, const Vec3 &rate)
-          { self.engine.set_cell_rate(rate); },
+          {
+            require_finite("rate", rate);
+            self.engine.set_cell_rate(rate);
+          },
           py::arg("rate"), "Rates of the lengths of the cell [m/s].");
   bind_columns(engine);
   bind_steps(engine);

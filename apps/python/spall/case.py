@@ -1,13 +1,15 @@
 """A case: the input of a run."""
 from __future__ import annotations
 
-import copy
+import contextlib
 import json
 import pathlib
+import re
 import tempfile
-from typing import Any, Callable, Iterator, MutableMapping
+import warnings
+from typing import Any, Callable, Iterator, MutableMapping, NoReturn
 
-from .errors import InputError
+from .errors import InputError, SpallError
 from .parameters import Parameter, parameters_of, values_of
 from .prm import as_text, prm_text
 from .program import Progress, call, find_program, follow, start_words
@@ -124,6 +126,17 @@ class Case(MutableMapping[str, Any]):
             return False
         return True
 
+    def clear(self) -> None:
+        """Sets all keys back to the defaults of the kind and removes the
+        walls."""
+        self._values.clear()
+        self._walls.clear()
+
+    def popitem(self) -> NoReturn:
+        """TypeError: a case always has all keys of its kind."""
+        raise TypeError("popitem: a case always has all keys of its kind; del "
+                        "sets one back to its default, clear() sets all back")
+
     def _add_wall(self, name: str) -> None:
         if not name.isascii() or not name.replace("_", "a").isalnum():
             raise InputError(f"Walls/{name}: the name of a wall is letters, "
@@ -165,23 +178,33 @@ class Case(MutableMapping[str, Any]):
 
     def copy(self) -> Case:
         """An independent copy."""
-        other = copy.copy(self)
+        other = type(self).__new__(type(self))
+        other.__dict__.update(self.__dict__)
         other._values, other._walls = dict(self._values), list(self._walls)
         return other
 
+    def __copy__(self) -> Case:
+        return self.copy()
+
+    def __deepcopy__(self, _memo: object) -> Case:
+        return self.copy()
+
     def apply_preset(self, preset: str) -> None:
         """Puts the settings of a preset of this kind over the case."""
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "case.prm"
-            self.write(file)
+        with self._file() as file:
             printed = json.loads(call("check", file, "--json", "--set",
                                       f"preset={preset}"))
         self._take(values_of(printed))
 
     def validate(self) -> None:
         """Checks the parameters against each other and the files they name.
-        InputError with the line of the program."""
-        self._call_check("--json")
+        InputError with the line of the program. Its notes, as on unusual
+        values, are warnings (UserWarning)."""
+        with self._file() as file:
+            printed = json.loads(call("check", file, "--json"))
+            notes = [_without_file(note, file) for note in printed["notices"]]
+        for note in notes:
+            warnings.warn(note, UserWarning, stacklevel=2)
 
     def check(self) -> str:
         """Builds the scene and returns what ``spall check`` prints: particles,
@@ -189,10 +212,21 @@ class Case(MutableMapping[str, Any]):
         return self._call_check()
 
     def _call_check(self, *options: str) -> str:
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "case.prm"
-            self.write(file)
+        with self._file() as file:
             return call("check", file, *options)
+
+    @contextlib.contextmanager
+    def _file(self, name: str = "case.prm") -> Iterator[pathlib.Path]:
+        """The case in a file for the time of the block. Errors of the program
+        in the block do not name the file."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / name
+            self.write(file)
+            try:
+                yield file
+            except SpallError as error:
+                error.args = (_without_file(str(error), file),)
+                raise
 
     def resolved(self) -> dict[str, Any]:
         """What a file needs: kind, changes and walls, paths from here."""
@@ -237,28 +271,43 @@ class Case(MutableMapping[str, Any]):
         run writes a checkpoint and stops.
 
         InputError or RunError with the line of the program if it fails. A run
-        that got a signal to stop returns: see ``Run.is_complete``.
+        that got a signal to stop returns: see ``Run.is_complete``. Notes of
+        the program on the case, as on unusual values, are warnings
+        (UserWarning).
         """
         for name, count in (("ranks", ranks), ("threads", threads)):
             if count < 1:
                 raise InputError(f"{name} = {count}: must be at least 1")
-        out = pathlib.Path(out)
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / f"{out.name or 'case'}.prm"
-            self.write(file)
+        out = pathlib.Path(out).absolute()
+        notes: list[str] = []
+        with self._file(f"{out.name or 'case'}.prm") as file:
             words = [*start_words(ranks, mpirun), str(find_program()), "run",
                      str(file), "--out", str(out), "--threads", str(threads)]
             words += ["--resume"] if resume else []
             words += ["--overwrite"] if overwrite else []
             if preparations is not None:
                 words += ["--preparations", str(preparations)]
-            follow(words, progress)
+            try:
+                follow(words, progress, notes.append)
+            finally:
+                for note in notes:
+                    warnings.warn(_without_file(note, file), UserWarning,
+                                  stacklevel=2)
         return Run(out)
 
     def __repr__(self) -> str:
         return f"Case of kind {self.kind}: " + ", ".join(
             f"{name} = {as_text(value)}"
             for name, value in self.changed().items())
+
+
+def _without_file(message: str, file: pathlib.Path) -> str:
+    """A message of the program on a case of Python: without the file that the
+    case was written to. Instead of its folder the paths of the case are
+    searched in the current one (``Case.resolved``)."""
+    where = re.escape(str(file)) + r"(:\d+)?( \(default\))?: "
+    return re.sub(where, "", message).replace(str(file.parent),
+                                              "the current folder")
 
 
 def _nested(values: dict[str, Any]) -> dict[str, Any]:

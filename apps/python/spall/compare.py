@@ -10,6 +10,7 @@ from .errors import InputError
 from .plots import draw, new_axes
 from .run import Run
 from .table import Record, Table
+from .units import table_unit
 
 # What a run costs and how it was started is no result.
 _LEFT_OUT = ("Case/title", "Output/", "Run/")
@@ -53,7 +54,14 @@ class Comparison:
                 isinstance(one, (int, float)) for one in values) else \
                 np.array([str(one) for one in values])
         columns.update(self._results())
-        return Table(columns, "comparison")
+        return Table(columns, "comparison",
+                     {key: self._unit(key) for key in self.differences})
+
+    def _unit(self, key: str) -> str:
+        """Unit of Section/key, which not every run may have."""
+        return next(table_unit(run.case.unit(key))
+                    for run, case in zip(self.runs, self._cases)
+                    if key in case)
 
     def _results(self) -> dict[str, np.ndarray]:
         summaries = [dict(self._numbers(run.summary)) for run in self.runs]

@@ -21,7 +21,8 @@ import os
 try:
     from spall_engine import (BreakageParameters, ContactGeometry, Engine,
                               GeometryParameters, MeshWall, Parameters,
-                              ParticleMaterial, Plane, Shape, WallMaterial)
+                              ParticleMaterial, Plane, Shape, WallMaterial,
+                              law_parameters)
 except ImportError as missing:
     raise ImportError(
         "spall.engine needs the compiled module spall_engine: it is installed "
@@ -30,7 +31,7 @@ except ImportError as missing:
 
 __all__ = ["BreakageParameters", "ContactGeometry", "Engine",
            "GeometryParameters", "MeshWall", "Parameters", "ParticleMaterial",
-           "Plane", "Shape", "WallMaterial", "read_shape"]
+           "Plane", "Shape", "WallMaterial", "law_parameters", "read_shape"]
 
 
 def read_shape(file: str | os.PathLike[str]) -> Shape:

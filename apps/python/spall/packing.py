@@ -140,7 +140,7 @@ def read_packing(path: str | pathlib.Path, scale: float = 1.0,
     """
     file = pathlib.Path(path)
     try:
-        lines = file.read_text(encoding="utf-8").splitlines()
+        lines = file.read_text(encoding="utf-8-sig").splitlines()
     except FileNotFoundError:
         raise InputError(f"{file}: no such file") from None
     except UnicodeDecodeError:
@@ -269,7 +269,7 @@ def _read_yade(path: pathlib.Path, lines: list[str]) -> Packing:
 
 
 def _read_csv(path: pathlib.Path, lines: list[str]) -> Packing:
-    table = Table.read(path)
+    table = Table.read(path, is_complete=True)
     data = {name: table[name] for name in table}
 
     def group(names: Sequence[str]) -> np.ndarray | None:

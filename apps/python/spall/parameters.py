@@ -9,6 +9,8 @@ import numbers
 import os
 from typing import Any, Iterable
 
+import numpy as np
+
 from .errors import InputError, UnknownKey
 from .program import call, find_program
 from .units import did_you_mean
@@ -57,8 +59,10 @@ class Parameter:
         return above and below and math.isfinite(value)
 
     def _number(self, value: Any) -> float:
-        if isinstance(value, bool):
+        if isinstance(value, (bool, np.bool_)):
             raise TypeError
+        if isinstance(value, str) and "_" in value:
+            raise ValueError
         result = float(value)
         if not self._in_range(result):
             raise ValueError
@@ -79,13 +83,15 @@ class Parameter:
         return bool(value)
 
     def _text(self, value: Any) -> str:
-        result = os.fspath(value) if isinstance(value, os.PathLike) \
-            else str(value)
+        result = os.fspath(value)
+        if not isinstance(result, str):
+            raise TypeError
         if "\n" in result or "\r" in result:
             raise ValueError
-        return result
+        return str(result)
 
-    _path = _text
+    def _path(self, value: Any) -> str:
+        return os.path.expanduser(self._text(value))
 
     def _vector(self, value: Any) -> tuple[float, ...]:
         if isinstance(value, str):
@@ -128,8 +134,9 @@ class ParameterList:
 
     def find(self, name: str) -> Parameter:
         """The parameter of Section/key, also by a deprecated name. InputError
-        with what is near if there is none."""
-        section, slash, key = name.rpartition("/")
+        with what is near, or with all names, if there is none."""
+        section, slash, key = name.rpartition("/") \
+            if isinstance(name, str) else ("", "", "")
         if not slash or not section:
             raise UnknownKey(f"{name}: must be Section/key")
         section = self._old_sections.get(section, section)

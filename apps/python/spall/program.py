@@ -30,6 +30,7 @@ class Progress:
 _PROGRESS = re.compile(
     r"^(?P<phase>.+?)\s+(?P<share>\d+\.\d) %\s+(?P<rate>\d+) steps/s"
     r"(?:  (?P<minutes>\d+):(?P<seconds>\d\d) left)?(?:  (?P<numbers>.*))?$")
+_NOTE = "note: "  # how lines on likely slips of the case begin
 
 
 def parse_progress(line: str) -> Progress | None:
@@ -113,10 +114,11 @@ def start_words(ranks: int, mpirun: str | None) -> list[str]:
 
 
 def follow(words: Sequence[str],
-           progress: Callable[[Progress], object] | None) -> None:
-    """Runs a command to its end and hands its lines of progress on. Where the
-    callback raises, or on Ctrl-C, the run is asked to stop, writes its
-    checkpoint, and the exception goes on."""
+           progress: Callable[[Progress], object] | None,
+           note: Callable[[str], object] | None = None) -> None:
+    """Runs a command to its end and hands its lines of progress, and its notes
+    on the case, on. Where a callback raises, or on Ctrl-C, the run is asked to
+    stop, writes its checkpoint, and the exception goes on."""
     with tempfile.TemporaryFile("w+") as errors:
         with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=errors,
                               text=True, bufsize=1) as process:
@@ -126,6 +128,8 @@ def follow(words: Sequence[str],
                     step = parse_progress(line.rstrip("\n"))
                     if step and progress:
                         progress(step)
+                    if note and line.startswith(_NOTE):
+                        note(line.removeprefix(_NOTE).rstrip("\n"))
                 process.wait()
             except BaseException:
                 process.terminate()

@@ -1,9 +1,9 @@
 """A run folder."""
 from __future__ import annotations
 
-import functools
 import json
 import pathlib
+from typing import Any, Callable, cast
 
 from .errors import InputError
 from .frame_tables import FrameTables
@@ -19,12 +19,16 @@ class Run:
     """What a run has written, read when it is first asked for.
 
     A run that is still going can be read: ``refresh()`` forgets what has been
-    read. Tables have units (``run.history.unit("time")``); ``run.case`` is
-    the case with every parameter as run, by section.
+    read. So does a run that ends, goes on or begins again in the folder, so
+    that old and new results are never mixed. Tables have units
+    (``run.history.unit("time")``); ``run.case`` is the case with every
+    parameter as run, by section.
     """
 
     def __init__(self, folder: str | pathlib.Path) -> None:
-        self.folder = pathlib.Path(folder)
+        self.folder = pathlib.Path(folder).absolute()
+        self._read: dict[str, Any] = {}
+        self._times = self._modification_times()
         if not (self.folder / "case.prm").is_file():
             raise InputError(f"{folder}: is no run folder, it has no case.prm")
 
@@ -33,10 +37,33 @@ class Run:
         """Name of the folder."""
         return self.folder.name
 
-    @functools.cached_property
+    def _modification_times(self) -> list[int]:
+        """Of the files that a run writes at its start and at its end [ns]; 0
+        of one that is not there."""
+        times = []
+        for name in ("case.prm", "summary.json"):
+            try:
+                times.append((self.folder / name).stat().st_mtime_ns)
+            except OSError:
+                times.append(0)
+        return times
+
+    def _kept(self, name: str, read: Callable[[], Any]) -> Any:
+        """What has been read under this name, else what ``read`` returns. All
+        is forgotten where the folder belongs to another run than before, but
+        not where it was removed."""
+        times = self._modification_times()
+        if times != self._times and times[0] != 0:
+            self.refresh()
+        if name not in self._read:
+            self._read[name] = read()
+        return self._read[name]
+
+    @property
     def case(self) -> Record:
         """Every parameter as run: ``run.case["Loading"]["frequency"]``."""
-        return read_resolved(self.folder / "case.prm")
+        file = self.folder / "case.prm"
+        return cast(Record, self._kept("case", lambda: read_resolved(file)))
 
     @property
     def kind(self) -> str:
@@ -50,18 +77,16 @@ class Run:
 
     def table(self, name: str) -> Table:
         """Any table of the run, as ``boundary_profile_end``."""
-        if name not in self._tables:
-            path = self.folder / f"{name}.csv"
-            if not path.exists():
-                raise InputError(
-                    f"{self.folder}: has no {name}.csv; this run of kind "
-                    f"{self.kind} has {', '.join(self.table_names)}")
-            self._tables[name] = Table.read(path)
-        return self._tables[name]
+        return cast(Table, self._kept(f"{name}.csv",
+                                      lambda: self._read_table(name)))
 
-    @functools.cached_property
-    def _tables(self) -> dict[str, Table]:
-        return {}
+    def _read_table(self, name: str) -> Table:
+        path = self.folder / f"{name}.csv"
+        if not path.exists():
+            raise InputError(
+                f"{self.folder}: has no {name}.csv; this run of kind "
+                f"{self.kind} has {', '.join(self.table_names)}")
+        return Table.read(path)
 
     @property
     def history(self) -> Table:
@@ -97,9 +122,12 @@ class Run:
         """Work and impulse exchanged between particles and bodies."""
         return self.table("ledger")
 
-    @functools.cached_property
+    @property
     def summary(self) -> Record:
         """Results of the run as a whole. InputError before its end."""
+        return cast(Record, self._kept("summary", self._read_summary))
+
+    def _read_summary(self) -> Record:
         path = self.folder / "summary.json"
         if not path.exists():
             raise InputError(f"{self.folder}: has no summary.json, which a "
@@ -124,10 +152,11 @@ class Run:
         path = self.folder / "log.txt"
         return path.read_text(encoding="utf-8") if path.exists() else ""
 
-    @functools.cached_property
+    @property
     def frames(self) -> list[Frame]:
         """States at instants; ``run.frames[-1].time`` is in s."""
-        return read_frames(self.folder)
+        return cast("list[Frame]", self._kept(
+            "frames", lambda: read_frames(self.folder)))
 
     def frame(self, frame: Frame | int = -1) -> Frame:
         """A frame by its position in ``frames``; the last by default."""
@@ -169,8 +198,8 @@ class Run:
 
     def refresh(self) -> None:
         """Forgets what has been read, so that it is read again."""
-        for name in ("case", "_tables", "summary", "frames"):
-            self.__dict__.pop(name, None)
+        self._read.clear()
+        self._times = self._modification_times()
 
     def __repr__(self) -> str:
         return f"Run({str(self.folder)!r})"

@@ -10,6 +10,7 @@ import numpy as np
 from .errors import InputError
 from .run import Run
 from .table import Table
+from .units import split_unit, table_unit
 
 
 class Study:
@@ -27,14 +28,23 @@ class Study:
 
     @functools.cached_property
     def table(self) -> Table:
-        """All cases."""
-        return Table.read(self.folder / "study.csv")
+        """All cases. Columns of swept keys have the units of the cases."""
+        table = Table.read(self.folder / "study.csv")
+        return table.with_units(self._units_of(_keys_of(table), table["run"]))
+
+    def _units_of(self, keys: list[str], runs: Any) -> dict[str, str]:
+        """Units of swept keys, from the first run that has a case."""
+        for name in runs:
+            if (self.folder / name / "case.prm").is_file():
+                case = Run(self.folder / name).case
+                return {key: table_unit(case.unit(key)) for key in keys
+                        if key in case}
+        return {}
 
     @property
     def keys(self) -> list[str]:
         """The swept keys, Section/key or Variants."""
-        names = list(self.table)
-        return names[names.index("is_done") + 1:names.index("seed")]
+        return _keys_of(self.table)
 
     @property
     def outcomes(self) -> list[str]:
@@ -48,10 +58,7 @@ class Study:
         return [Run(self.folder / name) for name in self.table["run"]]
 
     def unit(self, name: str) -> str:
-        """Unit of an outcome, or of a swept key as the case of a run has
-        it."""
-        if name in self.keys and self.runs and name in self.runs[0].case:
-            return self.runs[0].case.unit(name)
+        """Unit of an outcome or of a swept key, "1" if it has none."""
         return self.table.unit(name)
 
     def mean(self, outcome: str, by: str) -> Table:
@@ -59,18 +66,17 @@ class Study:
         number, for each value of a swept key. Cases that are not done are
         left out. The other keys are averaged over, too."""
         done = self.table.rows(self.table["is_done"] == 1)
-        full, ending = self.table.full_name(outcome), ""
-        if full.startswith(outcome):
-            ending = full[len(outcome):]
+        full = self.table.full_name(outcome)
+        name = split_unit(full)[0]
         groups = [(value, done[outcome][done[by] == value])
                   for value in np.unique(done[by])]
         columns: dict[str, Any] = {
             by: np.array([value for value, _ in groups]),
-            f"{outcome}{ending}": np.array([g.mean() for _, g in groups]),
-            f"{outcome}_deviation{ending}": np.array(
+            full: np.array([g.mean() for _, g in groups]),
+            f"{name}_deviation{full[len(name):]}": np.array(
                 [g.std(ddof=1) if len(g) > 1 else np.nan for _, g in groups]),
             "n_cases": np.array([len(g) for _, g in groups])}
-        return Table(columns, str(self.folder))
+        return Table(columns, str(self.folder), {by: self.table.unit(by)})
 
     def __iter__(self) -> Iterator[Run]:
         return iter(self.runs)
@@ -80,3 +86,8 @@ class Study:
 
     def __repr__(self) -> str:
         return f"Study({str(self.folder)!r})"
+
+
+def _keys_of(table: Table) -> list[str]:
+    names = list(table)
+    return names[names.index("is_done") + 1:names.index("seed")]

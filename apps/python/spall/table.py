@@ -14,10 +14,13 @@ if TYPE_CHECKING:
     import pandas
 
 
-def _short_names(full_names: list[str]) -> dict[str, tuple[str, str]]:
+def _short_names(full_names: list[str],
+                 units: Mapping[str, str]) -> dict[str, tuple[str, str]]:
     """Full name -> (name without unit, unit). Names that would be the same
-    without their units keep them."""
-    split = {name: split_unit(name) for name in full_names}
+    without their units keep them, and so do names of ``units``, which has
+    the unit of a name that does not end in it."""
+    split = {name: (name, units[name]) if name in units else split_unit(name)
+             for name in full_names}
     count: dict[str, int] = {}
     for name, _ in split.values():
         count[name] = count.get(name, 0) + 1
@@ -33,10 +36,12 @@ class Table(Mapping[str, np.ndarray]):
     has one row per entry and one column per component.
     """
 
-    def __init__(self, columns: Mapping[str, np.ndarray],
-                 source: str = "") -> None:
-        """``columns`` by full name, ``name_unit``."""
-        self._names = _short_names(list(columns))
+    def __init__(self, columns: Mapping[str, np.ndarray], source: str = "",
+                 units: Mapping[str, str] | None = None) -> None:
+        """``columns`` by full name, ``name_unit``; ``units`` by name of those
+        columns whose names do not end in their units."""
+        self._given_units = dict(units or {})
+        self._names = _short_names(list(columns), self._given_units)
         self._columns = {self._names[full][0]: np.asarray(values)
                          for full, values in columns.items()}
         self._units = dict(self._names.values())
@@ -49,16 +54,17 @@ class Table(Mapping[str, np.ndarray]):
         self.n_rows: int = lengths.pop() if lengths else 0
 
     @classmethod
-    def read(cls, path: str | pathlib.Path) -> Table:
+    def read(cls, path: str | pathlib.Path,
+             is_complete: bool = False) -> Table:
         """A CSV file with one header line. Lines that begin with # are
-        comments. A last line that is not complete is left out: the run may
-        still be writing it."""
+        comments. A last line without its end is left out: the run may still
+        be writing it. It is read if the file ``is_complete``."""
         path = pathlib.Path(path)
         try:
-            text = path.read_text(encoding="utf-8")
+            text = path.read_text(encoding="utf-8-sig")
         except FileNotFoundError:
             raise InputError(f"{path}: no such file") from None
-        whole = text[:text.rfind("\n") + 1]
+        whole = text if is_complete else text[:text.rfind("\n") + 1]
         rows = [row for row in csv.reader(
             line for line in whole.splitlines() if not line.startswith("#"))
             if row]
@@ -110,34 +116,42 @@ class Table(Mapping[str, np.ndarray]):
     def rows(self, which: Any) -> Table:
         """The rows that a mask, slice or list of indices picks."""
         return Table({self._full[name]: values[which]
-                      for name, values in self._columns.items()}, self.source)
+                      for name, values in self._columns.items()}, self.source,
+                     self._given_units)
+
+    def with_units(self, units: Mapping[str, str]) -> Table:
+        """The same columns with units of some that have none in the file."""
+        return Table({self._full[name]: values
+                      for name, values in self._columns.items()}, self.source,
+                     {**self._given_units, **units})
 
     def to_pandas(self) -> pandas.DataFrame:
         """A data frame with full names; ``frame.attrs["units"]`` by name.
         Vectors have a column for each component: ``velocity_x_m_per_s``."""
         pandas = need("pandas", "Table.to_pandas")
         flat, units = {}, {}
-        for full, values in self._flat():
+        for full, values, unit in self._flat():
             flat[full] = values
-            units[full] = split_unit(full)[1]
+            units[full] = unit
         frame = pandas.DataFrame(flat)
         frame.attrs["units"] = units
         return frame
 
-    def _flat(self) -> Iterator[tuple[str, np.ndarray]]:
+    def _flat(self) -> Iterator[tuple[str, np.ndarray, str]]:
+        """Full name, values and unit; vectors by component."""
         for name, values in self._columns.items():
-            full = self._full[name]
+            full, unit = self._full[name], self._units[name]
             if values.ndim == 1:
-                yield full, values
+                yield full, values, unit
                 continue
             ending = full[len(name):] if full.startswith(name) else ""
             axes = "xyz" if values.shape[1] == 3 else "0123456789"
             for axis, column in zip(axes, values.T):
-                yield f"{name}_{axis}{ending}", column
+                yield f"{name}_{axis}{ending}", column, unit
 
     def write_csv(self, path: str | pathlib.Path) -> None:
         """All columns with full names; numbers keep all their digits."""
-        flat = dict(self._flat())
+        flat = {full: values for full, values, _ in self._flat()}
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(flat)
@@ -178,7 +192,7 @@ class Record(Mapping[str, Any]):
         """``values`` by full name, ``name_unit``, or by name if ``units`` has
         the units by name."""
         if units is None:
-            names = _short_names(list(values))
+            names = _short_names(list(values), {})
         else:
             names = {name: (name, units.get(name, "1")) for name in values}
         self._names = names

@@ -16,6 +16,8 @@ _ENDING = re.compile(
     r"^(?P<name>.+?)_(?P<unit>" + "|".join(sorted(_BASES, key=len)[::-1]) +
     r")(?:_per_(?P<per>" + "|".join(sorted(_PER, key=len)[::-1]) + r"))?$")
 
+_MOST_LISTED = 20  # words that a message names
+
 
 def split_unit(full_name: str) -> tuple[str, str]:
     """Name and unit of ``name_unit``; the unit "1" where it has none.
@@ -32,6 +34,11 @@ def split_unit(full_name: str) -> tuple[str, str]:
     return found["name"], unit
 
 
+def table_unit(unit: str) -> str:
+    """Unit of a key of a case as a table has it: "1" for none, not "-"."""
+    return "1" if unit == "-" else unit
+
+
 def label(name: str, unit: str) -> str:
     """Text of an axis: ``Axial stress (Pa)``."""
     words = name.replace("_", " ")
@@ -40,6 +47,12 @@ def label(name: str, unit: str) -> str:
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """", did you mean X?" where a known word is near."""
-    near = difflib.get_close_matches(word, list(known), n=1)
-    return f", did you mean {near[0]}?" if near else ""
+    """", did you mean X?" where a known word is near; else all known words
+    where there are few."""
+    words = list(known)
+    near = difflib.get_close_matches(word, words, n=1)
+    if near:
+        return f", did you mean {near[0]}?"
+    if not 0 < len(words) <= _MOST_LISTED:
+        return ""
+    return f"; there {'is' if len(words) == 1 else 'are'} {', '.join(words)}"
