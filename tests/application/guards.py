@@ -65,7 +65,8 @@ def main():
                              "Coupling/ledger_limit")
         faults += stopped_run(spall, root / "soft", SOFT,
                               "in the surface 'membrane' facets",
-                              hint="a higher Membrane/tension may prevent it")
+                              hint="a higher Membrane/tension or a longer "
+                              "Loading/consolidation_time may prevent it")
         loading = root / "loading"
         run(spall, loading, "membrane", "--until", "1",
             settings=(*LOADING, WIDE))
