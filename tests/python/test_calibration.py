@@ -47,6 +47,27 @@ class Targets(InFolder):
         with self.assertRaisesRegex(spall.InputError, "above 0"):
             spall.Value("peak", 3.0, deviation=0).deviations()
 
+    def test_values_that_are_no_numbers(self):
+        for make, what in (
+                (lambda: spall.Value("peak", "3"), "peak = '3': must be a fin"),
+                (lambda: spall.Value("peak", float("nan")), "peak = nan"),
+                (lambda: spall.Value("peak", 3.0, "a").deviations(),
+                 "deviation = 'a': must be a number"),
+                (lambda: spall.Curve("x", "y", [1, 2]), "must be a dictionary"),
+                (lambda: spall.Curve("x", "y", {1: None}), "y at 1 = None"),
+                (lambda: spall.Curve("x", "y", {1: 2}, deviation=[1, 2, 3])
+                 .deviations(), "or 1 numbers")):
+            with self.assertRaisesRegex(spall.InputError, what):
+                make()
+
+    def test_units_and_labels(self):
+        run = self.run_with("cycle_1,strain_1,force_N\n1,0.1,2\n")
+        curve = spall.Curve("cycle", "force", {1: 2.0})
+        self.assertEqual((curve.labels(), curve.unit(run)),
+                         (["force at cycle 1"], "N"))
+        peak = spall.Value("peak", 3.0)
+        self.assertEqual((peak.labels(), peak.unit(run)), (["peak"], "N"))
+
 
 class Ranges(InFolder):
     def test_ranges(self):
@@ -63,6 +84,9 @@ class Ranges(InFolder):
                 ({"Particle/friction": (1, 0)}, "must be .lower, upper."),
                 ({"Particle/frict": (0, 1)}, "did you mean friction"),
                 ({"Particle/order": (1, 9)}, "only numbers"),
+                ({"Particle/friction": 0.5}, "the range 0.5 must be"),
+                ({"Particle/friction": ("a", "b")}, "must be a finite"),
+                (["Particle/friction"], "must be a dictionary"),
                 ({}, "no parameter")):
             with self.assertRaisesRegex(spall.InputError, what):
                 fitted_parameters(case, ranges)
@@ -133,8 +157,23 @@ class Fits(InFolder):
         found = self.fit(max_sets=2)
         self.assertEqual(found.message, "stopped after 2 sets")
         self.assertIn("Pa", str(found))
+        last = list(found.table)[-1]
+        self.assertRegex(last, "^force at displacement 4.95e-05$")
+        self.assertEqual([found.table.unit(name) for name in
+                          (self.NAME, "residual", last)], ["Pa", "1", "N"])
         for options, what in (({"method": "guess"}, "must be one of least"),
                               ({"seeds": (1, 1)}, "must be different"),
+                              ({"seeds": 3}, "seeds = 3: must be"),
+                              ({"seeds": ("a",)}, "must be different"),
+                              ({"jobs": 0}, "jobs = 0: must be a whole"),
+                              ({"max_sets": 1.5}, "max_sets = 1.5"),
+                              ({"step": "a"}, "step = 'a': must be a finite"),
                               ({"step": 0}, "step = 0")):
             with self.assertRaisesRegex(spall.InputError, what):
                 self.fit(**options)
+        for case, target, what in (
+                ("case.prm", self.target, "must be a spall.Case"),
+                (pressed_particle(), "force", "target 'f': must be"),
+                (pressed_particle(), 3.0, "target 3.0: must be")):
+            with self.assertRaisesRegex(spall.InputError, what):
+                spall.calibrate(case, target, {self.NAME: (1e9, 8e9)})

@@ -159,6 +159,7 @@ class Reading(Shared):
         self.assertEqual(axes.get_ylabel(), "Deviator stress (kPa)")
         self.assertEqual(len(axes.lines[0].get_xdata()), run.loading.n_rows)
         self.assertEqual(len(run.plot.loops(cycles=[1, 2]).lines), 2)
+        self.assertEqual(len(run.plot.loops(cycles=2).lines), 1)
         axes = run.plot.history("axial_stress", "lateral_stress")
         self.assertEqual(axes.get_xlabel(), "Time (s)")
         axes = run.plot.permanent_strain()

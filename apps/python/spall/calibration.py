@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 import dataclasses
+import numbers
 import pathlib
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from .evaluations import (BudgetSpent, Evaluations, Fitted, Ranges,
                           fitted_parameters)
 from .run import Run
 from .table import Table
-from .targets import Target
+from .targets import Target, require_finite
 
 
 @dataclasses.dataclass
@@ -82,7 +83,10 @@ def calibrate(case: Case, targets: Target | Sequence[Target],
     need("scipy.optimize", "calibrate")
     aims: list[Target] = list(targets) if isinstance(targets, Sequence) \
         else [targets]
-    _check(case, aims, seeds, method, step, tolerance)
+    _check(case, aims, method)
+    _check_numbers(seeds, {"step": step, "tolerance": tolerance},
+                   {"max_sets": max_sets, "jobs": jobs, "threads": threads,
+                    "ranks": ranks})
     fitted = fitted_parameters(case, parameters)
     sets = Evaluations(case, aims, fitted, seeds, pathlib.Path(folder),
                        max_sets=max_sets, jobs=jobs, progress=progress,
@@ -96,22 +100,42 @@ def calibrate(case: Case, targets: Target | Sequence[Target],
     return _result(sets, fitted, step, message)
 
 
-def _check(case: Case, targets: Sequence[Target], seeds: Sequence[int],
-           method: str, step: float, tolerance: float) -> None:
+def _check(case: Case, targets: Sequence[Target], method: str) -> None:
+    if not isinstance(case, Case):
+        raise InputError(f"calibrate: case = {case!r}: must be a spall.Case")
     if not targets:
         raise InputError("calibrate: no target was given")
+    for one in targets:
+        if not isinstance(one, Target):
+            raise InputError(f"calibrate: target {one!r}: must be a "
+                             "spall.Curve or a spall.Value")
     if method not in _METHODS:
         raise InputError(f"calibrate: method = {method}: must be one of "
                          f"{', '.join(_METHODS)}")
     if not case.seed_key:
         raise InputError(f"calibrate: a case of kind {case.kind} has no seed")
-    if not seeds or len(set(seeds)) != len(seeds):
+
+
+def _check_numbers(seeds: Sequence[int], shares: dict[str, float],
+                   counts: dict[str, int]) -> None:
+    are_whole = isinstance(seeds, Iterable) and all(map(_is_whole, seeds))
+    if not are_whole or not seeds or len(set(seeds)) != len(seeds):
         raise InputError(f"calibrate: seeds = {seeds}: must be different "
                          "whole numbers")
-    for name, value in (("step", step), ("tolerance", tolerance)):
-        if not 0 < value <= 0.5:
-            raise InputError(f"calibrate: {name} = {value}: must be above 0 "
+    for name, share in shares.items():
+        require_finite(f"calibrate: {name}", share)
+        if not 0 < share <= 0.5:
+            raise InputError(f"calibrate: {name} = {share}: must be above 0 "
                              "and at most 0.5")
+    for name, count in counts.items():
+        if not _is_whole(count) or count < 1:
+            raise InputError(f"calibrate: {name} = {count!r}: must be a whole "
+                             "number from 1 up")
+
+
+def _is_whole(number: Any) -> bool:
+    return isinstance(number, numbers.Integral) and \
+        not isinstance(number, bool)
 
 
 def _least_squares(sets: Evaluations, start: np.ndarray, step: float,

@@ -15,7 +15,8 @@ from .errors import InputError, RunError
 from .prm import prm_text
 from .run import Run
 from .table import Table
-from .targets import Target
+from .targets import Target, require_finite
+from .units import table_unit
 
 #: Key or keys of the case -> (lower, upper) or (lower, start, upper).
 Ranges = Mapping[str | tuple[str, ...], tuple[float, ...]]
@@ -46,9 +47,17 @@ class Fitted:
 
 def fitted_parameters(case: Case, ranges: Ranges) -> list[Fitted]:
     """The parameters with their ranges, checked against the case."""
+    if not isinstance(ranges, Mapping):
+        raise InputError(f"calibrate: parameters = {ranges!r}: must be a "
+                         "dictionary of ranges by Section/key")
     found = []
     for keys, limits in ranges.items():
         keys = (keys,) if isinstance(keys, str) else tuple(keys)
+        if not isinstance(limits, (tuple, list)):
+            raise InputError(f"{keys[0]}: the range {limits!r} must be (lower, "
+                             "upper) or (lower, start, upper)")
+        for limit in limits:
+            require_finite(f"{keys[0]}: limit of the range", limit)
         if len(limits) == 2:
             limits = (limits[0], 0.5 * sum(limits), limits[1])
         if len(limits) != 3 or not limits[0] < limits[2] or \
@@ -88,6 +97,7 @@ class Evaluations:
                                           for one in targets])
         #: values of a set -> outcomes (n_seeds, n_measured)
         self.done: dict[tuple[float, ...], np.ndarray] = {}
+        self._units: list[str] = []  #: of the outcomes, by a run
         self._lock = threading.Lock()
 
     def values(self, shares: np.ndarray) -> tuple[float, ...]:
@@ -136,9 +146,12 @@ class Evaluations:
         if values not in self.done:
             if len(self.done) >= self.max_sets:
                 raise BudgetSpent
+            runs = self.runs(values)
             self.done[values] = np.array([
                 np.concatenate([one.computed(run) for one in self.targets])
-                for run in self.runs(values)])
+                for run in runs])
+            self._units = [one.unit(runs[0]) for one in self.targets
+                           for _ in one.labels()]
             self._write()
             if self._report:
                 self._report(self._line(values))
@@ -175,12 +188,15 @@ class Evaluations:
         """A row for each set: parameters, residual and mean outcomes."""
         columns = {one.name: np.array([values[k] for values in self.done])
                    for k, one in enumerate(self.fitted)}
+        units = {name: table_unit(self.case.unit(name)) for name in columns}
         columns["residual_1"] = np.array([self.cost(one)
                                           for one in self.done])
         means = np.array([one.mean(axis=0) for one in self.done.values()])
-        for k, column in enumerate(means.T):
-            columns[f"outcome_{k + 1}"] = column
-        return Table(columns, str(self.folder / "sets.csv"))
+        labels = [label for one in self.targets for label in one.labels()]
+        for label, unit, column in zip(labels, self._units, means.T):
+            columns[label] = column
+            units[label] = unit
+        return Table(columns, str(self.folder / "sets.csv"), units)
 
     def _write(self) -> None:
         self.folder.mkdir(parents=True, exist_ok=True)

@@ -52,10 +52,12 @@ class RunPlots:
             axes.legend()
         return axes
 
-    def loops(self, cycles: Sequence[int] | None = None,
+    def loops(self, cycles: int | Sequence[int] | None = None,
               axes: Any = None) -> Any:
         """Deviator stress, axial minus lateral, over axial strain of a dynamic
-        triaxial test: all of loading, or some cycles by number."""
+        triaxial test: all of loading, or one or some cycles by number."""
+        if isinstance(cycles, int):
+            cycles = [cycles]
         table = self._run.loading
         needed = ("cycle", "axial_strain", "axial_stress", "lateral_stress")
         if not all(name in table for name in needed):
