@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Draws charts of docs/results and docs/performance from their tables.
 
-    results.py
+    results.py [--check]
 
-Writes docs/pictures/results and docs/pictures/performance. Charts of studies
-are written by `spall study --figures`.
+Writes docs/pictures/results and docs/pictures/performance; with --check it
+names the charts there that are not those of their tables. Charts of studies are
+written by `spall study --figures`.
 """
 import pathlib
 import sys
@@ -148,22 +149,23 @@ def claims_fracture_energy():
 
 
 def claims_size():
-    """Outcomes after ten cycles over those of the smallest specimen, against
-    the inverse of the width; dashed as a + b / width, to 300 mm."""
-    rows = rows_of(RESULTS / "claims_size_cycles.csv")
+    """Outcomes after five cycles over those of the smallest specimen, against
+    the inverse of the width; dashed a + b / width of all but the largest."""
+    rows = (rows_of(RESULTS / "claims_size_cycles.csv") +
+            rows_of(RESULTS / "claims_size_300_cycles.csv"))
     series = []
     for index, (name, column, is_breaking) in enumerate((
             ("strain", "strain (%)", "true"),
             ("strain without breakage", "strain (%)", "false"),
             ("abrasion", "LAA (%)", "true"),
             ("coordination number", "coordination number", "true"))):
-        points = points_of(rows, column, is_breaking)
+        points = points_of(rows, column, is_breaking, "5")
         first = points[0][1]
-        offset, slope = fit(points)
+        offset, slope = fit(points[:-1])
         series.append((name, [(1e3 * x, y / first) for x, y, _ in points],
                        "dots", index))
         series.append(("", [(1e3 * x, (offset + slope * x) / first)
-                            for x in (points[0][0], 1. / 300.)],
+                            for x in (points[0][0], points[-1][0])],
                        "dashes", index))
     return chart(series, ("1 / width of the specimen (1/m)",
                           "over that of the smallest specimen (-)"))
@@ -220,21 +222,31 @@ def breakage_height():
                  limits=((0., 1.), (0.5, 1.5)))
 
 
+CHARTS = {"results": (cycle_jump_errors, cycle_jump_rates, density_scaling,
+                      claims_strain, claims_abrasion, claims_coordination,
+                      claims_force, claims_fracture_energy, claims_size,
+                      ballast_strain, breakage_strain, breakage_height),
+          "performance": (time_step, engine_sizes)}
+
+
 def main():
-    for folder, charts in (("results", (cycle_jump_errors, cycle_jump_rates,
-                                        density_scaling, claims_strain,
-                                        claims_abrasion, claims_coordination,
-                                        claims_force,
-                                        claims_fracture_energy, claims_size,
-                                        ballast_strain,
-                                        breakage_strain, breakage_height)),
-                           ("performance", (time_step, engine_sizes))):
+    if sys.argv[1:] not in ([], ["--check"]):
+        sys.exit(__doc__)
+    is_check, n_old = len(sys.argv) > 1, 0
+    for folder, charts in CHARTS.items():
         pictures = DOCS / "pictures" / folder
         pictures.mkdir(parents=True, exist_ok=True)
         for draw in charts:
-            (pictures / f"{draw.__name__}.svg").write_text(
-                draw(), encoding="utf-8")
+            path, drawing = pictures / f"{draw.__name__}.svg", draw()
+            if not is_check:
+                path.write_text(drawing, encoding="utf-8")
+            elif not path.exists() or \
+                    path.read_text(encoding="utf-8") != drawing:
+                print(f"{path}: is not drawn from the tables of today: run "
+                      "scripts/figures/results.py")
+                n_old += 1
+    return n_old > 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
