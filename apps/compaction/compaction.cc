@@ -400,7 +400,7 @@ Due Compaction::due() const
     return times_per_second > 0. && std::floor(before * times_per_second) !=
                                         std::floor(after * times_per_second);
   };
-  due.row = has_passed(v.frequency * v.rows_per_period);
+  due.row = has_passed(v.frequency * v.rows_per_period) || share_done() >= 1.;
   due.frame = has_passed(v.frames_per_second) || !files.empty();
   due.checkpoint =
       v.checkpoint_every > 0 && has_passed(v.frequency / v.checkpoint_every);

@@ -9,8 +9,10 @@
 #include <dem/parallel/ranks.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace spall
@@ -85,6 +87,24 @@ void require_right_side(const std::string &file, const dem::Engine &engine,
   }
 }
 
+/// Names two particles with one centre: no direction would part them.
+void require_apart(const std::string &file, const PlacedParticles &particles)
+{
+  std::vector<std::size_t> order(particles.placement.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto at = [&](std::size_t k)
+  {
+    const dem::Vec3 &x = particles.placement[k].position;
+    return std::array{x.x(), x.y(), x.z()};
+  };
+  std::ranges::sort(order, {}, at);
+  const auto found = std::ranges::adjacent_find(order, {}, at);
+  if (found != order.end())
+    throw InputError(file + ": " + particles.name[*(found + 1)] +
+                     ": has the same centre as " + particles.name[*found] +
+                     ": must be another point");
+}
+
 /// Names the first particle of which all is beyond a wall.
 void require_inside(const std::string &file, const dem::Engine &engine,
                     const PlacedParticles &particles)
@@ -130,6 +150,7 @@ std::unique_ptr<dem::Engine> check_as_placed(const Case &parameters,
   add_particles(particles, *engine);
   check.add_boundaries(*engine);
   engine->set_breaking(false);
+  require_apart(parameters.file, particles);
   require_inside(parameters.file, *engine, particles);
   require_right_side(parameters.file, *engine, particles);
   try

@@ -318,9 +318,12 @@ Verdict judge_means(const std::vector<Level> &levels,
                                             { return std::isfinite(mean); }))
     return verdict;
   const auto [low, high] = std::ranges::minmax(means);
-  if (relation == "is_positive" || relation == "is_negative")
+  const bool is_sign = relation == "is_positive" || relation == "is_negative";
+  if (is_sign)
     verdict.ruling = ruled(relation == "is_positive" ? low > 0. : high < 0.);
   const std::size_t n = means.size();
+  if (n < 2 && !is_sign) // there is nothing to compare
+    verdict.ruling = Ruling::not_resolved;
   if (n < 2)
     return verdict;
   const double limit = noticeable * std::abs(mean_of(levels));

@@ -240,6 +240,34 @@ void check_study(const Study &study)
          "Study/spread_seeds: " + seed + " is in Study/seeds already");
 }
 
+/// What was asked on the command line, the last `n` settings of the base, must
+/// reach the cases: the study itself sets some keys afterwards.
+void check_overrides(const Study &study, std::size_t n)
+{
+  const auto sets =
+      [](const std::vector<Override> &settings, const std::string &name)
+  { return std::ranges::find(settings, name, key_name) != settings.end(); };
+  const auto refuse = [](const std::string &name, const std::string &why)
+  {
+    throw InputError("--set " + name + ": " + why +
+                     ": must be a key that the study does not set itself");
+  };
+  for (std::size_t k = study.base.size() - n; k < study.base.size(); ++k)
+  {
+    const std::string name = key_name(study.base[k]);
+    if (!study.seeds.empty() && name == study.seed_key)
+      refuse(name, "Study/seeds sets it");
+    if (study.combine == Combine::each)
+      continue; // the base case has it
+    if (std::ranges::find(study.keys, name, &SweptKey::name) !=
+        study.keys.end())
+      refuse(name, "is in section Sweep");
+    for (const Variant &variant : study.variants)
+      if (sets(variant.settings, name))
+        refuse(name, "Variants/" + variant.name + " sets it");
+  }
+}
+
 /// Kind and units are those of the base case.
 void take_base_case(Case base, Study &study)
 {
@@ -289,6 +317,7 @@ Study read_study(const std::string &file,
   study.deprecated.insert(study.deprecated.end(), base.deprecated.begin(),
                           base.deprecated.end());
   take_base_case(base, study);
+  check_overrides(study, overrides.size());
   return study;
 }
 } // namespace spall

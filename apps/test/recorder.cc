@@ -69,15 +69,20 @@ double Recorder::elapsed() const
       .count();
 }
 
-void Recorder::write_gradation(const Test &test)
+/// Before what has broken is restored.
+void Recorder::note_gradation(const Test &test)
 {
   test.with_all_particles(
       [&](const dem::ParticleSystem &particles)
-      {
-        drawn = obtained_gradation(parameters, particles);
-        if (drawn)
-          write_text(folder / gradation_file, gradation_table(*drawn));
-      });
+      { drawn = obtained_gradation(parameters, particles); });
+}
+
+/// case.prm, and the gradation.
+void Recorder::write_input() const
+{
+  write_text(folder / "case.prm", resolved_case(parameters));
+  if (drawn)
+    write_text(folder / gradation_file, gradation_table(*drawn));
 }
 
 /// Before what has broken is restored.
@@ -110,13 +115,13 @@ std::filesystem::path Recorder::checkpoint(const std::string &name) const
 
 void Recorder::start(Test &test)
 {
-  write_gradation(test);
+  note_gradation(test);
   note_first_shapes(test);
   const std::vector<TableHeader> headers = headers_of(test);
   on_first_rank(test.ranks(),
                 [&]
                 {
-                  write_text(folder / "case.prm", resolved_case(parameters));
+                  write_input();
                   for (const TableHeader &table : headers)
                     tables[table.file].open(folder / table.file, table.header);
                 });
@@ -148,13 +153,12 @@ Progressed Recorder::restore_state(Test &test, const std::string &name)
 
 void Recorder::resume(Test &test)
 {
-  write_gradation(test); // before what has broken is restored
+  note_gradation(test);
   note_first_shapes(test);
+  // Files change from here on: not before the checkpoint is that of this case.
   spent_before = restore_state(test, "state.bin").spent;
   has_first_slices = test.slice_space().has_value();
-  on_first_rank(
-      test.ranks(),
-      [&] { write_text(folder / "case.prm", resolved_case(parameters)); });
+  on_first_rank(test.ranks(), [this] { write_input(); });
   follow_rewind(test); // the run may have ended before it had
 }
 
@@ -245,8 +249,8 @@ void Recorder::write_events(Test &test)
                 [&]
                 {
                   for (const dem::BreakageEvent &e : fresh)
-                    tables.at(events).write_row(
-                        event_row(e, test.progress_at(e.time)));
+                    tables.at(events).write_row(event_row(
+                        e, test.progress_column(), test.progress_at(e.time)));
                 });
 }
 

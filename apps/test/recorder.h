@@ -46,7 +46,8 @@ public:
 
 private:
   std::filesystem::path checkpoint(const std::string &name) const;
-  void write_gradation(const Test &test);
+  void note_gradation(const Test &test);
+  void write_input() const;
   void note_first_shapes(const Test &test);
   bool write_slices(const Test &test, const std::string &when);
   void write_files(Test &test);

@@ -172,14 +172,14 @@ void run_loop(Test &test, Recorder &recorder, Progress &progress,
   news.say(test.engine(), progress);
 }
 
-/// What a resumed run computes with other values than before.
-void say_changes(const std::filesystem::path &folder, const Case &parameters,
-                 Progress &progress)
+/// What a resumed run will compute with other values than before.
+std::vector<std::string> changes_of(const std::filesystem::path &folder,
+                                    const Case &parameters)
 {
   const std::filesystem::path before = folder / "case.prm";
-  if (std::filesystem::exists(before))
-    for (const std::string &change : changes_since(before.string(), parameters))
-      progress.say("resumed with " + change);
+  return std::filesystem::exists(before)
+             ? changes_since(before.string(), parameters)
+             : std::vector<std::string>{};
 }
 
 /// What is to be known of the folder before any file is made; a note for the
@@ -228,11 +228,14 @@ void run_test(const RunOptions &asked, const Case &parameters)
   Progress progress(ranks->rank() == 0 ? (folder / "log.txt").string() : "");
   if (options.is_resumed)
   {
-    on_first_rank(*ranks, [&] { say_changes(folder, parameters, progress); });
+    std::vector<std::string> changes;
+    on_first_rank(*ranks, [&] { changes = changes_of(folder, parameters); });
     recorder.resume(*test);
     on_first_rank(*ranks,
                   [&] // of where it had ended
                   { std::filesystem::remove(folder / "summary.json"); });
+    for (const std::string &change : changes)
+      progress.say("resumed with " + change);
   }
   else
     recorder.start(*test);

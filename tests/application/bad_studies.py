@@ -35,6 +35,9 @@ STUDIES = [
           "  set b = Particle/density=3000\nend\nsubsection Expect\n"
           "  set a = n_events rises with Particle/density\nend\n",
           "Expect/a: Particle/density is set by variants: must be Variants"),
+    study("set_of_swept_key", STUDY.replace("end", "  set combine = grid\nend") +
+          SWEEP, "--set Particle/density: is in section Sweep",
+          options="--set Particle/density=1000"),
     study("base", STUDY + SWEEP +
           "subsection Base\n  set Particle/friction = -1\nend\n",
           "s.prm:9: Base: Particle/friction = -1: must be"),

@@ -108,6 +108,20 @@ def collision(spall, root):
     return faults + json_faults(spall, root, out)
 
 
+def linear_collision(spall, root):
+    """Springs that end between two steps keep the energy, and its books: both
+    halves of the work of the last force count, however long the steps."""
+    out = run_scene(spall, root / "linear",
+                    {"Scene": {"gravity": [0, 0, 0]},
+                     "Contact": {"law": "linear"}, "Time": {"safety": 0.8}},
+                    "x,y,z,radius,vx,vy,vz\n"
+                    "0,0,0,0.01,0.5,0,0\n0.03,0,0,0.02,-0.3,0,0\n")
+    return [f"linear collision: {name} = {summary(out)[name]}"
+            for name in ("energy_residual_ratio_1",
+                         "non_conservative_work_ratio_1")
+            if not abs(summary(out)[name]) < 1e-12]
+
+
 def overlap_at_start(spall, root):
     """A particle that overlaps a wall as placed leaves with the energy of the
     spring, which counts as put in and not as a fault of the integration."""
@@ -220,7 +234,7 @@ def periodic_box(spall, root):
 
 def physics(spall, root):
     return (flight(spall, root) + collision(spall, root) +
-            overlap_at_start(spall, root) +
+            linear_collision(spall, root) + overlap_at_start(spall, root) +
             weight_on_walls(spall, root) + sliding(spall, root) +
             periodic_box(spall, root))
 
@@ -243,6 +257,11 @@ BUSY = {
 }
 
 
+def contents(folder):
+    return {path: path.read_bytes() for path in folder.rglob("*")
+            if path.is_file()}
+
+
 def restart(spall, root):
     """Stopped and continued, and on other numbers of threads and ranks: the
     same bits."""
@@ -257,6 +276,14 @@ def restart(spall, root):
     names = ["history.csv", "events.csv", "particles.csv"]
     faults = [f"{name} differs after a restart"
               for name in differing(part / "run", whole, names)]
+    before = contents(part / "run")
+    spall_run([spall, "run", part / "case.json", "--out", part / "run",
+               "--resume", "--set", "Fill/seed=2"], status=1)
+    if contents(part / "run") != before:
+        faults.append("a refused --resume has changed the run")
+    if len(set((whole / "events.csv").read_text().splitlines()[0]
+               .split(","))) != 15:
+        faults.append("events.csv: not 15 columns of different names")
     faults += ranks_faults(spall, root, whole, names)
     for pattern in ("walls_*.vtu", "particles_*.vtu"):
         if not list((whole / "frames").glob(pattern)):
@@ -292,6 +319,8 @@ BAD = [
     ("overlap", {}, HEADER + "0,0,0,0.01\n1,0,0,0.01\n0.018,0,0,0.01\n",
      ["particles.csv:2", "particles.csv:4", "0.2 of its radius",
       "Scene/largest_overlap = 0.05"]),
+    ("one centre", {}, TWO + "0.05,0,0,0.005\n",
+     ["particles.csv:4: has the same centre as", "particles.csv:3"]),
     ("in a wall", {"Box": {"z": "rigid", "lower": [-1, -1, -0.005],
                            "upper": [1, 1, 1]}},
      TWO, ["particles.csv:", "overlaps the plane of the normal (0, 0, 1)", "0.5 of its radius"]),

@@ -128,11 +128,10 @@ bool any_alive(const Task &task, std::int64_t k, const Simd &reach,
   if constexpr (Law::attracts)
     return any(reach > 0. || overlap_before > 0. ||
                load(task.contacts.attraction + k) > 0.);
-  // The pull of a linear contact that has just ended (cut_at_crossing).
-  else if (task.adds_loads_only)
-    return any(reach > 0. || load(task.contacts.normal_force + k) != 0.);
+  // A linear contact that has just ended may pull still (cut_at_crossing).
   else
-    return any(reach > 0. || overlap_before > 0.);
+    return any(reach > 0. || overlap_before > 0.) ||
+           any(load(task.contacts.normal_force + k) != 0.);
 }
 
 /// Force on A as the last step left it.
