@@ -120,6 +120,8 @@ def number_faults(folder, form):
     mass = filling["layers"][-1]["mass_kg"]
     faults += near("mass", mass, 1300. * 0.07 * math.pi * 0.045 ** 2, 0.02)
     last = history[-1]
+    faults += near("last settlement", last["settlement_m"],
+                   found["settlement_m"], 1e-12)
     faults += near("force on the plate", last["plate_force_z_N"],
                    last["plate_load_N"], 1e-9)
     if not last["floor_force_z_N"] < 0.:

@@ -36,6 +36,8 @@ TEST(StudyLevels, JudgeTellsTheRelations)
   std::vector<Level> missing = levels({1., 2.});
   missing[0].samples.clear();
   EXPECT_EQ(judge_means(missing, "rises").ruling, Ruling::does_not);
+  for (const char *relation : {"rises", "falls", "stays", "changes"})
+    EXPECT_EQ(judge_means(levels({1.}), relation).ruling, Ruling::not_resolved);
   EXPECT_TRUE(is_shown({1., 2.}, "is_positive"));
   EXPECT_FALSE(is_shown({-1., 2.}, "is_positive"));
 }
